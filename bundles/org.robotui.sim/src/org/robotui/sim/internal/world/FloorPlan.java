@@ -1,0 +1,20 @@
+package org.robotui.sim.internal.world;
+
+import java.util.List;
+
+/**
+ * What a plan file says.
+ *
+ * @param rooms in the order of the file; together they cover the building
+ * @param solids walls and furniture
+ * @param start where the robot starts, and where its charger is
+ */
+public record FloorPlan(List<Room> rooms, List<Solid> solids, Pose2 start) {
+  public FloorPlan {
+    rooms = List.copyOf(rooms);
+    solids = List.copyOf(solids);
+    if (rooms.isEmpty()) {
+      throw new IllegalArgumentException("a floor plan needs at least one room");
+    }
+  }
+}
