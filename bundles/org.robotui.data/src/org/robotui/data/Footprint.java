@@ -1,0 +1,26 @@
+package org.robotui.data;
+
+import java.util.List;
+import org.robotui.geometry.Vector3;
+
+/**
+ * The outline of a robot on the floor.
+ *
+ * @param frame frame of the corners
+ * @param corners at least three, metres, counter-clockwise
+ */
+@Delivery(expires = false)
+public record Footprint(FrameId frame, List<Vector3> corners) implements Data {
+  private static final int TRIANGLE = 3;
+
+  /**
+   * Checks the number of corners.
+   *
+   * @param frame the frame
+   * @param corners at least three
+   */
+  public Footprint {
+    corners = List.copyOf(corners);
+    Check.that(corners.size() >= TRIANGLE, "corners", "an outline has at least three, not " + corners.size());
+  }
+}

@@ -1,0 +1,14 @@
+package org.robotui.data;
+
+import org.robotui.geometry.RigidTransform;
+
+/**
+ * How one frame lies in another.
+ *
+ * @param parent the frame that carries
+ * @param child the frame that is carried
+ * @param stamp when it was so
+ * @param parentFromChild the transform
+ * @param fixed true where it never changes
+ */
+public record FrameTransform(FrameId parent, FrameId child, Stamp stamp, RigidTransform parentFromChild, boolean fixed) {}

@@ -1,0 +1,35 @@
+package org.robotui.data;
+
+import java.util.List;
+
+/**
+ * Joints by name. A quantity that the robot does not report is empty.
+ *
+ * @param joints one entry a joint
+ */
+@Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS)
+public record JointState(List<Joint> joints) implements Keyed<JointState> {
+  /**
+   * One joint.
+   *
+   * @param name its name in the robot's model
+   * @param position radians or metres, NaN where unknown
+   * @param velocity radians or metres per second, NaN where unknown
+   * @param effort newton metres or newton, NaN where unknown
+   */
+  public record Joint(String name, double position, double velocity, double effort) {}
+
+  /**
+   * Copies the list.
+   *
+   * @param joints one entry a joint
+   */
+  public JointState {
+    joints = List.copyOf(joints);
+  }
+
+  @Override
+  public JointState over(JointState older) {
+    return new JointState(Merge.byKey(older.joints, joints, Joint::name));
+  }
+}

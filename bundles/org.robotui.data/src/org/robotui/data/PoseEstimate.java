@@ -1,0 +1,23 @@
+package org.robotui.data;
+
+import org.robotui.geometry.RigidTransform;
+
+/**
+ * Where a robot is believed to be: what localisation says, or what a user tells it.
+ *
+ * @param frame the frame in which it is given, usually the map
+ * @param pose frame from base
+ * @param covariance 6 x 6, row by row, of x, y, z, roll, pitch, yaw, or none where unknown
+ */
+public record PoseEstimate(FrameId frame, RigidTransform pose, Doubles covariance) implements Pose {
+  /**
+   * Checks the size of the covariance.
+   *
+   * @param frame the frame
+   * @param pose the pose
+   * @param covariance none or 36 numbers
+   */
+  public PoseEstimate {
+    Check.emptyOr(covariance.size(), Odometry.COVARIANCE_SIZE, "covariance");
+  }
+}

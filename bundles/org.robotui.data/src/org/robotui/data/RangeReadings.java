@@ -1,0 +1,25 @@
+package org.robotui.data;
+
+import java.util.List;
+
+/**
+ * Distances of several sensors, the newest per sensor frame.
+ *
+ * @param readings one per sensor
+ */
+@Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS)
+public record RangeReadings(List<RangeReading> readings) implements Keyed<RangeReadings> {
+  /**
+   * Copies the list.
+   *
+   * @param readings one per sensor
+   */
+  public RangeReadings {
+    readings = List.copyOf(readings);
+  }
+
+  @Override
+  public RangeReadings over(RangeReadings older) {
+    return new RangeReadings(Merge.byKey(older.readings, readings, RangeReading::frame));
+  }
+}

@@ -1,0 +1,11 @@
+package org.robotui.data;
+
+import org.robotui.geometry.RigidTransform;
+
+/**
+ * A pose as such.
+ *
+ * @param frame the frame in which it is given
+ * @param pose frame from body
+ */
+public record StampedPose(FrameId frame, RigidTransform pose) implements Pose {}

@@ -1,0 +1,27 @@
+package org.robotui.data;
+
+import java.util.List;
+
+/**
+ * Transforms between frames, the newest per parent and child.
+ *
+ * @param transforms the transforms
+ */
+@Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS)
+public record TransformSet(List<FrameTransform> transforms) implements Keyed<TransformSet> {
+  private record Edge(FrameId parent, FrameId child) {}
+
+  /**
+   * Copies the list.
+   *
+   * @param transforms the transforms
+   */
+  public TransformSet {
+    transforms = List.copyOf(transforms);
+  }
+
+  @Override
+  public TransformSet over(TransformSet older) {
+    return new TransformSet(Merge.byKey(older.transforms, transforms, t -> new Edge(t.parent(), t.child())));
+  }
+}
