@@ -1,0 +1,97 @@
+package org.robotui.api;
+
+import org.robotui.api.command.Output;
+import org.robotui.api.command.Principal;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.api.frame.Frames;
+import org.robotui.api.host.RuicView;
+import org.robotui.api.port.BrowseInput;
+import org.robotui.api.port.BrowsePort;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.Caller;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.StreamPort;
+import org.robotui.api.time.RobotClock;
+import org.robotui.data.Data;
+
+/** What core gives to a view. Ports asked for must be among those of its type. All of it is safe for all threads. */
+public interface UicContext {
+  /**
+   * The id of the instance within its RUIC.
+   *
+   * @return the id
+   */
+  String instance();
+
+  /**
+   * The RUIC to which the view belongs: its components, links and connections.
+   *
+   * @return a view of it
+   */
+  RuicView ruic();
+
+  /**
+   * The end of a stream.
+   *
+   * @param <T> the type of the data
+   * @param port a port of the type
+   * @return the input, the same for each call
+   */
+  <T extends Data> Input<T> input(StreamPort<T> port);
+
+  /**
+   * The end of a command port.
+   *
+   * @param <T> the type of the commands
+   * @param port a port of the type
+   * @return the output, the same for each call
+   */
+  <T extends Data> Output<T> output(CommandPort<T> port);
+
+  /**
+   * The end of a call port.
+   *
+   * @param <Q> the type of requests
+   * @param <R> the type of replies
+   * @param port a port of the type
+   * @return the caller
+   */
+  <Q, R> Caller<Q, R> caller(CallPort<Q, R> port);
+
+  /**
+   * The end of a browse port.
+   *
+   * @param port a port of the type
+   * @return the input
+   */
+  BrowseInput browse(BrowsePort port);
+
+  /**
+   * As whom this view gives commands.
+   *
+   * @return the principal
+   */
+  Principal principal();
+
+  /**
+   * The clock of the RUIC.
+   *
+   * @return the clock
+   */
+  RobotClock clock();
+
+  /**
+   * The frames of the RUIC's robots.
+   *
+   * @return the frames
+   */
+  Frames frames();
+
+  /**
+   * The settings of this view, for changing them.
+   *
+   * @return the store
+   */
+  SettingsStore settings();
+}

@@ -1,0 +1,71 @@
+package org.robotui.api.command;
+
+import java.util.Optional;
+
+/** Who may command one robot, and its stop. Safe for all threads; never blocks. */
+public interface Authority {
+  /**
+   * The robot's name.
+   *
+   * @return as in the configuration
+   */
+  String robot();
+
+  /**
+   * Who holds the lease.
+   *
+   * @return the holder, or none
+   */
+  Optional<Principal> holder();
+
+  /**
+   * Takes the lease. One that somebody else holds is only taken over when the taker has confirmed it.
+   *
+   * @param principal who takes it
+   * @param takeover true where the user confirmed to take it from the holder
+   * @return whether it was taken
+   */
+  LeaseOutcome take(Principal principal, boolean takeover);
+
+  /**
+   * Gives the lease back; what the holder moves is stopped. Does nothing where somebody else holds it.
+   *
+   * @param principal who gives it back
+   */
+  void giveBack(Principal principal);
+
+  /**
+   * Stops and latches: zero on every motion port and the configured stop call, again and again until released. Needs no
+   * lease and does not depend on the display thread.
+   *
+   * @param by who stops
+   */
+  void stop(Principal by);
+
+  /**
+   * Releases the stop. Nothing moves by that.
+   *
+   * @param by who releases
+   */
+  void releaseStop(Principal by);
+
+  /**
+   * Whether the stop is latched.
+   *
+   * @return who stopped, or none
+   */
+  Optional<Principal> stoppedBy();
+
+  /** Whether a lease was taken. */
+  sealed interface LeaseOutcome {
+    /** It was, or was held already. */
+    record Granted() implements LeaseOutcome {}
+
+    /**
+     * It was not: ask the user whether to take it over.
+     *
+     * @param holder who holds it
+     */
+    record HeldBy(Principal holder) implements LeaseOutcome {}
+  }
+}

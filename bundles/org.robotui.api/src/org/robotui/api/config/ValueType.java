@@ -1,0 +1,64 @@
+package org.robotui.api.config;
+
+import java.util.List;
+
+/** What a setting may hold. */
+public sealed interface ValueType {
+  /** A text. */
+  record Text() implements ValueType {}
+
+  /** True or false. */
+  record Flag() implements ValueType {}
+
+  /**
+   * A number within limits.
+   *
+   * @param min the smallest allowed
+   * @param max the largest allowed
+   * @param unit for display, for example {@code m/s}; empty where there is none
+   */
+  record Num(double min, double max, String unit) implements ValueType {}
+
+  /**
+   * A whole number within limits.
+   *
+   * @param min the smallest allowed
+   * @param max the largest allowed
+   */
+  record Int(long min, long max) implements ValueType {}
+
+  /**
+   * One of some words.
+   *
+   * @param words the words
+   */
+  record Choice(List<String> words) implements ValueType {}
+
+  /**
+   * A list.
+   *
+   * @param element what its elements hold
+   */
+  record ListOf(ValueType element) implements ValueType {}
+
+  /**
+   * Values by freely chosen names.
+   *
+   * @param value what each holds
+   */
+  record MapOf(ValueType value) implements ValueType {}
+
+  /**
+   * A group of settings.
+   *
+   * @param schema what it may hold
+   */
+  record Section(Schema schema) implements ValueType {}
+
+  /**
+   * One of several shapes, tried in order, for short forms.
+   *
+   * @param alternatives the shapes
+   */
+  record AnyOf(List<ValueType> alternatives) implements ValueType {}
+}

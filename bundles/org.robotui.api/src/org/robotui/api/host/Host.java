@@ -1,0 +1,87 @@
+package org.robotui.api.host;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.Principal;
+
+/**
+ * The core, as an application sees it: an OSGi service. Methods return at once unless they say otherwise, and are safe for
+ * all threads.
+ */
+public interface Host {
+  /**
+   * Says where views can be shown, before the first configuration is loaded. Views for other surfaces are left out.
+   *
+   * @param surface window or text
+   * @param principal as whom views give commands
+   */
+  void open(Surface surface, Principal principal);
+
+  /**
+   * Reads a configuration and adds its RUICs. Reads the file, so not on the display thread.
+   *
+   * @param file the YAML file
+   * @return what is wrong with it; RUICs without errors are added all the same
+   */
+  List<Problem> load(Path file);
+
+  /**
+   * Reads a configuration and says what would become of it, without connecting to any robot. Reads the file.
+   *
+   * @param file the YAML file
+   * @param wait how long component types may still appear
+   * @return problems and matches
+   */
+  CheckReport check(Path file, Duration wait);
+
+  /**
+   * The RUICs in the order in which they were added.
+   *
+   * @return the RUICs
+   */
+  List<Ruic> ruics();
+
+  /**
+   * Tells when RUICs, their states, matches, views or frames change.
+   *
+   * @param listener is called on core threads; must not block
+   * @return ends the subscription when closed
+   */
+  Subscription listen(HostListener listener);
+
+  /**
+   * The display thread lives. An application with a window calls this from its display thread at least every 50 ms once it
+   * has called it for the first time; a silence of 200 ms ends streaming commands of its principal with zero.
+   */
+  void displayAlive();
+
+  /**
+   * Whether the user's attention is with a window. Lost focus ends streaming commands with zero.
+   *
+   * @param focused true while one of our windows has the focus
+   */
+  void displayFocused(boolean focused);
+
+  /**
+   * Stops all robots, latched.
+   *
+   * @param by who stops
+   */
+  void stopAll(Principal by);
+
+  /**
+   * Ends all RUICs and blocks until nothing is left or the time is over. What we drive is stopped.
+   *
+   * @param limit how long
+   * @return what could not be ended, for the log; empty where all is well
+   */
+  List<String> close(Duration limit);
+
+  /** Ends a subscription. */
+  interface Subscription extends AutoCloseable {
+    @Override
+    void close();
+  }
+}

@@ -1,0 +1,31 @@
+package org.robotui.api.host;
+
+/** Is told of changes. Called on core threads; must not block. */
+public interface HostListener {
+  /** A RUIC came or went. */
+  default void ruicsChanged() {}
+
+  /**
+   * State, components or matches of a RUIC changed.
+   *
+   * @param ruic its name
+   */
+  default void ruicChanged(String ruic) {}
+
+  /**
+   * A view of a selected RUIC has something new to show. An application has it painted on its display thread, once for any
+   * number of calls.
+   *
+   * @param ruic name of the RUIC
+   * @param uic id of the view
+   */
+  default void frameReady(String ruic, String uic) {}
+
+  /**
+   * Something went wrong that the user should know: a component was fenced, the display was silent.
+   *
+   * @param ruic name of the RUIC, empty where it concerns all
+   * @param message names the bundle and the cause
+   */
+  default void alert(String ruic, String message) {}
+}

@@ -1,0 +1,75 @@
+package org.robotui.api.host;
+
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.robotui.api.Uic;
+import org.robotui.api.layout.Layout;
+
+/** A RUIC as an application handles it. Methods return at once; work is done on core's workers. */
+public interface Ruic extends RuicView {
+  /**
+   * Where its views lie: the configured layout, else that of its type.
+   *
+   * @return the layout
+   */
+  Layout layout();
+
+  /**
+   * Shows it in a window; the RUIC that the window showed before is unselected.
+   *
+   * @param window names the window
+   */
+  void select(String window);
+
+  /**
+   * Shows it no more in a window.
+   *
+   * @param window names the window
+   */
+  void unselect(String window);
+
+  /**
+   * An instance of one of its views, while it runs.
+   *
+   * @param id of the view
+   * @return the instance, or none where it failed or is not installed
+   */
+  Optional<Uic> uic(String id);
+
+  /**
+   * What users call a view.
+   *
+   * @param id of the view
+   * @return its configured title, else the label of its type, else its id
+   */
+  String title(String id);
+
+  /**
+   * Reports that the surface of a view failed on the display thread; the view becomes FAILED.
+   *
+   * @param id of the view
+   * @param reason a sentence
+   */
+  void surfaceFailed(String id, String reason);
+
+  /**
+   * Ends it and starts new instances of all components.
+   *
+   * @return completes when it runs again or failed
+   */
+  CompletionStage<RuicState> restart();
+
+  /**
+   * Starts a new instance of one failed component.
+   *
+   * @param id of the component
+   */
+  void restart(String id);
+
+  /**
+   * Ends it and takes it away.
+   *
+   * @return completes when nothing of it is left
+   */
+  CompletionStage<RuicState> remove();
+}

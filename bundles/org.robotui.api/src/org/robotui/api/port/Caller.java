@@ -1,0 +1,54 @@
+package org.robotui.api.port;
+
+import java.time.Duration;
+import java.util.concurrent.CompletionStage;
+
+/**
+ * The view's end of a call port.
+ *
+ * @param <Q> the type of requests
+ * @param <R> the type of replies
+ */
+public interface Caller<Q, R> {
+  /**
+   * Asks. Returns at once; all outcomes, also that nothing is connected, come through the answer.
+   *
+   * @param request the request
+   * @param timeout how long to wait
+   * @param progress is told how far it is, on a core thread
+   * @return the call under way
+   */
+  Call<R> call(Q request, Duration timeout, Progress progress);
+
+  /** Is told how far a call is. */
+  @FunctionalInterface
+  interface Progress {
+    /** For callers who do not care. */
+    Progress IGNORED = (fraction, message) -> {};
+
+    /**
+     * Some progress.
+     *
+     * @param fraction 0 to 1, or NaN where unknown
+     * @param message a sentence
+     */
+    void at(double fraction, String message);
+  }
+
+  /**
+   * A call under way.
+   *
+   * @param <R> the type of replies
+   */
+  interface Call<R> {
+    /**
+     * The end of the call; never completes exceptionally.
+     *
+     * @return completes on a core thread
+     */
+    CompletionStage<CallOutcome<R>> outcome();
+
+    /** Gives up. */
+    void cancel();
+  }
+}

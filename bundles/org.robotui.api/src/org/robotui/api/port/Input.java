@@ -1,0 +1,67 @@
+package org.robotui.api.port;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.robotui.data.Data;
+
+/**
+ * The view's end of a stream. It is polled, from any thread and without blocking, so that a slow view never slows a robot
+ * interface. Sets of sources change while it is used.
+ *
+ * @param <T> the type of the data
+ */
+public interface Input<T extends Data> {
+  /**
+   * What the input has as a whole: the best state of its sources.
+   *
+   * @return the state
+   */
+  InputState state();
+
+  /**
+   * The sources now connected, in a stable order.
+   *
+   * @return the sources
+   */
+  List<SourceId> sources();
+
+  /**
+   * What one source gives.
+   *
+   * @param source one of {@link #sources()}
+   * @return its state
+   */
+  InputState state(SourceId source);
+
+  /**
+   * The newest value of any source; keyed types are merged per source.
+   *
+   * @return the value, or none before the first
+   */
+  Optional<Envelope<T>> latest();
+
+  /**
+   * The newest value of one source, merged for keyed types.
+   *
+   * @param source one of {@link #sources()}
+   * @return the value, or none before the first
+   */
+  Optional<Envelope<T>> latest(SourceId source);
+
+  /**
+   * Takes what came since the last call, in the order of arrival: of samples the newest per source, of keyed types what
+   * changed, merged, of events all. One thread at a time may drain.
+   *
+   * @param consumer is called on this thread
+   * @return how many values were taken
+   */
+  int drain(Consumer<? super Envelope<T>> consumer);
+
+  /**
+   * Values lost to full queues since the connection was made. Values that conflation replaced do not count.
+   *
+   * @return the count
+   */
+  long dropped();
+}

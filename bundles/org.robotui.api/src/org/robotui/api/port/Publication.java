@@ -1,0 +1,47 @@
+package org.robotui.api.port;
+
+import java.util.Optional;
+import org.robotui.data.Data;
+import org.robotui.data.Stamp;
+
+/**
+ * The robot interface's end of a stream.
+ *
+ * @param <T> the type of the data
+ */
+public interface Publication<T extends Data> extends Offer {
+  /**
+   * Publishes a value received just now. Called on any I/O thread; never blocks.
+   *
+   * @param value the value
+   * @param stamp when it was measured
+   */
+  default void publish(T value, Optional<Stamp> stamp) {
+    publish(value, stamp, System.nanoTime(), Optional.empty());
+  }
+
+  /**
+   * Publishes a value. Called on any I/O thread; never blocks. After closing it does nothing.
+   *
+   * @param value the value
+   * @param stamp when it was measured
+   * @param receivedNanos when its bytes were received, {@link System#nanoTime()}
+   * @param raw the message as it came
+   */
+  void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw);
+
+  /**
+   * Counts messages that were lost or could not be decoded before they became values.
+   *
+   * @param count how many
+   * @param reason a sentence for users, naming peer and cause
+   */
+  void lost(long count, String reason);
+
+  /**
+   * Says that the source as such does not work although the link may; cleared by the next value.
+   *
+   * @param reason a sentence for users
+   */
+  void failed(String reason);
+}
