@@ -1,0 +1,40 @@
+package org.robotui.ros.msgs.std_msgs;
+
+import java.nio.ByteBuffer;
+
+import org.robotui.ros.message.MessageException;
+import org.robotui.ros.message.MessageReader;
+import org.robotui.ros.message.MessageWriter;
+import org.robotui.ros.message.RecordCodec;
+
+/**
+ * Bytes in several dimensions ({@code std_msgs/UInt8MultiArray}).
+ *
+ * @param layout the dimensions
+ * @param data   the elements
+ */
+public record UInt8MultiArray(MultiArrayLayout layout, ByteBuffer data) {
+
+    /** Between records and bytes. */
+    public static final RecordCodec<UInt8MultiArray> CODEC =
+            RecordCodec.of("std_msgs/UInt8MultiArray", UInt8MultiArray::read, UInt8MultiArray::write);
+
+    /** Keeps read-only views of bytes. */
+    public UInt8MultiArray {
+        data = data.slice().asReadOnlyBuffer();
+    }
+
+    @Override
+    public ByteBuffer data() {
+        return data.duplicate();
+    }
+
+    private static UInt8MultiArray read(MessageReader in) throws MessageException {
+        return new UInt8MultiArray(in.nested("layout", MultiArrayLayout.CODEC), in.bytes("data"));
+    }
+
+    private static void write(UInt8MultiArray m, MessageWriter out) {
+        MultiArrayLayout.CODEC.encode(m.layout, out);
+        out.array(m.data.remaining()).bytes(m.data);
+    }
+}
