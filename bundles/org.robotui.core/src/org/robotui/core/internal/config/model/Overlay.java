@@ -1,0 +1,26 @@
+package org.robotui.core.internal.config.model;
+
+import java.util.Map;
+import org.robotui.api.port.SourceId;
+
+/**
+ * What the user changed in one RUIC while it ran, kept beside the configuration.
+ *
+ * @param settings by id of the view and name of the setting: Boolean, Long, Double, String, List or Map
+ * @param connections the chosen peer by port of the view
+ */
+public record Overlay(Map<String, Map<String, Object>> settings, Map<SourceId, SourceId> connections) {
+  /** Nothing changed. */
+  public static final Overlay EMPTY = new Overlay(Map.of(), Map.of());
+
+  /**
+   * Copies the maps.
+   *
+   * @param settings by view and name
+   * @param connections by port
+   */
+  public Overlay {
+    settings = Map.copyOf(settings);
+    connections = Map.copyOf(connections);
+  }
+}

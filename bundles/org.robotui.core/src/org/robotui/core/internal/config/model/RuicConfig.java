@@ -1,0 +1,66 @@
+package org.robotui.core.internal.config.model;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robotui.api.layout.Layout;
+
+/**
+ * One RUIC as written.
+ *
+ * @param name unique within the host
+ * @param file as the user named it
+ * @param line from 1, of its name
+ * @param column from 1
+ * @param type id of its type; empty where the file lists all views and the layout itself
+ * @param raw settings for its type
+ * @param rfics its robot interfaces
+ * @param uics views that it adds to, or configures of, those of its type
+ * @param connections named connections
+ * @param layout where the views lie, in place of the layout of its type
+ * @param safety by name of the robot
+ */
+public record RuicConfig(
+    String name,
+    String file,
+    int line,
+    int column,
+    String type,
+    RawSection raw,
+    List<ComponentConfig> rfics,
+    List<ComponentConfig> uics,
+    List<ConnectionConfig> connections,
+    Optional<Layout> layout,
+    Map<String, SafetyConfig> safety) {
+  /**
+   * Copies the collections.
+   *
+   * @param name unique within the host
+   * @param file as the user named it
+   * @param line from 1
+   * @param column from 1
+   * @param type id of its type
+   * @param raw settings for its type
+   * @param rfics its robot interfaces
+   * @param uics views
+   * @param connections named connections
+   * @param layout where the views lie
+   * @param safety by name of the robot
+   */
+  public RuicConfig {
+    rfics = List.copyOf(rfics);
+    uics = List.copyOf(uics);
+    connections = List.copyOf(connections);
+    safety = Map.copyOf(safety);
+  }
+
+  /**
+   * How a robot is kept safe.
+   *
+   * @param robot its name
+   * @return as written, else the default
+   */
+  public SafetyConfig safety(String robot) {
+    return safety.getOrDefault(robot, SafetyConfig.DEFAULT);
+  }
+}
