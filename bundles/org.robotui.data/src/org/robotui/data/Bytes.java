@@ -1,5 +1,7 @@
 package org.robotui.data;
 
+import java.io.ByteArrayInputStream;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Objects;
@@ -7,16 +9,12 @@ import java.util.Objects;
 /** An immutable run of bytes, possibly a slice of a received frame, so that large payloads are not copied. */
 public final class Bytes {
   /** No bytes. */
-  public static final Bytes EMPTY = new Bytes(new byte[0], 0, 0);
+  public static final Bytes EMPTY = new Bytes(ByteBuffer.allocate(0));
 
-  private final byte[] array;
-  private final int offset;
-  private final int size;
+  private final ByteBuffer content;
 
-  private Bytes(byte[] array, int offset, int size) {
-    this.array = array;
-    this.offset = offset;
-    this.size = size;
+  private Bytes(ByteBuffer content) {
+    this.content = content;
   }
 
   /**
@@ -38,23 +36,17 @@ public final class Bytes {
    * @return the run
    */
   public static Bytes wrap(byte[] array, int offset, int size) {
-    Objects.checkFromIndexSize(offset, size, array.length);
-    return new Bytes(array, offset, size);
+    return wrap(ByteBuffer.wrap(array, offset, size));
   }
 
   /**
-   * Takes what remains of a buffer over, without a copy where the buffer has an array.
+   * Takes what remains of a buffer over without a copy.
    *
    * @param buffer the bytes from position to limit; its content must not change again
    * @return the run
    */
   public static Bytes wrap(ByteBuffer buffer) {
-    if (buffer.hasArray()) {
-      return wrap(buffer.array(), buffer.arrayOffset() + buffer.position(), buffer.remaining());
-    }
-    byte[] copy = new byte[buffer.remaining()];
-    buffer.duplicate().get(copy);
-    return wrap(copy, 0, copy.length);
+    return new Bytes(buffer.slice().asReadOnlyBuffer());
   }
 
   /**
@@ -64,8 +56,7 @@ public final class Bytes {
    * @return the byte, signed
    */
   public byte get(int index) {
-    Objects.checkIndex(index, size);
-    return array[offset + index];
+    return content.get(index);
   }
 
   /**
@@ -84,7 +75,7 @@ public final class Bytes {
    * @return the count
    */
   public int size() {
-    return size;
+    return content.limit();
   }
 
   /**
@@ -94,7 +85,7 @@ public final class Bytes {
    * @return a buffer from 0 to {@link #size()}
    */
   public ByteBuffer buffer(ByteOrder order) {
-    return ByteBuffer.wrap(array, offset, size).slice().asReadOnlyBuffer().order(order);
+    return content.duplicate().order(order);
   }
 
   /**
@@ -106,31 +97,33 @@ public final class Bytes {
    * @param count how many
    */
   public void copyTo(int from, byte[] target, int targetOffset, int count) {
-    Objects.checkFromIndexSize(from, count, size);
-    System.arraycopy(array, offset + from, target, targetOffset, count);
+    Objects.checkFromIndexSize(from, count, size());
+    content.get(from, target, targetOffset, count);
   }
 
   /**
-   * A stream over the bytes, for decoders of compressed formats.
+   * A stream over a copy of the bytes, for decoders of compressed formats.
    *
    * @return a stream that needs no closing
    */
-  public java.io.InputStream stream() {
-    return new java.io.ByteArrayInputStream(array, offset, size);
+  public InputStream stream() {
+    byte[] copy = new byte[size()];
+    copyTo(0, copy, 0, copy.length);
+    return new ByteArrayInputStream(copy);
   }
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof Bytes bytes && buffer(ByteOrder.BIG_ENDIAN).equals(bytes.buffer(ByteOrder.BIG_ENDIAN));
+    return other instanceof Bytes bytes && content.equals(bytes.content);
   }
 
   @Override
   public int hashCode() {
-    return buffer(ByteOrder.BIG_ENDIAN).hashCode();
+    return content.hashCode();
   }
 
   @Override
   public String toString() {
-    return "Bytes[" + size + "]";
+    return "Bytes[" + size() + "]";
   }
 }
