@@ -1,0 +1,163 @@
+# Running the workbench, or its headless sister, with a simulated robot beside it where the configuration asks for one.
+
+readonly STATE=${XDG_STATE_HOME:-$HOME/.local/state}/robotui
+readonly DEFAULT_CONFIG=$ROOT/configs/demo.yaml
+
+cmd_run() {
+  local mode=window stay='' screenshot='' configs=() options=()
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --text) [[ $mode == json ]] || mode=text ;;
+      --json) mode=json ;;
+      --stay) stay=yes ;;
+      --for | --after) require_seconds "$1" "${2:-}"; options+=("-${1#--}" "$2"); shift ;;
+      --screenshot) [[ -n ${2:-} ]] || usage_error "--screenshot needs a file"; screenshot=$2; shift ;;
+      --theme) [[ ${2:-} =~ ^(light|dark)$ ]] || usage_error "--theme is light or dark"; options+=(-theme "$2"); shift ;;
+      -*) usage_error "run does not know '$1'" ;;
+      *) configs+=("$(config_path "$1")") || exit 2 ;;
+    esac
+    shift
+  done
+  [[ ${#configs[@]} -gt 0 ]] || configs=("$(config_path "$DEFAULT_CONFIG")") || exit 2
+  [[ -z $screenshot ]] || options+=(-screenshot "$(realpath -m "$screenshot")")
+  mode=$(mode_for_display "$mode" "$screenshot") || exit 2
+  [[ $mode != json ]] || options+=(-json)
+  [[ $mode != window ]] || need_packages "The window" "${WINDOW_PACKAGES[@]}" || exit 1
+  need_product
+  trap end_everything EXIT
+  wants_simulator "${configs[@]}" && start_simulator "$stay"
+  run_application "$mode" -config "${configs[@]}" "${options[@]}"
+}
+
+cmd_check() {
+  [[ $# -eq 1 ]] || usage_error "check needs one configuration"
+  local config
+  config=$(config_path "$1") || exit 2
+  need_product
+  trap end_everything EXIT
+  run_application text -check "$config"
+}
+
+# A file, or the name of one in configs/.
+config_path() {
+  local file
+  for file in "$1" "$ROOT/configs/$1.yaml" "$ROOT/configs/$1/$1.yaml"; do
+    if [[ -f $file ]]; then
+      realpath "$file"
+      return 0
+    fi
+  done
+  say "robotui: there is no configuration '$1'. There are:"
+  (cd "$ROOT" && find configs -name '*.yaml' 2>/dev/null | sort | sed 's/^/  /') >&2
+  return 1
+}
+
+mode_for_display() {
+  local mode=$1 screenshot=$2
+  if [[ $mode == window && -z ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
+    if [[ -n $screenshot ]]; then
+      say "robotui: a screenshot needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set."
+      say "  A virtual one will do:  xvfb-run -a ./robotui run --screenshot $screenshot"
+      return 1
+    fi
+    say "There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set), so this is the text view."
+    say "  For the window: start it from a desktop session, through ssh -X, or under xvfb-run -a ./robotui run"
+    mode=text
+  fi
+  printf '%s' "$mode"
+}
+
+# ---- the simulated robot --------------------------------------------------------------------------------------------
+
+wants_simulator() { grep -qsE '^simulator:[[:space:]]*["'\'']?mobile-base' "$@"; }
+
+start_simulator() {
+  local stay=$1 out prefix
+  out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
+  simulator_dir=$out
+  if [[ -n $stay ]]; then
+    simulator_stays=yes
+    prefix=(setsid nohup)
+  else
+    read -ra prefix < <(dies_with_us)
+  fi
+  "${prefix[@]}" "$JAVA_HOME/bin/java" -cp "$(simulator_classpath)" org.robotui.sim.Main \
+    >"$out/out" 2>"$out/err" </dev/null &
+  simulator=$!
+  await_simulator "$out"
+}
+
+# Also kill -9 of this script shall end the simulator.
+dies_with_us() {
+  if setpriv --pdeathsig TERM true 2>/dev/null; then
+    echo setpriv --pdeathsig TERM
+  else
+    echo env
+  fi
+}
+
+# The simulator needs no OSGi: the same bundles are plain jars.
+simulator_classpath() {
+  local bundle jars=()
+  for bundle in org.robotui.sim org.robotui.ros org.robotui.geometry slf4j.api; do
+    jars+=("$HEADLESS_PRODUCT"/plugins/"$bundle"_*.jar)
+  done
+  (IFS=:; printf '%s' "${jars[*]}")
+}
+
+await_simulator() {
+  local out=$1 uri='' tries=0
+  while uri=$(sed -n 's/^ROS_MASTER_URI=//p' "$out/out"); [[ -z $uri ]]; do
+    if ! kill -0 "$simulator" 2>/dev/null || ((++tries > 600)); then
+      say "robotui: the simulated robot did not start:"
+      tail -n 20 "$out/err" >&2
+      exit 1
+    fi
+    sleep 0.05
+  done
+  unset ROS_HOSTNAME
+  export ROS_MASTER_URI=$uri ROS_IP=127.0.0.1
+  say "The simulated robot speaks ROS here. For rostopic and others:"
+  say "  export ROS_MASTER_URI=$uri ROS_IP=127.0.0.1"
+  [[ -z ${simulator_stays:-} ]] || say "  It stays when RobotUI ends. To end it:  kill $simulator"
+}
+
+# ---- the application ------------------------------------------------------------------------------------------------
+
+# Runs in the background and waits: a shell that waits for a foreground child would not hear a signal.
+run_application() {
+  local product=$HEADLESS_PRODUCT rc=0
+  [[ $1 != window ]] || product=$WINDOW_PRODUCT
+  shift
+  mkdir -p "$STATE"
+  "$product/robotui" "$@" <&0 &
+  application=$!
+  trap 'stop_application 130' INT
+  trap 'stop_application 143' TERM HUP
+  wait "$application" || rc=$?
+  application=
+  [[ -z ${stopped_with:-} ]] || rc=$stopped_with
+  exit "$rc"
+}
+
+stop_application() {
+  stopped_with=$1
+  [[ -z ${application:-} ]] || end_process "$application"
+}
+
+end_everything() {
+  trap '' INT TERM HUP
+  [[ -z ${application:-} ]] || end_process "$application"
+  if [[ -n ${simulator:-} && -z ${simulator_stays:-} ]]; then
+    end_process "$simulator"
+    rm -rf "$simulator_dir"
+  fi
+}
+
+# Politely, and after five seconds not.
+end_process() {
+  local tries=0
+  kill -TERM "$1" 2>/dev/null || return 0
+  while kill -0 "$1" 2>/dev/null && ((++tries < 100)); do sleep 0.05; done
+  kill -KILL "$1" 2>/dev/null || true
+}

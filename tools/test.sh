@@ -1,0 +1,135 @@
+# Tests: all runners, one closing line.
+
+readonly E2E=$ROOT/tests/e2e
+
+cmd_test() {
+  local part=all
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --long) export ROBOTUI_LONG=1 ;;
+      all | unit | architecture | osgi | e2e) part=$1 ;;
+      *) usage_error "test knows the parts unit, architecture, osgi and e2e, not '$1'" ;;
+    esac
+    shift
+  done
+  export ROBOTUI_SHARED=${ROBOTUI_SHARED:-$(realpath -m "$ROOT/../shared")}
+  export ROBOTUI_ROOT=$ROOT
+  prepare_tests "$part"
+  trap end_display EXIT
+  broken=''
+  [[ $part == e2e ]] || test_with_maven "$part"
+  [[ $part != e2e && $part != all ]] || test_end_to_end
+  close_tests
+}
+
+prepare_tests() {
+  need_jdk
+  need_maven
+  [[ $1 == architecture ]] && return 0
+  need_packages "Tests against real ROS tools" "${PEER_PACKAGES[@]}" \
+    || say "  Tests that need them will say that they were skipped."
+  [[ $1 == unit ]] && return 0
+  need_packages "Tests with a window" "${WINDOW_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" || exit 1
+  start_display
+}
+
+# ---- runners --------------------------------------------------------------------------------------------------------
+
+# Reports of an earlier run must not be counted, nor those of a part that is not asked for.
+test_with_maven() {
+  local arguments=(-Dmaven.test.failure.ignore=true)
+  clear_reports
+  case $1 in
+    all)          arguments+=(-Dskip.archive=true) ;;
+    unit)         arguments+=(-pl "!:org.robotui.product" -Dproduct.only) ;;
+    architecture) arguments+=(-pl :org.robotui.architecture.tests) ;;
+    osgi)         arguments+=(-pl "!:org.robotui.product" -Dskip.unit=true -Dskip.architecture=true) ;;
+  esac
+  say "Building and testing ($1)"
+  maven "$LOGS/test.log" verify "${arguments[@]}" || broken="the build"
+}
+
+test_end_to_end() {
+  if ! ls "$E2E"/test_*.py >/dev/null 2>&1; then
+    say "No end-to-end tests: tests/e2e is not there."
+    return 0
+  fi
+  need_product
+  say "Testing end to end"
+  mkdir -p "$E2E/target"
+  rm -f "$E2E"/target/TEST-*.xml
+  # The exit code 1 means failed tests, which the report counts.
+  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider --junitxml=target/TEST-e2e.xml . </dev/null) >&2 \
+    || [[ $? -eq 1 ]] || broken="${broken:+$broken and }the end-to-end tests"
+}
+
+# ---- a display of our own: tests shall not open windows on anybody's screen -------------------------------------------
+
+start_display() {
+  local out=$KEEP/display
+  mkdir -p "$out"
+  : >"$out/number"
+  Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$out/number" >"$out/xvfb.log" 2>&1 &
+  display_processes=("$!")
+  await_line "$out/number" || fail "Xvfb did not start: $(tail -n 1 "$out/xvfb.log")"
+  DISPLAY=:$(<"$out/number")
+  export DISPLAY
+  unset WAYLAND_DISPLAY
+  export GDK_BACKEND=x11 LIBGL_ALWAYS_SOFTWARE=1 NO_AT_BRIDGE=1
+  openbox >"$out/openbox.log" 2>&1 &
+  display_processes+=("$!")
+  start_session_bus "$out"
+}
+
+start_session_bus() {
+  dbus-daemon --session --nofork --print-address=3 3>"$1/bus" >"$1/dbus.log" 2>&1 &
+  display_processes+=("$!")
+  await_line "$1/bus" && DBUS_SESSION_BUS_ADDRESS=$(head -n 1 "$1/bus") && export DBUS_SESSION_BUS_ADDRESS
+}
+
+await_line() {
+  local tries=0
+  until [[ -s $1 ]]; do
+    ((++tries < 200)) || return 1
+    sleep 0.05
+  done
+}
+
+end_display() {
+  local process
+  for process in "${display_processes[@]-}"; do
+    [[ -z $process ]] || kill "$process" 2>/dev/null || true
+  done
+}
+
+# ---- the sum --------------------------------------------------------------------------------------------------------
+
+reports() { find "$ROOT"/bundles "$ROOT"/tests -path '*/target/*' -name 'TEST-*.xml' 2>/dev/null; }
+
+clear_reports() { reports | xargs -r rm -f; }
+
+# Sums one attribute over the <testsuite> elements of all reports.
+sum_of() {
+  reports | xargs -r grep -ho '<testsuite [^>]*>' | grep -o " $1=\"[0-9]*\"" | tr -dc '0-9\n' | awk '{ n += $1 } END { print n + 0 }'
+}
+
+close_tests() {
+  local failed skipped passed
+  failed=$(($(sum_of failures) + $(sum_of errors)))
+  skipped=$(sum_of skipped)
+  passed=$(($(sum_of tests) - failed - skipped))
+  [[ $failed -eq 0 ]] || list_failures
+  [[ -z $broken ]] || say "Could not finish: $broken"
+  echo "$passed passed, $failed failed, $skipped skipped"
+  [[ -z $broken && $failed -eq 0 && $passed -gt 0 ]]
+}
+
+list_failures() {
+  say "Failed:"
+  reports | xargs -r awk '
+    /<testcase / {
+      name = $0; sub(/.* name="/, "", name); sub(/".*/, "", name)
+      class = $0; sub(/.* classname="/, "", class); sub(/".*/, "", class)
+    }
+    /<(failure|error)[ >]/ { print "  " class "." name }' >&2
+}
