@@ -1,0 +1,47 @@
+package org.robotui.ruic.single.internal;
+
+import java.util.List;
+import org.osgi.service.component.annotations.Component;
+import org.robotui.api.RuicType;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.ValueType;
+import org.robotui.api.layout.Layout;
+
+/** The interface that is one view, filling the window. */
+@Component(service = RuicType.class)
+public final class SingleType implements RuicType {
+  private static final Schema SCHEMA = Schema.of(Setting.of("view", new ValueType.Text(), "map",
+      "The type of the view to show, for example map, camera or status; its id in the configuration is the same word."));
+
+  @Override
+  public String id() {
+    return "single";
+  }
+
+  @Override
+  public String label() {
+    return "Single view";
+  }
+
+  @Override
+  public String help() {
+    return "One view that fills the window.";
+  }
+
+  @Override
+  public Schema schema() {
+    return SCHEMA;
+  }
+
+  @Override
+  public List<UicSpec> uics(Settings settings) {
+    return List.of(new UicSpec(settings.text("view"), settings.text("view")));
+  }
+
+  @Override
+  public Layout layout(Settings settings) {
+    return new Layout.View(settings.text("view"));
+  }
+}
