@@ -13,6 +13,9 @@ import java.util.Optional;
  */
 record Layout(String type, List<Field> fields, long minSize, boolean fixedSize) {
 
+    /** Elements without bytes cannot be bounded by the bytes that are there. */
+    static final int MAX_EMPTY_ELEMENTS = 1 << 16;
+
     /**
      * One field.
      *

@@ -10,6 +10,8 @@ import java.util.Set;
 /** Computes layouts bottom up, each type once, and refuses types that contain themselves. */
 final class LayoutCompiler {
 
+    private static final int MAX_FIELDS = 2000;
+
     private final Map<String, MessageDefinition> nested;
     private final Map<String, Layout> done = new HashMap<>();
     private final Set<String> open = new HashSet<>();
@@ -25,6 +27,9 @@ final class LayoutCompiler {
         if (open.size() > Dependencies.MAX_DEPTH) {
             throw new DefinitionException(
                     definition.type(), "types are nested more than " + Dependencies.MAX_DEPTH + " deep");
+        }
+        if (definition.fields().size() > MAX_FIELDS) {
+            throw new DefinitionException(definition.type(), "more than " + MAX_FIELDS + " fields");
         }
         List<Layout.Field> fields = new ArrayList<>();
         for (FieldDefinition each : definition.fields()) {
@@ -45,6 +50,9 @@ final class LayoutCompiler {
             return new Layout.Field(field.name(), field.type(), primitive, null, primitive.size(), true);
         }
         Layout layout = nestedLayout(field.type().base());
+        if (layout.minSize() == 0 && field.type().length() > Layout.MAX_EMPTY_ELEMENTS) {
+            throw new DefinitionException(layout.type(), "field " + field.name() + " repeats nothing too often");
+        }
         return new Layout.Field(field.name(), field.type(), null, layout, layout.minSize(), layout.fixedSize());
     }
 

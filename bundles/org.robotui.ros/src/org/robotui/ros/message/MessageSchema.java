@@ -132,6 +132,10 @@ public final class MessageSchema {
         return nested;
     }
 
+    Optional<MessageDefinition> definitionOf(String type) {
+        return definition.type().equals(type) ? Optional.of(definition) : Optional.ofNullable(nested.get(type));
+    }
+
     /**
      * The fewest bytes a message of this type can have.
      *
