@@ -2,9 +2,9 @@ package org.robotui.ui;
 
 /** What a colour is for. The theme gives a colour to every role. */
 public enum Role {
-  /** Behind the content of views. */
+  /** Behind all parts, in wells, and behind words over content. */
   GROUND,
-  /** Behind lists and controls. */
+  /** Behind the content of views, lists and controls. */
   PANEL,
   /** Behind title lines. */
   TITLE,

@@ -1,0 +1,88 @@
+package org.robotui.ui;
+
+import java.util.Locale;
+
+/** Figures as users read them: fixed decimals, a real minus sign, a unit. Pure, for all threads. */
+public final class Figures {
+  /** What stands for a number that is not known. */
+  public static final String UNKNOWN = "\u2014";
+
+  private static final char MINUS = '\u2212';
+  private static final double SECONDS_PER_MINUTE = 60;
+  private static final double MINUTES_PER_HOUR = 60;
+  private static final double TENTHS_UNTIL = 9.95;
+  private static final double MILLIS_UNTIL = 0.0995;
+
+  private Figures() {}
+
+  /**
+   * A number with fixed decimals. A value that rounds to zero has no sign.
+   *
+   * @param value the number
+   * @param decimals how many
+   * @return for example {@code −0.18}, {@code ∞}, or a dash for NaN
+   */
+  public static String fixed(double value, int decimals) {
+    if (Double.isNaN(value)) {
+      return UNKNOWN;
+    }
+    if (Double.isInfinite(value)) {
+      return value > 0 ? "\u221e" : MINUS + "\u221e";
+    }
+    String text = String.format(Locale.ROOT, "%." + decimals + "f", Math.abs(value));
+    boolean negative = value < 0 && text.chars().anyMatch(c -> c > '0' && c <= '9');
+    return negative ? MINUS + text : text;
+  }
+
+  /**
+   * A number with fixed decimals and a unit.
+   *
+   * @param value the number
+   * @param decimals how many
+   * @param unit for example {@code m/s}; empty for none
+   * @return for example {@code 0.31 m/s}
+   */
+  public static String of(double value, int decimals, String unit) {
+    return unit.isEmpty() ? fixed(value, decimals) : fixed(value, decimals) + "\u00a0" + unit;
+  }
+
+  /**
+   * An angle in degrees.
+   *
+   * @param radians the angle
+   * @param decimals how many
+   * @return for example {@code −10.3°}
+   */
+  public static String degrees(double radians, int decimals) {
+    String text = fixed(Math.toDegrees(radians), decimals);
+    return Double.isFinite(radians) ? text + "\u00b0" : text;
+  }
+
+  /**
+   * An age or a duration, as exact as it matters.
+   *
+   * @param seconds the time
+   * @return for example {@code 12 ms}, {@code 2.1 s}, {@code 14 min}, {@code 3.5 h}
+   */
+  public static String age(double seconds) {
+    double size = Math.abs(seconds);
+    if (size < MILLIS_UNTIL) {
+      return of(seconds * 1000, 0, "ms");
+    }
+    if (size < SECONDS_PER_MINUTE || Double.isNaN(seconds)) {
+      return of(seconds, size < TENTHS_UNTIL ? 1 : 0, "s");
+    }
+    double minutes = seconds / SECONDS_PER_MINUTE;
+    return Math.abs(minutes) < MINUTES_PER_HOUR ? of(minutes, 0, "min") : of(minutes / MINUTES_PER_HOUR, 1, "h");
+  }
+
+  /**
+   * A rate.
+   *
+   * @param hertz values per second; 0 or less where it cannot be told
+   * @return for example {@code 10.0 Hz}, or a dash
+   */
+  public static String rate(double hertz) {
+    return hertz > 0 ? of(hertz, hertz >= 1000 ? 0 : 1, "Hz") : UNKNOWN;
+  }
+}

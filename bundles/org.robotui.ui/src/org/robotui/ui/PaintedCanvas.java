@@ -1,0 +1,117 @@
+package org.robotui.ui;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.events.PaintEvent;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.widgets.Canvas;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Display;
+
+/**
+ * A double-buffered canvas in the colours of a theme. All coordinates are points, which SWT scales to the pixels of the
+ * screen. Any number of {@link #requestPaint()} before the next paint make one paint.
+ */
+public final class PaintedCanvas extends Canvas {
+  /** Paints the content. */
+  @FunctionalInterface
+  public interface Content {
+    /**
+     * Paints. Display thread.
+     *
+     * @param gc where; antialiased, with font, colours and background of the theme set
+     * @param area the client area
+     */
+    void paint(GC gc, Rectangle area);
+  }
+
+  private final Theme theme;
+  private final Content content;
+  private final Role ground;
+  private final Display display;
+  private final AtomicBoolean requested = new AtomicBoolean();
+  private final List<Runnable> atEnd = new ArrayList<>();
+  private long paintNanos;
+
+  /**
+   * A canvas on the ground of views.
+   *
+   * @param parent the parent
+   * @param theme colours and fonts
+   * @param content paints it
+   */
+  public PaintedCanvas(Composite parent, Theme theme, Content content) {
+    this(parent, SWT.NONE, theme, Role.PANEL, content);
+  }
+
+  /**
+   * A canvas.
+   *
+   * @param parent the parent
+   * @param style of SWT, in addition to double buffering
+   * @param theme colours and fonts
+   * @param ground what it is painted with before the content
+   * @param content paints it
+   */
+  public PaintedCanvas(Composite parent, int style, Theme theme, Role ground, Content content) {
+    super(parent, style | SWT.DOUBLE_BUFFERED | SWT.NO_BACKGROUND);
+    this.theme = theme;
+    this.content = content;
+    this.ground = ground;
+    this.display = getDisplay();
+    setBackground(theme.color(ground));
+    setForeground(theme.color(Role.TEXT));
+    setFont(theme.font(Face.BODY));
+    addPaintListener(this::paint);
+    addDisposeListener(e -> atEnd.forEach(Runnable::run));
+  }
+
+  /** Has it painted soon, once for any number of calls. Any thread; after disposal it does nothing. */
+  public void requestPaint() {
+    if (requested.compareAndSet(false, true) && !display.isDisposed()) {
+      display.asyncExec(this::repaint);
+    }
+  }
+
+  /**
+   * Has something run when the canvas is disposed, for example the disposal of an image that it paints. Display thread.
+   *
+   * @param action what to run
+   */
+  public void atEnd(Runnable action) {
+    atEnd.add(action);
+  }
+
+  /**
+   * How long the last paint took.
+   *
+   * @return nanoseconds, 0 before the first
+   */
+  public long paintNanos() {
+    return paintNanos;
+  }
+
+  private void repaint() {
+    requested.set(false);
+    if (!isDisposed()) {
+      redraw();
+    }
+  }
+
+  private void paint(PaintEvent event) {
+    long start = System.nanoTime();
+    GC gc = event.gc;
+    Rectangle area = getClientArea();
+    gc.setBackground(theme.color(ground));
+    gc.fillRectangle(area);
+    gc.setAntialias(SWT.ON);
+    gc.setTextAntialias(SWT.ON);
+    gc.setFont(theme.font(Face.BODY));
+    gc.setForeground(theme.color(Role.TEXT));
+    content.paint(gc, area);
+    paintNanos = System.nanoTime() - start;
+  }
+}
