@@ -1,0 +1,96 @@
+package org.robotui.headless.internal;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What the command line asks for.
+ *
+ * @param configurations the files to load
+ * @param json true for JSON lines, else text
+ * @param limit how long to run
+ * @param check a file to check only
+ */
+record Arguments(List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check) {
+  static final String USAGE = """
+      -config FILE...   load these configurations
+      -json             print a JSON line per port and second in place of the text views
+      -for SECONDS      end by itself
+      -check FILE       check a configuration and print what would be connected
+      exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start
+      """;
+
+  /** Wrong arguments, with a sentence for users. */
+  static final class Wrong extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    Wrong(String message) {
+      super(message);
+    }
+  }
+
+  static Arguments parse(String[] words) throws Wrong {
+    return new Parser(words).parse();
+  }
+
+  /** Reads the words one after the other. */
+  private static final class Parser {
+    private final List<String> words;
+    private final List<Path> configurations = new ArrayList<>();
+    private boolean json;
+    private Optional<Duration> limit = Optional.empty();
+    private Optional<Path> check = Optional.empty();
+    private int at;
+
+    Parser(String[] words) {
+      this.words = Arrays.asList(words);
+    }
+
+    Arguments parse() throws Wrong {
+      while (at < words.size()) {
+        option(words.get(at++));
+      }
+      return new Arguments(List.copyOf(configurations), json, limit, check);
+    }
+
+    private void option(String word) throws Wrong {
+      switch (word) {
+        case "-config" -> files(word);
+        case "-json" -> json = true;
+        case "-for" -> limit = Optional.of(seconds(word, value(word)));
+        case "-check" -> check = Optional.of(Path.of(value(word)));
+        default -> throw new Wrong("unknown argument " + word);
+      }
+    }
+
+    private void files(String option) throws Wrong {
+      configurations.add(Path.of(value(option)));
+      while (at < words.size() && !words.get(at).startsWith("-")) {
+        configurations.add(Path.of(words.get(at++)));
+      }
+    }
+
+    private String value(String option) throws Wrong {
+      if (at == words.size() || words.get(at).startsWith("-")) {
+        throw new Wrong(option + " needs a value");
+      }
+      return words.get(at++);
+    }
+
+    private static Duration seconds(String option, String text) throws Wrong {
+      try {
+        double seconds = Double.parseDouble(text);
+        if (seconds >= 0 && seconds <= 1e9) {
+          return Duration.ofNanos(Math.round(seconds * 1e9));
+        }
+      } catch (NumberFormatException e) {
+        throw new Wrong(option + " needs a number of seconds, not '" + text + "'");
+      }
+      throw new Wrong(option + " needs a number of seconds from 0, not '" + text + "'");
+    }
+  }
+}

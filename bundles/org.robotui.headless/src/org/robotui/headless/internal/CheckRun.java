@@ -1,0 +1,34 @@
+package org.robotui.headless.internal;
+
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Host;
+
+/** Checks one configuration and ends. */
+final class CheckRun {
+  /** Component types may still be on their way when the application starts. */
+  private static final Duration TYPES_LIMIT = Duration.ofSeconds(5);
+
+  private final Host host;
+  private final PrintStream out;
+  private final PrintStream err;
+
+  CheckRun(Host host, PrintStream out, PrintStream err) {
+    this.host = host;
+    this.out = out;
+    this.err = err;
+  }
+
+  Exit check(Path file) {
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      err.println(Files.exists(file) ? file + " cannot be read" : "there is no file " + file);
+      return Exit.UNREADABLE;
+    }
+    CheckReport report = host.check(file, TYPES_LIMIT);
+    new CheckPrinter(out).print(report);
+    return report.usable() ? Exit.FINE : Exit.ERRORS;
+  }
+}

@@ -1,0 +1,72 @@
+package org.robotui.headless.internal;
+
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import org.eclipse.equinox.app.IApplication;
+import org.eclipse.equinox.app.IApplicationContext;
+import org.osgi.framework.FrameworkUtil;
+import org.robotui.api.host.Host;
+
+/** The application without a window: shows robots in a terminal or as JSON lines, or checks a configuration. */
+public final class HeadlessApplication implements IApplication {
+  private static final Duration CORE_LIMIT = Duration.ofSeconds(10);
+
+  private final PrintStream out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
+  private final PrintStream err = System.err;
+  private final CountDownLatch stop = new CountDownLatch(1);
+  private final CountDownLatch ended = new CountDownLatch(1);
+
+  @Override
+  public Object start(IApplicationContext context) throws InterruptedException {
+    String[] words = (String[]) context.getArguments().get(IApplicationContext.APPLICATION_ARGS);
+    context.applicationRunning();
+    try {
+      return run(Arguments.parse(words)).code();
+    } catch (Arguments.Wrong e) {
+      err.println(e.getMessage());
+      err.print(Arguments.USAGE);
+      return Exit.USAGE.code();
+    } finally {
+      out.flush();
+      ended.countDown();
+    }
+  }
+
+  @Override
+  public void stop() {
+    stop.countDown();
+  }
+
+  private Exit run(Arguments arguments) throws InterruptedException {
+    try (HostService service = new HostService(FrameworkUtil.getBundle(getClass()).getBundleContext())) {
+      Optional<Host> host = service.await(CORE_LIMIT);
+      if (host.isEmpty()) {
+        err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
+        return Exit.NO_CORE;
+      }
+      return run(host.get(), arguments);
+    }
+  }
+
+  private Exit run(Host host, Arguments arguments) throws InterruptedException {
+    if (arguments.check().isPresent()) {
+      return new CheckRun(host, out, err).check(arguments.check().get());
+    }
+    Thread hook = new Thread(this::stopAndWait, "robotui-stop");
+    Runtime.getRuntime().addShutdownHook(hook);
+    return new ShowRun(host, out, err, stop).show(arguments);
+  }
+
+  /** Ctrl-C and SIGTERM come here: the process lives until what we drive is stopped. */
+  private void stopAndWait() {
+    stop.countDown();
+    try {
+      ended.await(ShowRun.CLOSE_LIMIT.toMillis() + 500, java.util.concurrent.TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package org.robotui.headless.internal;
+
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.Host;
+import org.robotui.api.host.Problem;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Loads configurations and shows their robots until it is stopped or the time is over. */
+final class ShowRun {
+  /** How long the end may take, also when a robot hangs. */
+  static final Duration CLOSE_LIMIT = Duration.ofMillis(1800);
+
+  private static final Logger LOG = LoggerFactory.getLogger(ShowRun.class);
+  private static final Principal USER = new Principal("terminal", "You", Principal.Kind.TERMINAL);
+
+  private final Host host;
+  private final PrintStream out;
+  private final PrintStream err;
+  private final CountDownLatch stop;
+
+  ShowRun(Host host, PrintStream out, PrintStream err, CountDownLatch stop) {
+    this.host = host;
+    this.out = out;
+    this.err = err;
+    this.stop = stop;
+  }
+
+  Exit show(Arguments arguments) throws InterruptedException {
+    host.open(Surface.TEXT, USER);
+    try (Selector ignored = new Selector(host)) {
+      Exit loaded = load(arguments.configurations());
+      if (loaded == Exit.FINE || !host.ruics().isEmpty()) {
+        repeat(arguments);
+      }
+      return loaded;
+    } finally {
+      host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left));
+    }
+  }
+
+  private Exit load(List<Path> files) {
+    Exit result = Exit.FINE;
+    for (Path file : files) {
+      Exit one = load(file);
+      result = one == Exit.FINE ? result : one;
+    }
+    return result;
+  }
+
+  private Exit load(Path file) {
+    if (!Files.isReadable(file)) {
+      err.println(Files.exists(file) ? file + " cannot be read" : "there is no file " + file);
+      return Exit.UNREADABLE;
+    }
+    List<Problem> problems = host.load(file);
+    problems.forEach(p -> err.println(CheckPrinter.line(p)));
+    boolean wrong = problems.stream().anyMatch(p -> p.severity() == Problem.Severity.ERROR);
+    return wrong ? Exit.ERRORS : Exit.FINE;
+  }
+
+  private void repeat(Arguments arguments) throws InterruptedException {
+    Output output = arguments.json() ? new JsonLines(host, out) : TextOutput.create(host, out, new Terminal());
+    long end = arguments.limit().map(d -> System.nanoTime() + d.toNanos()).orElse(Long.MAX_VALUE);
+    try {
+      while (!waitFor(output.periodMillis(), end) && System.nanoTime() < end) {
+        output.show();
+      }
+    } finally {
+      output.end();
+    }
+  }
+
+  private boolean waitFor(long millis, long end) throws InterruptedException {
+    long left = end == Long.MAX_VALUE ? millis : TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+    return stop.await(Math.clamp(left, 0, millis), TimeUnit.MILLISECONDS);
+  }
+}

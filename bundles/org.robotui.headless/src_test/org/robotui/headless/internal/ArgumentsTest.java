@@ -1,0 +1,45 @@
+package org.robotui.headless.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class ArgumentsTest {
+  @Test
+  void configurationsReachToTheNextOption() throws Exception {
+    Arguments read = Arguments.parse(new String[] {"-config", "a.yaml", "b.yaml", "-json", "-for", "2.5"});
+
+    assertEquals(List.of(Path.of("a.yaml"), Path.of("b.yaml")), read.configurations());
+    assertTrue(read.json());
+    assertEquals(Optional.of(Duration.ofMillis(2500)), read.limit());
+  }
+
+  @Test
+  void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
+    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty()), Arguments.parse(new String[0]));
+  }
+
+  @Test
+  void checkNamesAFile() throws Exception {
+    assertEquals(Optional.of(Path.of("x.yaml")), Arguments.parse(new String[] {"-check", "x.yaml"}).check());
+  }
+
+  @Test
+  void saysWhatIsWrong() {
+    assertEquals("unknown argument -jason", wrong("-jason"));
+    assertEquals("-config needs a value", wrong("-config"));
+    assertEquals("-check needs a value", wrong("-check", "-json"));
+    assertEquals("-for needs a number of seconds, not 'soon'", wrong("-for", "soon"));
+    assertEquals("-for needs a number of seconds from 0, not 'NaN'", wrong("-for", "NaN"));
+  }
+
+  private static String wrong(String... words) {
+    return assertThrows(Arguments.Wrong.class, () -> Arguments.parse(words)).getMessage();
+  }
+}

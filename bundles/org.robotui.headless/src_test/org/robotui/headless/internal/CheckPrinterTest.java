@@ -1,0 +1,59 @@
+package org.robotui.headless.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Match;
+import org.robotui.api.host.MatchState;
+import org.robotui.api.host.Problem;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.PortKind;
+import org.robotui.api.port.SourceId;
+
+class CheckPrinterTest {
+  private static final SourceId FRONT = new SourceId("base", "front");
+  private static final SourceId REAR = new SourceId("base", "rear");
+
+  @Test
+  void printsEveryConnectionAndWhy() {
+    List<Match> matches = List.of(
+        match("scan", PortKind.STREAM, MatchState.CONNECTED, List.of(FRONT), List.of(), ""),
+        match("goal", PortKind.COMMAND, MatchState.REFUSED, List.of(), List.of(), "base takes no goal"),
+        match("odom", PortKind.STREAM, MatchState.AMBIGUOUS, List.of(), List.of(FRONT, REAR), "two fit"),
+        match("map", PortKind.STREAM, MatchState.PENDING, List.of(), List.of(), "base may offer it when it runs"));
+
+    assertEquals(List.of(
+        "natalie",
+        "  connected  map.scan (Data)  <- base.front",
+        "  refused    map.goal (Data)  base takes no goal",
+        "  ambiguous  map.odom (Data)  two fit (candidates: base.front, base.rear)",
+        "  pending    map.map (Data)   base may offer it when it runs",
+        "1 connected, 1 refused, 1 pending, 1 ambiguous; no errors, no warnings"),
+        print(new CheckReport(List.of(), Map.of("natalie", matches))));
+  }
+
+  @Test
+  void problemsNameTheirPlace() {
+    Problem problem = new Problem("ros.yaml", 3, 5, Problem.Severity.ERROR, "unknown word 'veiws', write 'views'");
+
+    assertEquals(List.of("ros.yaml:3:5: error: unknown word 'veiws', write 'views'",
+        "no connections; 1 error, no warnings"), print(new CheckReport(List.of(problem), Map.of())));
+  }
+
+  private static Match match(
+      String port, PortKind kind, MatchState state, List<SourceId> peers, List<SourceId> candidates, String why) {
+    return new Match(new SourceId("map", port), kind, "Data", Arity.ONE, state, peers, candidates, why);
+  }
+
+  private static List<String> print(CheckReport report) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    new CheckPrinter(new PrintStream(bytes, true, StandardCharsets.UTF_8)).print(report);
+    return bytes.toString(StandardCharsets.UTF_8).lines().toList();
+  }
+}

@@ -1,0 +1,144 @@
+package org.robotui.testkit.host;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Host;
+import org.robotui.api.host.HostListener;
+import org.robotui.api.host.Problem;
+import org.robotui.api.host.Ruic;
+
+/** A host with RUICs that a test adds. Safe for all threads. */
+public final class FakeHost implements Host {
+  private final List<FakeRuic> ruics = new CopyOnWriteArrayList<>();
+  private final List<HostListener> listeners = new CopyOnWriteArrayList<>();
+  private final List<String> calls = new CopyOnWriteArrayList<>();
+  private final AtomicInteger heartbeats = new AtomicInteger();
+  private volatile List<Problem> problems = List.of();
+
+  /**
+   * Adds a RUIC and tells the listeners.
+   *
+   * @param ruic the RUIC
+   * @return this
+   */
+  public FakeHost add(FakeRuic ruic) {
+    ruics.add(ruic);
+    tell(HostListener::ruicsChanged);
+    return this;
+  }
+
+  /**
+   * Takes a RUIC away and tells the listeners.
+   *
+   * @param ruic the RUIC
+   */
+  public void remove(FakeRuic ruic) {
+    ruics.remove(ruic);
+    tell(HostListener::ruicsChanged);
+  }
+
+  /**
+   * Sets what loading and checking say.
+   *
+   * @param values the problems
+   * @return this
+   */
+  public FakeHost finding(Problem... values) {
+    problems = List.of(values);
+    return this;
+  }
+
+  /**
+   * Tells all listeners, on the calling thread.
+   *
+   * @param event what to tell them
+   */
+  public void tell(Consumer<HostListener> event) {
+    listeners.forEach(event);
+  }
+
+  /**
+   * What was asked of it, in order, heartbeats left out.
+   *
+   * @return for example {@code load demo.yaml}
+   */
+  public List<String> calls() {
+    return List.copyOf(calls);
+  }
+
+  /**
+   * How often the display said that it lives.
+   *
+   * @return the count
+   */
+  public int heartbeats() {
+    return heartbeats.get();
+  }
+
+  /**
+   * How many listen.
+   *
+   * @return the count
+   */
+  public int listeners() {
+    return listeners.size();
+  }
+
+  @Override
+  public void open(Surface surface, Principal principal) {
+    calls.add("open " + surface);
+  }
+
+  @Override
+  public List<Problem> load(Path file) {
+    calls.add("load " + file.getFileName());
+    return problems;
+  }
+
+  @Override
+  public CheckReport check(Path file, Duration wait) {
+    calls.add("check " + file.getFileName());
+    return new CheckReport(problems, Map.of());
+  }
+
+  @Override
+  public List<Ruic> ruics() {
+    return List.copyOf(ruics);
+  }
+
+  @Override
+  public Subscription listen(HostListener listener) {
+    listeners.add(listener);
+    return () -> listeners.remove(listener);
+  }
+
+  @Override
+  public void displayAlive() {
+    heartbeats.incrementAndGet();
+  }
+
+  @Override
+  public void displayFocused(boolean focused) {
+    calls.add("focused " + focused);
+  }
+
+  @Override
+  public void stopAll(Principal by) {
+    calls.add("stopAll");
+    ruics.forEach(r -> r.authority().stop(by));
+  }
+
+  @Override
+  public List<String> close(Duration limit) {
+    calls.add("close");
+    return List.of();
+  }
+}
