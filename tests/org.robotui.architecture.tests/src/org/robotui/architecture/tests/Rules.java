@@ -1,0 +1,15 @@
+package org.robotui.architecture.tests;
+
+import java.util.List;
+
+/** All rules of this repository. */
+final class Rules {
+
+    static final List<Rule> ALL = List.of(
+            new LayerRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(), new NamingRule(),
+            new LazyComponentsRule(), new FeatureRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
+            new ForbiddenTextRule());
+
+    private Rules() {
+    }
+}

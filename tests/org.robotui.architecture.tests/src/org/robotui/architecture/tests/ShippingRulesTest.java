@@ -1,0 +1,56 @@
+package org.robotui.architecture.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The rules without which a bundle would be built, but not be there or not run in the product. */
+class ShippingRulesTest {
+
+    private static final String COMPONENT = "import org.osgi.service.component.annotations.Component;\n@Component\nclass Factory { }";
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void a_bundle_in_one_feature_is_accepted() {
+        assertEquals(List.of(), fixtureWithFeatures("core").violationsOf(new FeatureRule()));
+    }
+
+    @Test
+    void a_bundle_in_no_feature_is_refused() {
+        assertEquals(List.of("org.robotui.core: is in 0 of features/*/feature.xml"), fixtureWithFeatures("data").violationsOf(new FeatureRule()));
+    }
+
+    @Test
+    void a_bundle_in_two_features_is_refused() {
+        assertEquals(List.of("org.robotui.core: is in 2 of features/*/feature.xml"), fixtureWithFeatures("core", "core").violationsOf(new FeatureRule()));
+    }
+
+    @Test
+    void components_in_a_lazy_bundle_are_accepted() {
+        Fixture fixture = new Fixture(folder).bundle("org.robotui.core", "Bundle-ActivationPolicy: lazy")
+                .source("org.robotui.core", "org.robotui.core.internal.Factory", COMPONENT);
+
+        assertEquals(List.of(), fixture.violationsOf(new LazyComponentsRule()));
+    }
+
+    @Test
+    void components_in_any_other_bundle_are_refused() {
+        Fixture fixture = new Fixture(folder).bundle("org.robotui.core")
+                .source("org.robotui.core", "org.robotui.core.internal.Factory", COMPONENT);
+
+        assertEquals(1, fixture.violationsOf(new LazyComponentsRule()).size());
+    }
+
+    private Fixture fixtureWithFeatures(String... shipped) {
+        Fixture fixture = new Fixture(folder).bundle("org.robotui.core");
+        for (int i = 0; i < shipped.length; i++) {
+            fixture.file("features/f" + i + "/feature.xml", "<feature><plugin id=\"org.robotui." + shipped[i] + "\" version=\"0.0.0\"/></feature>");
+        }
+        return fixture;
+    }
+}
