@@ -1,0 +1,46 @@
+package org.robotui.core.internal.config;
+
+import java.util.stream.Collectors;
+import org.robotui.api.config.ValueType;
+
+/** Says in words what a setting may hold. */
+final class Expected {
+  private Expected() {}
+
+  static String of(ValueType type) {
+    return switch (type) {
+      case ValueType.Text t -> "a text";
+      case ValueType.Flag f -> "true or false";
+      case ValueType.Num n -> "a number" + limits(n) + (n.unit().isEmpty() ? "" : " in " + n.unit());
+      case ValueType.Int i -> "a whole number from " + i.min() + " to " + i.max();
+      case ValueType.Choice c -> "one of " + String.join(", ", c.words());
+      case ValueType.ListOf l -> "a list, each element " + of(l.element());
+      case ValueType.MapOf m -> "names with values, each " + of(m.value());
+      case ValueType.Section s -> "a section";
+      case ValueType.AnyOf a -> a.alternatives().stream().map(Expected::of).collect(Collectors.joining(", or "));
+    };
+  }
+
+  static boolean hasShape(ValueType type, YamlValue value) {
+    return switch (type) {
+      case ValueType.ListOf l -> value instanceof YamlValue.Items;
+      case ValueType.MapOf m -> value instanceof YamlValue.Section;
+      case ValueType.Section s -> value instanceof YamlValue.Section;
+      case ValueType.AnyOf a -> a.alternatives().stream().anyMatch(t -> hasShape(t, value));
+      case ValueType.Choice c -> value instanceof YamlValue.Scalar;
+      default -> false;
+    };
+  }
+
+  private static String limits(ValueType.Num n) {
+    boolean below = Double.isFinite(n.min());
+    boolean above = Double.isFinite(n.max());
+    return below && above ? " from " + plain(n.min()) + " to " + plain(n.max())
+        : below ? " of at least " + plain(n.min())
+        : above ? " of at most " + plain(n.max()) : "";
+  }
+
+  private static String plain(double number) {
+    return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
+  }
+}

@@ -1,0 +1,105 @@
+package org.robotui.core.internal.config;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.host.Problem;
+import org.robotui.api.layout.Layout;
+
+/**
+ * Reads a layout: the id of a view, {@code tabs: [ids]}, or {@code row:} or {@code column:} with a list of layouts, each
+ * with an optional {@code weight}. A view with a weight is {@code {view: id, weight: 2}}.
+ */
+final class LayoutReader {
+  private static final List<String> KINDS = List.of("view", "tabs", "row", "column");
+  private static final List<String> KEYS = List.of("view", "tabs", "row", "column", "weight");
+
+  private final Collection<String> views;
+  private final List<Problem> problems;
+
+  LayoutReader(Collection<String> views, List<Problem> problems) {
+    this.views = views;
+    this.problems = problems;
+  }
+
+  Optional<Layout> read(YamlValue value) {
+    return switch (value) {
+      case YamlValue.Scalar s -> view(s);
+      case YamlValue.Section s -> section(s);
+      case YamlValue.Items i -> {
+        problems.add(i.place().error("a layout must be a view, tabs:, row: or column:, not a list"));
+        yield Optional.empty();
+      }
+    };
+  }
+
+  private Optional<Layout> view(YamlValue value) {
+    return viewId(value).map(Layout.View::new);
+  }
+
+  private Optional<String> viewId(YamlValue value) {
+    Optional<String> id = Shape.text(value, "a view", problems);
+    id.filter(i -> !views.contains(i)).ifPresent(i ->
+        problems.add(value.place().error("there is no view '" + i + "'" + NearestWord.hint(i, views))));
+    return id.filter(views::contains);
+  }
+
+  private Optional<Layout> section(YamlValue.Section section) {
+    Shape.onlyKeys(section, KEYS, "in a layout", problems);
+    List<YamlValue.Entry> kinds = section.entries().stream().filter(e -> KINDS.contains(e.key())).toList();
+    if (kinds.size() != 1) {
+      problems.add(section.place().error("a layout has exactly one of view:, tabs:, row: and column:"));
+      return Optional.empty();
+    }
+    YamlValue.Entry kind = kinds.getFirst();
+    return switch (kind.key()) {
+      case "view" -> view(kind.value());
+      case "tabs" -> tabs(kind.value());
+      case "row" -> split(Layout.Direction.ROW, kind.value());
+      default -> split(Layout.Direction.COLUMN, kind.value());
+    };
+  }
+
+  private Optional<Layout> tabs(YamlValue value) {
+    List<String> ids = Shape.items(value).stream().flatMap(v -> viewId(v).stream()).toList();
+    return ids.isEmpty() ? Optional.empty() : Optional.of(new Layout.Tabs(ids));
+  }
+
+  private Optional<Layout> split(Layout.Direction direction, YamlValue value) {
+    List<Layout> parts = new ArrayList<>();
+    List<Double> weights = new ArrayList<>();
+    for (YamlValue item : Shape.items(value)) {
+      read(item).ifPresent(part -> {
+        parts.add(part);
+        weights.add(weight(item));
+      });
+    }
+    return switch (parts.size()) {
+      case 0 -> Optional.empty();
+      case 1 -> Optional.of(parts.getFirst());
+      default -> Optional.of(new Layout.Split(direction, parts, weights));
+    };
+  }
+
+  private double weight(YamlValue item) {
+    Optional<YamlValue> written = item instanceof YamlValue.Section s ? s.get("weight") : Optional.empty();
+    return written.flatMap(this::positive).orElse(1.0);
+  }
+
+  private Optional<Double> positive(YamlValue value) {
+    Optional<Double> number = Shape.text(value, "'weight'", problems).flatMap(LayoutReader::parsed).filter(w -> w > 0);
+    if (number.isEmpty()) {
+      problems.add(value.place().error("'weight' must be a positive number, not " + value.noun()));
+    }
+    return number;
+  }
+
+  private static Optional<Double> parsed(String text) {
+    try {
+      return Optional.of(Double.valueOf(text)).filter(d -> !d.isInfinite());
+    } catch (NumberFormatException e) {
+      return Optional.empty();
+    }
+  }
+}

@@ -1,0 +1,131 @@
+package org.robotui.core.internal.config;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.robotui.api.RuicType;
+import org.robotui.api.config.Settings;
+import org.robotui.api.host.Problem;
+import org.robotui.api.layout.Layout;
+import org.robotui.core.internal.config.model.CheckedSettings;
+import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.config.model.ConnectionConfig;
+import org.robotui.core.internal.config.model.RuicConfig;
+import org.robotui.core.internal.config.model.SafetyConfig;
+import org.robotui.core.internal.config.model.TypeLookup;
+
+/** Reads one RUIC. */
+final class RuicReader {
+  private static final List<String> OWN = List.of("type", "rfics", "uics", "connect", "layout", "safety");
+
+  private final TypeLookup types;
+  private final List<Problem> problems;
+
+  RuicReader(TypeLookup types, List<Problem> problems) {
+    this.types = types;
+    this.problems = problems;
+  }
+
+  Optional<RuicConfig> read(YamlValue.Entry entry) {
+    return Shape.section(entry.value(), "the RUIC '" + entry.key() + "'", problems).map(s -> read(entry, s));
+  }
+
+  private RuicConfig read(YamlValue.Entry entry, YamlValue.Section section) {
+    String name = entry.key();
+    String type = section.get("type").flatMap(v -> Shape.text(v, "'type'", problems)).orElse("");
+    WrittenSection raw = new WrittenSection(section.without(OWN));
+    Set<String> brought = broughtViews(section, type, raw);
+    ComponentReader components = new ComponentReader(types, problems);
+    List<ComponentConfig> rfics = components.rfics(part(section, "rfics"), name);
+    List<ComponentConfig> uics = components.uics(part(section, "uics"), brought);
+    uniqueIds(rfics, uics);
+    Set<String> views = new TreeSet<>(brought);
+    uics.forEach(u -> views.add(u.id()));
+    needed(entry, type, rfics, views);
+    List<ConnectionConfig> connections =
+        new ConnectionReader(views, ids(rfics), problems).read(part(section, "connect"));
+    Optional<Layout> layout = section.get("layout").flatMap(new LayoutReader(views, problems)::read);
+    Map<String, SafetyConfig> safety = new SafetyReader(problems).read(part(section, "safety"), robots(rfics));
+    Place at = entry.place();
+    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, uics, connections, layout, safety);
+  }
+
+  private YamlValue.Section part(YamlValue.Section section, String key) {
+    return section.get(key)
+        .flatMap(v -> Shape.section(v, "'" + key + "'", problems))
+        .orElse(new YamlValue.Section(List.of(), section.place()));
+  }
+
+  /** The views that the RUIC's type brings along; checks the settings of the type on the way. */
+  private Set<String> broughtViews(YamlValue.Section section, String type, WrittenSection raw) {
+    Optional<RuicType> found = types.ruic(type);
+    if (found.isEmpty()) {
+      unknownType(section, type);
+      return Set.of();
+    }
+    return switch (new SchemaCheck().check(found.get().schema(), raw)) {
+      case CheckedSettings.Valid v -> idsOf(found.get(), v.settings());
+      case CheckedSettings.Invalid i -> {
+        i.problems().forEach(p -> problems.add(withOwnWords(p)));
+        yield Set.of();
+      }
+    };
+  }
+
+  /** A slip in a word of the RUIC itself looks like an unknown setting of its type: say the nearer word. */
+  private static Problem withOwnWords(Problem problem) {
+    String prefix = "unknown setting '";
+    if (!problem.message().startsWith(prefix)) {
+      return problem;
+    }
+    String word = problem.message().substring(prefix.length(), problem.message().indexOf('\'', prefix.length()));
+    return NearestWord.of(word, OWN)
+        .map(near -> new Problem(problem.file(), problem.line(), problem.column(), problem.severity(),
+            "unknown word '" + word + "' in a RUIC; did you mean '" + near + "'?"))
+        .orElse(problem);
+  }
+
+  private static Set<String> idsOf(RuicType type, Settings settings) {
+    Set<String> ids = new TreeSet<>();
+    type.uics(settings).forEach(u -> ids.add(u.id()));
+    return ids;
+  }
+
+  private void unknownType(YamlValue.Section section, String type) {
+    if (type.isEmpty()) {
+      Shape.onlyKeys(section, OWN, "in a RUIC without a type", problems);
+    } else {
+      Place at = section.get("type").map(YamlValue::place).orElse(section.place());
+      problems.add(at.warning("no RUIC type '" + type + "' is installed" + NearestWord.hint(type, types.ruicIds())));
+    }
+  }
+
+  private void uniqueIds(List<ComponentConfig> rfics, List<ComponentConfig> uics) {
+    List<String> taken = ids(rfics);
+    uics.stream().filter(u -> taken.contains(u.id())).forEach(u -> problems.add(
+        new Place(u.file(), u.line(), u.column()).error("'" + u.id() + "' names a robot interface already; choose another")));
+  }
+
+  private void needed(YamlValue.Entry entry, String type, List<ComponentConfig> rfics, Set<String> views) {
+    if (rfics.isEmpty()) {
+      problems.add(entry.place().error("'" + entry.key() + "' has no robot interface; write rfics: {base: {type: ros}}"));
+    }
+    if (type.isEmpty() && views.isEmpty()) {
+      problems.add(entry.place().error(
+          "'" + entry.key() + "' has nothing to show; write type: " + String.join(" or ", types.ruicIds()) + ", or uics:"));
+    }
+  }
+
+  private static List<String> ids(List<ComponentConfig> components) {
+    return components.stream().map(ComponentConfig::id).toList();
+  }
+
+  private static List<String> robots(List<ComponentConfig> rfics) {
+    Stream<String> names = rfics.stream().map(ComponentConfig::robot).distinct();
+    return new ArrayList<>(names.toList());
+  }
+}

@@ -1,0 +1,38 @@
+package org.robotui.core.internal.config;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.robotui.api.host.Problem;
+
+/** Replaces {@code ${NAME}} and {@code ${NAME:-fallback}} by environment variables. */
+final class Variables {
+  private static final Pattern VARIABLE = Pattern.compile("\\$\\{([A-Za-z_][A-Za-z0-9_]*)(?::-([^}]*))?}");
+
+  private final Map<String, String> environment;
+
+  Variables(Map<String, String> environment) {
+    this.environment = Map.copyOf(environment);
+  }
+
+  String replaceIn(String text, Place place, List<Problem> problems) {
+    return VARIABLE.matcher(text).replaceAll(m -> Matcher.quoteReplacement(value(m, place, problems)));
+  }
+
+  private String value(MatchResult variable, Place place, List<Problem> problems) {
+    String name = variable.group(1);
+    return Optional.ofNullable(environment.get(name))
+        .or(() -> Optional.ofNullable(variable.group(2)))
+        .orElseGet(() -> missing(name, place, problems));
+  }
+
+  private static String missing(String name, Place place, List<Problem> problems) {
+    problems.add(
+        place.error(
+            "the environment variable " + name + " is not set; set it, or write ${" + name + ":-a fallback}"));
+    return "";
+  }
+}

@@ -1,0 +1,86 @@
+package org.robotui.core.internal.config;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.Overlay;
+import org.robotui.core.internal.config.model.OverlayFile;
+import org.yaml.snakeyaml.DumperOptions;
+import org.yaml.snakeyaml.LoaderOptions;
+import org.yaml.snakeyaml.Yaml;
+import org.yaml.snakeyaml.constructor.SafeConstructor;
+import org.yaml.snakeyaml.error.YAMLException;
+import org.yaml.snakeyaml.representer.Representer;
+
+/** Keeps what users changed as YAML, so that it can be read, shared and mended by hand. */
+public final class YamlOverlay implements OverlayFile {
+  @Override
+  public Map<String, Overlay> read(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      return Map.of();
+    }
+    try {
+      Object root = yaml().load(Files.readString(file));
+      Map<String, Overlay> overlays = new LinkedHashMap<>();
+      map(Optional.ofNullable(root).orElse(Map.of())).forEach((name, value) -> overlays.put(name, overlay(map(value))));
+      return overlays;
+    } catch (YAMLException | ClassCastException e) {
+      throw new IOException(file + " is not what was kept there: " + e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public void write(Path file, Map<String, Overlay> overlays) throws IOException {
+    Map<String, Object> root = new TreeMap<>();
+    overlays.forEach((name, overlay) -> root.put(name, written(overlay)));
+    Files.createDirectories(file.toAbsolutePath().getParent());
+    Path fresh = Files.createTempFile(file.toAbsolutePath().getParent(), file.getFileName().toString(), ".new");
+    Files.writeString(fresh, yaml().dump(root));
+    Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+  }
+
+  private static Yaml yaml() {
+    DumperOptions options = new DumperOptions();
+    options.setDefaultFlowStyle(DumperOptions.FlowStyle.BLOCK);
+    LoaderOptions limits = new LoaderOptions();
+    return new Yaml(new SafeConstructor(limits), new Representer(options), options, limits);
+  }
+
+  private static Map<String, Object> written(Overlay overlay) {
+    Map<String, String> connections = new TreeMap<>();
+    overlay.connections().forEach((port, peer) -> connections.put(port.toString(), peer.toString()));
+    return Map.of("settings", new TreeMap<>(overlay.settings()), "connect", connections);
+  }
+
+  private static Overlay overlay(Map<String, Object> value) {
+    Map<String, Map<String, Object>> settings = new LinkedHashMap<>();
+    map(value.getOrDefault("settings", Map.of())).forEach((view, values) -> settings.put(view, asKept(map(values))));
+    Map<SourceId, SourceId> connections = new LinkedHashMap<>();
+    map(value.getOrDefault("connect", Map.of())).forEach((port, peer) -> connections.put(port(port), port(peer.toString())));
+    return new Overlay(settings, connections);
+  }
+
+  /** YAML reads small numbers as Integer; settings hold Long. */
+  private static Map<String, Object> asKept(Map<String, Object> values) {
+    Map<String, Object> kept = new LinkedHashMap<>();
+    values.forEach((name, value) -> kept.put(name, value instanceof Integer i ? (Object) i.longValue() : value));
+    return kept;
+  }
+
+  private static SourceId port(String text) {
+    int dot = text.indexOf('.');
+    return new SourceId(text.substring(0, Math.max(0, dot)), text.substring(dot + 1));
+  }
+
+  private static Map<String, Object> map(Object value) {
+    Map<String, Object> copy = new LinkedHashMap<>();
+    ((Map<?, ?>) value).forEach((k, v) -> copy.put(k.toString(), v));
+    return copy;
+  }
+}

@@ -1,0 +1,146 @@
+package org.robotui.core.internal.config;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.random.RandomGenerator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.host.Problem;
+import org.robotui.api.layout.Layout;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.ConfigResult;
+import org.robotui.core.internal.config.model.RuicConfig;
+
+class YamlConfigSourceTest {
+  private static final String GOOD = """
+      ruics:
+        Natalie:
+          type: base
+          rfics:
+            ros: {type: ros, master: "${MASTER}"}
+          uics:
+            map: {follow: true}
+            extra: {type: camera, title: Front}
+          connect:
+            map.scan: [ros.scan, ros.scan_rear]
+            extra.image: none
+          layout:
+            row:
+              - {view: map, weight: 2}
+              - column: [camera, {tabs: [extra, map]}]
+          safety:
+            Natalie: {max_linear: 0.5, stop_call: {interface: ros, service: /stop}}
+      """;
+
+  @TempDir Path folder;
+
+  @Test
+  void readsEverythingThatAConfigurationMaySay() throws IOException {
+    ConfigResult result = read(GOOD);
+    assertEquals(List.of(), result.problems());
+    RuicConfig ruic = result.ruics().getFirst();
+    assertEquals("Natalie", ruic.rfics().getFirst().robot());
+    assertEquals(List.of("", "camera"), ruic.uics().stream().map(u -> u.type()).toList());
+    assertEquals("Front", ruic.uics().get(1).title());
+    assertEquals(List.of(new SourceId("ros", "scan"), new SourceId("ros", "scan_rear")), ruic.connections().getFirst().peers());
+    assertEquals(List.of(), ruic.connections().get(1).peers());
+    assertEquals(0.5, ruic.safety("Natalie").limits().linear());
+    assertEquals("/stop", ruic.safety("Natalie").stopCall().orElseThrow().request().service());
+    Layout.Split split = (Layout.Split) ruic.layout().orElseThrow();
+    assertEquals(List.of(2.0, 1.0), split.weights());
+  }
+
+  @Test
+  void namesLineColumnAndNearestWord() throws IOException {
+    assertProblem(GOOD.replace("{follow: true}", "{}").replace("type: camera", "type: camra"),
+        8, 21, "no view type 'camra' is installed; did you mean 'camera'?");
+    assertProblem(GOOD.replace("title: Front", "titel: Front"), 8, 29, "unknown setting 'titel'");
+    assertProblem(GOOD.replace("layout:", "layuot:"), 12, 5, "did you mean 'layout'?");
+    assertProblem(GOOD.replace("view: map", "view: mpa"), 14, 18, "there is no view 'mpa'; did you mean 'map'?");
+    assertProblem(GOOD.replace("[ros.scan,", "[rso.scan,"), 10, 18, "there is no robot interface 'rso'; did you mean 'ros'?");
+    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 17, 29, "'max_linear' must be a number of at least 0 in m/s, not 'fast'");
+    assertProblem(GOOD.replace("ruics:", "ruisc:"), 1, 1, "did you mean 'ruics'?");
+    assertProblem(GOOD.replace("weight: 2", "weight: -2"), 14, 31, "'weight' must be a positive number");
+    assertProblem(GOOD.replace("    Natalie: {max", "    Natalia: {max"), 17, 7, "did you mean 'Natalie'?");
+  }
+
+  @Test
+  void saysWhichVariableIsNotSet() throws IOException {
+    assertProblem(GOOD.replace("${MASTER}", "${NOWHERE}"), 5, 32, "NOWHERE is not set");
+    assertEquals(List.of(), read(GOOD.replace("${MASTER}", "${NOWHERE:-http://here:1}")).problems());
+  }
+
+  @Test
+  void keepsGoodRuicsBesideABrokenOne() throws IOException {
+    ConfigResult result = read(GOOD + "  Broken: {type: base}\n");
+    assertEquals(1, result.problems().size());
+    assertEquals(List.of("Natalie"), result.ruics().stream().map(RuicConfig::name).toList());
+  }
+
+  @Test
+  void refusesWhatIsNoYamlWithAPlace() throws IOException {
+    assertProblem("ruics:\n  a: [1, 2\n  b: }", 3, 4, "this is no YAML");
+    assertProblem("ruics: {a: 1, a: 2}", 1, 15, "stands here twice; the first is in line 1");
+    assertProblem("- a\n- b\n", 1, 1, "must be a section of names and values, not a list");
+    assertProblem("", 1, 1, "'ruics' is missing");
+  }
+
+  @Test
+  void boundsAliasBombs() throws IOException {
+    StringBuilder bomb = new StringBuilder("a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n");
+    for (int i = 1; i < 12; i++) {
+      String each = "*a" + (i - 1) + ", ";
+      bomb.append("a").append(i).append(": &a").append(i).append(" [").append(each.repeat(9)).append("x]\n");
+    }
+    assertProblem(bomb.toString(), 1, 1, "Number of aliases");
+    assertProblem("ruics: &r {a: *r}", 1, 1, "endless or too large");
+  }
+
+  @Test
+  void saysWhenThereIsNoFileAndWhichOneMayBeMeant() throws IOException {
+    Files.writeString(folder.resolve("demo.yaml"), GOOD);
+    ConfigResult result = source().read(folder.resolve("dmeo.yaml"), new FakeTypes());
+    assertTrue(result.problems().getFirst().message().contains("did you mean 'demo.yaml'?"));
+  }
+
+  @Test
+  void survivesAnyMutation() throws IOException {
+    RandomGenerator random = RandomGenerator.of("L64X128MixRandom");
+    for (int round = 0; round < 2000; round++) {
+      StringBuilder text = new StringBuilder(GOOD);
+      for (int edit = 0; edit < 3; edit++) {
+        int at = random.nextInt(text.length());
+        text.replace(at, Math.min(text.length(), at + random.nextInt(4)), mutation(random));
+      }
+      ConfigResult result = read(text.toString());
+      assertTrue(!result.ruics().isEmpty() || !result.problems().isEmpty(), text.toString());
+    }
+  }
+
+  private static String mutation(RandomGenerator random) {
+    String[] pieces = {"", ":", "{", "}", "[", "]", "- ", "\n", "&a ", "*a", "!!int ", "\t", "\"", "\u0000", "999999999999", "  "};
+    return pieces[random.nextInt(pieces.length)];
+  }
+
+  private YamlConfigSource source() {
+    return new YamlConfigSource(Map.of("MASTER", "http://127.0.0.1:11311"));
+  }
+
+  private ConfigResult read(String text) throws IOException {
+    Path file = Files.writeString(folder.resolve("test.yaml"), text);
+    return source().read(file, new FakeTypes());
+  }
+
+  private void assertProblem(String text, int line, int column, String part) throws IOException {
+    List<Problem> problems = read(text).problems();
+    assertTrue(
+        problems.stream().anyMatch(p -> p.line() == line && p.column() == column && p.message().contains(part)),
+        () -> "expected " + line + ":" + column + " " + part + " among " + problems);
+  }
+}

@@ -1,0 +1,39 @@
+package org.robotui.core.internal.config;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.Overlay;
+
+class YamlOverlayTest {
+  @TempDir Path folder;
+
+  @Test
+  void readsWhatItWrote() throws IOException {
+    Map<String, Overlay> kept = Map.of("Natalie", new Overlay(
+        Map.of("map", Map.of("follow", true, "radius", 0.25, "trail", 5000L, "layers", List.of("scan", "map"))),
+        Map.of(new SourceId("camera", "image"), new SourceId("base", "camera/image_raw"))));
+    Path file = folder.resolve("new folder").resolve("overlay.yaml");
+    new YamlOverlay().write(file, kept);
+    assertEquals(kept, new YamlOverlay().read(file));
+  }
+
+  @Test
+  void answersNothingWithoutAFile() throws IOException {
+    assertEquals(Map.of(), new YamlOverlay().read(folder.resolve("none.yaml")));
+  }
+
+  @Test
+  void refusesWhatItDidNotWrite() throws IOException {
+    Path file = Files.writeString(folder.resolve("odd.yaml"), "[1, 2]");
+    assertThrows(IOException.class, () -> new YamlOverlay().read(file));
+  }
+}
