@@ -21,6 +21,7 @@ import org.robotui.sim.internal.world.Pose2;
  * @param bumped whether it touches something
  * @param goal where it drives to
  * @param path the way there, in the map
+ * @param goalStatus what became of the last goal
  * @param resets how often it was put back to the start
  */
 public record RobotState(
@@ -37,6 +38,7 @@ public record RobotState(
     boolean bumped,
     Optional<Pose2> goal,
     List<Pose2> path,
+    GoalStatus goalStatus,
     int resets) {
   public Pose2 estimate() {
     return mapFromOdometry.times(odometry);

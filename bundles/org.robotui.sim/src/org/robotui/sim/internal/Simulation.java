@@ -1,7 +1,6 @@
 package org.robotui.sim.internal;
 
 import java.util.Locale;
-import java.util.Optional;
 import java.util.Queue;
 import java.util.Random;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -11,12 +10,9 @@ import org.robotui.sim.internal.RobotState.BatteryReading;
 import org.robotui.sim.internal.nav.Clearance;
 import org.robotui.sim.internal.nav.FrontGuard;
 import org.robotui.sim.internal.nav.Navigator;
-import org.robotui.sim.internal.nav.Plan;
 import org.robotui.sim.internal.nav.Planner;
-import org.robotui.sim.internal.nav.Progress;
 import org.robotui.sim.internal.robot.Battery;
 import org.robotui.sim.internal.robot.Body;
-import org.robotui.sim.internal.robot.CommandGate;
 import org.robotui.sim.internal.robot.DriveTrain;
 import org.robotui.sim.internal.robot.Localisation;
 import org.robotui.sim.internal.robot.Speed;
@@ -32,7 +28,6 @@ import org.robotui.sim.internal.world.World;
  */
 public final class Simulation {
   public static final double STEP = 0.01;
-  public static final double COMMAND_TIMEOUT = 0.5;
   private static final int NAVIGATION_STEPS = 5;
   private static final int LOCALISATION_STEPS = 20;
   private static final double DOCK_RADIUS = 0.35;
@@ -49,10 +44,8 @@ public final class Simulation {
   private final Localisation localisation;
   private final Battery battery;
   private final Imu imu;
-  private final CommandGate gate = new CommandGate(COMMAND_TIMEOUT);
-  private final Navigator navigator;
+  private final Pilot pilot;
   private final FrontGuard guard;
-  private Speed navigationSpeed = Speed.ZERO;
   private long steps;
   private boolean motorsOn = true;
   private boolean bumped;
@@ -72,7 +65,7 @@ public final class Simulation {
     battery = new Battery(settings.batteryLevel());
     imu = new Imu(random(3));
     Speed cruise = new Speed(0.8 * settings.limits().linear(), 0.7 * settings.limits().angular());
-    navigator = new Navigator(new Planner(new Clearance(map), PLANNING_RADIUS), cruise);
+    pilot = new Pilot(new Navigator(new Planner(new Clearance(map), PLANNING_RADIUS), cruise), events);
     guard = new FrontGuard(world, Body.RADIUS, settings.laser().height());
     state = capture();
   }
@@ -110,9 +103,7 @@ public final class Simulation {
     for (Command command = commands.poll(); command != null; command = commands.poll()) {
       apply(command);
     }
-    if (gate.expire(now())) {
-      report(Severity.WARN, "base", "cmd_vel timed out after 0.5 s: stopped");
-    }
+    pilot.expire(now());
     if (steps % NAVIGATION_STEPS == 0) {
       navigate();
     }
@@ -130,7 +121,7 @@ public final class Simulation {
 
   private void move() {
     boolean powered = motorsOn && !battery.isEmpty();
-    Speed speed = drive.approach(powered ? wish() : Speed.ZERO, STEP);
+    Speed speed = drive.approach(powered ? pilot.wish() : Speed.ZERO, STEP);
     Pose2 before = body.pose();
     boolean free = body.move(speed.linear() * STEP, speed.angular() * STEP);
     if (!free) {
@@ -141,10 +132,6 @@ public final class Simulation {
     odometry.moved(free ? speed.linear() * STEP : 0, speed.angular() * STEP);
     imu.update(drive.speed(), STEP);
     useBattery();
-  }
-
-  private Speed wish() {
-    return gate.isLive() ? gate.command() : navigationSpeed;
   }
 
   private void useBattery() {
@@ -164,64 +151,30 @@ public final class Simulation {
   }
 
   private void navigate() {
-    Pose2 estimate = localisation.estimate(odometry.pose());
-    boolean driving = navigator.goal().isPresent();
-    double room = driving ? guard.room(body.pose()) : 0;
-    navigationSpeed = switch (navigator.update(estimate, room, STEP * NAVIGATION_STEPS)) {
-      case Progress.Driving driven -> driven.speed();
-      case Progress.Idle idle -> Speed.ZERO;
-      case Progress.Reached reached -> stopped(Severity.INFO, "goal reached");
-      case Progress.Aborted aborted -> stopped(Severity.WARN, "goal aborted: " + aborted.reason());
-    };
+    double room = pilot.goal().isPresent() ? guard.room(body.pose()) : 0;
+    pilot.navigate(estimate(), room, STEP * NAVIGATION_STEPS);
   }
 
-  private Speed stopped(Severity severity, String text) {
-    report(severity, "navigation", text);
-    return Speed.ZERO;
+  private Pose2 estimate() {
+    return localisation.estimate(odometry.pose());
   }
 
   private void apply(Command command) {
     switch (command) {
-      case Command.Drive wish -> drive(wish.speed());
-      case Command.Goal goal -> goTo(goal.pose());
+      case Command.Drive wish -> pilot.drive(wish.speed(), now());
+      case Command.Goal goal -> pilot.goTo(goal.pose(), estimate());
       case Command.InitialPose initial -> believe(initial.pose());
       case Command.Motors motors -> switchMotors(motors.on());
-      case Command.Stop stop -> stop("stopped");
+      case Command.Stop stop -> pilot.stop("stopped");
       case Command.Reset reset -> reset();
-    }
-  }
-
-  private void drive(Speed speed) {
-    if (navigator.goal().isPresent()) {
-      stop("goal cancelled by cmd_vel");
-    }
-    gate.accept(speed, now());
-  }
-
-  private void stop(String text) {
-    navigator.cancel();
-    navigationSpeed = Speed.ZERO;
-    gate.clear();
-    report(Severity.INFO, "navigation", text);
-  }
-
-  private void goTo(Pose2 goal) {
-    gate.clear();
-    navigationSpeed = Speed.ZERO;
-    Plan plan = navigator.start(goal, localisation.estimate(odometry.pose()));
-    switch (plan) {
-      case Plan.Found found -> report(Severity.INFO, "navigation",
-          String.format(Locale.ROOT, "goal accepted: %.2f, %.2f", goal.x(), goal.y()));
-      case Plan.Impossible impossible -> report(Severity.WARN, "navigation",
-          "goal refused: " + impossible.reason());
     }
   }
 
   private void believe(Pose2 pose) {
     localisation.set(pose, odometry.pose());
-    report(Severity.INFO, "localisation", String.format(Locale.ROOT, "initial pose set: %.2f, %.2f", pose.x(), pose.y()));
-    Optional<Pose2> goal = navigator.goal();
-    goal.ifPresent(this::goTo);
+    report(Severity.INFO, "localisation",
+        String.format(Locale.ROOT, "initial pose set: %.2f, %.2f", pose.x(), pose.y()));
+    pilot.relocalised(pose);
   }
 
   private void switchMotors(boolean on) {
@@ -230,17 +183,15 @@ public final class Simulation {
   }
 
   private void reset() {
-    navigator.cancel();
-    navigationSpeed = Speed.ZERO;
-    gate.clear();
+    pilot.stop("reset to the start");
     drive.halt();
     body.place(world.start());
     odometry.reset();
     localisation.set(world.start(), odometry.pose());
     battery.refill(settings.batteryLevel());
     motorsOn = true;
+    bumped = false;
     resets++;
-    report(Severity.INFO, "base", "reset to the start");
   }
 
   private void report(Severity severity, String source, String text) {
@@ -253,6 +204,6 @@ public final class Simulation {
     return new RobotState(
         now(), body.pose(), odometry.pose(), localisation.mapFromOdometry(), drive.speed(),
         odometry.leftAngle(), odometry.rightAngle(), reading, motorsOn, localisation.isLost(), bumped,
-        navigator.goal(), navigator.path(), resets);
+        pilot.goal(), pilot.path(), pilot.status(), resets);
   }
 }

@@ -87,6 +87,7 @@ class SimulationTest {
       assertTrue(hasEvent("goal reached"), goal + ": " + events);
       assertFalse(hasEvent("bumped"), events.toString());
       assertTrue(simulation.state().truth().distanceTo(goal) < 0.2);
+      assertEquals(GoalStatus.Phase.SUCCEEDED, simulation.state().goalStatus().phase());
     }
   }
 
@@ -102,6 +103,7 @@ class SimulationTest {
     assertTrue(simulation.state().path().isEmpty());
     assertEquals(Speed.ZERO, simulation.state().speed());
     assertTrue(hasEvent("cancelled"));
+    assertEquals(GoalStatus.Phase.PREEMPTED, simulation.state().goalStatus().phase());
   }
 
   @Test
@@ -110,6 +112,7 @@ class SimulationTest {
     simulation.submit(new Command.Goal(new Pose2(5, 2, 0)));
     run(simulation, 1);
     assertTrue(hasEvent("goal refused"));
+    assertEquals(GoalStatus.Phase.REJECTED, simulation.state().goalStatus().phase());
     assertEquals(Speed.ZERO, simulation.state().speed());
   }
 

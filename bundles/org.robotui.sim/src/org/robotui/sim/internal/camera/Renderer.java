@@ -144,11 +144,28 @@ public final class Renderer {
     return room.map(Room::wallColour).orElse(wall.colour());
   }
 
+  /** Fills a part of a column; lines that are covered in part are blended, so that edges are smooth. */
   private void fill(int column, double from, double to, int colour) {
-    int first = Math.max(0, (int) Math.round(from));
-    int last = Math.min(lens.height(), (int) Math.round(to));
-    for (int line = first; line < last; line++) {
+    double first = Math.max(0, from);
+    double last = Math.min(lens.height(), to);
+    if (first >= last) {
+      return;
+    }
+    int begin = (int) Math.ceil(first);
+    int end = (int) last;
+    blend(column, begin - 1, Math.min(begin, last) - first, colour);
+    for (int line = begin; line < end; line++) {
       pixels[line * lens.width() + column] = colour;
+    }
+    if (end >= begin) {
+      blend(column, end, last - end, colour);
+    }
+  }
+
+  private void blend(int column, int line, double weight, int colour) {
+    if (weight > 0 && line >= 0 && line < lens.height()) {
+      int i = line * lens.width() + column;
+      pixels[i] = Rgb.mix(pixels[i], colour, weight);
     }
   }
 }

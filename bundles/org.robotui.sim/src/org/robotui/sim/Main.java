@@ -1,0 +1,68 @@
+package org.robotui.sim;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+
+/** Starts the demo robot as a program of its own. */
+public final class Main {
+  private static final int USAGE_ERROR = 2;
+  private static final int FAILED = 1;
+
+  private Main() {}
+
+  /**
+   * Runs until the process is told to end.
+   *
+   * @param arguments as {@code --help} explains them
+   */
+  public static void main(String[] arguments) {
+    System.setProperty("java.awt.headless", "true");
+    System.exit(run(List.of(arguments), System.out, System.err));
+  }
+
+  private static int run(List<String> arguments, PrintStream out, PrintStream err) {
+    if (arguments.contains("--help")) {
+      out.print(Options.USAGE);
+      return 0;
+    }
+    try {
+      return serve(Options.parse(arguments), out, err);
+    } catch (IllegalArgumentException e) {
+      err.println(e.getMessage());
+      err.print(Options.USAGE);
+      return USAGE_ERROR;
+    } catch (IOException e) {
+      err.println("the demo robot cannot start: " + e.getMessage());
+      return FAILED;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return FAILED;
+    }
+  }
+
+  private static int serve(Options options, PrintStream out, PrintStream err)
+      throws IOException, InterruptedException {
+    Optional<ProcessHandle> parent = Optional.empty();
+    if (options.parent().isPresent()) {
+      parent = alive(options.parent());
+      if (parent.isEmpty()) {
+        err.println("process " + options.parent().getAsLong() + " is not there: nothing to run for");
+        return FAILED;
+      }
+    }
+    Demo demo = Demo.start(options);
+    Runtime.getRuntime().addShutdownHook(new Thread(demo::close, "shutdown"));
+    parent.ifPresent(process -> process.onExit().thenRun(demo::end));
+    out.println("ROS_MASTER_URI=" + demo.masterUri());
+    out.flush();
+    demo.awaitEnd();
+    return 0;
+  }
+
+  private static Optional<ProcessHandle> alive(OptionalLong pid) {
+    return ProcessHandle.of(pid.getAsLong()).filter(ProcessHandle::isAlive);
+  }
+}

@@ -1,0 +1,114 @@
+package org.robotui.sim.internal;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.robotui.sim.internal.Event.Severity;
+import org.robotui.sim.internal.GoalStatus.Phase;
+import org.robotui.sim.internal.nav.Navigator;
+import org.robotui.sim.internal.nav.Plan;
+import org.robotui.sim.internal.nav.Progress;
+import org.robotui.sim.internal.robot.CommandGate;
+import org.robotui.sim.internal.robot.Speed;
+import org.robotui.sim.internal.world.Pose2;
+
+/** Decides how fast the robot should go: as somebody commands it, else towards its goal. For one thread. */
+final class Pilot {
+  static final double COMMAND_TIMEOUT = 0.5;
+
+  private final CommandGate gate = new CommandGate(COMMAND_TIMEOUT);
+  private final Navigator navigator;
+  private final Consumer<Event> events;
+  private Speed navigation = Speed.ZERO;
+  private GoalStatus status = GoalStatus.NONE;
+
+  Pilot(Navigator navigator, Consumer<Event> events) {
+    this.navigator = navigator;
+    this.events = events;
+  }
+
+  Speed wish() {
+    return gate.isLive() ? gate.command() : navigation;
+  }
+
+  GoalStatus status() {
+    return status;
+  }
+
+  Optional<Pose2> goal() {
+    return navigator.goal();
+  }
+
+  List<Pose2> path() {
+    return navigator.path();
+  }
+
+  /** Takes a command, which ends navigation. */
+  void drive(Speed speed, double now) {
+    preempt("goal cancelled by cmd_vel");
+    gate.accept(speed, now);
+  }
+
+  void expire(double now) {
+    if (gate.expire(now)) {
+      report(Severity.WARN, "base", "cmd_vel timed out after 0.5 s: stopped");
+    }
+  }
+
+  void stop(String text) {
+    preempt("goal cancelled");
+    gate.clear();
+    report(Severity.INFO, "base", text);
+  }
+
+  private void preempt(String text) {
+    if (navigator.goal().isPresent()) {
+      navigator.cancel();
+      end(Phase.PREEMPTED, Severity.INFO, text);
+    }
+  }
+
+  /** Takes a goal in place of the one before. */
+  void goTo(Pose2 goal, Pose2 estimate) {
+    preempt("goal replaced");
+    gate.clear();
+    status = new GoalStatus(status.number() + 1, Phase.ACTIVE, "on the way");
+    switch (navigator.start(goal, estimate)) {
+      case Plan.Found found -> report(Severity.INFO, "navigation",
+          String.format(Locale.ROOT, "goal accepted: %.2f, %.2f", goal.x(), goal.y()));
+      case Plan.Impossible impossible -> end(
+          Phase.REJECTED, Severity.WARN, "goal refused: " + impossible.reason());
+    }
+  }
+
+  /** Goes on with the goal, if there is one, from where localisation believes to be now. */
+  void relocalised(Pose2 estimate) {
+    navigator.goal().ifPresent(goal -> goTo(goal, estimate));
+  }
+
+  /**
+   * Goes on for {@code dt} seconds.
+   *
+   * @param room free distance before the robot, metres
+   */
+  void navigate(Pose2 estimate, double room, double dt) {
+    switch (navigator.update(estimate, room, dt)) {
+      case Progress.Driving driving -> navigation = driving.speed();
+      case Progress.Idle idle -> navigation = Speed.ZERO;
+      case Progress.Reached reached -> end(Phase.SUCCEEDED, Severity.INFO, "goal reached");
+      case Progress.Aborted aborted -> end(
+          Phase.ABORTED, Severity.WARN, "goal aborted: " + aborted.reason());
+    }
+  }
+
+  private void end(Phase phase, Severity severity, String text) {
+    navigation = Speed.ZERO;
+    status = new GoalStatus(status.number(), phase, text);
+    report(severity, "navigation", text);
+  }
+
+  private void report(Severity severity, String source, String text) {
+    events.accept(new Event(severity, source, text));
+  }
+}

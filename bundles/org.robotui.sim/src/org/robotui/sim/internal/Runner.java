@@ -1,0 +1,56 @@
+package org.robotui.sim.internal;
+
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongConsumer;
+
+/** Makes steps at a fixed rate on a thread of its own until it is closed. */
+public final class Runner implements AutoCloseable {
+  private static final long JOIN_MILLIS = 300;
+
+  private final LongConsumer step;
+  private final Timetable timetable;
+  private final Thread thread;
+  private volatile boolean closed;
+
+  /** @param step is told when it was due, nanoseconds of {@link System#nanoTime()} */
+  public Runner(LongConsumer step, double factor) {
+    this.step = step;
+    timetable = new Timetable(System.nanoTime(), factor);
+    thread = Thread.ofPlatform().name("simulation").daemon().unstarted(this::run);
+  }
+
+  public void start() {
+    thread.start();
+  }
+
+  private void run() {
+    while (!closed) {
+      long due = timetable.nextDue();
+      waitUntil(due);
+      timetable.stepMade(System.nanoTime());
+      if (!closed) {
+        step.accept(due);
+      }
+    }
+  }
+
+  private void waitUntil(long due) {
+    long wait = due - System.nanoTime();
+    while (wait > 0 && !closed) {
+      LockSupport.parkNanos(wait);
+      wait = due - System.nanoTime();
+    }
+  }
+
+  /** Waits a short time for the running step to end. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+    try {
+      thread.join(JOIN_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,158 @@
+package org.robotui.sim.internal.ros;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.robotui.ros.msgs.actionlib_msgs.GoalID;
+import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
+import org.robotui.ros.msgs.geometry_msgs.Point32;
+import org.robotui.ros.msgs.geometry_msgs.Polygon;
+import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
+import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.ros.msgs.geometry_msgs.Twist;
+import org.robotui.ros.msgs.geometry_msgs.TwistWithCovariance;
+import org.robotui.ros.msgs.geometry_msgs.Vector3;
+import org.robotui.ros.msgs.nav_msgs.Odometry;
+import org.robotui.ros.msgs.nav_msgs.Path;
+import org.robotui.ros.msgs.sensor_msgs.BatteryState;
+import org.robotui.ros.msgs.sensor_msgs.Imu;
+import org.robotui.ros.msgs.sensor_msgs.JointState;
+import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.robot.Battery;
+import org.robotui.sim.internal.robot.Body;
+import org.robotui.sim.internal.robot.Speed;
+import org.robotui.sim.internal.robot.WheelOdometry;
+import org.robotui.sim.internal.world.Pose2;
+
+/** Messages about the base: where it is, how it moves, what it has left. */
+final class BaseMessages {
+  private static final int FOOTPRINT_CORNERS = 16;
+
+  private final Frames frames;
+
+  BaseMessages(Frames frames) {
+    this.frames = frames;
+  }
+
+  private static Header header(long stamp, String frame) {
+    return new Header(0, stamp, frame);
+  }
+
+  Odometry odometry(RobotState state, long stamp) {
+    PoseWithCovariance pose = new PoseWithCovariance(Poses.pose(state.odometry()), planar(0.01, 0.02));
+    Speed speed = state.speed();
+    Twist twist = new Twist(new Vector3(speed.linear(), 0, 0), new Vector3(0, 0, speed.angular()));
+    return new Odometry(
+        header(stamp, frames.odometry()), frames.base(), pose,
+        new TwistWithCovariance(twist, planar(0.001, 0.003)));
+  }
+
+  /** A 6 x 6 covariance of x, y and yaw; what the plane does not have is certain. */
+  private static double[] planar(double position, double heading) {
+    double[] covariance = new double[36];
+    covariance[0] = position;
+    covariance[7] = position;
+    covariance[35] = heading;
+    return covariance;
+  }
+
+  /** The two moving edges of the tree: the map to odometry, and odometry to the base. */
+  TFMessage transforms(RobotState state, long stamp) {
+    Header map = header(stamp, Frames.MAP);
+    Header odometry = header(stamp, frames.odometry());
+    return new TFMessage(List.of(
+        Poses.stamped(map, frames.odometry(), Poses.transform(state.mapFromOdometry(), 0)),
+        Poses.stamped(odometry, frames.base(), Poses.transform(state.odometry(), 0))));
+  }
+
+  PoseWithCovarianceStamped estimate(RobotState state, long stamp) {
+    double[] covariance = state.lost() ? planar(1, 0.5) : planar(0.003, 0.001);
+    return new PoseWithCovarianceStamped(
+        header(stamp, Frames.MAP), new PoseWithCovariance(Poses.pose(state.estimate()), covariance));
+  }
+
+  Path path(List<Pose2> path, long stamp) {
+    Header header = header(stamp, Frames.MAP);
+    return new Path(header, path.stream().map(pose -> new PoseStamped(header, Poses.pose(pose))).toList());
+  }
+
+  /** As an action server reports it; empty before the first goal. */
+  GoalStatusArray goalStatus(RobotState state, long stamp) {
+    org.robotui.sim.internal.GoalStatus last = state.goalStatus();
+    List<GoalStatus> list = last.number() == 0
+        ? List.of()
+        : List.of(new GoalStatus(new GoalID(0, "goal-" + last.number()), code(last.phase()), last.text()));
+    return new GoalStatusArray(header(stamp, ""), list);
+  }
+
+  private static int code(org.robotui.sim.internal.GoalStatus.Phase phase) {
+    return switch (phase) {
+      case ACTIVE -> GoalStatus.ACTIVE;
+      case PREEMPTED -> GoalStatus.PREEMPTED;
+      case SUCCEEDED -> GoalStatus.SUCCEEDED;
+      case ABORTED -> GoalStatus.ABORTED;
+      case REJECTED -> GoalStatus.REJECTED;
+    };
+  }
+
+  PolygonStamped footprint(RobotState state, long stamp) {
+    Pose2 place = state.estimate();
+    List<Point32> corners = new ArrayList<>();
+    for (int i = 0; i < FOOTPRINT_CORNERS; i++) {
+      double angle = 2 * Math.PI * (i + 0.5) / FOOTPRINT_CORNERS;
+      Pose2 corner = place.times(new Pose2(Body.RADIUS * Math.cos(angle), Body.RADIUS * Math.sin(angle), 0));
+      corners.add(new Point32((float) corner.x(), (float) corner.y(), 0));
+    }
+    return new PolygonStamped(header(stamp, Frames.MAP), new Polygon(corners));
+  }
+
+  JointState joints(RobotState state, long stamp) {
+    Speed speed = state.speed();
+    double half = speed.angular() * WheelOdometry.TRACK / 2;
+    double left = (speed.linear() - half) / WheelOdometry.WHEEL_RADIUS;
+    double right = (speed.linear() + half) / WheelOdometry.WHEEL_RADIUS;
+    return new JointState(
+        header(stamp, ""),
+        List.of("left_wheel_joint", "right_wheel_joint"),
+        new double[] {state.leftWheel(), state.rightWheel()},
+        new double[] {left, right},
+        new double[0]);
+  }
+
+  Imu imu(org.robotui.sim.internal.sensor.Imu imu, long stamp) {
+    double gravity = org.robotui.sim.internal.sensor.Imu.GRAVITY;
+    return new Imu(
+        header(stamp, frames.imu()),
+        Poses.yaw(imu.heading()), diagonal(1e-6, 1e-6, 1e-2),
+        new Vector3(0, 0, imu.turnRate()), diagonal(1.6e-5, 1.6e-5, 1.6e-5),
+        new Vector3(imu.forward(), imu.sideways(), gravity), diagonal(9e-4, 9e-4, 9e-4));
+  }
+
+  private static double[] diagonal(double x, double y, double z) {
+    return new double[] {x, 0, 0, 0, y, 0, 0, 0, z};
+  }
+
+  BatteryState battery(RobotState state, long stamp) {
+    RobotState.BatteryReading battery = state.battery();
+    return new BatteryState(
+        header(stamp, frames.base()),
+        (float) battery.voltage(), Float.NaN, (float) battery.current(), (float) battery.charge(),
+        (float) Battery.CAPACITY, (float) Battery.CAPACITY, (float) battery.level(),
+        supplyStatus(battery),
+        BatteryState.POWER_SUPPLY_HEALTH_GOOD, BatteryState.POWER_SUPPLY_TECHNOLOGY_UNKNOWN,
+        true, new float[0], new float[0], "base", "");
+  }
+
+  private static int supplyStatus(RobotState.BatteryReading battery) {
+    if (battery.charging()) {
+      return BatteryState.POWER_SUPPLY_STATUS_CHARGING;
+    }
+    return battery.level() >= 1
+        ? BatteryState.POWER_SUPPLY_STATUS_FULL
+        : BatteryState.POWER_SUPPLY_STATUS_DISCHARGING;
+  }
+}

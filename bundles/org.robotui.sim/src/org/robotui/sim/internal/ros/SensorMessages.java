@@ -1,0 +1,41 @@
+package org.robotui.sim.internal.ros;
+
+import java.nio.ByteBuffer;
+import org.robotui.ros.msgs.nav_msgs.MapMetaData;
+import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
+import org.robotui.ros.msgs.sensor_msgs.LaserScan;
+import org.robotui.ros.msgs.sensor_msgs.Range;
+import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.sim.internal.sensor.LaserSpec;
+import org.robotui.sim.internal.sensor.SonarRing;
+import org.robotui.sim.internal.world.GridMap;
+import org.robotui.sim.internal.world.Pose2;
+
+/** Messages of the range sensors, and the map. */
+final class SensorMessages {
+  private final Frames frames;
+
+  SensorMessages(Frames frames) {
+    this.frames = frames;
+  }
+
+  LaserScan scan(LaserSpec spec, float[] ranges, double scanTime, long stamp) {
+    return new LaserScan(
+        new Header(0, stamp, frames.laser()),
+        (float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(),
+        0, (float) scanTime, (float) spec.rangeMin(), (float) spec.rangeMax(), ranges, new float[0]);
+  }
+
+  Range sonar(int index, double range, long stamp) {
+    return new Range(
+        new Header(0, stamp, frames.sonar(index)), Range.ULTRASOUND, (float) SonarRing.CONE,
+        (float) SonarRing.RANGE_MIN, (float) SonarRing.RANGE_MAX, (float) range);
+  }
+
+  OccupancyGrid map(GridMap map, long stamp) {
+    MapMetaData info = new MapMetaData(
+        stamp, (float) map.resolution(), map.width(), map.height(),
+        Poses.pose(new Pose2(map.originX(), map.originY(), 0)));
+    return new OccupancyGrid(new Header(0, stamp, Frames.MAP), info, ByteBuffer.wrap(map.cells()));
+  }
+}
