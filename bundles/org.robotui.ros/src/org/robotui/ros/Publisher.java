@@ -1,0 +1,42 @@
+package org.robotui.ros;
+
+/**
+ * Sends messages of one topic to all its subscribers. Any thread may use it.
+ *
+ * @param <T> the Java value of a message
+ */
+public interface Publisher<T> extends AutoCloseable {
+
+    /**
+     * Encodes the message and queues it for each subscriber; never waits for one. Nothing is encoded while nobody
+     * subscribes, unless the publisher latches. Does nothing once closed.
+     *
+     * @param message the message
+     */
+    void publish(T message);
+
+    /**
+     * The topic.
+     *
+     * @return its global name
+     */
+    GraphName topic();
+
+    /**
+     * How many subscribers are connected.
+     *
+     * @return the number of links
+     */
+    int numSubscribers();
+
+    /**
+     * How many messages were dropped because a subscriber was too slow, over all subscribers so far.
+     *
+     * @return the number of messages
+     */
+    long dropped();
+
+    /** Unregisters from the master, in the background, and closes all links. */
+    @Override
+    void close();
+}

@@ -1,0 +1,41 @@
+package org.robotui.ros.internal.node;
+
+import java.time.Duration;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.LinkEvent;
+import org.robotui.ros.LinkState;
+import org.robotui.ros.NodeOptions;
+import org.robotui.ros.internal.io.Workers;
+import org.robotui.ros.internal.tcpros.Backoff;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** What all parts of one node share. */
+record NodeContext(GraphName name, NodeOptions options, Workers workers) {
+
+    private static final Logger LOG = LoggerFactory.getLogger(NodeContext.class);
+
+    void start(String task, Runnable work) {
+        workers.start("ros " + name + " " + task, work);
+    }
+
+    Backoff backoff() {
+        return new Backoff(options.minBackoff(), options.maxBackoff());
+    }
+
+    /** Tells the owner; what its listener throws must not end a link. */
+    void report(LinkEvent.Kind kind, String topic, String peer, LinkState state) {
+        try {
+            options.links().onLink(new LinkEvent(kind, topic, peer, state));
+        } catch (RuntimeException e) {
+            LOG.error("link listener of {} failed", name, e);
+        }
+        if (state instanceof LinkState.Failed failed) {
+            LOG.debug("{}: {}", name, failed.reason());
+        }
+    }
+
+    Duration handshake() {
+        return options.handshakeTimeout();
+    }
+}

@@ -1,0 +1,62 @@
+package org.robotui.ros.internal.node;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.LinkEvent.Kind;
+import org.robotui.ros.LinkState;
+import org.robotui.ros.internal.io.Closeables;
+import org.robotui.ros.internal.tcpros.FrameReader;
+import org.robotui.ros.internal.tcpros.FrameWriter;
+import org.robotui.ros.internal.tcpros.OutQueue;
+import org.robotui.ros.message.MessageInfo;
+
+/** A link to one subscriber: one thread writes what waits in the queue, another one notices when the peer goes away. */
+record OutLink(NodeContext context, GraphName topic, String subscriber, MessageInfo theirs, Socket socket, OutQueue queue) {
+
+    /** Runs until the link ends; the calling thread is the one that listens for the peer's end. */
+    void run(FrameReader in) throws IOException {
+        report(new LinkState.Connected(subscriber, theirs));
+        context.start("pub " + topic + " " + subscriber, this::write);
+        try {
+            in.nextByte("the end of the link");
+            throw new IOException("the subscriber sent bytes where none belong");
+        } catch (IOException e) {
+            report(new LinkState.Closed("topic " + topic + ": subscriber " + subscriber + ": " + e.getMessage()));
+        } finally {
+            close();
+        }
+    }
+
+    private void write() {
+        List<ByteBuffer> batch = new ArrayList<>();
+        try {
+            FrameWriter out = new FrameWriter(socket.getOutputStream());
+            while (queue.take(batch)) {
+                for (ByteBuffer frame : batch) {
+                    out.write(frame);
+                }
+                out.flush();
+                batch.clear();
+            }
+        } catch (IOException e) {
+            // closing the socket ends the other thread, which reports the end
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            close();
+        }
+    }
+
+    void close() {
+        queue.close();
+        Closeables.quietly(socket);
+    }
+
+    private void report(LinkState state) {
+        context.report(Kind.PUBLICATION, topic.text(), subscriber, state);
+    }
+}

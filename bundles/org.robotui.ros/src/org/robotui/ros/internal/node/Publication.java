@@ -1,0 +1,138 @@
+package org.robotui.ros.internal.node;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Consumer;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.Publisher;
+import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.internal.tcpros.ConnectionHeader;
+import org.robotui.ros.internal.tcpros.FrameReader;
+import org.robotui.ros.internal.tcpros.OutQueue;
+import org.robotui.ros.internal.tcpros.ProtocolException;
+import org.robotui.ros.message.MessageCodec;
+import org.robotui.ros.message.MessageInfo;
+import org.robotui.ros.message.MessageWriter;
+
+/** One topic this node publishes, with the links to its subscribers. */
+final class Publication<T> implements Publisher<T> {
+
+    private final NodeContext context;
+    private final GraphName topic;
+    private final MessageCodec<T> codec;
+    private final PublisherOptions options;
+    private final Consumer<Publication<?>> onClose;
+    private final LongAdder dropped = new LongAdder();
+    private final List<OutLink> links = new CopyOnWriteArrayList<>();
+    /** Orders messages against each other and against new links. */
+    private final Object sending = new Object();
+    private Optional<ByteBuffer> latched = Optional.empty();
+    private volatile int expectedSize = 256;
+    private volatile boolean closed;
+
+    Publication(NodeContext context, GraphName topic, MessageCodec<T> codec, PublisherOptions options, Consumer<Publication<?>> onClose) {
+        this.context = context;
+        this.topic = topic;
+        this.codec = codec;
+        this.options = options;
+        this.onClose = onClose;
+    }
+
+    @Override
+    public void publish(T message) {
+        if (closed || links.isEmpty() && !options.latch()) {
+            return;
+        }
+        ByteBuffer frame = frame(message);
+        synchronized (sending) {
+            latched = options.latch() ? Optional.of(frame) : Optional.empty();
+            for (OutLink link : links) {
+                link.queue().offer(frame);
+            }
+        }
+    }
+
+    private ByteBuffer frame(T message) {
+        MessageWriter writer = new MessageWriter(expectedSize);
+        codec.encode(message, writer.i32(0));
+        writer.patchI32(0, writer.size() - Integer.BYTES);
+        expectedSize = writer.size();
+        return writer.view();
+    }
+
+    /** Serves one subscriber on the calling thread until the link ends. */
+    void serve(Socket socket, FrameReader in, ConnectionHeader request) throws IOException {
+        String subscriber = request.field("callerid").orElse("unnamed");
+        MessageInfo theirs = new MessageInfo(request.field("type").orElse(MessageInfo.ANY), request.require("md5sum"),
+                request.field("message_definition").orElse(""));
+        if (!codec.info().accepts(theirs.md5())) {
+            throw new ProtocolException("topic " + topic + " is " + codec.info().type() + " with MD5 sum " + codec.info().md5()
+                    + ", but " + subscriber + " wants " + theirs.type() + " with " + theirs.md5());
+        }
+        socket.getOutputStream().write(reply().encode());
+        OutQueue queue = new OutQueue(options.queueMessages(), options.queueBytes(), dropped);
+        OutLink link = new OutLink(context, topic, subscriber, theirs, socket, queue);
+        add(link);
+        try {
+            link.run(in);
+        } finally {
+            links.remove(link);
+        }
+    }
+
+    private void add(OutLink link) throws IOException {
+        synchronized (sending) {
+            links.add(link);
+            latched.ifPresent(link.queue()::offer);
+        }
+        if (closed) {
+            links.remove(link);
+            throw new IOException("the publisher was closed");
+        }
+    }
+
+    private ConnectionHeader reply() {
+        return ConnectionHeader.of(context.name().text()).with(codec.info()).with("topic", topic.text())
+                .with("latching", options.latch() ? "1" : "0");
+    }
+
+    MessageInfo info() {
+        return codec.info();
+    }
+
+    List<OutLink> links() {
+        return links;
+    }
+
+    @Override
+    public GraphName topic() {
+        return topic;
+    }
+
+    @Override
+    public int numSubscribers() {
+        return links.size();
+    }
+
+    @Override
+    public long dropped() {
+        return dropped.sum();
+    }
+
+    @Override
+    public void close() {
+        synchronized (sending) {
+            if (closed) {
+                return;
+            }
+            closed = true;
+        }
+        onClose.accept(this);
+        links.forEach(OutLink::close);
+    }
+}

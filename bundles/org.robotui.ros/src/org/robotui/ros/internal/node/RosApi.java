@@ -1,0 +1,55 @@
+package org.robotui.ros.internal.node;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.SocketTimeoutException;
+import java.time.Duration;
+import java.util.List;
+import org.robotui.ros.Outcome;
+import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.io.HostPort;
+import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
+import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
+import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
+
+/** Calls the API of a master or a node, whose answers are all {@code [code, status, value]}. */
+final class RosApi implements Closeable {
+
+    private final XmlRpcClient client;
+    private final String peer;
+    private final Duration timeout;
+
+    RosApi(HostPort target, String peer, Duration timeout) {
+        this.client = new XmlRpcClient(target, XmlRpcLimits.standard().withMessage(timeout));
+        this.peer = peer + " at " + target;
+        this.timeout = timeout;
+    }
+
+    Outcome<XmlRpcValue> call(String method, XmlRpcValue... arguments) {
+        return call(timeout, method, arguments);
+    }
+
+    Outcome<XmlRpcValue> call(Duration within, String method, XmlRpcValue... arguments) {
+        try {
+            return answer(method, client.call(method, List.of(arguments), within));
+        } catch (SocketTimeoutException e) {
+            return new Outcome.TimedOut<>(peer + ": " + e.getMessage(), within);
+        } catch (IOException | XmlRpcFault e) {
+            return new Outcome.Failed<>(peer + ": " + e.getMessage());
+        }
+    }
+
+    private Outcome<XmlRpcValue> answer(String method, XmlRpcValue value) {
+        if (value instanceof XmlRpcValue.Array array && array.items().size() >= 3
+                && array.items().get(0) instanceof XmlRpcValue.Int code
+                && array.items().get(1) instanceof XmlRpcValue.Text status) {
+            return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(status.value());
+        }
+        return new Outcome.Failed<>(peer + ": " + method + " did not answer [code, status, value]");
+    }
+
+    @Override
+    public void close() {
+        client.close();
+    }
+}

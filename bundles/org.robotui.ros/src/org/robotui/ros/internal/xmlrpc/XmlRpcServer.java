@@ -1,0 +1,138 @@
+package org.robotui.ros.internal.xmlrpc;
+
+import java.io.Closeable;
+import java.io.EOFException;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import org.robotui.ros.internal.io.Closeables;
+import org.robotui.ros.internal.io.Workers;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** An HTTP server that answers XML-RPC calls, with one thread a connection and connections kept alive. */
+public final class XmlRpcServer implements Closeable {
+
+    private static final Logger LOG = LoggerFactory.getLogger(XmlRpcServer.class);
+
+    private final ServerSocket server;
+    private final XmlRpcLimits limits;
+    private final Workers workers;
+    private final String name;
+    private final Closeables connections = new Closeables();
+
+    public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name) throws IOException {
+        this.limits = limits;
+        this.workers = workers;
+        this.name = name;
+        server = new ServerSocket();
+        server.setReuseAddress(true);
+        try {
+            server.bind(new InetSocketAddress(bind, port), 128);
+        } catch (IOException e) {
+            server.close();
+            throw new IOException("cannot listen on " + bind.getHostAddress() + ":" + port + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Starts accepting; apart from construction, so that the handler may know the port. */
+    public void start(XmlRpcHandler handler) {
+        workers.start(name + " http", () -> accept(handler));
+    }
+
+    public int port() {
+        return server.getLocalPort();
+    }
+
+    private void accept(XmlRpcHandler handler) {
+        while (!server.isClosed()) {
+            try {
+                serve(server.accept(), handler);
+            } catch (IOException e) {
+                if (!server.isClosed()) {
+                    LOG.warn("{}: accepting a connection failed: {}", name, e.getMessage());
+                    pause();
+                }
+            }
+        }
+    }
+
+    /** Keeps a lack of file descriptors from becoming a busy loop. */
+    private static void pause() {
+        java.util.concurrent.locks.LockSupport.parkNanos(50_000_000);
+    }
+
+    private void serve(Socket socket, XmlRpcHandler handler) {
+        if (connections.size() >= limits.maxConnections()) {
+            LOG.warn("{}: more than {} connections, one refused", name, limits.maxConnections());
+            Closeables.quietly(socket);
+        } else if (connections.add(socket)) {
+            workers.start(name + " http " + socket.getRemoteSocketAddress(), () -> converse(socket, handler));
+        }
+    }
+
+    private void converse(Socket socket, XmlRpcHandler handler) {
+        try {
+            socket.setTcpNoDelay(true);
+            TimedInput in = new TimedInput(socket);
+            boolean goOn = true;
+            while (goOn && !server.isClosed()) {
+                in.awaitData(limits.idle());
+                in.within(limits.message());
+                goOn = answerOne(in, socket, handler);
+            }
+        } catch (EOFException | SocketTimeoutException e) {
+            LOG.trace("{}: {} ended: {}", name, socket, e.getMessage());
+        } catch (IOException e) {
+            LOG.debug("{}: connection from {} closed: {}", name, socket.getRemoteSocketAddress(), e.getMessage());
+        } finally {
+            connections.close(socket);
+        }
+    }
+
+    private boolean answerOne(TimedInput in, Socket socket, XmlRpcHandler handler) throws IOException {
+        HttpHead head = HttpHead.read(in);
+        if (!head.firstLine().startsWith("POST ")) {
+            reply(socket, "405 Method Not Allowed", new byte[0], false);
+            return false;
+        }
+        byte[] answer;
+        try {
+            answer = answer(XmlRpcReader.call(in.readFully(head.contentLength(limits.maxBody()))), handler);
+        } catch (XmlRpcException e) {
+            LOG.warn("{}: bad request from {}: {}", name, socket.getRemoteSocketAddress(), e.getMessage());
+            reply(socket, "400 Bad Request", e.getMessage().getBytes(java.nio.charset.StandardCharsets.UTF_8), false);
+            return false;
+        }
+        reply(socket, "200 OK", answer, head.keepsAlive());
+        return head.keepsAlive();
+    }
+
+    private byte[] answer(MethodCall call, XmlRpcHandler handler) {
+        try {
+            return XmlRpcWriter.response(handler.handle(call));
+        } catch (XmlRpcFault e) {
+            return XmlRpcWriter.fault(e);
+        } catch (RuntimeException e) {
+            LOG.error("{}: {} failed", name, call.method(), e);
+            return XmlRpcWriter.fault(new XmlRpcFault(-32603, "internal error in " + call.method()));
+        }
+    }
+
+    private static void reply(Socket socket, String status, byte[] body, boolean keepAlive) throws IOException {
+        byte[] head = HttpHead.bytes("HTTP/1.1 " + status, "Content-Type: text/xml", "Content-Length: " + body.length,
+                "Connection: " + (keepAlive ? "keep-alive" : "close"));
+        byte[] all = java.util.Arrays.copyOf(head, head.length + body.length);
+        System.arraycopy(body, 0, all, head.length, body.length);
+        socket.getOutputStream().write(all);
+    }
+
+    @Override
+    public void close() {
+        Closeables.quietly(server);
+        connections.close();
+    }
+}
