@@ -31,16 +31,10 @@ record FramePath<F>(List<TransformHistory<F>> target, List<TransformHistory<F>> 
     return gap.isPresent() ? outside(gap.get(), stamp) : new TransformLookup.Found<>(compose(stamp), stamp);
   }
 
-  TransformLookup<F> latest() {
-    Optional<TransformHistory<F>> early = moving().min(Comparator.comparingLong(TransformHistory::newest));
-    if (early.isEmpty()) {
-      return new TransformLookup.Found<>(compose(0), 0);
-    }
-    TransformHistory<F> late = moving().max(Comparator.comparingLong(TransformHistory::oldest)).orElseThrow();
-    long stamp = early.get().newest();
-    return late.oldest() > stamp
-        ? new TransformLookup.NoCommonTime<>(early.get().edge(), late.edge())
-        : new TransformLookup.Found<>(compose(stamp), stamp);
+  /** The stamp at which all that moves was last known; 0 where nothing moves; none where there is no such time. */
+  Optional<Long> latestStamp() {
+    Optional<Long> latest = moving().map(TransformHistory::newest).min(Comparator.naturalOrder());
+    return latest.isEmpty() ? Optional.of(0L) : latest.filter(stamp -> moving().allMatch(e -> e.oldest() <= stamp));
   }
 
   private Stream<TransformHistory<F>> edges() {
@@ -53,8 +47,8 @@ record FramePath<F>(List<TransformHistory<F>> target, List<TransformHistory<F>> 
 
   private static <F> TransformLookup<F> outside(TransformHistory<F> edge, long stamp) {
     return stamp < edge.oldest()
-        ? new TransformLookup.TooOld<>(edge.edge(), edge.oldest(), stamp)
-        : new TransformLookup.TooNew<>(edge.edge(), edge.newest(), stamp);
+        ? new TransformLookup.TooOld<>(edge.parent(), edge.child(), edge.oldest(), stamp)
+        : new TransformLookup.TooNew<>(edge.parent(), edge.child(), edge.newest(), stamp);
   }
 
   private RigidTransform compose(long stamp) {

@@ -145,8 +145,13 @@ public final class TransformBuffer<F> {
   public TransformLookup<F> lookupLatest(F target, F source) {
     synchronized (byChild) {
       Optional<TransformLookup<F>> failure = unconnected(target, source);
-      return failure.orElseGet(() -> path(target, source).latest());
+      return failure.orElseGet(() -> latest(target, source));
     }
+  }
+
+  private TransformLookup<F> latest(F target, F source) {
+    FramePath<F> path = path(target, source);
+    return path.latestStamp().map(path::at).orElseGet(() -> new TransformLookup.NoCommonTime<>(target, source));
   }
 
   private Optional<TransformLookup<F>> unconnected(F target, F source) {

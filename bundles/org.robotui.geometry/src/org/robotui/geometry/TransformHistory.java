@@ -22,6 +22,10 @@ final class TransformHistory<F> {
     return parent;
   }
 
+  F child() {
+    return child;
+  }
+
   boolean isStatic() {
     return isStatic;
   }

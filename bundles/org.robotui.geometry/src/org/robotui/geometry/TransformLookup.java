@@ -4,15 +4,15 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The answer to the question for a transform.
+ * What a transform buffer answers.
  *
- * @param <F> names a frame
+ * @param <F> what names a frame
  */
 public sealed interface TransformLookup<F> {
   /**
-   * Says what was found, or why nothing was.
+   * A sentence for users: why there is no transform, or empty where there is one.
    *
-   * @return a sentence for a user
+   * @return the explanation
    */
   String explanation();
 
@@ -26,16 +26,16 @@ public sealed interface TransformLookup<F> {
   }
 
   /**
-   * The transform is known.
+   * There is one.
    *
+   * @param <F> what names a frame
    * @param targetFromSource the transform
-   * @param stampNanos the time it holds for; 0 in the answer to a question for the latest one where all is static
-   * @param <F> names a frame
+   * @param stampNanos the time at which it holds; 0 in the answer to a question for the latest one where all is static
    */
   record Found<F>(RigidTransform targetFromSource, long stampNanos) implements TransformLookup<F> {
     @Override
     public String explanation() {
-      return "known at " + seconds(stampNanos);
+      return "";
     }
 
     @Override
@@ -45,84 +45,84 @@ public sealed interface TransformLookup<F> {
   }
 
   /**
-   * Nobody ever sent a transform of this frame.
+   * A frame was never heard of.
    *
+   * @param <F> what names a frame
    * @param frame the frame
-   * @param <F> names a frame
    */
   record UnknownFrame<F>(F frame) implements TransformLookup<F> {
     @Override
     public String explanation() {
-      return "no transform of the frame '" + frame + "' was received";
+      return "nobody publishes a transform of frame " + frame;
     }
   }
 
   /**
-   * The frames are in separate trees.
+   * Both frames are known, but no chain leads from one to the other.
    *
-   * @param target the target frame
+   * @param <F> what names a frame
+   * @param target the asked target
    * @param targetRoot the root of its tree
-   * @param source the source frame
+   * @param source the asked source
    * @param sourceRoot the root of its tree
-   * @param <F> names a frame
    */
   record Disconnected<F>(F target, F targetRoot, F source, F sourceRoot) implements TransformLookup<F> {
     @Override
     public String explanation() {
-      return "'" + target + "' and '" + source + "' are not connected: a transform between '" + targetRoot
-          + "' (the root above '" + target + "') and '" + sourceRoot + "' (the root above '" + source
-          + "') is missing";
+      return "no transform links " + target + " and " + source + ": a transform between " + targetRoot + " and "
+          + sourceRoot + " is missing";
     }
   }
 
   /**
-   * The time lies before all that is remembered.
+   * The chain is known, but not any more for so long ago.
    *
-   * @param edge the edge without such old samples
-   * @param oldestNanos its oldest stamp
-   * @param askedNanos the time asked for
-   * @param <F> names a frame
+   * @param <F> what names a frame
+   * @param parent the parent of the link that has forgotten
+   * @param child its child
+   * @param oldestNanos the oldest time that the link knows
+   * @param askedNanos the asked time
    */
-  record TooOld<F>(FrameEdge<F> edge, long oldestNanos, long askedNanos) implements TransformLookup<F> {
+  record TooOld<F>(F parent, F child, long oldestNanos, long askedNanos) implements TransformLookup<F> {
     @Override
     public String explanation() {
-      return "the transform " + edge + " is remembered from " + seconds(oldestNanos) + " on; asked for "
-          + seconds(askedNanos) + ", " + seconds(oldestNanos - askedNanos) + " earlier";
+      return "the transform " + parent + " -> " + child + " is known only since "
+          + seconds(oldestNanos - askedNanos) + " s after the asked time";
     }
   }
 
   /**
-   * The time lies after all that was received.
+   * The chain is known, but not yet at so late a time.
    *
-   * @param edge the edge without such new samples
-   * @param newestNanos its newest stamp
-   * @param askedNanos the time asked for
-   * @param <F> names a frame
+   * @param <F> what names a frame
+   * @param parent the parent of the link that is behind
+   * @param child its child
+   * @param newestNanos the newest time that the link knows
+   * @param askedNanos the asked time
    */
-  record TooNew<F>(FrameEdge<F> edge, long newestNanos, long askedNanos) implements TransformLookup<F> {
+  record TooNew<F>(F parent, F child, long newestNanos, long askedNanos) implements TransformLookup<F> {
     @Override
     public String explanation() {
-      return "the transform " + edge + " is known up to " + seconds(newestNanos) + "; asked for "
-          + seconds(askedNanos) + ", " + seconds(askedNanos - newestNanos) + " later";
+      return "the transform " + parent + " -> " + child + " is "
+          + seconds(askedNanos - newestNanos) + " s behind the asked time";
     }
   }
 
   /**
-   * There is no time at which all edges between the frames are known.
+   * The links of the chain never knew a common time.
    *
-   * @param early the edge that ends first
-   * @param late the edge that starts last
-   * @param <F> names a frame
+   * @param <F> what names a frame
+   * @param target the asked target
+   * @param source the asked source
    */
-  record NoCommonTime<F>(FrameEdge<F> early, FrameEdge<F> late) implements TransformLookup<F> {
+  record NoCommonTime<F>(F target, F source) implements TransformLookup<F> {
     @Override
     public String explanation() {
-      return "there is no common time: the transform " + early + " ends at " + seconds(early.newestNanos())
-          + ", before " + late + " starts at " + seconds(late.oldestNanos());
+      return "the transforms between " + target + " and " + source + " have no time in common";
     }
   }
 
   private static String seconds(long nanos) {
-    return String.format(Locale.ROOT, "%.3f s", nanos * 1e-9);
+    return String.format(Locale.ROOT, "%.2f", nanos * 1e-9);
   }
 }

@@ -61,7 +61,7 @@ class TransformBufferTest {
     assertEquals(0, x(buffer.lookupLatest("a", "a")));
     TransformLookup<String> unknown = buffer.lookup("c", "c", 5);
     assertEquals(new TransformLookup.UnknownFrame<>("c"), unknown);
-    assertEquals("no transform of the frame 'c' was received", unknown.explanation());
+    assertTrue(unknown.explanation().contains("frame c"), unknown.explanation());
     assertEquals(new TransformLookup.UnknownFrame<>("d"), buffer.lookup("a", "d", 5));
   }
 
@@ -71,8 +71,7 @@ class TransformBufferTest {
     put("map", "goal", 5, 1);
     TransformLookup<String> lookup = buffer.lookup("goal", "base", 5);
     assertEquals(new TransformLookup.Disconnected<>("goal", "map", "base", "odom"), lookup);
-    assertEquals("'goal' and 'base' are not connected: a transform between 'map' (the root above 'goal') and 'odom'"
-        + " (the root above 'base') is missing", lookup.explanation());
+    assertTrue(lookup.explanation().contains("a transform between map and odom is missing"), lookup.explanation());
   }
 
   @Test
@@ -80,13 +79,11 @@ class TransformBufferTest {
     put("odom", "base", 5 * SECOND, 1);
     put("odom", "base", 6 * SECOND, 1);
     TransformLookup<String> old = buffer.lookup("odom", "base", 4 * SECOND);
-    assertInstanceOf(TransformLookup.TooOld.class, old);
-    assertEquals("the transform 'odom' -> 'base' is remembered from 5.000 s on; asked for 4.000 s, 1.000 s earlier",
-        old.explanation());
+    assertEquals(new TransformLookup.TooOld<>("odom", "base", 5 * SECOND, 4 * SECOND), old);
+    assertTrue(old.explanation().contains("odom -> base"), old.explanation());
     TransformLookup<String> young = buffer.lookup("base", "odom", 8 * SECOND);
-    assertInstanceOf(TransformLookup.TooNew.class, young);
-    assertEquals("the transform 'odom' -> 'base' is known up to 6.000 s; asked for 8.000 s, 2.000 s later",
-        young.explanation());
+    assertEquals(new TransformLookup.TooNew<>("odom", "base", 6 * SECOND, 8 * SECOND), young);
+    assertEquals("the transform odom -> base is 2.00 s behind the asked time", young.explanation());
   }
 
   @Test
@@ -105,11 +102,9 @@ class TransformBufferTest {
   void edgesThatNeverOverlapHaveNoCommonTime() {
     put("map", "odom", 5, 10);
     put("odom", "base", 7, 2);
-    TransformLookup.NoCommonTime<String> none =
-        (TransformLookup.NoCommonTime<String>) buffer.lookupLatest("map", "base");
-    assertEquals("odom", none.early().child());
-    assertEquals("base", none.late().child());
-    assertTrue(none.explanation().contains("no common time"));
+    TransformLookup<String> none = buffer.lookupLatest("map", "base");
+    assertEquals(new TransformLookup.NoCommonTime<>("map", "base"), none);
+    assertTrue(none.explanation().contains("no time in common"));
   }
 
   @Test
