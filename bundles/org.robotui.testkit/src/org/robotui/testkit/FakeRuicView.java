@@ -1,0 +1,80 @@
+package org.robotui.testkit;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.robotui.api.command.Authority;
+import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.host.RuicState;
+import org.robotui.api.host.RuicView;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.time.RobotClock;
+
+/** A RUIC whose snapshot a test sets. */
+public final class FakeRuicView implements RuicView {
+  /**
+   * A connection that was asked for.
+   *
+   * @param port the view's port
+   * @param peer the chosen peer
+   */
+  public record Connect(SourceId port, SourceId peer) {}
+
+  private final FakeAuthority authority;
+  private final List<Connect> connects = new ArrayList<>();
+  private RuicSnapshot snapshot;
+
+  /**
+   * A selected RUIC with nothing in it.
+   *
+   * @param authority over its robot, whose name it takes
+   */
+  public FakeRuicView(FakeAuthority authority) {
+    this.authority = authority;
+    this.snapshot = new RuicSnapshot(authority.robot(), RuicState.SELECTED, "",
+        new LinkState.Connected("localhost:11311"), List.of(), List.of(), List.of());
+  }
+
+  /**
+   * Sets how it is doing.
+   *
+   * @param next the snapshot from now on
+   */
+  public synchronized void snapshot(RuicSnapshot next) {
+    snapshot = next;
+  }
+
+  /**
+   * What was asked to be connected.
+   *
+   * @return in order
+   */
+  public synchronized List<Connect> connects() {
+    return List.copyOf(connects);
+  }
+
+  @Override
+  public String name() {
+    return authority.robot();
+  }
+
+  @Override
+  public synchronized RuicSnapshot snapshot() {
+    return snapshot;
+  }
+
+  @Override
+  public List<Authority> authorities() {
+    return List.of(authority);
+  }
+
+  @Override
+  public RobotClock clock() {
+    return new FakeClock();
+  }
+
+  @Override
+  public synchronized void connect(SourceId port, SourceId peer) {
+    connects.add(new Connect(port, peer));
+  }
+}
