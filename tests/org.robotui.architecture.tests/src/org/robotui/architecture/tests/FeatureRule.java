@@ -5,10 +5,12 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Every bundle is shipped, once: in one feature. */
+/** Every bundle is shipped, once: in one feature. Only what helps tests is not. */
 final class FeatureRule implements Rule {
 
     private static final Pattern PLUGIN = Pattern.compile("<plugin\\s+id=\"(org\\.robotui\\.[^\"]+)\"");
+
+    private static final String FOR_TESTS = "org.robotui.testkit";
 
     @Override
     public String statement() {
@@ -19,6 +21,7 @@ final class FeatureRule implements Rule {
     public Stream<Violation> violations(Repository repository) {
         List<String> shipped = repository.features().stream().flatMap(FeatureRule::pluginsOf).toList();
         return repository.bundles().stream().map(Bundle::name)
+                .filter(name -> !name.equals(FOR_TESTS))
                 .filter(name -> shipped.stream().filter(name::equals).count() != 1)
                 .map(name -> new Violation(name, "is in " + shipped.stream().filter(name::equals).count() + " of features/*/feature.xml"));
     }
