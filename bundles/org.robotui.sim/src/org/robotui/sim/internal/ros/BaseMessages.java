@@ -38,16 +38,12 @@ final class BaseMessages {
     this.frames = frames;
   }
 
-  private static Header header(long stamp, String frame) {
-    return new Header(0, stamp, frame);
-  }
-
-  Odometry odometry(RobotState state, long stamp) {
+  Odometry odometry(RobotState state, Stamp stamp) {
     PoseWithCovariance pose = new PoseWithCovariance(Poses.pose(state.odometry()), planar(0.01, 0.02));
     Speed speed = state.speed();
     Twist twist = new Twist(new Vector3(speed.linear(), 0, 0), new Vector3(0, 0, speed.angular()));
     return new Odometry(
-        header(stamp, frames.odometry()), frames.base(), pose,
+        stamp.header(frames.odometry()), frames.base(), pose,
         new TwistWithCovariance(twist, planar(0.001, 0.003)));
   }
 
@@ -61,32 +57,32 @@ final class BaseMessages {
   }
 
   /** The two moving edges of the tree: the map to odometry, and odometry to the base. */
-  TFMessage transforms(RobotState state, long stamp) {
-    Header map = header(stamp, Frames.MAP);
-    Header odometry = header(stamp, frames.odometry());
+  TFMessage transforms(RobotState state, Stamp stamp) {
+    Header map = stamp.header(Frames.MAP);
+    Header odometry = stamp.header(frames.odometry());
     return new TFMessage(List.of(
         Poses.stamped(map, frames.odometry(), Poses.transform(state.mapFromOdometry(), 0)),
         Poses.stamped(odometry, frames.base(), Poses.transform(state.odometry(), 0))));
   }
 
-  PoseWithCovarianceStamped estimate(RobotState state, long stamp) {
+  PoseWithCovarianceStamped estimate(RobotState state, Stamp stamp) {
     double[] covariance = state.lost() ? planar(1, 0.5) : planar(0.003, 0.001);
     return new PoseWithCovarianceStamped(
-        header(stamp, Frames.MAP), new PoseWithCovariance(Poses.pose(state.estimate()), covariance));
+        stamp.header(Frames.MAP), new PoseWithCovariance(Poses.pose(state.estimate()), covariance));
   }
 
-  Path path(List<Pose2> path, long stamp) {
-    Header header = header(stamp, Frames.MAP);
+  Path path(List<Pose2> path, Stamp stamp) {
+    Header header = stamp.header(Frames.MAP);
     return new Path(header, path.stream().map(pose -> new PoseStamped(header, Poses.pose(pose))).toList());
   }
 
   /** As an action server reports it; empty before the first goal. */
-  GoalStatusArray goalStatus(RobotState state, long stamp) {
+  GoalStatusArray goalStatus(RobotState state, Stamp stamp) {
     org.robotui.sim.internal.GoalStatus last = state.goalStatus();
     List<GoalStatus> list = last.number() == 0
         ? List.of()
         : List.of(new GoalStatus(new GoalID(0, "goal-" + last.number()), code(last.phase()), last.text()));
-    return new GoalStatusArray(header(stamp, ""), list);
+    return new GoalStatusArray(stamp.header(""), list);
   }
 
   private static int code(org.robotui.sim.internal.GoalStatus.Phase phase) {
@@ -99,7 +95,7 @@ final class BaseMessages {
     };
   }
 
-  PolygonStamped footprint(RobotState state, long stamp) {
+  PolygonStamped footprint(RobotState state, Stamp stamp) {
     Pose2 place = state.estimate();
     List<Point32> corners = new ArrayList<>();
     for (int i = 0; i < FOOTPRINT_CORNERS; i++) {
@@ -107,26 +103,26 @@ final class BaseMessages {
       Pose2 corner = place.times(new Pose2(Body.RADIUS * Math.cos(angle), Body.RADIUS * Math.sin(angle), 0));
       corners.add(new Point32((float) corner.x(), (float) corner.y(), 0));
     }
-    return new PolygonStamped(header(stamp, Frames.MAP), new Polygon(corners));
+    return new PolygonStamped(stamp.header(Frames.MAP), new Polygon(corners));
   }
 
-  JointState joints(RobotState state, long stamp) {
+  JointState joints(RobotState state, Stamp stamp) {
     Speed speed = state.speed();
     double half = speed.angular() * WheelOdometry.TRACK / 2;
     double left = (speed.linear() - half) / WheelOdometry.WHEEL_RADIUS;
     double right = (speed.linear() + half) / WheelOdometry.WHEEL_RADIUS;
     return new JointState(
-        header(stamp, ""),
+        stamp.header(""),
         List.of("left_wheel_joint", "right_wheel_joint"),
         new double[] {state.leftWheel(), state.rightWheel()},
         new double[] {left, right},
         new double[0]);
   }
 
-  Imu imu(org.robotui.sim.internal.sensor.Imu imu, long stamp) {
+  Imu imu(org.robotui.sim.internal.sensor.Imu imu, Stamp stamp) {
     double gravity = org.robotui.sim.internal.sensor.Imu.GRAVITY;
     return new Imu(
-        header(stamp, frames.imu()),
+        stamp.header(frames.imu()),
         Poses.yaw(imu.heading()), diagonal(1e-6, 1e-6, 1e-2),
         new Vector3(0, 0, imu.turnRate()), diagonal(1.6e-5, 1.6e-5, 1.6e-5),
         new Vector3(imu.forward(), imu.sideways(), gravity), diagonal(9e-4, 9e-4, 9e-4));
@@ -136,10 +132,10 @@ final class BaseMessages {
     return new double[] {x, 0, 0, 0, y, 0, 0, 0, z};
   }
 
-  BatteryState battery(RobotState state, long stamp) {
+  BatteryState battery(RobotState state, Stamp stamp) {
     RobotState.BatteryReading battery = state.battery();
     return new BatteryState(
-        header(stamp, frames.base()),
+        stamp.header(frames.base()),
         (float) battery.voltage(), Float.NaN, (float) battery.current(), (float) battery.charge(),
         (float) Battery.CAPACITY, (float) Battery.CAPACITY, (float) battery.level(),
         supplyStatus(battery),

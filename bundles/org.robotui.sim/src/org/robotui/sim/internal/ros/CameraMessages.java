@@ -5,7 +5,6 @@ import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.ros.msgs.sensor_msgs.CompressedImage;
 import org.robotui.ros.msgs.sensor_msgs.Image;
 import org.robotui.ros.msgs.sensor_msgs.RegionOfInterest;
-import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.sim.internal.camera.Lens;
 
 /** Messages of the camera. */
@@ -18,12 +17,8 @@ final class CameraMessages {
     this.lens = lens;
   }
 
-  private Header header(long stamp) {
-    return new Header(0, stamp, frames.cameraOptical());
-  }
-
   /** @param pixels of 0xrrggbb */
-  Image raw(int[] pixels, long stamp) {
+  Image raw(int[] pixels, Stamp stamp) {
     byte[] bytes = new byte[3 * pixels.length];
     for (int i = 0; i < pixels.length; i++) {
       bytes[3 * i] = (byte) (pixels[i] >> 16);
@@ -31,19 +26,19 @@ final class CameraMessages {
       bytes[3 * i + 2] = (byte) pixels[i];
     }
     return new Image(
-        header(stamp), lens.height(), lens.width(), "rgb8", 0, 3L * lens.width(), ByteBuffer.wrap(bytes));
+        stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "rgb8", 0, 3L * lens.width(), ByteBuffer.wrap(bytes));
   }
 
-  CompressedImage compressed(byte[] jpeg, long stamp) {
-    return new CompressedImage(header(stamp), "rgb8; jpeg compressed bgr8", ByteBuffer.wrap(jpeg));
+  CompressedImage compressed(byte[] jpeg, Stamp stamp) {
+    return new CompressedImage(stamp.header(frames.cameraOptical()), "rgb8; jpeg compressed bgr8", ByteBuffer.wrap(jpeg));
   }
 
-  CameraInfo info(long stamp) {
+  CameraInfo info(Stamp stamp) {
     double f = lens.focalLength();
     double cx = lens.centreX() - 0.5;
     double cy = lens.centreY() - 0.5;
     return new CameraInfo(
-        header(stamp), lens.height(), lens.width(), "plumb_bob", new double[5],
+        stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "plumb_bob", new double[5],
         new double[] {f, 0, cx, 0, f, cy, 0, 0, 1},
         new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1},
         new double[] {f, 0, cx, 0, 0, f, cy, 0, 0, 0, 1, 0},

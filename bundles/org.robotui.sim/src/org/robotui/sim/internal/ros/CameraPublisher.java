@@ -33,6 +33,7 @@ final class CameraPublisher implements AutoCloseable {
   private final ExecutorService worker = Executors.newSingleThreadExecutor(
       task -> Thread.ofPlatform().name("camera").daemon().unstarted(task));
   private final AtomicBoolean busy = new AtomicBoolean();
+  private long sequence;
   private Optional<Studio> studio = Optional.empty();
 
   CameraPublisher(RosNode node, World world, Lens lens, Frames frames) {
@@ -48,10 +49,11 @@ final class CameraPublisher implements AutoCloseable {
   /** What is costly to have, and made with the first picture only. */
   private record Studio(Renderer renderer, JpegEncoder encoder) {}
 
-  void publish(long step, RobotState state, long stamp) {
+  void publish(long step, RobotState state, long nanos) {
     if (!Rate.CAMERA.isDue(step)) {
       return;
     }
+    Stamp stamp = new Stamp(++sequence, nanos);
     info.publish(messages.info(stamp));
     boolean wanted = raw.numSubscribers() + compressed.numSubscribers() > 0;
     if (wanted && busy.compareAndSet(false, true)) {
@@ -59,7 +61,7 @@ final class CameraPublisher implements AutoCloseable {
     }
   }
 
-  private void start(RobotState state, long stamp) {
+  private void start(RobotState state, Stamp stamp) {
     try {
       worker.execute(() -> {
         try {
@@ -75,7 +77,7 @@ final class CameraPublisher implements AutoCloseable {
     }
   }
 
-  private void take(RobotState state, long stamp) {
+  private void take(RobotState state, Stamp stamp) {
     if (studio.isEmpty()) {
       studio = Optional.of(new Studio(new Renderer(world, lens), new JpegEncoder(lens.width(), lens.height())));
     }

@@ -5,7 +5,6 @@ import java.util.Locale;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticStatus;
 import org.robotui.ros.msgs.diagnostic_msgs.KeyValue;
-import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.sim.internal.RobotState;
 
 /** How the parts of the robot are. */
@@ -18,9 +17,9 @@ final class DiagnosticMessages {
     this.name = name;
   }
 
-  DiagnosticArray all(RobotState state, double scanRate, long stamp) {
+  DiagnosticArray all(RobotState state, double scanRate, Stamp stamp) {
     return new DiagnosticArray(
-        new Header(0, stamp, ""),
+        stamp.header(""),
         List.of(motors(state), battery(state), laser(scanRate), localisation(state), bumper(state)));
   }
 

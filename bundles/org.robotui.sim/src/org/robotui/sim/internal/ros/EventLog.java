@@ -1,6 +1,7 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.robotui.ros.Publisher;
@@ -18,6 +19,7 @@ final class EventLog implements Consumer<Event> {
 
   private final String name;
   private final LongSupplier clock;
+  private final AtomicLong sequence = new AtomicLong();
   private final Publisher<Log> rosout;
 
   /** @param clock nanoseconds, as stamps have them */
@@ -30,7 +32,7 @@ final class EventLog implements Consumer<Event> {
   @Override
   public void accept(Event event) {
     rosout.publish(new Log(
-        new Header(0, clock.getAsLong(), ""), level(event), name, event.text(), event.source(), "", 0, List.of()));
+        new Header(sequence.incrementAndGet(), clock.getAsLong(), ""), level(event), name, event.text(), event.source(), "", 0, List.of()));
     switch (event.severity()) {
       case INFO -> LOG.info("{}: {}", event.source(), event.text());
       case WARN -> LOG.warn("{}: {}", event.source(), event.text());

@@ -1,10 +1,7 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.List;
-import org.robotui.ros.Publisher;
-import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.MessageCodec;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
@@ -28,8 +25,6 @@ import org.robotui.sim.internal.world.Pose2;
 
 /** Publishes everything but the camera. What costs work is not even computed while nobody subscribes. */
 final class Publications {
-  private static final int QUEUE = 50;
-
   private final RosNode node;
   private final Simulation simulation;
   private final LaserScanner laser;
@@ -37,18 +32,18 @@ final class Publications {
   private final BaseMessages base;
   private final SensorMessages sensors;
   private final DiagnosticMessages diagnostics;
-  private final Publisher<TFMessage> tf;
-  private final Publisher<Odometry> odometry;
-  private final Publisher<LaserScan> scan;
-  private final Publisher<Range> sonar;
-  private final Publisher<Imu> imu;
-  private final Publisher<JointState> joints;
-  private final Publisher<BatteryState> battery;
-  private final Publisher<PolygonStamped> footprint;
-  private final Publisher<PoseWithCovarianceStamped> estimate;
-  private final Publisher<DiagnosticArray> diagnostic;
-  private final Publisher<Path> plan;
-  private final Publisher<GoalStatusArray> goalStatus;
+  private final Topic<TFMessage> tf;
+  private final Topic<Odometry> odometry;
+  private final Topic<LaserScan> scan;
+  private final Topic<Range> sonar;
+  private final Topic<Imu> imu;
+  private final Topic<JointState> joints;
+  private final Topic<BatteryState> battery;
+  private final Topic<PolygonStamped> footprint;
+  private final Topic<PoseWithCovarianceStamped> estimate;
+  private final Topic<DiagnosticArray> diagnostic;
+  private final Topic<Path> plan;
+  private final Topic<GoalStatusArray> goalStatus;
   private List<Pose2> lastPath = List.of();
 
   Publications(RosNode node, Simulation simulation, Frames frames) {
@@ -59,96 +54,93 @@ final class Publications {
     base = new BaseMessages(frames);
     sensors = new SensorMessages(frames);
     diagnostics = new DiagnosticMessages(node.name().text().substring(1));
-    tf = topic("/tf", TFMessage.CODEC);
-    odometry = topic("odom", Odometry.CODEC);
-    scan = topic("scan", LaserScan.CODEC);
-    sonar = topic("sonar", Range.CODEC);
-    imu = topic("imu/data", Imu.CODEC);
-    joints = topic("joint_states", JointState.CODEC);
-    battery = latched("battery_state", BatteryState.CODEC);
-    footprint = topic("footprint", PolygonStamped.CODEC);
-    estimate = latched("amcl_pose", PoseWithCovarianceStamped.CODEC);
-    diagnostic = topic("/diagnostics", DiagnosticArray.CODEC);
-    plan = latched("plan", Path.CODEC);
-    goalStatus = topic("move_base/status", GoalStatusArray.CODEC);
-  }
-
-  private <T> Publisher<T> topic(String name, MessageCodec<T> codec) {
-    return node.publisher(name, codec, PublisherOptions.standard().withQueue(QUEUE));
-  }
-
-  private <T> Publisher<T> latched(String name, MessageCodec<T> codec) {
-    return node.publisher(name, codec, PublisherOptions.latched().withQueue(QUEUE));
+    tf = Topic.plain(node, "/tf", TFMessage.CODEC);
+    odometry = Topic.plain(node, "odom", Odometry.CODEC);
+    scan = Topic.plain(node, "scan", LaserScan.CODEC);
+    sonar = Topic.plain(node, "sonar", Range.CODEC);
+    imu = Topic.plain(node, "imu/data", Imu.CODEC);
+    joints = Topic.plain(node, "joint_states", JointState.CODEC);
+    battery = Topic.latched(node, "battery_state", BatteryState.CODEC);
+    footprint = Topic.plain(node, "footprint", PolygonStamped.CODEC);
+    estimate = Topic.latched(node, "amcl_pose", PoseWithCovarianceStamped.CODEC);
+    diagnostic = Topic.plain(node, "/diagnostics", DiagnosticArray.CODEC);
+    plan = Topic.latched(node, "plan", Path.CODEC);
+    goalStatus = Topic.plain(node, "move_base/status", GoalStatusArray.CODEC);
   }
 
   /** Publishes what never changes. */
-  void publishOnce(GridMap map, Lens lens, Frames frames, long stamp) {
-    latched("map", OccupancyGrid.CODEC).publish(sensors.map(map, stamp));
-    latched("/tf_static", TFMessage.CODEC).publish(
-        new StaticTransforms(frames).message(laser.spec(), lens, sonars, stamp));
-    plan.publish(base.path(List.of(), stamp));
+  void publishOnce(GridMap map, Lens lens, Frames frames, long nanos) {
+    Topic.latched(node, "map", OccupancyGrid.CODEC).publish(nanos, stamp -> sensors.map(map, stamp));
+    Topic.latched(node, "/tf_static", TFMessage.CODEC).publish(
+        nanos, stamp -> new StaticTransforms(frames).message(laser.spec(), lens, sonars, stamp));
+    plan.publish(nanos, stamp -> base.path(List.of(), stamp));
   }
 
   /** Publishes what is due with a step. */
-  void publish(long step, RobotState state, long stamp) {
+  void publish(long step, RobotState state, long nanos) {
     if (Rate.TRANSFORMS.isDue(step)) {
-      tf.publish(base.transforms(state, stamp));
+      tf.publish(nanos, stamp -> base.transforms(state, stamp));
     }
     if (Rate.ODOMETRY.isDue(step)) {
-      odometry.publish(base.odometry(state, stamp));
+      odometry.publish(nanos, stamp -> base.odometry(state, stamp));
     }
     if (Rate.IMU.isDue(step)) {
-      imu.publish(base.imu(simulation.imu(), stamp));
+      imu.publish(nanos, stamp -> base.imu(simulation.imu(), stamp));
     }
-    publishScan(step, state, stamp);
-    publishSonars(step, state, stamp);
-    publishPlan(step, state, stamp);
-    publishSlow(step, state, stamp);
+    publishScan(step, state, nanos);
+    publishSonars(step, state, nanos);
+    publishPlan(step, state, nanos);
+    publishSlow(step, state, nanos);
   }
 
-  private void publishScan(long step, RobotState state, long stamp) {
-    if (Rate.SCAN.isDue(step) && scan.numSubscribers() > 0) {
-      scan.publish(sensors.scan(laser.spec(), laser.scan(state.truth()), 1 / Rate.SCAN.hertz(), stamp));
+  private void publishScan(long step, RobotState state, long nanos) {
+    if (Rate.SCAN.isDue(step)) {
+      scan.publish(nanos, stamp -> scan(state, stamp));
     }
+  }
+
+  private LaserScan scan(RobotState state, Stamp stamp) {
+    return sensors.scan(laser.spec(), laser.scan(state.truth()), 1 / Rate.SCAN.hertz(), stamp);
   }
 
   /** The sensors fire one after the other, as they must not hear each other. */
-  private void publishSonars(long step, RobotState state, long stamp) {
-    if (sonar.numSubscribers() == 0) {
+  private void publishSonars(long step, RobotState state, long nanos) {
+    if (!sonar.isWanted()) {
       return;
     }
     for (int i = 0; i < sonars.count(); i++) {
       if (Rate.SONAR.isDue(step + i)) {
-        sonar.publish(sensors.sonar(i, sonars.measure(state.truth(), i), stamp));
+        int index = i;
+        sonar.publish(nanos, stamp -> sensors.sonar(index, sonars.measure(state.truth(), index), stamp));
       }
     }
   }
 
-  private void publishPlan(long step, RobotState state, long stamp) {
+  private void publishPlan(long step, RobotState state, long nanos) {
     boolean changed = !state.path().equals(lastPath);
     boolean driving = !state.path().isEmpty() && Rate.PLAN.isDue(step);
     if (changed || driving) {
       lastPath = state.path();
-      plan.publish(base.path(lastPath, stamp));
+      plan.publish(nanos, stamp -> base.path(state.path(), stamp));
     }
   }
 
-  private void publishSlow(long step, RobotState state, long stamp) {
+  private void publishSlow(long step, RobotState state, long nanos) {
     if (Rate.JOINTS.isDue(step)) {
-      joints.publish(base.joints(state, stamp));
+      joints.publish(nanos, stamp -> base.joints(state, stamp));
     }
     if (Rate.FOOTPRINT.isDue(step)) {
-      footprint.publish(base.footprint(state, stamp));
+      footprint.publish(nanos, stamp -> base.footprint(state, stamp));
     }
     if (Rate.ESTIMATE.isDue(step)) {
-      estimate.publish(base.estimate(state, stamp));
-      goalStatus.publish(base.goalStatus(state, stamp));
+      estimate.publish(nanos, stamp -> base.estimate(state, stamp));
+      goalStatus.publish(nanos, stamp -> base.goalStatus(state, stamp));
     }
     if (Rate.BATTERY.isDue(step)) {
-      battery.publish(base.battery(state, stamp));
+      battery.publish(nanos, stamp -> base.battery(state, stamp));
     }
     if (Rate.DIAGNOSTICS.isDue(step)) {
-      diagnostic.publish(diagnostics.all(state, Rate.SCAN.hertz(), stamp));
+      diagnostic.publish(nanos, stamp -> diagnostics.all(state, Rate.SCAN.hertz(), stamp));
     }
   }
 }

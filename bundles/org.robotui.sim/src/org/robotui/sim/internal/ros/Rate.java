@@ -8,7 +8,7 @@ import org.robotui.sim.internal.Simulation;
  * @param hertz how often; at most as often as there are steps
  */
 record Rate(double hertz) {
-  static final Rate TRANSFORMS = new Rate(50);
+  static final Rate TRANSFORMS = new Rate(100);
   static final Rate ODOMETRY = new Rate(50);
   static final Rate IMU = new Rate(50);
   static final Rate SCAN = new Rate(20);

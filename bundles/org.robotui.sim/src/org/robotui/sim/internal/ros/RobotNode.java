@@ -40,7 +40,7 @@ public final class RobotNode implements AutoCloseable {
         : Optional.empty();
     publications.publishOnce(map, Lens.DEMO, frames, stamp);
     new Subscriptions(node, simulation, frames, events);
-    new Services(node, simulation, new SensorMessages(frames).map(map, stamp));
+    new Services(node, simulation, new SensorMessages(frames).map(map, new Stamp(1, stamp)));
   }
 
   /**

@@ -5,7 +5,6 @@ import org.robotui.ros.msgs.nav_msgs.MapMetaData;
 import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
 import org.robotui.ros.msgs.sensor_msgs.LaserScan;
 import org.robotui.ros.msgs.sensor_msgs.Range;
-import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.sim.internal.sensor.LaserSpec;
 import org.robotui.sim.internal.sensor.SonarRing;
 import org.robotui.sim.internal.world.GridMap;
@@ -19,23 +18,23 @@ final class SensorMessages {
     this.frames = frames;
   }
 
-  LaserScan scan(LaserSpec spec, float[] ranges, double scanTime, long stamp) {
+  LaserScan scan(LaserSpec spec, float[] ranges, double scanTime, Stamp stamp) {
     return new LaserScan(
-        new Header(0, stamp, frames.laser()),
+        stamp.header(frames.laser()),
         (float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(),
         0, (float) scanTime, (float) spec.rangeMin(), (float) spec.rangeMax(), ranges, new float[0]);
   }
 
-  Range sonar(int index, double range, long stamp) {
+  Range sonar(int index, double range, Stamp stamp) {
     return new Range(
-        new Header(0, stamp, frames.sonar(index)), Range.ULTRASOUND, (float) SonarRing.CONE,
+        stamp.header(frames.sonar(index)), Range.ULTRASOUND, (float) SonarRing.CONE,
         (float) SonarRing.RANGE_MIN, (float) SonarRing.RANGE_MAX, (float) range);
   }
 
-  OccupancyGrid map(GridMap map, long stamp) {
+  OccupancyGrid map(GridMap map, Stamp stamp) {
     MapMetaData info = new MapMetaData(
-        stamp, (float) map.resolution(), map.width(), map.height(),
+        stamp.nanos(), (float) map.resolution(), map.width(), map.height(),
         Poses.pose(new Pose2(map.originX(), map.originY(), 0)));
-    return new OccupancyGrid(new Header(0, stamp, Frames.MAP), info, ByteBuffer.wrap(map.cells()));
+    return new OccupancyGrid(stamp.header(Frames.MAP), info, ByteBuffer.wrap(map.cells()));
   }
 }

@@ -21,13 +21,13 @@ final class StaticTransforms {
     this.frames = frames;
   }
 
-  TFMessage message(LaserSpec laser, Lens lens, SonarRing sonars, long stamp) {
-    Header base = new Header(0, stamp, frames.base());
+  TFMessage message(LaserSpec laser, Lens lens, SonarRing sonars, Stamp stamp) {
+    Header base = stamp.header(frames.base());
     List<TransformStamped> all = new ArrayList<>();
     all.add(Poses.stamped(base, frames.laser(), at(laser.forward(), laser.height())));
     all.add(Poses.stamped(base, frames.imu(), at(0, 0.15)));
     all.add(Poses.stamped(base, frames.camera(), at(lens.forward(), lens.above())));
-    all.add(Poses.stamped(new Header(0, stamp, frames.camera()), frames.cameraOptical(), optical()));
+    all.add(Poses.stamped(stamp.header(frames.camera()), frames.cameraOptical(), optical()));
     for (int i = 0; i < sonars.count(); i++) {
       Pose2 mount = sonars.mount(Pose2.ORIGIN, i);
       all.add(Poses.stamped(base, frames.sonar(i), Poses.transform(mount, SonarRing.HEIGHT)));

@@ -37,7 +37,7 @@ import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 
 class MessagesTest {
-  private static final long STAMP = 1_700_000_000_123_456_789L;
+  private static final Stamp STAMP = new Stamp(3, 1_700_000_000_123_456_789L);
   private final Frames frames = new Frames("keira");
   private final World world = World.demo();
   private final GridMap map = new MapRasterizer(world, 0.05, 0.3).rasterize();
@@ -90,7 +90,8 @@ class MessagesTest {
     Odometry odometry = new BaseMessages(frames).odometry(drivenState(), STAMP);
     assertEquals(0.4, odometry.twist().twist().linear().x(), 1e-9);
     assertEquals("keira/base_link", odometry.childFrameId());
-    assertEquals(STAMP, odometry.header().stamp());
+    assertEquals(STAMP.nanos(), odometry.header().stamp());
+    assertEquals(3, odometry.header().seq());
   }
 
   @Test
