@@ -1,0 +1,55 @@
+package org.robotui.entity.grid;
+
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.GC;
+import org.robotui.ui.Role;
+import org.robotui.ui.scene.Bounds;
+import org.robotui.ui.scene.Description;
+import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Painter;
+import org.robotui.ui.scene.Viewport;
+
+/** Lines at round distances, quiet enough to lie below everything, and the axes a little stronger. */
+public final class GridEntity implements Entity {
+  private static final double LEAST_PIXELS = 44;
+  private static final double QUIET = 0.55;
+
+  /** A grid. */
+  public GridEntity() {
+    // Nothing to prepare: it depends on the viewport alone.
+  }
+
+  @Override
+  public void paint(Painter painter) {
+    Viewport viewport = painter.viewport();
+    double step = GridSteps.atLeast(viewport.scale(), LEAST_PIXELS);
+    Bounds seen = viewport.visible();
+    GC gc = painter.gc();
+    // Lines along the axes are sharp on whole pixels without antialiasing.
+    gc.setAntialias(SWT.OFF);
+    painter.width(1).stroke(Role.LINE);
+    for (long i = (long) Math.ceil(seen.minX() / step); i * step <= seen.maxX(); i++) {
+      int x = (int) Math.round(viewport.pixelX(i * step));
+      painter.opacity(i == 0 ? 1 : QUIET);
+      gc.drawLine(x, 0, x, viewport.height());
+    }
+    for (long i = (long) Math.ceil(seen.minY() / step); i * step <= seen.maxY(); i++) {
+      int y = (int) Math.round(viewport.pixelY(i * step));
+      painter.opacity(i == 0 ? 1 : QUIET);
+      gc.drawLine(0, y, viewport.width(), y);
+    }
+    painter.opacity(1);
+    gc.setAntialias(SWT.ON);
+  }
+
+  @Override
+  public Optional<Bounds> bounds() {
+    return Optional.empty();
+  }
+
+  @Override
+  public Optional<Description> describeAt(double x, double y, double tolerance) {
+    return Optional.empty();
+  }
+}
