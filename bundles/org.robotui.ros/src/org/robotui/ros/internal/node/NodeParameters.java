@@ -32,7 +32,11 @@ final class NodeParameters implements Parameters {
 
     @Override
     public Outcome<Boolean> set(String name, XmlRpcValue value) {
-        return call("setParam", key(name), value).map(done -> true);
+        Outcome<Boolean> outcome = call("setParam", key(name), value).map(done -> true);
+        if (outcome instanceof Outcome.Done) {
+            updated(names.resolve(name), value);
+        }
+        return outcome;
     }
 
     @Override
@@ -73,9 +77,27 @@ final class NodeParameters implements Parameters {
         }
     }
 
-    /** The master tells of a change; masters write a slash behind the key. */
+    /** The master told of a change, or we made it: masters do not tell the one who did. */
     void updated(GraphName key, XmlRpcValue value) {
-        watched.stream().filter(parameter -> parameter.concerns(key)).forEach(parameter -> parameter.deliver(key, value));
+        for (WatchedParameter parameter : watched) {
+            if (parameter.key().contains(key)) {
+                parameter.deliver(key, value);
+            } else if (key.contains(parameter.key())) {
+                parameter.deliver(parameter.key(), below(key, parameter.key(), value));
+            }
+        }
+    }
+
+    /** The part of a namespace's value that one parameter in it has. */
+    private static XmlRpcValue below(GraphName namespace, GraphName key, XmlRpcValue value) {
+        XmlRpcValue part = value;
+        for (String step : key.text().substring(namespace.text().length()).split("/")) {
+            if (!step.isEmpty()) {
+                part = part instanceof XmlRpcValue.Struct struct
+                        ? struct.members().getOrDefault(step, WatchedParameter.UNSET) : WatchedParameter.UNSET;
+            }
+        }
+        return part;
     }
 
     private XmlRpcValue key(String name) {

@@ -12,6 +12,9 @@ import org.slf4j.LoggerFactory;
 /** A parameter a listener waits for. */
 final class WatchedParameter implements Registration {
 
+    /** What masters say of a parameter that is not set. */
+    static final XmlRpcValue UNSET = new XmlRpcValue.Struct(java.util.Map.of());
+
     private static final Logger LOG = LoggerFactory.getLogger(WatchedParameter.class);
 
     private final GraphName node;
@@ -30,15 +33,9 @@ final class WatchedParameter implements Registration {
         return key;
     }
 
-    boolean concerns(GraphName changed) {
-        return key.contains(changed) || changed.contains(key);
-    }
-
-    /** The master says {} for a parameter that is not set. */
     void deliver(GraphName changed, XmlRpcValue value) {
-        boolean unset = value instanceof XmlRpcValue.Struct struct && struct.members().isEmpty();
         try {
-            listener.onParameter(changed, unset ? Optional.empty() : Optional.of(value));
+            listener.onParameter(changed, value.equals(UNSET) ? Optional.empty() : Optional.of(value));
         } catch (RuntimeException e) {
             LOG.error("{}: listener of parameter {} failed", node, key, e);
         }
