@@ -76,9 +76,10 @@ class TfTest {
 
     @Test
     void staticTransformsAreLatchedAllTogether() {
-        StaticTfBroadcaster broadcaster = new StaticTfBroadcaster(network.node(), TfTopics.STANDARD);
-        broadcaster.send(List.of(ahead("base", "laser", 1), ahead("base", "camera", 1)));
-        broadcaster.send(List.of(ahead("mast", "camera", 2)));
+        try (StaticTfBroadcaster broadcaster = new StaticTfBroadcaster(network.node(), TfTopics.STANDARD)) {
+            broadcaster.send(List.of(ahead("base", "laser", 1), ahead("base", "camera", 1)));
+            broadcaster.send(List.of(ahead("mast", "camera", 2)));
+        }
         assertTrue(network.options("/tf_static").latch());
         List<String> last = network.sent().getLast().transforms().stream()
                 .map(t -> t.header().frameId() + " " + t.childFrameId()).toList();
@@ -87,9 +88,10 @@ class TfTest {
 
     @Test
     void movingTransformsAreSentAsTheyAre() {
-        TfBroadcaster broadcaster = new TfBroadcaster(network.node(), TfTopics.STANDARD);
         FrameTransform sent = new FrameTransform("odom", "base", 1_500_000_000L, RigidTransform.planar(1, 2, 3));
-        broadcaster.send(List.of(sent));
+        try (TfBroadcaster broadcaster = new TfBroadcaster(network.node(), TfTopics.STANDARD)) {
+            broadcaster.send(List.of(sent));
+        }
         assertFalse(network.options("/tf").latch());
         assertEquals(sent, FrameTransform.of(network.sent().getFirst().transforms().getFirst()));
     }

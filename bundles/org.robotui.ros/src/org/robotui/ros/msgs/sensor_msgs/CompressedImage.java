@@ -26,6 +26,11 @@ public record CompressedImage(Header header, String format, ByteBuffer data) {
         data = data.slice().asReadOnlyBuffer();
     }
 
+    /**
+     * The bytes, without a copy.
+     *
+     * @return a fresh read-only view
+     */
     @Override
     public ByteBuffer data() {
         return data.duplicate();

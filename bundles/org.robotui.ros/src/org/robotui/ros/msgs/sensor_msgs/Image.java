@@ -31,6 +31,11 @@ public record Image(
         data = data.slice().asReadOnlyBuffer();
     }
 
+    /**
+     * The bytes, without a copy.
+     *
+     * @return a fresh read-only view
+     */
     @Override
     public ByteBuffer data() {
         return data.duplicate();

@@ -36,6 +36,11 @@ public record PointCloud2(
         data = data.slice().asReadOnlyBuffer();
     }
 
+    /**
+     * The bytes, without a copy.
+     *
+     * @return a fresh read-only view
+     */
     @Override
     public ByteBuffer data() {
         return data.duplicate();

@@ -24,6 +24,11 @@ public record ByteMultiArray(MultiArrayLayout layout, ByteBuffer data) {
         data = data.slice().asReadOnlyBuffer();
     }
 
+    /**
+     * The bytes, without a copy.
+     *
+     * @return a fresh read-only view
+     */
     @Override
     public ByteBuffer data() {
         return data.duplicate();

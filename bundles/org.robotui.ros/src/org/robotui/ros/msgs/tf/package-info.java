@@ -1,5 +1,5 @@
 /**
- * The messages of the ROS package {@code tf} as records. Arrays and byte buffers are shared with the decoded message
- * for speed: nobody changes their elements. Records with a fixed array or a list check and copy it at construction.
+ * The messages of the ROS package {@code tf} as records. For speed, arrays and byte buffers are shared with whoever
+ * made the record or the bytes it was decoded from: nobody changes their elements.
  */
 package org.robotui.ros.msgs.tf;
