@@ -1,0 +1,119 @@
+package org.robotui.rfic.ros.internal;
+
+import java.net.URI;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.ValueType;
+import org.robotui.ros.RosEnvironment;
+
+/**
+ * How a ROS robot is reached and what of it is offered.
+ *
+ * @param environment master, own address, remappings
+ * @param namespace names are relative to it, and only topics below it are offered; ends with a slash
+ * @param include only topics of these names are offered
+ * @param commands topics by ROS type that are offered for commands also while nobody subscribes to them
+ * @param node first part of our node's name
+ * @param tf whether transforms are listened to
+ */
+public record RosSettings(
+    RosEnvironment environment,
+    String namespace,
+    List<Pattern> include,
+    Map<String, List<String>> commands,
+    String node,
+    boolean tf) {
+  private static final ValueType TEXT = new ValueType.Text();
+  private static final ValueType TEXTS = new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT)));
+
+  static final Schema SCHEMA = Schema.of(
+      Setting.optional("master", TEXT, "address of the master, for example http://robot:11311; else ROS_MASTER_URI"),
+      Setting.optional("host", TEXT, "address by which the robot reaches this machine; else ROS_HOSTNAME or ROS_IP"),
+      Setting.of("namespace", TEXT, "/", "only topics below it, and port names relative to it"),
+      Setting.of("topics", TEXTS, List.of("*"), "which topics become ports; * stands for any part of a name"),
+      Setting.of("velocity", TEXTS, List.of(), "topics for velocity commands, also while nobody subscribes to them"),
+      Setting.of("goal", TEXTS, List.of(), "topics for navigation goals, also while nobody subscribes to them"),
+      Setting.of("initial_pose", TEXTS, List.of(), "topics for initial poses, also while nobody subscribes to them"),
+      Setting.of("node", TEXT, "robotui", "first part of the name of our node"),
+      Setting.of("tf", new ValueType.Flag(), true, "whether transforms are listened to"));
+
+  static RosSettings of(Settings settings, Map<String, String> variables) {
+    List<String> arguments = new ArrayList<>();
+    if (settings.has("master")) {
+      arguments.add("__master:=" + settings.text("master"));
+    }
+    if (settings.has("host")) {
+      arguments.add("__hostname:=" + settings.text("host"));
+    }
+    return new RosSettings(RosEnvironment.of(variables, arguments), namespace(settings.text("namespace")),
+        texts(settings, "topics").stream().map(RosSettings::pattern).toList(),
+        Map.of("geometry_msgs/Twist", texts(settings, "velocity"),
+            "geometry_msgs/PoseStamped", texts(settings, "goal"),
+            "geometry_msgs/PoseWithCovarianceStamped", texts(settings, "initial_pose")),
+        settings.text("node"), settings.flag("tf"));
+  }
+
+  /**
+   * The address of the master.
+   *
+   * @return as configured or from the environment
+   */
+  public URI master() {
+    return environment.masterUri();
+  }
+
+  /**
+   * The name of the port of a topic.
+   *
+   * @param topic a global name
+   * @return relative to the namespace
+   */
+  public String portName(String topic) {
+    return topic.startsWith(namespace) ? topic.substring(namespace.length()) : topic.substring(1);
+  }
+
+  /**
+   * The topic of a name in the configuration.
+   *
+   * @param name global or relative to the namespace
+   * @return a global name
+   */
+  public String topic(String name) {
+    return name.startsWith("/") ? name : namespace + name;
+  }
+
+  /**
+   * Whether a topic shall be offered.
+   *
+   * @param topic a global name
+   * @return true where it is below the namespace and included
+   */
+  public boolean offers(String topic) {
+    String name = portName(topic);
+    return topic.startsWith(namespace) && include.stream().anyMatch(p -> p.matcher(name).matches() || p.matcher(topic).matches());
+  }
+
+  private static String namespace(String written) {
+    String global = written.startsWith("/") ? written : "/" + written;
+    return global.endsWith("/") ? global : global + "/";
+  }
+
+  private static Pattern pattern(String glob) {
+    StringBuilder regex = new StringBuilder();
+    for (String part : glob.split("\\*", -1)) {
+      regex.append(regex.isEmpty() ? "" : ".*").append(Pattern.quote(part));
+    }
+    return Pattern.compile(regex.toString());
+  }
+
+  private static List<String> texts(Settings settings, String name) {
+    return settings.values().get(name) instanceof List<?> list
+        ? list.stream().map(Object::toString).toList()
+        : List.of(settings.text(name));
+  }
+}

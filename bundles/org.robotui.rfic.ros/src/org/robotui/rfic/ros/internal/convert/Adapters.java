@@ -1,0 +1,38 @@
+package org.robotui.rfic.ros.internal.convert;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.robotui.data.DynamicRecord;
+import org.robotui.ros.message.MessageRegistry;
+import org.robotui.ros.message.RawCodec;
+
+/** All conversions by ROS type. A type that has none becomes a dynamic record. */
+public final class Adapters {
+  private final Map<String, Adapter<?, ?>> byType;
+  private final RecordDecoder records;
+
+  /**
+   * The standard types.
+   *
+   * @param registry knows message definitions
+   */
+  public Adapters(MessageRegistry registry) {
+    Map<String, Adapter<?, ?>> all = new HashMap<>();
+    List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), StateAdapters.all())
+        .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
+    this.byType = Map.copyOf(all);
+    this.records = new RecordDecoder(registry);
+  }
+
+  /**
+   * The conversion of a type.
+   *
+   * @param type a ROS type
+   * @return its own, or that into dynamic records
+   */
+  public Adapter<?, ?> of(String type) {
+    Adapter<?, ?> known = byType.get(type);
+    return known != null ? known : Adapter.of(type, new RawCodec(), DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
+  }
+}

@@ -1,0 +1,88 @@
+package org.robotui.rfic.ros.internal.convert;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.robotui.data.Data;
+import org.robotui.data.Doubles;
+import org.robotui.data.NavigationGoal;
+import org.robotui.data.Odometry;
+import org.robotui.data.PoseEstimate;
+import org.robotui.data.VelocityCommand;
+import org.robotui.ros.message.MessageCodec;
+import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.ros.msgs.geometry_msgs.Twist;
+import org.robotui.ros.msgs.geometry_msgs.TwistStamped;
+import org.robotui.ros.msgs.std_msgs.Header;
+
+/**
+ * How a command becomes a ROS message.
+ *
+ * @param <D> the data type
+ * @param <M> the Java value of a message
+ * @param type the ROS type
+ * @param data the data type
+ * @param codec writes the messages
+ * @param message turns one into the other, with the present time in nanoseconds
+ * @param help a sentence for users
+ */
+public record CommandType<D extends Data, M>(
+    String type, Class<D> data, MessageCodec<M> codec, Stamped<D, M> message, String help) {
+  /**
+   * Makes a message.
+   *
+   * @param <D> the data type
+   * @param <M> the Java value of a message
+   */
+  @FunctionalInterface
+  public interface Stamped<D, M> {
+    /**
+     * Makes a message.
+     *
+     * @param command the command
+     * @param nowNanos the robot's time
+     * @return the message
+     */
+    M of(D command, long nowNanos);
+  }
+
+  private static final List<CommandType<?, ?>> ALL = List.of(
+      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, Twist.CODEC, (c, now) -> twist(c),
+          "Velocity of the base."),
+      new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, TwistStamped.CODEC,
+          (c, now) -> new TwistStamped(new Header(0, now, ""), twist(c)), "Velocity of the base."),
+      new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, PoseStamped.CODEC,
+          (c, now) -> new PoseStamped(new Header(0, now, c.frame().name()), Geometry.pose(c.pose())),
+          "Where the robot shall go."),
+      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, PoseWithCovarianceStamped.CODEC,
+          CommandType::estimate, "Where the robot is, for its localisation."));
+
+  /**
+   * The command for a topic's type.
+   *
+   * @param type a ROS type
+   * @return how to command it, or none where it is no command we know
+   */
+  public static Optional<CommandType<?, ?>> of(String type) {
+    return ALL.stream().filter(c -> c.type().equals(type)).<CommandType<?, ?>>map(Function.identity()).findFirst();
+  }
+
+  private static Twist twist(VelocityCommand c) {
+    return new Twist(Geometry.vector(c.linear()), Geometry.vector(c.angular()));
+  }
+
+  private static PoseWithCovarianceStamped estimate(PoseEstimate c, long now) {
+    return new PoseWithCovarianceStamped(new Header(0, now, c.frame().name()),
+        new PoseWithCovariance(Geometry.pose(c.pose()), covariance(c.covariance())));
+  }
+
+  private static double[] covariance(Doubles given) {
+    double[] covariance = new double[Odometry.COVARIANCE_SIZE];
+    if (given.size() > 0) {
+      given.buffer().get(covariance);
+    }
+    return covariance;
+  }
+}

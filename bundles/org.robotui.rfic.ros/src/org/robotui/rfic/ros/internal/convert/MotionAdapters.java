@@ -1,0 +1,74 @@
+package org.robotui.rfic.ros.internal.convert;
+
+import java.util.List;
+import org.robotui.data.Bytes;
+import org.robotui.data.Doubles;
+import org.robotui.data.Footprint;
+import org.robotui.data.GridMap;
+import org.robotui.data.Odometry;
+import org.robotui.data.Path;
+import org.robotui.data.PoseEstimate;
+import org.robotui.data.StampedPose;
+import org.robotui.data.VelocityCommand;
+import org.robotui.geometry.Vector3;
+import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
+import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.ros.msgs.geometry_msgs.Twist;
+import org.robotui.ros.msgs.geometry_msgs.TwistStamped;
+import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
+
+/** Where a robot is, how it moves, and maps. */
+final class MotionAdapters {
+  private MotionAdapters() {}
+
+  static List<Adapter<?, ?>> all() {
+    return List.of(
+        Adapter.of("nav_msgs/Odometry", org.robotui.ros.msgs.nav_msgs.Odometry.CODEC, Odometry.class,
+            MotionAdapters::odometry, m -> m.header().stamp()),
+        Adapter.of("nav_msgs/Path", org.robotui.ros.msgs.nav_msgs.Path.CODEC, Path.class, MotionAdapters::path,
+            m -> m.header().stamp()),
+        Adapter.of("nav_msgs/OccupancyGrid", OccupancyGrid.CODEC, GridMap.class, MotionAdapters::map,
+            m -> m.header().stamp()),
+        Adapter.of("geometry_msgs/PoseStamped", PoseStamped.CODEC, StampedPose.class,
+            (m, names) -> new StampedPose(names.frame(m.header().frameId()), Geometry.transform(m.pose())),
+            m -> m.header().stamp()),
+        Adapter.of("geometry_msgs/PoseWithCovarianceStamped", PoseWithCovarianceStamped.CODEC, PoseEstimate.class,
+            MotionAdapters::estimate, m -> m.header().stamp()),
+        Adapter.of("geometry_msgs/Twist", Twist.CODEC, VelocityCommand.class, (m, names) -> velocity(m), m -> 0),
+        Adapter.of("geometry_msgs/TwistStamped", TwistStamped.CODEC, VelocityCommand.class,
+            (m, names) -> velocity(m.twist()), m -> m.header().stamp()),
+        Adapter.of("geometry_msgs/PolygonStamped", PolygonStamped.CODEC, Footprint.class, MotionAdapters::footprint,
+            m -> m.header().stamp()));
+  }
+
+  private static Odometry odometry(org.robotui.ros.msgs.nav_msgs.Odometry m, FrameNames names) {
+    Twist twist = m.twist().twist();
+    return new Odometry(names.frame(m.header().frameId()), names.frame(m.childFrameId()),
+        Geometry.transform(m.pose().pose()), Doubles.wrap(m.pose().covariance()), Geometry.vector(twist.linear()),
+        Geometry.vector(twist.angular()), Doubles.wrap(m.twist().covariance()));
+  }
+
+  private static Path path(org.robotui.ros.msgs.nav_msgs.Path m, FrameNames names) {
+    return new Path(names.frame(m.header().frameId()), m.poses().stream().map(p -> Geometry.transform(p.pose())).toList());
+  }
+
+  private static GridMap map(OccupancyGrid m, FrameNames names) {
+    return new GridMap(names.frame(m.header().frameId()), m.info().resolution(), Math.toIntExact(m.info().width()),
+        Math.toIntExact(m.info().height()), Geometry.transform(m.info().origin()), Bytes.wrap(m.data()));
+  }
+
+  private static PoseEstimate estimate(PoseWithCovarianceStamped m, FrameNames names) {
+    return new PoseEstimate(names.frame(m.header().frameId()), Geometry.transform(m.pose().pose()),
+        Doubles.wrap(m.pose().covariance()));
+  }
+
+  private static VelocityCommand velocity(Twist m) {
+    return new VelocityCommand(Geometry.vector(m.linear()), Geometry.vector(m.angular()));
+  }
+
+  private static Footprint footprint(PolygonStamped m, FrameNames names) {
+    List<Vector3> corners = m.polygon().points().stream().map(p -> new Vector3(p.x(), p.y(), p.z())).toList();
+    return new Footprint(names.frame(m.header().frameId()), corners);
+  }
+}

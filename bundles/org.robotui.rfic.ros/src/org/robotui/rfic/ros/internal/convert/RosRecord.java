@@ -1,0 +1,47 @@
+package org.robotui.rfic.ros.internal.convert;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.data.Doubles;
+import org.robotui.data.DynamicRecord;
+import org.robotui.data.FieldValue;
+import org.robotui.ros.message.DynamicMessage;
+import org.robotui.ros.message.FieldDefinition;
+import org.robotui.ros.message.RosValue;
+
+/**
+ * A ROS message of any type as a record.
+ *
+ * @param message the message, decoded when asked
+ */
+public record RosRecord(DynamicMessage message) implements DynamicRecord {
+  @Override
+  public String schema() {
+    return message.type();
+  }
+
+  @Override
+  public List<String> fields() {
+    return message.fields().stream().map(FieldDefinition::name).toList();
+  }
+
+  @Override
+  public Optional<FieldValue> field(String name) {
+    return message.field(name).map(RosRecord::value);
+  }
+
+  private static FieldValue value(RosValue value) {
+    return switch (value) {
+      case RosValue.Flag f -> new FieldValue.Flag(f.value());
+      case RosValue.Whole w -> new FieldValue.Num(Double.parseDouble(w.text()), w.text());
+      case RosValue.Real r -> new FieldValue.Num(r.value(), Double.toString(r.value()));
+      case RosValue.Text t -> new FieldValue.Text(t.value());
+      case RosValue.Instant t -> new FieldValue.Time(t.nanos());
+      case RosValue.Numbers n -> new FieldValue.Numbers(Doubles.wrap(n.values().toDoubles()));
+      case RosValue.Texts t -> new FieldValue.Items(t.values().stream().<FieldValue>map(FieldValue.Text::new).toList());
+      case RosValue.Nested n -> new FieldValue.Nested(new RosRecord(n.value()));
+      case RosValue.Messages m -> new FieldValue.Items(
+          m.values().stream().<FieldValue>map(x -> new FieldValue.Nested(new RosRecord(x))).toList());
+    };
+  }
+}

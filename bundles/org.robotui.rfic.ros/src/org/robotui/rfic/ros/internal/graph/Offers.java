@@ -1,0 +1,122 @@
+package org.robotui.rfic.ros.internal.graph;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.robotui.api.RficContext;
+import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.convert.Adapters;
+import org.robotui.rfic.ros.internal.convert.CommandType;
+import org.robotui.ros.RosNode;
+
+/** Keeps the offered ports equal to the graph. Used by the one thread that follows the graph, but for closing. */
+final class Offers implements AutoCloseable {
+  private static final Set<String> TRANSFORMS = Set.of("/tf", "/tf_static");
+
+  private final RficContext context;
+  private final RosSettings settings;
+  private final RosNode node;
+  private final SessionClock clock;
+  private final Adapters adapters;
+  private final LinkWatch watch;
+  private final Map<String, TopicStream> streams = new HashMap<>();
+  private final Map<String, CommandTopic> commands = new HashMap<>();
+  private boolean closed;
+
+  Offers(
+      RficContext context,
+      RosSettings settings,
+      RosNode node,
+      SessionClock clock,
+      Adapters adapters,
+      LinkWatch watch) {
+    this.context = context;
+    this.settings = settings;
+    this.node = node;
+    this.clock = clock;
+    this.adapters = adapters;
+    this.watch = watch;
+  }
+
+  synchronized void follow(GraphSnapshot graph) {
+    if (closed) {
+      return;
+    }
+    followStreams(graph.published());
+    followCommands(commandTopics(graph.subscribed()));
+  }
+
+  /** Subscribes to what is wanted, and to nothing else. */
+  synchronized void applyDemand() {
+    streams.values().forEach(TopicStream::applyDemand);
+  }
+
+  /** What is wanted but does not come, empty where all is well. */
+  synchronized String problem() {
+    return streams.values().stream()
+        .map(TopicStream::problem)
+        .filter(p -> !p.isEmpty())
+        .sorted()
+        .collect(Collectors.joining("; "));
+  }
+
+  synchronized boolean flowing() {
+    return streams.values().stream().anyMatch(TopicStream::flowing);
+  }
+
+  /** A topic that somebody looks at stays when its publisher goes: it is missing, and may return. */
+  private void followStreams(Map<String, String> published) {
+    for (Iterator<TopicStream> i = streams.values().iterator(); i.hasNext(); ) {
+      TopicStream stream = i.next();
+      String type = published.getOrDefault(stream.topic(), "");
+      boolean gone = type.isEmpty() && !stream.wanted() || !type.isEmpty() && !type.equals(stream.type());
+      if (gone) {
+        i.remove();
+        stream.close();
+      } else {
+        stream.published(!type.isEmpty());
+      }
+    }
+    published.forEach((topic, type) -> {
+      if (settings.offers(topic) && !TRANSFORMS.contains(topic) && !streams.containsKey(topic)) {
+        streams.put(topic, new TopicStream(topic, adapters.of(type), context, settings, node, clock, watch));
+      }
+    });
+  }
+
+  private Map<String, String> commandTopics(Map<String, String> subscribed) {
+    Map<String, String> topics = new HashMap<>();
+    subscribed.forEach((topic, type) -> {
+      if (settings.offers(topic)) {
+        topics.put(topic, type);
+      }
+    });
+    settings.commands().forEach((type, names) -> names.forEach(n -> topics.putIfAbsent(settings.topic(n), type)));
+    topics.values().removeIf(type -> CommandType.of(type).isEmpty());
+    return topics;
+  }
+
+  private void followCommands(Map<String, String> topics) {
+    Set<String> gone = new HashSet<>(commands.keySet());
+    gone.removeIf(t -> Objects.equals(topics.get(t), commands.get(t).type()));
+    gone.forEach(t -> commands.remove(t).close());
+    topics.forEach((topic, type) -> {
+      if (!commands.containsKey(topic)) {
+        CommandType.of(type).ifPresent(c -> commands.put(topic, new CommandTopic(topic, c, context, settings, node, clock)));
+      }
+    });
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    streams.values().forEach(TopicStream::close);
+    commands.values().forEach(CommandTopic::close);
+    streams.clear();
+    commands.clear();
+  }
+}

@@ -1,0 +1,121 @@
+package org.robotui.rfic.ros.internal.graph;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.ExecutionException;
+import java.util.function.BooleanSupplier;
+import org.robotui.api.RficContext;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.port.Offer;
+import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.call.RosBrowser;
+import org.robotui.rfic.ros.internal.call.RosPorts;
+import org.robotui.rfic.ros.internal.call.RosServices;
+import org.robotui.rfic.ros.internal.convert.Adapters;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.NodeOptions;
+import org.robotui.ros.Outcome;
+import org.robotui.ros.RosNode;
+import org.robotui.ros.message.MessageRegistry;
+
+/** One open node, and all that is offered through it. */
+public final class Session implements AutoCloseable {
+  private static final Duration LOOK = Duration.ofMillis(1000);
+  private static final Duration CLOCK = Duration.ofMillis(50);
+
+  private final RficContext context;
+  private final RosSettings settings;
+  private final RosNode node;
+  private final Offers offers;
+  private final TransformFeed transforms;
+  private final SessionClock clock;
+  private final Offer services;
+  private final Offer graph;
+  private boolean met;
+
+  /**
+   * Opens a node.
+   *
+   * @param context what core gives
+   * @param settings how the robot is reached
+   * @param registry knows message definitions
+   * @throws IOException where no node can be opened on this machine
+   */
+  public Session(RficContext context, RosSettings settings, MessageRegistry registry) throws IOException {
+    this.context = context;
+    this.settings = settings;
+    LinkWatch watch = new LinkWatch();
+    NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch);
+    this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), options);
+    this.clock = new SessionClock(context, node.clock());
+    this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch);
+    this.transforms = new TransformFeed(context, node, clock, settings);
+    this.services = context.offers().call(RosPorts.SERVICES, new RosServices(node, registry));
+    this.graph = context.offers().browse(RosPorts.GRAPH, new RosBrowser(node, registry));
+  }
+
+  /**
+   * Follows the graph until the node is ended from outside.
+   *
+   * @param stop asked between looks
+   * @return why it ended
+   * @throws InterruptedException where this thread shall end
+   */
+  public String follow(BooleanSupplier stop) throws InterruptedException {
+    CompletableFuture<String> ended = node.whenClosed().toCompletableFuture();
+    long nextLook = System.nanoTime();
+    while (!stop.getAsBoolean()) {
+      if (System.nanoTime() >= nextLook) {
+        look();
+        nextLook = System.nanoTime() + LOOK.toNanos();
+      }
+      offers.applyDemand();
+      clock.tick();
+      try {
+        return "our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS);
+      } catch (TimeoutException e) {
+        // the usual case: the node lives on
+      } catch (ExecutionException e) {
+        return "our node was ended: " + e.getCause();
+      }
+    }
+    return "closed";
+  }
+
+  private void look() {
+    switch (GraphSnapshot.take(node)) {
+      case Outcome.Done<GraphSnapshot> d -> seen(d.value());
+      case Outcome<GraphSnapshot> other -> unseen(other.reason());
+    }
+  }
+
+  private void seen(GraphSnapshot snapshot) {
+    met = true;
+    offers.follow(snapshot);
+    String peer = settings.master().toString();
+    String problem = offers.problem();
+    context.link().report(
+        problem.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, problem));
+  }
+
+  /** Without the master, established links go on: that is no failure of the robot, but nothing new can be found. */
+  private void unseen(String reason) {
+    boolean flowing = met && offers.flowing();
+    context.link().report(
+        flowing
+            ? new LinkState.Degraded(settings.master().toString(), reason + "; established links go on")
+            : new LinkState.Failed(reason, LOOK));
+  }
+
+  @Override
+  public void close() {
+    services.close();
+    graph.close();
+    offers.close();
+    transforms.close();
+    node.close();
+  }
+}
