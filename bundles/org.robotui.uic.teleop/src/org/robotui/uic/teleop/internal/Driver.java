@@ -1,0 +1,184 @@
+package org.robotui.uic.teleop.internal;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.robotui.api.command.Authority;
+import org.robotui.api.command.CommandOutcome;
+import org.robotui.api.command.Output;
+import org.robotui.api.command.Principal;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.InputState;
+import org.robotui.data.Twist;
+import org.robotui.data.VelocityCommand;
+
+/**
+ * Turns what the hands want into commands, within lease and stop. Hands come from the display thread, ticks from the view's
+ * worker: one lock, never held while anything blocks, so that no command follows the release that ends it.
+ */
+final class Driver {
+  private static final Duration VALID = Duration.ofMillis(250);
+
+  private final TeleopModel model = new TeleopModel();
+  private final Output<VelocityCommand> output;
+  private final Input<Twist> odometry;
+  private final Principal principal;
+  private final SettingsStore settings;
+  private boolean moving;
+  private boolean asking;
+  private Optional<String> refusal = Optional.empty();
+
+  Driver(Output<VelocityCommand> output, Input<Twist> odometry, Principal principal, SettingsStore settings) {
+    this.output = output;
+    this.odometry = odometry;
+    this.principal = principal;
+    this.settings = settings;
+  }
+
+  synchronized void press(DriveKey key, long now) {
+    hands(now, hands -> hands.press(key, now));
+  }
+
+  synchronized void release(DriveKey key, long now) {
+    hands(now, hands -> hands.release(key, now));
+  }
+
+  synchronized void drag(Stick stick, long now) {
+    hands(now, hands -> hands.drag(stick));
+  }
+
+  synchronized void dragEnd(long now) {
+    hands(now, TeleopModel::dragEnd);
+  }
+
+  synchronized void half(boolean on) {
+    model.half(on);
+  }
+
+  /** A grace may have passed: ends the motion where nobody holds on any more. */
+  synchronized void settle(long now) {
+    if (!model.held(now)) {
+      halt();
+    }
+  }
+
+  /** The user gave up: escape. */
+  synchronized void letGo() {
+    model.letGo();
+    asking = false;
+    halt();
+  }
+
+  /** Keys are no longer seen: the focus is gone. */
+  synchronized void forget() {
+    model.forget();
+    halt();
+  }
+
+  synchronized void stop() {
+    authority().stop(principal);
+    letGo();
+  }
+
+  synchronized void releaseStop() {
+    authority().releaseStop(principal);
+  }
+
+  /** Takes the lease where it is free, else asks. */
+  synchronized void take() {
+    asking = !granted(false);
+  }
+
+  synchronized void takeOver() {
+    asking = !granted(true);
+  }
+
+  synchronized void ask(boolean wanted) {
+    asking = wanted;
+  }
+
+  synchronized void giveBack() {
+    letGo();
+    authority().giveBack(principal);
+  }
+
+  /** Sends what is due. Called from the tick, at the rate at which commands are to be renewed. */
+  synchronized void tick(long now) {
+    if (!mayDrive()) {
+      model.letGo();
+    }
+    if (model.held(now)) {
+      send(model.step(now, limits()));
+    } else {
+      halt();
+    }
+  }
+
+  synchronized Look look(long now) {
+    Authority authority = authority();
+    return new Look(authority.robot(), model.held(now), model.stick(now), model.speed(), measured(), limits(),
+        lease(authority), authority.stoppedBy().map(Principal::label), asking && !(lease(authority) instanceof Look.Lease.Mine),
+        refusal, output.state());
+  }
+
+  private void hands(long now, Consumer<TeleopModel> change) {
+    boolean before = model.held(now);
+    change.accept(model);
+    if (!model.held(now)) {
+      halt();
+    } else if (!before) {
+      begin();
+    }
+  }
+
+  private void begin() {
+    refusal = Optional.empty();
+    asking = authority().stoppedBy().isEmpty() && !granted(false);
+    if (!mayDrive()) {
+      model.letGo();
+    }
+  }
+
+  private boolean granted(boolean takeover) {
+    return authority().take(principal, takeover) instanceof Authority.LeaseOutcome.Granted;
+  }
+
+  private boolean mayDrive() {
+    return authority().stoppedBy().isEmpty() && authority().holder().filter(principal::equals).isPresent();
+  }
+
+  private void send(Speed speed) {
+    moving = true;
+    CommandOutcome outcome = output.send(VelocityCommand.planar(speed.forward(), speed.turn()), VALID);
+    refusal = outcome instanceof CommandOutcome.Refused refused ? Optional.of(refused.explanation()) : Optional.empty();
+  }
+
+  private void halt() {
+    if (moving) {
+      moving = false;
+      refusal = Optional.empty();
+      output.release();
+    }
+  }
+
+  private Optional<Speed> measured() {
+    return odometry.state() instanceof InputState.Live
+        ? odometry.latest().map(twist -> new Speed(twist.value().linear().x(), twist.value().angular().z()))
+        : Optional.empty();
+  }
+
+  private Look.Lease lease(Authority authority) {
+    return authority.holder()
+        .map(holder -> holder.equals(principal) ? new Look.Lease.Mine() : new Look.Lease.Other(holder.label()))
+        .orElseGet(Look.Lease.Free::new);
+  }
+
+  private Limits limits() {
+    return Limits.of(settings.current());
+  }
+
+  private Authority authority() {
+    return output.authority();
+  }
+}

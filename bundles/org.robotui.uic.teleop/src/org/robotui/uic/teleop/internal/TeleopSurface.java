@@ -1,0 +1,111 @@
+package org.robotui.uic.teleop.internal;
+
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.ui.PaintedCanvas;
+import org.robotui.ui.StateView;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.control.LimitBar;
+import org.robotui.uic.teleop.internal.Footer.Button;
+
+/** What is seen of the view while it is shown. Display thread. */
+final class TeleopSurface {
+  private static final double ROUNDING = 100;
+
+  private final UiContext context;
+  private final Driver driver;
+  private final TeleopPainter painter;
+  private final PaintedCanvas canvas;
+  private final LimitBar linear;
+  private final LimitBar angular;
+  private final FooterButtons buttons;
+  private Look look;
+
+  TeleopSurface(Composite parent, UiContext context, Driver driver, SettingsStore settings) {
+    this.context = context;
+    this.driver = driver;
+    this.look = driver.look(System.nanoTime());
+    this.painter = new TeleopPainter(context.theme());
+    this.canvas = new PaintedCanvas(parent, context.theme(), this::paint);
+    this.linear = bar(TeleopType.HIGHEST_LINEAR, TeleopType.MAX_LINEAR, settings, "Speed at full stick");
+    this.angular = bar(TeleopType.HIGHEST_ANGULAR, TeleopType.MAX_ANGULAR, settings, "Turning speed at full stick");
+    this.buttons = new FooterButtons(canvas, context.theme(), this::pressed);
+    new Hands(canvas, driver, this::drivable, this::refresh).listen();
+    canvas.addListener(SWT.Resize, e -> place());
+    canvas.addDisposeListener(e -> driver.forget());
+    refresh();
+  }
+
+  Control control() {
+    return canvas;
+  }
+
+  void refresh() {
+    if (canvas.isDisposed()) {
+      return;
+    }
+    look = driver.look(System.nanoTime());
+    linear.value(look.limits().linear());
+    angular.value(look.limits().angular());
+    linear.mark(look.held() ? Math.abs(look.commanded().forward()) : Double.NaN);
+    angular.mark(look.held() ? Math.abs(look.commanded().turn()) : Double.NaN);
+    context.note(look.note());
+    place();
+    canvas.redraw();
+  }
+
+  private Optional<Rectangle> drivable() {
+    return StateView.showsContent(look.output()) ? Optional.of(layout().stick()) : Optional.empty();
+  }
+
+  private TeleopLayout layout() {
+    Rectangle area = canvas.getClientArea();
+    return TeleopLayout.of(area.width, area.height);
+  }
+
+  private LimitBar bar(double highest, String setting, SettingsStore settings, String hint) {
+    LimitBar bar = new LimitBar(canvas, context.theme(), highest, value -> {
+      settings.set(setting, Math.round(value * ROUNDING) / ROUNDING);
+      refresh();
+    });
+    bar.setToolTipText(hint + ": drag, wheel or arrow keys");
+    return bar;
+  }
+
+  private void place() {
+    TeleopLayout at = layout();
+    boolean bars = at.bars() > 0 && StateView.showsContent(look.output());
+    place(linear, at.bar(0), bars);
+    place(angular, at.bar(1), bars);
+    buttons.show(Footer.of(look).buttons(), at.footer());
+  }
+
+  private static void place(LimitBar bar, Rectangle at, boolean seen) {
+    bar.setBounds(at.x, at.y, at.width, TeleopPainter.BAR_HEIGHT);
+    bar.setVisible(seen);
+  }
+
+  private void paint(GC gc, Rectangle area) {
+    TeleopLayout at = TeleopLayout.of(area.width, area.height);
+    painter.paint(gc, at, look, canvas.isFocusControl());
+    painter.footer(gc, at.footer(), Footer.of(look), buttons.left());
+  }
+
+  private void pressed(Button button) {
+    switch (button) {
+      case TAKE -> driver.take();
+      case GIVE_BACK -> driver.giveBack();
+      case ASK -> driver.ask(true);
+      case CANCEL -> driver.ask(false);
+      case TAKE_OVER -> driver.takeOver();
+      case RELEASE_STOP -> driver.releaseStop();
+    }
+    canvas.setFocus();
+    refresh();
+  }
+}

@@ -1,0 +1,86 @@
+package org.robotui.uic.teleop.internal;
+
+import java.util.List;
+import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Uic;
+import org.robotui.api.UicContext;
+import org.robotui.api.UicType;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.ValueType;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Port;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.Twist;
+import org.robotui.data.VelocityCommand;
+
+/** Drives a mobile base by stick and keys. */
+@Component(service = UicType.class)
+public final class TeleopType implements UicType {
+  static final String MAX_LINEAR = "max_linear";
+  static final String MAX_ANGULAR = "max_angular";
+  static final String ACCELERATION_LINEAR = "acceleration_linear";
+  static final String ACCELERATION_ANGULAR = "acceleration_angular";
+
+  /** Nothing that a person drives by a stick on a screen should be faster. */
+  static final double HIGHEST_LINEAR = 1.5;
+  static final double HIGHEST_ANGULAR = 3;
+
+  static final CommandPort<VelocityCommand> CMD_VEL =
+      new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.ONE, "the base to drive");
+  static final StreamPort<Twist> ODOM =
+      new StreamPort<>("odom", Twist.class, Arity.OPTIONAL, "how fast the base says it moves");
+
+  private static final double RATE_HZ = 20;
+
+  private static final Schema SCHEMA = Schema.of(
+      Setting.of(MAX_LINEAR, new ValueType.Num(0, HIGHEST_LINEAR, "m/s"), 0.4, "Speed at full stick."),
+      Setting.of(MAX_ANGULAR, new ValueType.Num(0, HIGHEST_ANGULAR, "rad/s"), 1.0, "Turning speed at full stick."),
+      Setting.of(ACCELERATION_LINEAR, new ValueType.Num(0.05, 10, "m/s\u00b2"), 1.0,
+          "How suddenly the speed may change while the stick is held; letting go always stops at once."),
+      Setting.of(ACCELERATION_ANGULAR, new ValueType.Num(0.05, 30, "rad/s\u00b2"), 3.0,
+          "How suddenly the turning speed may change while the stick is held."));
+
+  @Override
+  public String id() {
+    return "teleop";
+  }
+
+  @Override
+  public String label() {
+    return "Teleop";
+  }
+
+  @Override
+  public String help() {
+    return "Drives a mobile base by an on-screen stick or by keys, as long as they are held.";
+  }
+
+  @Override
+  public Schema schema() {
+    return SCHEMA;
+  }
+
+  @Override
+  public List<Port> ports() {
+    return List.of(CMD_VEL, ODOM);
+  }
+
+  @Override
+  public Surface surface() {
+    return Surface.WINDOW;
+  }
+
+  @Override
+  public double rateHz() {
+    return RATE_HZ;
+  }
+
+  @Override
+  public Uic create(UicContext context, Settings settings) {
+    return new TeleopUic(new Driver(context.output(CMD_VEL), context.input(ODOM), context.principal(), context.settings()),
+        context.settings());
+  }
+}

@@ -1,0 +1,47 @@
+package org.robotui.uic.teleop.internal;
+
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+
+/** The view: a driver that the tick lets send, and a surface while it is shown. */
+final class TeleopUic implements SwtUic {
+  private final Driver driver;
+  private final SettingsStore settings;
+  private Optional<TeleopSurface> surface = Optional.empty();
+  private Optional<Look> shown = Optional.empty();
+
+  TeleopUic(Driver driver, SettingsStore settings) {
+    this.driver = driver;
+    this.settings = settings;
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    driver.tick(nowNanos);
+    Optional<Look> next = Optional.of(driver.look(nowNanos));
+    boolean changed = !next.equals(shown);
+    shown = next;
+    return changed;
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext context) {
+    TeleopSurface made = new TeleopSurface(parent, context, driver, settings);
+    surface = Optional.of(made);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(TeleopSurface::refresh);
+  }
+
+  @Override
+  public void close() {
+    driver.forget();
+  }
+}

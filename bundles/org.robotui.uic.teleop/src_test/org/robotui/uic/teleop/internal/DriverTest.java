@@ -1,0 +1,202 @@
+package org.robotui.uic.teleop.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.command.CommandOutcome;
+import org.robotui.api.port.InputState;
+import org.robotui.data.VelocityCommand;
+import org.robotui.testkit.FakeAuthority;
+import org.robotui.testkit.FakeOutput;
+import org.robotui.testkit.FakeUicContext;
+import org.robotui.uic.teleop.internal.Footer.Button;
+
+class DriverTest {
+  private static final long MS = 1_000_000;
+
+  private final FakeUicContext context = new FakeUicContext("teleop", new TeleopType().schema());
+  private final FakeAuthority authority = context.authority();
+  private final FakeOutput<VelocityCommand> output = context.output(TeleopType.CMD_VEL);
+  private final Driver driver =
+      new Driver(output, context.input(TeleopType.ODOM), context.principal(), context.settings());
+
+  @Test
+  void sendsNothingUntilAHandComes() {
+    driver.tick(0);
+    assertEquals(List.of(), output.sent());
+    assertEquals(0, output.releases());
+  }
+
+  @Test
+  void theFirstDragTakesAFreeLeaseAndDrives() {
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
+    assertEquals(VelocityCommand.planar(0.05, 0), output.sent().getFirst().command());
+    assertEquals(Duration.ofMillis(250), output.sent().getFirst().validFor());
+    assertEquals("You drive Keira", Footer.of(driver.look(0)).text());
+  }
+
+  @Test
+  void rampsToTheLimitsInTheSettings() {
+    context.settings().set(TeleopType.MAX_LINEAR, 0.2);
+    context.settings().set(TeleopType.MAX_ANGULAR, 0.5);
+    driver.press(DriveKey.FORWARD_LEFT, 0);
+    for (int i = 0; i < 40; i++) {
+      driver.tick(i * 50 * MS);
+    }
+    assertEquals(VelocityCommand.planar(0.2, 0.5), output.sent().getLast().command());
+  }
+
+  @Test
+  void theEndOfADragReleasesAtOnceAndOnce() {
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    driver.dragEnd(10 * MS);
+    assertEquals(1, output.releases(), "without waiting for a tick");
+    driver.tick(50 * MS);
+    assertEquals(1, output.releases());
+    assertEquals(1, output.sent().size());
+  }
+
+  @Test
+  void aKeyReleaseStopsAfterTheGraceWithoutATick() {
+    driver.press(DriveKey.FORWARD, 0);
+    driver.tick(0);
+    driver.release(DriveKey.FORWARD, 10 * MS);
+    assertEquals(0, output.releases());
+    driver.settle(10 * MS + TeleopModel.GRACE_NANOS);
+    assertEquals(1, output.releases());
+  }
+
+  @Test
+  void lostFocusReleases() {
+    driver.press(DriveKey.FORWARD, 0);
+    driver.tick(0);
+    driver.forget();
+    assertEquals(1, output.releases());
+    driver.tick(50 * MS);
+    assertEquals(1, output.sent().size());
+  }
+
+  @Test
+  void escapeReleasesThoughTheKeyIsDown() {
+    driver.press(DriveKey.FORWARD, 0);
+    driver.tick(0);
+    driver.letGo();
+    driver.press(DriveKey.FORWARD, 20 * MS);
+    driver.tick(50 * MS);
+    assertEquals(1, output.sent().size());
+    assertEquals(1, output.releases());
+  }
+
+  @Test
+  void spaceLatchesTheStopAndNothingMovesUntilItIsReleased() {
+    driver.press(DriveKey.FORWARD, 0);
+    driver.tick(0);
+    driver.stop();
+    driver.release(DriveKey.FORWARD, 100 * MS);
+    driver.press(DriveKey.FORWARD, 200 * MS);
+    driver.tick(200 * MS);
+    assertEquals(1, output.sent().size());
+    Footer footer = Footer.of(driver.look(200 * MS));
+    assertEquals("Stopped by You", footer.text());
+    assertEquals(List.of(Button.RELEASE_STOP), footer.buttons());
+    driver.releaseStop();
+    driver.tick(250 * MS);
+    assertEquals(1, output.sent().size(), "the release of the stop moves nothing");
+    driver.release(DriveKey.FORWARD, 300 * MS);
+    driver.press(DriveKey.FORWARD, 400 * MS);
+    driver.tick(400 * MS);
+    assertEquals(2, output.sent().size());
+  }
+
+  @Test
+  void aStopByAnotherEndsTheDriveAtTheNextTick() {
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    authority.stop(FakeAuthority.ANNA);
+    driver.tick(50 * MS);
+    assertEquals(1, output.releases());
+    driver.drag(new Stick(1, 0), 60 * MS);
+    driver.tick(100 * MS);
+    assertEquals(1, output.sent().size());
+  }
+
+  @Test
+  void whatSomebodyElseDrivesIsOnlyTakenOverWhenConfirmed() {
+    authority.take(FakeAuthority.ANNA, false);
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    assertEquals(List.of(), output.sent());
+    assertEquals("Anna drives. Take over?", Footer.of(driver.look(0)).text());
+    driver.takeOver();
+    assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
+    driver.dragEnd(10 * MS);
+    driver.drag(new Stick(1, 0), 20 * MS);
+    driver.tick(50 * MS);
+    assertEquals(1, output.sent().size());
+  }
+
+  @Test
+  void theQuestionCanBeDeclined() {
+    authority.take(FakeAuthority.ANNA, false);
+    driver.take();
+    assertTrue(driver.look(0).asking());
+    driver.ask(false);
+    assertEquals("Anna drives", Footer.of(driver.look(0)).text());
+    assertEquals(Optional.of(FakeAuthority.ANNA), authority.holder());
+  }
+
+  @Test
+  void aTakeoverByAnotherEndsTheDrive() {
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    authority.take(FakeAuthority.ANNA, true);
+    driver.tick(50 * MS);
+    assertEquals(1, output.sent().size());
+    assertEquals(1, output.releases());
+    assertFalse(driver.look(50 * MS).held());
+  }
+
+  @Test
+  void giveBackEndsTheDriveFirst() {
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    driver.giveBack();
+    assertEquals(1, output.releases());
+    assertInstanceOf(Look.Lease.Free.class, driver.look(0).lease());
+  }
+
+  @Test
+  void aRefusalIsShownUntilTheNextDrive() {
+    output.outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.LINK_DOWN, "the link to base is down"));
+    driver.drag(new Stick(1, 0), 0);
+    driver.tick(0);
+    assertEquals("Not sent: the link to base is down", Footer.of(driver.look(0)).text());
+    driver.dragEnd(MS);
+    assertEquals("You drive Keira", Footer.of(driver.look(0)).text());
+  }
+
+  @Test
+  void measuredSpeedIsOnlyShownWhileItIsLive() {
+    assertEquals(Optional.empty(), driver.look(0).measured());
+    context.input(TeleopType.ODOM).put(VelocityCommand.planar(0.21, -0.1));
+    assertEquals(Optional.of(new Speed(0.21, -0.1)), driver.look(0).measured());
+    context.input(TeleopType.ODOM).state(new InputState.Stale(3, "no more odometry"));
+    assertEquals(Optional.empty(), driver.look(0).measured());
+  }
+
+  @Test
+  void theNoteSaysWhoDrivesAndHowFast() {
+    assertEquals("lease: free \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
+    driver.take();
+    assertEquals("lease: you \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
+  }
+}
