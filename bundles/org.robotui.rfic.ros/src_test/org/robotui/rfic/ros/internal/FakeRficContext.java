@@ -1,0 +1,180 @@
+package org.robotui.rfic.ros.internal;
+
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedDeque;
+import java.util.concurrent.ThreadFactory;
+import org.robotui.api.RficContext;
+import org.robotui.api.frame.FrameSink;
+import org.robotui.api.link.LinkReporter;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.port.BrowsePort;
+import org.robotui.api.port.Browser;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.CommandSink;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.Offer;
+import org.robotui.api.port.Offers;
+import org.robotui.api.port.Port;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.StreamPort;
+import org.robotui.api.time.ClockSource;
+import org.robotui.data.Data;
+import org.robotui.data.FrameTransform;
+import org.robotui.data.Stamp;
+
+/** Stands in for core: records what a robot interface offers, publishes and reports. */
+final class FakeRficContext implements RficContext, Offers, ClockSource {
+  record Published(Data value, Optional<Stamp> stamp, Optional<RawMessage> raw) {}
+
+  final Map<String, StreamPort<?>> streams = new ConcurrentHashMap<>();
+  final Map<String, Demand> demands = new ConcurrentHashMap<>();
+  final Map<String, Deque<Published>> published = new ConcurrentHashMap<>();
+  final Map<String, Deque<String>> complaints = new ConcurrentHashMap<>();
+  final Map<String, CommandPort<?>> commands = new ConcurrentHashMap<>();
+  final Map<String, CommandSink<?>> sinks = new ConcurrentHashMap<>();
+  final Map<String, CallHandler<?, ?>> handlers = new ConcurrentHashMap<>();
+  final Map<String, Browser> browsers = new ConcurrentHashMap<>();
+  final Deque<LinkState> links = new ConcurrentLinkedDeque<>();
+  final Deque<FrameTransform> transforms = new ConcurrentLinkedDeque<>();
+  final Deque<Long> simulated = new ConcurrentLinkedDeque<>();
+  final Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+  @Override
+  public String robot() {
+    return "robby";
+  }
+
+  @Override
+  public String instance() {
+    return "base";
+  }
+
+  @Override
+  public Offers offers() {
+    return this;
+  }
+
+  @Override
+  public LinkReporter link() {
+    return links::add;
+  }
+
+  @Override
+  public ThreadFactory threads() {
+    return work -> {
+      Thread thread = Thread.ofPlatform().daemon().name("test").unstarted(work);
+      threads.add(thread);
+      return thread;
+    };
+  }
+
+  @Override
+  public ClockSource clock() {
+    return this;
+  }
+
+  @Override
+  public FrameSink frames() {
+    return (set, authority) -> transforms.addAll(set.transforms());
+  }
+
+  @Override
+  public void simulated(long nanos) {
+    simulated.add(nanos);
+  }
+
+  @Override
+  public void live() {
+    simulated.clear();
+  }
+
+  @Override
+  public void observed(long stampNanos) {
+    // only core estimates offsets
+  }
+
+  List<Thread> alive() {
+    return threads.stream().filter(Thread::isAlive).toList();
+  }
+
+  void demand(String port, boolean wanted) {
+    demands.get(port).changed(wanted);
+  }
+
+  @Override
+  public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
+    once(streams.putIfAbsent(port.name(), port));
+    demands.put(port.name(), demand);
+    return new FakePublication<>(port.name());
+  }
+
+  @Override
+  public <T extends Data> Offer command(CommandPort<T> port, CommandSink<T> sink) {
+    once(commands.putIfAbsent(port.name(), port));
+    sinks.put(port.name(), sink);
+    return () -> commands.remove(port.name());
+  }
+
+  @Override
+  public <Q, R> Offer call(CallPort<Q, R> port, CallHandler<Q, R> handler) {
+    once(handlers.putIfAbsent(port.name(), handler));
+    return () -> handlers.remove(port.name());
+  }
+
+  @Override
+  public Offer browse(BrowsePort port, Browser browser) {
+    once(browsers.putIfAbsent(port.name(), browser));
+    return () -> browsers.remove(port.name());
+  }
+
+  private static void once(Port before) {
+    if (before != null) {
+      throw new IllegalStateException(before.name() + " is offered twice");
+    }
+  }
+
+  private static void once(Object before) {
+    if (before != null) {
+      throw new IllegalStateException("offered twice");
+    }
+  }
+
+  private final class FakePublication<T extends Data> implements Publication<T> {
+    private final String port;
+
+    FakePublication(String port) {
+      this.port = port;
+      published.putIfAbsent(port, new ConcurrentLinkedDeque<>());
+      complaints.putIfAbsent(port, new ConcurrentLinkedDeque<>());
+    }
+
+    @Override
+    public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
+      published.get(port).add(new Published(value, stamp, raw));
+    }
+
+    @Override
+    public void lost(long count, String reason) {
+      complaints.get(port).add(reason);
+    }
+
+    @Override
+    public void failed(String reason) {
+      complaints.get(port).add(reason);
+    }
+
+    @Override
+    public void close() {
+      streams.remove(port);
+      demands.remove(port);
+    }
+  }
+}
