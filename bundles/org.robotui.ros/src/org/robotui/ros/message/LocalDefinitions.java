@@ -2,7 +2,6 @@ package org.robotui.ros.message;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,11 +15,10 @@ import java.util.stream.Stream;
 
 /**
  * The definitions of the packages installed on this machine, found as ROS lays them out: {@code PACKAGE/msg/Type.msg}
- * and {@code PACKAGE/srv/Type.srv}.
+ * and {@code PACKAGE/srv/Type.srv}. Folders are read at each question, which may take a while: not for I/O threads.
  */
 public final class LocalDefinitions implements DefinitionSource {
 
-    private static final int DEPTH = 4;
     private static final Pattern TYPE = Pattern.compile("[A-Za-z]\\w*/[A-Za-z]\\w*");
 
     private final List<Path> shares;
@@ -87,18 +85,9 @@ public final class LocalDefinitions implements DefinitionSource {
     }
 
     private Optional<Path> file(String packageName, Path inside) {
-        Stream<Path> inTrees = trees.stream().flatMap(tree -> inTree(tree, packageName, inside).stream());
+        Stream<Path> inTrees = trees.stream().flatMap(tree -> PackageSearch.find(tree, packageName, inside).stream());
         Stream<Path> inShares = shares.stream().map(share -> share.resolve(packageName).resolve(inside));
         return Stream.concat(inTrees, inShares).filter(Files::isRegularFile).findFirst();
-    }
-
-    private static Optional<Path> inTree(Path tree, String packageName, Path inside) {
-        try (Stream<Path> found = Files.find(tree, DEPTH, (path, attributes) -> attributes.isDirectory()
-                && path.endsWith(packageName) && Files.isRegularFile(path.resolve(inside)))) {
-            return found.findFirst().map(path -> path.resolve(inside));
-        } catch (IOException | UncheckedIOException e) {
-            return Optional.empty();
-        }
     }
 
     private static String read(String type, Path file) throws DefinitionException {

@@ -1,5 +1,11 @@
 /**
- * What a ROS message is to the transport: its identity ({@link org.robotui.ros.message.MessageInfo}) and a codec
- * between its bytes and a Java value ({@link org.robotui.ros.message.MessageCodec}).
+ * What a ROS message is: its identity ({@link org.robotui.ros.message.MessageInfo}), its definition
+ * ({@link org.robotui.ros.message.MessageSchema}), and codecs between its bytes and a Java value
+ * ({@link org.robotui.ros.message.MessageCodec}): compiled ones for records
+ * ({@link org.robotui.ros.message.RecordCodec}), and those that work from a definition
+ * ({@link org.robotui.ros.message.AnyCodec}, {@link org.robotui.ros.message.DynamicCodec}).
+ *
+ * <p>Bytes and definitions come from peers and are not trusted: every length is checked against what is there before
+ * anything is allocated, and errors name the field.
  */
 package org.robotui.ros.message;

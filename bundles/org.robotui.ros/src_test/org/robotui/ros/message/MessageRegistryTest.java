@@ -49,6 +49,19 @@ class MessageRegistryTest {
     }
 
     @Test
+    void packagesInsidePackagesAndIgnoredFoldersAreNotSearched() throws Exception {
+        write("ws/outer/package.xml", "");
+        write("ws/outer/test/inner/msg/A.msg", "int8 x");
+        write("ws/old/CATKIN_IGNORE", "");
+        write("ws/old/gone/msg/A.msg", "int8 x");
+        write("ws/new/here/msg/A.msg", "int8 x");
+        LocalDefinitions local = new LocalDefinitions(List.of(), List.of(folder.resolve("ws")));
+        assertTrue(local.find("inner/A").isEmpty());
+        assertTrue(local.find("gone/A").isEmpty());
+        assertTrue(local.find("here/A").isPresent());
+    }
+
+    @Test
     void anUnknownOrBrokenTypeHasAReason() throws Exception {
         write("share/bad/msg/A.msg", "float64");
         assertTrue(reason(registry().message("bad/A")).contains("bad/A, line 1"));

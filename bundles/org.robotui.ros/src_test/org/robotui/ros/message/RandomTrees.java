@@ -41,8 +41,8 @@ final class RandomTrees {
     private Object scalar(Primitive type) {
         return switch (type) {
             case BOOL -> random.nextBoolean();
-            case FLOAT32 -> Float.intBitsToFloat(random.nextInt());
-            case FLOAT64 -> Double.longBitsToDouble(random.nextLong());
+            case FLOAT32 -> (float) number();
+            case FLOAT64 -> number();
             case STRING -> text();
             case INT64 -> random.nextLong();
             case UINT64 -> new BigInteger(64, new Random(random.nextLong()));
@@ -50,6 +50,14 @@ final class RandomTrees {
             case DURATION -> Stamps.duration(random.nextInt(), random.nextInt(1_000_000_000));
             case INT8, BYTE, INT16, INT32 -> signed(type);
             case UINT8, CHAR, UINT16, UINT32 -> random.nextLong() & ((1L << 8 * type.size()) - 1);
+        };
+    }
+
+    private double number() {
+        return switch (random.nextInt(10)) {
+            case 0 -> Double.NaN;
+            case 1 -> Double.NEGATIVE_INFINITY;
+            default -> random.nextGaussian();
         };
     }
 
