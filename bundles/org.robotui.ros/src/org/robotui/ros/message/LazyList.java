@@ -52,8 +52,9 @@ final class LazyList<T> extends AbstractList<T> implements RandomAccess {
     }
 
     static String text(ByteBuffer bytes, int at) {
-        ByteBuffer utf8 = bytes.slice(at + Integer.BYTES, bytes.getInt(at));
-        return StandardCharsets.UTF_8.decode(utf8).toString();
+        byte[] utf8 = new byte[bytes.getInt(at)];
+        bytes.get(at + Integer.BYTES, utf8);
+        return new String(utf8, StandardCharsets.UTF_8);
     }
 
     @Override

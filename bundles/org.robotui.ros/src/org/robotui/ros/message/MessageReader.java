@@ -167,8 +167,9 @@ public final class MessageReader {
      * @throws MessageException if the length exceeds the message
      */
     public String string(String field) throws MessageException {
-        ByteBuffer bytes = bytes(field);
-        return StandardCharsets.UTF_8.decode(bytes).toString();
+        byte[] utf8 = new byte[count(field, 1)];
+        in.get(utf8);
+        return new String(utf8, StandardCharsets.UTF_8);
     }
 
     /**

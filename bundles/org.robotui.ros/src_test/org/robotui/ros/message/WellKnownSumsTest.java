@@ -1,6 +1,7 @@
 package org.robotui.ros.message;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -12,6 +13,10 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.robotui.ros.msgs.StandardCodecs;
 import org.robotui.ros.msgs.StandardServices;
+import org.robotui.ros.msgs.geometry_msgs.Point;
+import org.robotui.ros.msgs.geometry_msgs.Pose;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
+import org.robotui.ros.msgs.geometry_msgs.Quaternion;
 
 /** The vectors are the sums that the generated Python classes of the ROS packages carry. */
 class WellKnownSumsTest {
@@ -60,6 +65,21 @@ class WellKnownSumsTest {
         assertEquals(sums.get("std_srvs/Empty"), StandardServices.EMPTY.md5());
         assertEquals(sums.get("nav_msgs/GetMap"), StandardServices.GET_MAP.md5());
         assertEquals(sums.get("roscpp/GetLoggers"), StandardServices.GET_LOGGERS.md5());
+    }
+
+    @Test
+    void typesWithoutACompiledCodecHaveNone() {
+        for (String type : new String[] {"turtlesim/Pose", "sensor_msgs/Nothing", "LaserScan", "*", ""}) {
+            assertTrue(StandardCodecs.forType(type).isEmpty(), type);
+        }
+    }
+
+    @Test
+    void aRecordRefusesAFixedArrayOfAnotherLength() {
+        Pose pose = new Pose(new Point(0, 0, 0), new Quaternion(0, 0, 0, 1));
+        IllegalArgumentException e =
+                assertThrows(IllegalArgumentException.class, () -> new PoseWithCovariance(pose, new double[9]));
+        assertEquals("covariance has 36 values, not 9", e.getMessage());
     }
 
     static Map<String, String> vectors(String name) throws IOException {
