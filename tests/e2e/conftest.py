@@ -1,0 +1,186 @@
+"""What the end-to-end tests share: processes that always end, the products as users start them, real ROS peers."""
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+import signal
+import socket
+import subprocess
+import time
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SHARED = pathlib.Path(os.environ.get("ROBOTUI_SHARED", ROOT.parent / "shared"))
+ROS_TOOLS = ("roscore", "rostopic", "rosbag", "rosservice", "rosnode", "rosparam")
+NO_DISPLAY = ("DISPLAY", "WAYLAND_DISPLAY")
+
+
+def wait_for(condition, seconds=30, what="it"):
+    """Waits until the condition answers something true, and answers that."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        answer = condition()
+        if answer:
+            return answer
+        time.sleep(0.05)
+    raise AssertionError(f"waited {seconds} s for {what}")
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Processes:
+    """Starts programs and ends them, with all their children, at the end of the test."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.running = []
+
+    def start(self, arguments, name, environment):
+        out = (self.folder / f"{name}.out").open("w")
+        err = (self.folder / f"{name}.err").open("w")
+        process = subprocess.Popen([str(a) for a in arguments], env=environment, stdin=subprocess.DEVNULL, stdout=out,
+                                   stderr=err, start_new_session=True)
+        process.out = self.folder / f"{name}.out"
+        process.err = self.folder / f"{name}.err"
+        self.running.append(process)
+        return process
+
+    def end(self):
+        for process in reversed(self.running):
+            end(process)
+
+
+def end(process, how=signal.SIGINT, patience=10):
+    for sign in (how, signal.SIGKILL):
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, sign)
+        try:
+            process.wait(patience)
+        except subprocess.TimeoutExpired:
+            continue
+        break
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)
+
+
+class Robot:
+    """A ROS graph: where its master is, and the stock tools pointed at it."""
+
+    def __init__(self, processes, uri, environment):
+        self.processes = processes
+        self.uri = uri
+        self.environment = environment | {"ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1"}
+        self.environment.pop("ROS_HOSTNAME", None)
+
+    def tool(self, *arguments, seconds=20):
+        result = subprocess.run(arguments, env=self.environment, stdin=subprocess.DEVNULL, text=True,
+                                capture_output=True, timeout=seconds, check=False)
+        assert result.returncode == 0, f"{arguments}: {result.stdout}{result.stderr}"
+        return result.stdout
+
+    def start_tool(self, *arguments, name):
+        return self.processes.start(arguments, name, self.environment)
+
+    def nodes(self):
+        return self.tool("rosnode", "list").split()
+
+    def odometry(self):
+        """Position x, y and forward speed, as rostopic prints the next message."""
+        text = self.tool("rostopic", "echo", "-n", "1", "-p", "/odom")
+        names, values = (line.split(",") for line in text.strip().splitlines()[:2])
+        row = dict(zip(names, values))
+        return (float(row["field.pose.pose.position.x"]), float(row["field.pose.pose.position.y"]),
+                float(row["field.twist.twist.linear.x"]))
+
+
+@pytest.fixture
+def processes(tmp_path):
+    started = Processes(tmp_path)
+    yield started
+    started.end()
+
+
+@pytest.fixture
+def environment(tmp_path):
+    """The user's surroundings, with a home of its own for what ROS and RobotUI keep."""
+    own = {"ROS_HOME": str(tmp_path / "ros"), "XDG_STATE_HOME": str(tmp_path / "state"), "PYTHONUNBUFFERED": "1"}
+    return dict(os.environ) | own
+
+
+@pytest.fixture
+def ros_tools():
+    missing = [tool for tool in ROS_TOOLS if shutil.which(tool) is None]
+    if missing:
+        pytest.skip(f"the ROS tools {missing} are not installed")
+
+
+@pytest.fixture
+def roscore(processes, environment, ros_tools):
+    """A real roscore."""
+    port = free_port()
+    robot = Robot(processes, f"http://127.0.0.1:{port}", environment)
+    robot.port = port
+    robot.core = robot.start_tool("roscore", "-p", str(port), name="roscore")
+    wait_for(lambda: listening(port), what="roscore")
+    return robot
+
+
+def listening(port):
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+@pytest.fixture
+def simulator(processes, environment, ros_tools):
+    """The demo's robot with its embedded master, in a process of its own."""
+    robot = start_simulator(processes, environment, 0, "simulator")
+    return robot
+
+
+def start_simulator(processes, environment, port, name):
+    plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
+    bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.geometry", "slf4j.api")
+    jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in bundles]
+    process = processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--port", port], name, environment)
+
+    def uri():
+        for line in process.out.read_text().splitlines():
+            if line.startswith("ROS_MASTER_URI="):
+                return line.split("=", 1)[1]
+        return None
+
+    robot = Robot(processes, wait_for(uri, what="the simulator"), environment)
+    robot.core = process
+    robot.port = int(robot.uri.rstrip("/").rsplit(":", 1)[1])
+    return robot
+
+
+def java():
+    home = os.environ.get("JAVA_HOME")
+    return f"{home}/bin/java" if home else "java"
+
+
+def start_robotui(robot, *arguments, name="robotui", display=False):
+    """./robotui as a user starts it, pointed at a robot."""
+    surroundings = dict(robot.environment)
+    if not display:
+        for variable in NO_DISPLAY:
+            surroundings.pop(variable, None)
+    return robot.processes.start([ROOT / "robotui", *arguments], name, surroundings)
+
+
+def json_lines(process):
+    """What ./robotui run --json has printed so far; the last line may not be whole yet."""
+    lines = process.out.read_text().splitlines(keepends=True)
+    return [json.loads(line) for line in lines if line.endswith("\n")]
+
+
+def last_of(process, port):
+    """The newest line about a port, or none."""
+    return next((line for line in reversed(json_lines(process)) if line["port"] == port), None)
