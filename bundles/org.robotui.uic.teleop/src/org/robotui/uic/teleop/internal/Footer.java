@@ -3,6 +3,7 @@ package org.robotui.uic.teleop.internal;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.ui.Health;
+import org.robotui.ui.StateView;
 
 /**
  * The line below the stick: who drives, and what can be done about it. Always there, so that nothing jumps.
@@ -39,7 +40,7 @@ record Footer(Health health, String text, List<Button> buttons) {
 
   static Footer of(Look look) {
     return look.stoppedBy().map(Footer::stopped).orElseGet(() -> switch (look.lease()) {
-      case Look.Lease.Free f -> new Footer(Health.NONE, "Nobody drives. Drag the stick or hold a key.", List.of(Button.TAKE));
+      case Look.Lease.Free f -> free(StateView.showsContent(look.output()));
       case Look.Lease.Mine m -> mine(look.robot(), look.refusal());
       case Look.Lease.Other o -> other(o.name(), look.asking());
     });
@@ -47,6 +48,12 @@ record Footer(Health health, String text, List<Button> buttons) {
 
   private static Footer stopped(String by) {
     return new Footer(Health.BAD, "Stopped by " + by, List.of(Button.RELEASE_STOP));
+  }
+
+  private static Footer free(boolean connected) {
+    return connected
+        ? new Footer(Health.NONE, "Nobody drives. Drag the stick or hold a key.", List.of(Button.TAKE))
+        : new Footer(Health.NONE, "Nothing to drive", List.of());
   }
 
   private static Footer mine(String robot, Optional<String> refusal) {

@@ -45,7 +45,7 @@ final class Hands {
   }
 
   private void mouseDown(Event event) {
-    canvas.setFocus();
+    canvas.forceFocus();
     if (event.button == 1) {
       dragging = stick.get().filter(disc -> disc.contains(event.x, event.y)).isPresent();
       drag(event);

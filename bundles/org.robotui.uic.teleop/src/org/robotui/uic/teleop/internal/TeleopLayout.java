@@ -34,8 +34,9 @@ record TeleopLayout(Rectangle stick, Rectangle figures, int rows, int bars, Rect
     int half = (int) (width * STICK_SHARE);
     int side = side(half, footer.y);
     Rectangle stick = new Rectangle((half - side) / 2, (footer.y - side) / 2, side, side);
-    int room = Math.min(WIDEST_FIGURES, width - half - Theme.EDGE);
-    return with(stick, new Rectangle(half, 0, room, footer.y), footer);
+    int left = half + Theme.EDGE / 2;
+    int room = Math.min(WIDEST_FIGURES, width - left - Theme.EDGE);
+    return with(stick, new Rectangle(left, 0, room, footer.y), footer);
   }
 
   private static TeleopLayout below(int width, Rectangle footer) {

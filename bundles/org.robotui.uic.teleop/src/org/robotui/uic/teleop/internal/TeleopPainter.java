@@ -9,15 +9,17 @@ import org.robotui.ui.Figures;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
 /** Paints stick, figures and the sentence at the bottom. Display thread. */
 final class TeleopPainter {
   static final int BAR_HEIGHT = 20;
 
-  private static final int LABEL = 72;
-  private static final int NUMBER = 44;
-  private static final int ROOM_FOR_MEASURED = 236;
+  private static final int LABEL = 80;
+  private static final int NUMBERS = 64;
+  private static final int NUMBER = 52;
+  private static final int ROOM_FOR_MEASURED = 250;
   private static final double KNOB_SHARE = 0.2;
   private static final int OPAQUE = 255;
   private static final int FADED = 90;
@@ -54,9 +56,8 @@ final class TeleopPainter {
     int left = area.x + Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP;
     gc.setForeground(theme.color(Role.TEXT));
     gc.setFont(theme.font(Face.BODY));
-    gc.setClipping(left, area.y, Math.max(0, room - left), area.height);
-    gc.drawText(footer.text(), left, middle - gc.textExtent(footer.text()).y / 2, true);
-    gc.setClipping((Rectangle) null);
+    String text = TextFit.shorten(gc, footer.text(), room - left);
+    gc.drawText(text, left, middle - gc.textExtent(text).y / 2, true);
   }
 
   private static boolean drivable(Look look) {
@@ -114,7 +115,7 @@ final class TeleopPainter {
       speed(gc, at.row(1), "angular", look.commanded().turn(), look.measured().map(Speed::turn).orElse(Double.NaN), "rad/s");
     }
     if (at.rows() == 4) {
-      words(gc, at.row(2), "keys", focused ? "W A S D, space = stop" : "click the stick to use keys", Role.TEXT);
+      words(gc, at.row(2), "keys", focused ? "W A S D, space = stop" : "click to use keys", Role.TEXT);
       words(gc, at.row(3), "dead-man", look.held() ? "held" : "hold mouse or key", look.held() ? Role.ACCENT : Role.TEXT);
     }
     if (at.bars() > 0) {
@@ -130,8 +131,8 @@ final class TeleopPainter {
     String number = Figures.fixed(value, 2);
     Point size = gc.textExtent(number);
     int top = row.y + (row.height - size.y) / 2;
-    gc.drawText(number, row.x + LABEL + NUMBER - size.x, top, true);
-    gc.drawText(unit, row.x + LABEL + NUMBER + 2 * Theme.STEP, top, true);
+    gc.drawText(number, row.x + NUMBERS + NUMBER - size.x, top, true);
+    gc.drawText(unit, row.x + NUMBERS + NUMBER + 2 * Theme.STEP, top, true);
     if (row.width >= ROOM_FOR_MEASURED) {
       gc.setFont(theme.font(Face.SMALL_FIGURES));
       gc.setForeground(theme.color(Double.isNaN(measured) ? Role.DIM : Role.GOOD));
@@ -147,7 +148,7 @@ final class TeleopPainter {
     gc.setForeground(theme.color(Role.DIM));
     gc.drawText(label, row.x, top, true);
     gc.setForeground(theme.color(role));
-    gc.drawText(text, row.x + LABEL, top, true);
+    gc.drawText(TextFit.shorten(gc, text, row.width - LABEL), row.x + LABEL, top, true);
   }
 
   private void barLabel(GC gc, Rectangle bar, String text) {

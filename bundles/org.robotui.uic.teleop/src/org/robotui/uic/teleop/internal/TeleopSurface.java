@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.config.SettingsStore;
@@ -20,6 +21,7 @@ final class TeleopSurface {
   private final UiContext context;
   private final Driver driver;
   private final TeleopPainter painter;
+  private final Composite root;
   private final PaintedCanvas canvas;
   private final LimitBar linear;
   private final LimitBar angular;
@@ -31,7 +33,8 @@ final class TeleopSurface {
     this.driver = driver;
     this.look = driver.look(System.nanoTime());
     this.painter = new TeleopPainter(context.theme());
-    this.canvas = new PaintedCanvas(parent, context.theme(), this::paint);
+    this.root = new Root(parent);
+    this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.linear = bar(TeleopType.HIGHEST_LINEAR, TeleopType.MAX_LINEAR, settings, "Speed at full stick");
     this.angular = bar(TeleopType.HIGHEST_ANGULAR, TeleopType.MAX_ANGULAR, settings, "Turning speed at full stick");
     this.buttons = new FooterButtons(canvas, context.theme(), this::pressed);
@@ -42,7 +45,7 @@ final class TeleopSurface {
   }
 
   Control control() {
-    return canvas;
+    return root;
   }
 
   void refresh() {
@@ -57,6 +60,19 @@ final class TeleopSurface {
     context.note(look.note());
     place();
     canvas.redraw();
+  }
+
+  /** Gives the focus to the stick, not to the first bar upon it, so that keys drive. */
+  private final class Root extends Composite {
+    Root(Composite parent) {
+      super(parent, SWT.NONE);
+      setLayout(new FillLayout());
+    }
+
+    @Override
+    public boolean setFocus() {
+      return canvas.forceFocus();
+    }
   }
 
   private Optional<Rectangle> drivable() {
@@ -105,7 +121,7 @@ final class TeleopSurface {
       case TAKE_OVER -> driver.takeOver();
       case RELEASE_STOP -> driver.releaseStop();
     }
-    canvas.setFocus();
+    canvas.forceFocus();
     refresh();
   }
 }

@@ -194,6 +194,12 @@ class DriverTest {
   }
 
   @Test
+  void nothingToDriveOffersNoButton() {
+    output.state(new InputState.Unconnected("Keira offers no VelocityCommand"));
+    assertEquals(List.of(), Footer.of(driver.look(0)).buttons());
+  }
+
+  @Test
   void theNoteSaysWhoDrivesAndHowFast() {
     assertEquals("lease: free \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
     driver.take();

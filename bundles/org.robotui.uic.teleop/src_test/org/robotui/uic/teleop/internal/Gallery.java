@@ -87,8 +87,9 @@ final class Gallery {
 
       @Override
       public void note(String text) {
-        part.setToolTipText(text);
+        part.setData(text);
       }
     });
+    part.layout();
   }
 }
