@@ -15,17 +15,23 @@ import org.robotui.ui.scene.Painter;
  * of that the tiles that are seen.
  */
 public final class GridMapEntity implements Entity {
+  private static final double OVERLAY = 0.5;
   private static final int FREE_BELOW = 25;
   private static final int OCCUPIED_FROM = 65;
 
   private record Prepared(Pyramid pyramid, RigidTransform fixedFromGrid, Bounds bounds) {}
 
   private final TilePainter tiles = new TilePainter();
+  private final double opacity;
   private volatile Optional<Prepared> prepared = Optional.empty();
 
-  /** Without a map. */
-  public GridMapEntity() {
-    // The first map comes with prepare.
+  /**
+   * Without a map.
+   *
+   * @param index 0 for a map that is painted solid; others are painted half transparent over it
+   */
+  public GridMapEntity(int index) {
+    opacity = index == 0 ? 1 : OVERLAY;
   }
 
   /**
@@ -42,7 +48,8 @@ public final class GridMapEntity implements Entity {
 
   @Override
   public void paint(Painter painter) {
-    prepared.ifPresent(p -> tiles.paint(painter, p.pyramid(), p.fixedFromGrid()));
+    prepared.ifPresent(p -> tiles.paint(painter.opacity(opacity), p.pyramid(), p.fixedFromGrid()));
+    painter.opacity(1);
   }
 
   @Override

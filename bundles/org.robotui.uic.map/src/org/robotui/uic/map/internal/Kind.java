@@ -1,0 +1,44 @@
+package org.robotui.uic.map.internal;
+
+/** The kinds of layers, lowest first. */
+public enum Kind {
+  /** Grid maps. */
+  MAP("map", "Map"),
+  /** The metric grid. */
+  GRID("grid", "Grid"),
+  /** Sonar cones. */
+  SONAR("sonar", "Sonar"),
+  /** Laser scans. */
+  SCAN("scan", "Laser scan"),
+  /** Ways gone. */
+  TRAIL("trail", "Trail"),
+  /** Planned ways. */
+  PATH("path", "Plan"),
+  /** Bodies of robots. */
+  ROBOT("robot", "Robot"),
+  /** Estimates of poses. */
+  POSE("pose", "Estimated pose");
+
+  private final String word;
+  private final String label;
+
+  Kind(String word, String label) {
+    this.word = word;
+    this.label = label;
+  }
+
+  /** The word in notes and settings. */
+  public String word() {
+    return word;
+  }
+
+  /** The name in menus. */
+  public String label() {
+    return label;
+  }
+
+  /** The setting that shows or hides it. */
+  public String setting() {
+    return "show_" + word;
+  }
+}

@@ -1,0 +1,42 @@
+package org.robotui.uic.map.internal;
+
+import java.util.List;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Port;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.Footprint;
+import org.robotui.data.GridMap;
+import org.robotui.data.LaserScan;
+import org.robotui.data.NavigationGoal;
+import org.robotui.data.Odometry;
+import org.robotui.data.Path;
+import org.robotui.data.PoseEstimate;
+import org.robotui.data.RangeReadings;
+
+/** The ports of the map. */
+public final class MapPorts {
+  public static final StreamPort<GridMap> MAP =
+      new StreamPort<>("map", GridMap.class, Arity.MANY, "Maps; the first is drawn solid, others over it.");
+  public static final StreamPort<LaserScan> SCAN =
+      new StreamPort<>("scan", LaserScan.class, Arity.MANY, "Laser scans.");
+  public static final StreamPort<RangeReadings> SONAR =
+      new StreamPort<>("sonar", RangeReadings.class, Arity.MANY, "Distances of sonars and infrared sensors.");
+  public static final StreamPort<Odometry> ODOM =
+      new StreamPort<>("odom", Odometry.class, Arity.MANY, "Where robots are and have been.");
+  public static final StreamPort<Path> PATH = new StreamPort<>("path", Path.class, Arity.MANY, "Planned ways.");
+  public static final StreamPort<PoseEstimate> POSE =
+      new StreamPort<>("pose", PoseEstimate.class, Arity.MANY, "Where localisation believes robots to be.");
+  public static final StreamPort<Footprint> FOOTPRINT =
+      new StreamPort<>("footprint", Footprint.class, Arity.MANY, "Outlines of robots.");
+  public static final CommandPort<NavigationGoal> GOAL =
+      new CommandPort<>("goal", NavigationGoal.class, Arity.OPTIONAL, "Where the robot shall go.");
+  public static final CommandPort<PoseEstimate> INITIAL_POSE =
+      new CommandPort<>("initial_pose", PoseEstimate.class, Arity.OPTIONAL, "Tells localisation where the robot is.");
+
+  /** All of them. */
+  public static final List<Port> ALL =
+      List.of(MAP, SCAN, SONAR, ODOM, PATH, POSE, FOOTPRINT, GOAL, INITIAL_POSE);
+
+  private MapPorts() {}
+}

@@ -1,0 +1,57 @@
+package org.robotui.uic.map.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.uic.map.internal.model.MapModel;
+import org.robotui.uic.map.internal.view.Choices;
+import org.robotui.uic.map.internal.view.Commander;
+import org.robotui.uic.map.internal.view.MapActions;
+import org.robotui.uic.map.internal.view.MapCanvas;
+
+/** A map: the model is prepared by ticks, the canvas paints it. */
+final class MapUic implements SwtUic {
+  private final MapModel model;
+  private final Choices choices;
+  private final Commander commander;
+  private final MapActions actions = new MapActions();
+  private Optional<MapCanvas> canvas = Optional.empty();
+
+  MapUic(UicContext context) {
+    model = new MapModel(context);
+    choices = new Choices(context.settings());
+    commander = new Commander(context);
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    return model.tick(nowNanos, choices.options());
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext context) {
+    MapCanvas made = new MapCanvas(parent, context, model, choices, commander, actions);
+    canvas = Optional.of(made);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    canvas.ifPresent(MapCanvas::refresh);
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions.all();
+  }
+
+  @Override
+  public void close() {
+    // What belongs to the display went with the control; there is nothing else.
+  }
+}

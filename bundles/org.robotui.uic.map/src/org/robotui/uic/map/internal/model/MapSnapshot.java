@@ -1,0 +1,22 @@
+package org.robotui.uic.map.internal.model;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.port.InputState;
+import org.robotui.data.FrameId;
+
+/**
+ * What the canvas paints besides the layers.
+ *
+ * @param fixed what is drawn at rest; none while no frame is known
+ * @param frames all that could be chosen instead
+ * @param state of the inputs as a whole
+ * @param notes what layers have to say
+ * @param robots where they are, the one of the map's commands first
+ */
+public record MapSnapshot(
+    Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<Note> notes, List<RobotPlace> robots) {
+  /** Before the first tick. */
+  public static final MapSnapshot NONE = new MapSnapshot(
+      Optional.empty(), List.of(), new InputState.Waiting("The map has not looked for data yet."), List.of(), List.of());
+}

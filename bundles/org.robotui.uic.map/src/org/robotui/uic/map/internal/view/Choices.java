@@ -1,0 +1,48 @@
+package org.robotui.uic.map.internal.view;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.uic.map.internal.Kind;
+import org.robotui.uic.map.internal.MapOptions;
+
+/** What the user has chosen, kept in the settings. Safe for all threads. */
+public final class Choices {
+  private final SettingsStore settings;
+
+  public Choices(SettingsStore settings) {
+    this.settings = settings;
+  }
+
+  public MapOptions options() {
+    return MapOptions.of(settings.current());
+  }
+
+  void follow(boolean on) {
+    settings.set(MapOptions.FOLLOW, on);
+  }
+
+  void fan(boolean shown) {
+    settings.set(MapOptions.SHOW_FAN, shown);
+  }
+
+  void uncertainty(boolean shown) {
+    settings.set(MapOptions.SHOW_UNCERTAINTY, shown);
+  }
+
+  void fixedFrame(String name) {
+    settings.set(MapOptions.FIXED_FRAME, name);
+  }
+
+  void show(Kind kind, boolean shown) {
+    settings.set(kind.setting(), shown);
+  }
+
+  void show(String layer, boolean shown) {
+    Set<String> hidden = new TreeSet<>(options().hidden());
+    if (shown ? hidden.remove(layer) : hidden.add(layer)) {
+      settings.set(MapOptions.HIDDEN, List.copyOf(hidden));
+    }
+  }
+}

@@ -1,0 +1,256 @@
+package org.robotui.uic.map.internal.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Point;
+import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.data.FrameId;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
+import org.robotui.ui.Figures;
+import org.robotui.ui.Health;
+import org.robotui.ui.PaintedCanvas;
+import org.robotui.ui.Role;
+import org.robotui.ui.StateView;
+import org.robotui.ui.Theme;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.scene.Painter;
+import org.robotui.ui.scene.Scene;
+import org.robotui.ui.scene.Viewport;
+import org.robotui.uic.map.internal.model.MapModel;
+import org.robotui.uic.map.internal.model.MapSnapshot;
+import org.robotui.uic.map.internal.model.RobotPlace;
+
+/** The control of a map. Display thread only. */
+public final class MapCanvas {
+  private static final double TOUCH_PIXELS = 7;
+  private static final int MOST_HITS = 3;
+
+  private final UiContext context;
+  private final MapModel model;
+  private final Choices choices;
+  private final Commander commander;
+  private final Theme theme;
+  private final StateView states;
+  private final Overlay overlay;
+  private final PaintedCanvas surface;
+  private final Camera camera = new Camera();
+  private final Toast toast = new Toast();
+  private final Hover hover = new Hover();
+  private Optional<Tool> tool = Optional.empty();
+  private String note = "";
+
+  public MapCanvas(
+      Composite parent, UiContext context, MapModel model, Choices choices, Commander commander, MapActions actions) {
+    this.context = context;
+    this.model = model;
+    this.choices = choices;
+    this.commander = commander;
+    theme = context.theme();
+    states = new StateView(theme);
+    overlay = new Overlay(theme);
+    surface = new PaintedCanvas(parent, theme, this::paint);
+    actions.connect(this);
+    surface.atEnd(() -> {
+      actions.disconnect(this);
+      model.scene().dispose();
+    });
+    new Hands(this, surface).listen();
+  }
+
+  public Control control() {
+    return surface;
+  }
+
+  /** Paints soon what the last ticks prepared. */
+  public void refresh() {
+    if (!surface.isDisposed()) {
+      sayNote();
+      surface.requestPaint();
+    }
+  }
+
+  boolean following() {
+    return choices.options().follow();
+  }
+
+  void toggleFollow() {
+    choices.follow(!following());
+    refresh();
+  }
+
+  void fit() {
+    camera.fit(model.scene().bounds());
+    refresh();
+  }
+
+  void openLayers() {
+    new MapMenu(this, model, choices).openLayers(surface);
+  }
+
+  void openMenu(int x, int y) {
+    new MapMenu(this, model, choices).open(surface, x, y);
+  }
+
+  boolean using(String id) {
+    return tool.filter(t -> t.id().equals(id)).isPresent();
+  }
+
+  void toggleTool(String id) {
+    tool = using(id) ? Optional.empty() : Optional.of(make(id));
+    surface.setCursor(tool.isPresent() ? surface.getDisplay().getSystemCursor(SWT.CURSOR_CROSS) : null);
+    surface.setFocus();
+    refresh();
+  }
+
+  Optional<Tool> tool() {
+    return tool;
+  }
+
+  void endTool() {
+    toast.clear();
+    tool.ifPresent(t -> toggleTool(t.id()));
+    refresh();
+  }
+
+  void pan(double dx, double dy) {
+    if (following()) {
+      choices.follow(false);
+    }
+    camera.pan(dx, dy);
+    refresh();
+  }
+
+  void zoom(double x, double y, double factor) {
+    // While the robot is followed it is the one place that stays.
+    boolean middle = following();
+    Viewport v = camera.viewport();
+    camera.zoom(middle ? v.width() / 2.0 : x, middle ? v.height() / 2.0 : y, factor);
+    refresh();
+  }
+
+  void center(double x, double y) {
+    camera.center(x, y);
+    refresh();
+  }
+
+  Viewport viewport() {
+    return camera.viewport();
+  }
+
+  Hover hover() {
+    return hover;
+  }
+
+  /** The pointer rests: says what is there. */
+  void rest() {
+    hover.pointer().ifPresent(p -> hover.say(describe(p)));
+    surface.requestPaint();
+  }
+
+  List<Scene.Hit> hits(Point pixel) {
+    Viewport v = camera.viewport();
+    return model.scene().at(v.worldX(pixel.x), v.worldY(pixel.y), TOUCH_PIXELS / v.scale());
+  }
+
+  void sendGoal(RigidTransform pose) {
+    command(frame -> commander.goal(frame, pose));
+  }
+
+  void sendPose(RigidTransform pose) {
+    command(frame -> commander.initialPose(frame, pose));
+  }
+
+  /** Where a robot would look at a place if nothing else is said: on from where it is now. */
+  double usualHeading(double x, double y) {
+    return robot()
+        .map(r -> r.fixedFromBase().translation())
+        .map(at -> Math.atan2(y - at.y(), x - at.x()))
+        .orElse(0.0);
+  }
+
+  double presentHeading(double x, double y) {
+    return robot().map(r -> r.fixedFromBase().rotation().yaw()).orElse(0.0);
+  }
+
+  private void paint(GC gc, Rectangle area) {
+    MapSnapshot snapshot = model.snapshot();
+    Optional<Vector3> followed = following() ? robot().map(r -> r.fixedFromBase().translation()) : Optional.empty();
+    camera.settle(area.width, area.height, model.scene().bounds(), followed);
+    Painter painter = new Painter(gc, camera.viewport(), theme);
+    model.scene().paint(painter);
+    tool.ifPresent(t -> t.paint(painter));
+    painter.opacity(1);
+    paintState(gc, area, snapshot);
+    overlay.corners(gc, camera.viewport(), snapshot, hover.pointer());
+    tool.ifPresent(t -> overlay.hint(gc, area, t.hint()));
+    toast.at(System.nanoTime()).ifPresent(t -> overlay.toast(gc, area, t));
+    if (!hover.lines().isEmpty()) {
+      hover.pointer().ifPresent(p -> overlay.card(gc, area, p, hover.lines()));
+    }
+    if (painter.wantsAgain()) {
+      surface.requestPaint();
+    }
+  }
+
+  private void paintState(GC gc, Rectangle area, MapSnapshot snapshot) {
+    boolean empty = model.scene().bounds().isEmpty();
+    if (!StateView.showsContent(snapshot.state())) {
+      states.paint(gc, area, snapshot.state());
+    } else if (empty && !snapshot.notes().isEmpty()) {
+      states.message(gc, area, Health.WARNING, "Nothing can be placed", snapshot.notes().getFirst().text());
+    } else {
+      states.paint(gc, area, snapshot.state());
+      overlay.notes(gc, area, snapshot.notes());
+    }
+  }
+
+  private List<String> describe(Point pixel) {
+    List<String> lines = new ArrayList<>();
+    for (Scene.Hit hit : hits(pixel).stream().limit(MOST_HITS).toList()) {
+      lines.addAll(hit.description().text().lines().toList());
+      model.detail(hit.layer().id(), System.nanoTime()).ifPresent(lines::add);
+    }
+    return lines;
+  }
+
+  private Optional<RobotPlace> robot() {
+    return model.snapshot().robots().stream().findFirst();
+  }
+
+  private Tool make(String id) {
+    return switch (id) {
+      case MapActions.GOAL -> new PoseTool(id, "Goal: press where, drag to where it shall look \u00b7 Esc ends",
+          Role.PLAN, this::usualHeading, this::sendGoal);
+      case MapActions.POSE -> new PoseTool(id, "Pose: press where the robot is, drag to where it looks \u00b7 Esc ends",
+          Role.WARNING, this::presentHeading, this::sendPose);
+      default -> new MeasureTool();
+    };
+  }
+
+  private void command(Function<FrameId, Told> sending) {
+    Told told = model.snapshot().fixed().map(sending)
+        .orElse(new Told(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
+    toast.say(told, System.nanoTime());
+    surface.getDisplay().timerExec(Toast.MILLIS, surface::requestPaint);
+    tool = tool.filter(t -> t instanceof MeasureTool);
+    surface.setCursor(null);
+    refresh();
+  }
+
+  private void sayNote() {
+    String follow = following() ? "follow  \u00b7  " : "";
+    String frame = model.snapshot().fixed().map(f -> f.name() + "  \u00b7  ").orElse("");
+    String next = follow + frame + Figures.of(1 / camera.viewport().scale(), 3, "m/px");
+    if (!next.equals(note)) {
+      note = next;
+      context.note(next);
+    }
+  }
+}

@@ -1,0 +1,20 @@
+package org.robotui.uic.map.internal.view;
+
+import org.robotui.ui.scene.Painter;
+
+/** What a drag with the left button does, in place of moving the map. World coordinates, display thread. */
+interface Tool {
+  /** The id of the action that switches it. */
+  String id();
+
+  /** How it is used, one line. */
+  String hint();
+
+  void down(double x, double y);
+
+  void drag(double x, double y);
+
+  void up(double x, double y);
+
+  void paint(Painter painter);
+}
