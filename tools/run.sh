@@ -75,6 +75,7 @@ start_simulator() {
   local stay=$1 out prefix
   out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
   simulator_dir=$out
+  : >"$out/out"
   if [[ -n $stay ]]; then
     simulator_stays=yes
     prefix=(setsid nohup)
