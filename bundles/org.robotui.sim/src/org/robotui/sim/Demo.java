@@ -13,6 +13,7 @@ import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
 import org.robotui.sim.internal.Runner;
 import org.robotui.sim.internal.Settings;
@@ -42,10 +43,10 @@ final class Demo implements AutoCloseable {
   static Demo start(Options options) throws IOException {
     Optional<RosMaster> master = options.realMaster().isPresent()
         ? Optional.empty()
-        : Optional.of(RosMaster.start(options.port()));
+        : Optional.of(RosMaster.open(MasterOptions.standard(Demo::thread).withPort(options.port())));
     URI uri = options.realMaster().or(() -> master.map(RosMaster::uri)).orElseThrow();
-    RosNode node = RosNode.open(environment(options, uri), GraphName.of(options.name()), NodeOptions.standard(
-        task -> Thread.ofPlatform().daemon().unstarted(task)));
+    GraphName name = GraphName.of(options.name());
+    RosNode node = RosNode.open(environment(options, uri), name, NodeOptions.standard(Demo::thread));
     long now = options.simTime() ? 0 : System.currentTimeMillis() * 1_000_000;
     RobotNode robot = RobotNode.start(node, World.demo(), Settings.demo(options.seed()), options.simTime(), now);
     Demo demo = new Demo(master, uri, robot, options);
@@ -56,6 +57,10 @@ final class Demo implements AutoCloseable {
       throw new IOException("the master at " + uri + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
     }
     return demo;
+  }
+
+  private static Thread thread(Runnable task) {
+    return Thread.ofPlatform().daemon().unstarted(task);
   }
 
   private static RosEnvironment environment(Options options, URI master) {

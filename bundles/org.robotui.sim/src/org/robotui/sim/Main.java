@@ -2,6 +2,7 @@ package org.robotui.sim;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -10,6 +11,7 @@ import java.util.OptionalLong;
 public final class Main {
   private static final int USAGE_ERROR = 2;
   private static final int FAILED = 1;
+  private static final Duration CLOSE_TIME = Duration.ofMillis(900);
 
   private Main() {}
 
@@ -54,12 +56,22 @@ public final class Main {
       }
     }
     Demo demo = Demo.start(options);
-    Runtime.getRuntime().addShutdownHook(new Thread(demo::close, "shutdown"));
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> closeInTime(demo), "shutdown"));
     parent.ifPresent(process -> process.onExit().thenRun(demo::end));
     out.println("ROS_MASTER_URI=" + demo.masterUri());
     out.flush();
     demo.awaitEnd();
     return 0;
+  }
+
+  /** A peer that hangs must not keep the process: what is not closed by then ends with it. */
+  private static void closeInTime(Demo demo) {
+    Thread closer = Thread.ofPlatform().daemon().name("close").start(demo::close);
+    try {
+      closer.join(CLOSE_TIME);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   private static Optional<ProcessHandle> alive(OptionalLong pid) {
