@@ -1,0 +1,101 @@
+package org.robotui.workbench.internal;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.robotui.ui.Themes;
+
+/**
+ * What the command line asks of the workbench. Words that it does not know are the platform's.
+ *
+ * @param configurations the files to load
+ * @param limit after which time to close
+ * @param screenshot where to save a picture of the window
+ * @param after how long to wait with the picture
+ * @param theme how to look, this time
+ */
+public record Arguments(List<Path> configurations, Optional<Duration> limit, Optional<Path> screenshot, Duration after,
+    Optional<String> theme) {
+  private static final Duration USUAL_AFTER = Duration.ofSeconds(3);
+
+  /**
+   * Reads the command line.
+   *
+   * @param words the words
+   * @return what they ask
+   * @throws IllegalArgumentException with a sentence for users
+   */
+  public static Arguments parse(String... words) {
+    return new Parser(words).parse();
+  }
+
+  /** Reads the words one after the other. */
+  private static final class Parser {
+    private final List<String> words;
+    private final List<Path> configurations = new ArrayList<>();
+    private Optional<Duration> limit = Optional.empty();
+    private Optional<Path> screenshot = Optional.empty();
+    private Duration after = USUAL_AFTER;
+    private Optional<String> theme = Optional.empty();
+    private int at;
+
+    Parser(String... words) {
+      this.words = Arrays.asList(words);
+    }
+
+    Arguments parse() {
+      while (at < words.size()) {
+        option(words.get(at++));
+      }
+      return new Arguments(List.copyOf(configurations), limit, screenshot, after, theme);
+    }
+
+    private void option(String word) {
+      switch (word) {
+        case "-config" -> files(word);
+        case "-for" -> limit = Optional.of(seconds(word));
+        case "-after" -> after = seconds(word);
+        case "-screenshot" -> screenshot = Optional.of(Path.of(value(word)));
+        case "-theme" -> theme = Optional.of(theme(value(word)));
+        default -> { }
+      }
+    }
+
+    private void files(String option) {
+      configurations.add(Path.of(value(option)));
+      while (at < words.size() && !words.get(at).startsWith("-")) {
+        configurations.add(Path.of(words.get(at++)));
+      }
+    }
+
+    private static String theme(String word) {
+      if (!Themes.ids().contains(word)) {
+        throw new IllegalArgumentException("-theme is " + String.join(" or ", Themes.ids()) + ", not '" + word + "'");
+      }
+      return word;
+    }
+
+    private String value(String option) {
+      if (at == words.size() || words.get(at).startsWith("-")) {
+        throw new IllegalArgumentException(option + " needs a value");
+      }
+      return words.get(at++);
+    }
+
+    private Duration seconds(String option) {
+      String text = value(option);
+      try {
+        double seconds = Double.parseDouble(text);
+        if (seconds >= 0 && seconds <= 1e6) {
+          return Duration.ofMillis(Math.round(seconds * 1e3));
+        }
+      } catch (NumberFormatException e) {
+        throw new IllegalArgumentException(option + " needs a number of seconds, not '" + text + "'", e);
+      }
+      throw new IllegalArgumentException(option + " needs a number of seconds from 0, not '" + text + "'");
+    }
+  }
+}

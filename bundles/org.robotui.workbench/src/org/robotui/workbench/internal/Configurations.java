@@ -1,0 +1,103 @@
+package org.robotui.workbench.internal;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.BiConsumer;
+import org.robotui.api.host.Host;
+import org.robotui.api.host.Problem;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Reads configurations off the display thread and keeps what is wrong with them. Display thread only. */
+public final class Configurations implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Configurations.class);
+
+  private final Host host;
+  private final Executor display;
+  private final BiConsumer<Path, List<Problem>> loaded;
+  private final Map<Path, List<Problem>> problems = new LinkedHashMap<>();
+  private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+  private final ExecutorService worker = Executors.newSingleThreadExecutor(
+      Thread.ofPlatform().daemon().name("robotui-load").factory());
+
+  /**
+   * Reads nothing yet.
+   *
+   * @param host the core
+   * @param display runs tasks on the display thread
+   * @param loaded is told on the display thread after each file
+   */
+  public Configurations(Host host, Executor display, BiConsumer<Path, List<Problem>> loaded) {
+    this.host = host;
+    this.display = display;
+    this.loaded = loaded;
+  }
+
+  /** Reads a file and adds its RUICs. */
+  public void load(Path file) {
+    worker.execute(() -> {
+      List<Problem> found = read(file);
+      display.execute(() -> done(file, found));
+    });
+  }
+
+  /** What is wrong, in the order of the files. */
+  public List<Problem> problems() {
+    List<Problem> all = new ArrayList<>();
+    problems.values().forEach(all::addAll);
+    return all;
+  }
+
+  /** Reads the files again that have problems. */
+  public void reload() {
+    List.copyOf(problems.keySet()).forEach(this::load);
+  }
+
+  /** Forgets the problems. */
+  public void forget() {
+    problems.clear();
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Has something run when the problems change; running the result ends that. */
+  public Runnable onChange(Runnable listener) {
+    listeners.add(listener);
+    return () -> listeners.remove(listener);
+  }
+
+  @Override
+  public void close() {
+    worker.shutdownNow();
+  }
+
+  private List<Problem> read(Path file) {
+    if (!Files.isReadable(file)) {
+      String why = Files.exists(file) ? "the file cannot be read" : "there is no such file";
+      return List.of(new Problem(file.toString(), 0, 0, Problem.Severity.ERROR, why));
+    }
+    try {
+      return host.load(file);
+    } catch (RuntimeException e) {
+      LOG.error("{} could not be loaded", file, e);
+      return List.of(new Problem(file.toString(), 0, 0, Problem.Severity.ERROR, "it could not be loaded: " + e));
+    }
+  }
+
+  private void done(Path file, List<Problem> found) {
+    if (found.isEmpty()) {
+      problems.remove(file);
+    } else {
+      problems.put(file, found);
+    }
+    loaded.accept(file, found);
+    listeners.forEach(Runnable::run);
+  }
+}

@@ -1,0 +1,191 @@
+package org.robotui.workbench.internal;
+
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.eclipse.swt.widgets.Display;
+import org.robotui.api.command.Authority;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.Host;
+import org.robotui.api.host.Problem;
+import org.robotui.api.host.Ruic;
+import org.robotui.workbench.internal.display.HostHub;
+import org.robotui.workbench.internal.model.WindowModel;
+import org.robotui.workbench.internal.model.Windows;
+
+/** What all windows of one run of the workbench share. Display thread only. */
+public final class Session {
+  private static final int REFRESH_MILLIS = 250;
+
+  private final Host host;
+  private final Principal user;
+  private final Display display;
+  private final Arguments arguments;
+  private final UserState state;
+  private final Look look;
+  private final HostHub hub;
+  private final Windows windows;
+  private final Map<Object, WindowModel> models = new HashMap<>();
+  private final Map<String, Map<String, int[]>> shares = new HashMap<>();
+  private final List<Runnable> refreshers = new CopyOnWriteArrayList<>();
+  private final Configurations configurations;
+  private String lastAlert = "";
+
+  /**
+   * Starts to follow the core.
+   *
+   * @param host the core, open already
+   * @param user as whom the user acts
+   * @param display the display
+   * @param arguments what the command line asks
+   * @param state what was kept
+   * @param look the theme
+   */
+  public Session(Host host, Principal user, Display display, Arguments arguments, UserState state, Look look) {
+    this.host = host;
+    this.user = user;
+    this.display = display;
+    this.arguments = arguments;
+    this.state = state;
+    this.look = look;
+    windows = new Windows(host);
+    hub = new HostHub(host, this::later);
+    configurations = new Configurations(host, this::later, this::loaded);
+    hub.add(new HostHub.Client() {
+      @Override
+      public void ruicsChanged() {
+        windows.ruicsChanged();
+        refresh();
+      }
+
+      @Override
+      public void alert(String ruic, String message) {
+        lastAlert = ruic.isEmpty() ? message : ruic + ": " + message;
+      }
+    });
+    display.timerExec(REFRESH_MILLIS, this::periodic);
+  }
+
+  /** The core. */
+  public Host host() {
+    return host;
+  }
+
+  /** As whom the user acts. */
+  public Principal user() {
+    return user;
+  }
+
+  /** What the command line asks. */
+  public Arguments arguments() {
+    return arguments;
+  }
+
+  /** What is kept from run to run. */
+  public UserState state() {
+    return state;
+  }
+
+  /** The theme. */
+  public Look look() {
+    return look;
+  }
+
+  /** What core tells, on the display thread. */
+  public HostHub hub() {
+    return hub;
+  }
+
+  /** What the windows show. */
+  public Windows windows() {
+    return windows;
+  }
+
+  /** Reads configurations. */
+  public Configurations configurations() {
+    return configurations;
+  }
+
+  /** How the user divided splits, by RUIC and place. */
+  public Map<String, Map<String, int[]>> shares() {
+    return shares;
+  }
+
+  /** What went wrong last, empty for nothing. */
+  public String lastAlert() {
+    return lastAlert;
+  }
+
+  /** What a window of the platform shows. */
+  public WindowModel model(Object window) {
+    return models.computeIfAbsent(window, w -> windows.open());
+  }
+
+  /** A window of the platform has closed. */
+  public void closed(Object window) {
+    Optional.ofNullable(models.remove(window)).ifPresent(windows::close);
+  }
+
+  /** Finds a RUIC. */
+  public Optional<Ruic> ruic(String name) {
+    return host.ruics().stream().filter(r -> r.name().equals(name)).findFirst();
+  }
+
+  /** Has something run four times a second, and when RUICs or selections change. Running the result ends that. */
+  public Runnable onRefresh(Runnable refresher) {
+    refreshers.add(refresher);
+    return () -> refreshers.remove(refresher);
+  }
+
+  /** Shows what is true now. */
+  public void refresh() {
+    refreshers.forEach(Runnable::run);
+  }
+
+  /** Stops all robots. */
+  public void stop() {
+    host.stopAll(user);
+    refresh();
+  }
+
+  /** Releases the stop of all robots. */
+  public void release() {
+    authorities().stream().filter(a -> a.stoppedBy().isPresent()).forEach(a -> a.releaseStop(user));
+    refresh();
+  }
+
+  /** Whether any robot is stopped. */
+  public boolean isStopped() {
+    return authorities().stream().anyMatch(a -> a.stoppedBy().isPresent());
+  }
+
+  /** Ends following the core. */
+  public void close() {
+    hub.close();
+    configurations.close();
+  }
+
+  private List<Authority> authorities() {
+    return host.ruics().stream().flatMap(r -> r.authorities().stream()).toList();
+  }
+
+  private void loaded(Path file, List<Problem> problems) {
+    windows.ruicsChanged();
+    models.values().stream().filter(m -> m.selected().isEmpty()).findFirst().ifPresent(windows::fill);
+    refresh();
+  }
+
+  private void later(Runnable task) {
+    if (!display.isDisposed()) {
+      display.asyncExec(task);
+    }
+  }
+
+  private void periodic() {
+    refresh();
+    display.timerExec(REFRESH_MILLIS, this::periodic);
+  }
+}

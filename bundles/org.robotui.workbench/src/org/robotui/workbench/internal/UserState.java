@@ -1,0 +1,76 @@
+package org.robotui.workbench.internal;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Optional;
+import java.util.Properties;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** What the workbench keeps from one run to the next. A file that cannot be read or written is no reason to stop. */
+public final class UserState {
+  private static final Logger LOG = LoggerFactory.getLogger(UserState.class);
+  private static final String FILE = "workbench.properties";
+
+  private final Path folder;
+  private final Properties values = new Properties();
+
+  /** Reads what was kept in a folder. */
+  public UserState(Path folder) {
+    this.folder = folder;
+    read();
+  }
+
+  /** The folder of this user: a system property, else what the XDG base directories say. */
+  public static Path usualFolder() {
+    return Optional.ofNullable(System.getProperty("robotui.state")).map(Path::of)
+        .or(() -> Optional.ofNullable(System.getenv("XDG_STATE_HOME")).map(home -> Path.of(home, "robotui")))
+        .orElseGet(() -> Path.of(System.getProperty("user.home"), ".local", "state", "robotui"));
+  }
+
+  /** A value, if it was kept. */
+  public Optional<String> get(String name) {
+    return Optional.ofNullable(values.getProperty(name));
+  }
+
+  /** Keeps a value; the file is small and written at once. */
+  public void put(String name, String value) {
+    if (!value.equals(values.setProperty(name, value))) {
+      write();
+    }
+  }
+
+  /** The folder in which it is kept. */
+  public Path folder() {
+    return folder;
+  }
+
+  private void read() {
+    Path file = folder.resolve(FILE);
+    if (Files.exists(file)) {
+      try (InputStream in = Files.newInputStream(file)) {
+        values.load(in);
+      } catch (IOException | IllegalArgumentException e) {
+        LOG.warn("{} cannot be read, the usual values are taken", file, e);
+      }
+    }
+  }
+
+  private void write() {
+    Path file = folder.resolve(FILE);
+    try {
+      Files.createDirectories(folder);
+      Path next = Files.createTempFile(folder, FILE, ".new");
+      try (OutputStream out = Files.newOutputStream(next)) {
+        values.store(out, null);
+      }
+      Files.move(next, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    } catch (IOException e) {
+      LOG.warn("{} cannot be written", file, e);
+    }
+  }
+}

@@ -1,0 +1,129 @@
+package org.robotui.workbench.internal;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.eclipse.equinox.app.IApplication;
+import org.eclipse.equinox.app.IApplicationContext;
+import org.eclipse.swt.widgets.Display;
+import org.eclipse.ui.IWorkbench;
+import org.eclipse.ui.PlatformUI;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.Host;
+import org.robotui.ui.Themes;
+import org.robotui.workbench.internal.display.Heartbeat;
+import org.robotui.workbench.internal.display.StopKeys;
+import org.robotui.workbench.internal.rcp.PlatformTheme;
+import org.robotui.workbench.internal.rcp.RobotWorkbenchAdvisor;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The workbench. Exit codes: 0 fine, 3 wrong arguments, 4 the core did not start. */
+public final class WorkbenchApplication implements IApplication {
+  /** How long the end may take, also when a robot hangs. */
+  private static final Duration CLOSE_LIMIT = Duration.ofMillis(1500);
+  private static final Duration CORE_LIMIT = Duration.ofSeconds(10);
+  private static final int WRONG_ARGUMENTS = 3;
+  private static final int NO_CORE = 4;
+  private static final String THEME = "theme";
+  private static final Logger LOG = LoggerFactory.getLogger(WorkbenchApplication.class);
+  private static final Principal USER = new Principal("workbench", "You", Principal.Kind.WINDOW);
+
+  @Override
+  public Object start(IApplicationContext context) throws InterruptedException {
+    String[] words = (String[]) context.getArguments().get(IApplicationContext.APPLICATION_ARGS);
+    try {
+      return start(Arguments.parse(words));
+    } catch (IllegalArgumentException e) {
+      System.err.println(e.getMessage());
+      return WRONG_ARGUMENTS;
+    }
+  }
+
+  @Override
+  public void stop() {
+    if (PlatformUI.isWorkbenchRunning()) {
+      IWorkbench workbench = PlatformUI.getWorkbench();
+      workbench.getDisplay().asyncExec(workbench::close);
+    }
+  }
+
+  private static Object start(Arguments arguments) throws InterruptedException {
+    Optional<Host> host = WorkbenchServices.host(CORE_LIMIT);
+    if (host.isEmpty()) {
+      System.err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
+      return NO_CORE;
+    }
+    Display.setAppName("RobotUI");
+    Display display = PlatformUI.createDisplay();
+    try {
+      return run(host.get(), display, arguments);
+    } finally {
+      display.dispose();
+    }
+  }
+
+  private static Object run(Host host, Display display, Arguments arguments) {
+    UserState state = new UserState(UserState.usualFolder());
+    String theme = arguments.theme().or(() -> state.get(THEME)).orElse(Themes.DARK);
+    host.open(Surface.WINDOW, USER);
+    try (Look look = new Look(display, theme, new PlatformTheme(display)::set)) {
+      Session session = new Session(host, USER, display, arguments, state, look);
+      look.onChange(() -> state.put(THEME, look.theme().id()));
+      return run(session, display);
+    }
+  }
+
+  private static Object run(Session session, Display display) {
+    Runnable withdraw = WorkbenchServices.publish(session);
+    CountDownLatch ended = new CountDownLatch(1);
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(display, ended), "robotui-stop"));
+    try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
+        StopKeys keys = new StopKeys(display, session::stop)) {
+      int code = PlatformUI.createAndRunWorkbench(display, new RobotWorkbenchAdvisor(session));
+      return code == PlatformUI.RETURN_RESTART ? EXIT_RESTART : EXIT_OK;
+    } finally {
+      session.close();
+      end(session.host(), display);
+      withdraw.run();
+      ended.countDown();
+    }
+  }
+
+  /** The windows have gone; what we drive is stopped on a worker while the display still serves those who wait for it. */
+  private static void end(Host host, Display display) {
+    CompletableFuture<Void> ended = CompletableFuture.runAsync(
+        () -> host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left)),
+        task -> Thread.ofPlatform().daemon().name("robotui-close").start(task));
+    ended.whenComplete((nothing, failure) -> wake(display));
+    while (!ended.isDone()) {
+      if (!display.readAndDispatch()) {
+        display.sleep();
+      }
+    }
+    if (ended.isCompletedExceptionally()) {
+      LOG.error("the core could not be closed", ended.exceptionNow());
+    }
+  }
+
+  private static void wake(Display display) {
+    if (!display.isDisposed()) {
+      display.wake();
+    }
+  }
+
+  /** Ctrl-C and SIGTERM: the process lives until the robots are stopped. */
+  private static void onSignal(Display display, CountDownLatch ended) {
+    try {
+      if (ended.getCount() > 0 && !display.isDisposed() && PlatformUI.isWorkbenchRunning()) {
+        display.asyncExec(PlatformUI.getWorkbench()::close);
+        ended.await(CLOSE_LIMIT.toMillis() + 400, TimeUnit.MILLISECONDS);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,52 @@
+package org.robotui.workbench.internal;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.eclipse.e4.ui.css.swt.theme.IThemeManager;
+import org.osgi.framework.BundleContext;
+import org.osgi.framework.FrameworkUtil;
+import org.osgi.util.tracker.ServiceTracker;
+import org.robotui.api.host.Host;
+
+/**
+ * The one place that asks OSGi for services. What the extension registry creates (the application, parts, handlers) gets
+ * nothing injected; it asks here, and hands on by constructors.
+ */
+public final class WorkbenchServices {
+  private WorkbenchServices() {}
+
+  /** Waits for the core, which may start after the application. */
+  public static Optional<Host> host(Duration limit) throws InterruptedException {
+    ServiceTracker<Host, Host> tracker = new ServiceTracker<>(context(), Host.class, null);
+    tracker.open();
+    try {
+      return Optional.ofNullable(tracker.waitForService(limit.toMillis()));
+    } finally {
+      tracker.close();
+    }
+  }
+
+  /** Makes the session of the running application known to parts and handlers. */
+  public static Runnable publish(Session session) {
+    return context().registerService(Session.class, session, null)::unregister;
+  }
+
+  /** The session of the running application. */
+  public static Session session() {
+    return service(Session.class)
+        .orElseThrow(() -> new IllegalStateException("the workbench was not started by its application"));
+  }
+
+  /** The engine of style sheets. */
+  public static Optional<IThemeManager> themes() {
+    return service(IThemeManager.class);
+  }
+
+  private static <S> Optional<S> service(Class<S> type) {
+    return Optional.ofNullable(context().getServiceReference(type)).map(context()::getService);
+  }
+
+  private static BundleContext context() {
+    return FrameworkUtil.getBundle(WorkbenchServices.class).getBundleContext();
+  }
+}

@@ -1,0 +1,31 @@
+package org.robotui.workbench.internal.model;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.command.Authority;
+import org.robotui.api.command.Principal;
+import org.robotui.ui.Health;
+
+/**
+ * Who drives the robot that a window shows, and whether it is stopped.
+ *
+ * @param health the dot
+ * @param words for example {@code You drive Keira}
+ */
+public record Lease(Health health, String words) {
+  /** Reads the authorities of a robot, or of none. */
+  public static Lease of(List<Authority> authorities, Principal user) {
+    Optional<Authority> stopped = authorities.stream().filter(a -> a.stoppedBy().isPresent()).findFirst();
+    if (stopped.isPresent()) {
+      return new Lease(Health.BAD, "Stopped by " + stopped.get().stoppedBy().map(Principal::label).orElse("somebody"));
+    }
+    return authorities.isEmpty() ? new Lease(Health.NONE, "Nothing to drive") : of(authorities.getFirst(), user);
+  }
+
+  private static Lease of(Authority authority, Principal user) {
+    return authority.holder().map(holder -> holder.equals(user)
+            ? new Lease(Health.OK, "You drive " + authority.robot())
+            : new Lease(Health.WARNING, holder.label() + " drives " + authority.robot()))
+        .orElse(new Lease(Health.WAITING, "Nobody drives " + authority.robot()));
+  }
+}

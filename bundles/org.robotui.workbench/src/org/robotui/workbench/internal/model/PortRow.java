@@ -1,0 +1,94 @@
+package org.robotui.workbench.internal.model;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import org.robotui.api.host.Match;
+import org.robotui.api.host.MatchState;
+import org.robotui.api.host.PortStatus;
+import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.PortKind;
+import org.robotui.ui.Figures;
+import org.robotui.ui.Health;
+
+/**
+ * A port in the navigator.
+ *
+ * @param name the port
+ * @param health the dot
+ * @param figure rate and age, or a word
+ * @param hint all that is known, for the tooltip
+ */
+public record PortRow(String name, Health health, String figure, String hint) {
+  /** What views want first, then what they miss, then what nobody looks at. */
+  public static List<PortRow> of(RuicSnapshot ruic) {
+    Stream<PortRow> wanted = streams(ruic, true).map(PortRow::wanted);
+    Stream<PortRow> missing = ruic.matches().stream().filter(PortRow::isMissed).map(PortRow::missing);
+    Stream<PortRow> offered = streams(ruic, false).map(PortRow::offered);
+    return Stream.of(wanted, missing, offered).flatMap(s -> s).toList();
+  }
+
+  private static Stream<PortStatus> streams(RuicSnapshot ruic, boolean wanted) {
+    return ruic.ports().stream()
+        .filter(p -> p.kind() == PortKind.STREAM && p.wanted() == wanted)
+        .sorted(Comparator.comparing(p -> p.port().port()));
+  }
+
+  private static PortRow wanted(PortStatus port) {
+    return new PortRow(shown(port.port().port()), health(port), figure(port), hint(port));
+  }
+
+  private static PortRow offered(PortStatus port) {
+    return new PortRow(shown(port.port().port()), Health.NONE, port.typeName(), hint(port));
+  }
+
+  private static boolean isMissed(Match match) {
+    return match.kind() == PortKind.STREAM && match.arity() == Arity.ONE && match.state() != MatchState.CONNECTED;
+  }
+
+  private static PortRow missing(Match match) {
+    String word = switch (match.state()) {
+      case PENDING -> "not offered yet";
+      case AMBIGUOUS -> "choose one";
+      case REFUSED, CONNECTED -> "not offered";
+    };
+    Health health = match.state() == MatchState.AMBIGUOUS ? Health.WARNING : Health.NONE;
+    return new PortRow(match.port().toString(), health, word, match.port() + " (" + match.typeName() + ")\n" + match.reason());
+  }
+
+  private static Health health(PortStatus port) {
+    if (!port.problem().isEmpty()) {
+      return Health.BAD;
+    }
+    if (port.stale()) {
+      return Health.STALE;
+    }
+    return port.count() == 0 ? Health.WAITING : Health.OK;
+  }
+
+  private static String figure(PortStatus port) {
+    if (!port.problem().isEmpty()) {
+      return "failed";
+    }
+    if (port.count() == 0) {
+      return "waiting";
+    }
+    if (port.stale()) {
+      return "stale " + Figures.age(port.ageSeconds());
+    }
+    return port.rateHz() > 0 ? Figures.rate(port.rateHz()) + "  " + Figures.age(port.ageSeconds()) : "event";
+  }
+
+  private static String hint(PortStatus port) {
+    String head = port.port() + " (" + port.typeName() + ")";
+    String figures = Figures.rate(port.rateHz()) + ", age " + Figures.age(port.ageSeconds())
+        + ", " + port.count() + " values, " + port.dropped() + " dropped";
+    String said = port.problem().isEmpty() ? port.value() : port.problem();
+    return head + "\n" + figures + (said.isEmpty() ? "" : "\n" + said);
+  }
+
+  private static String shown(String port) {
+    return port.startsWith("/") ? port.substring(1) : port;
+  }
+}

@@ -1,0 +1,45 @@
+package org.robotui.workbench.internal.model;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.robotui.api.host.Ruic;
+
+/** Which RUIC a window shows. Display thread only. */
+public final class WindowModel {
+  private final String window;
+  private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+  private Optional<Ruic> selected = Optional.empty();
+
+  WindowModel(String window) {
+    this.window = window;
+  }
+
+  /** The name of the window for core. */
+  public String window() {
+    return window;
+  }
+
+  /** What it shows. */
+  public Optional<Ruic> selected() {
+    return selected;
+  }
+
+  /** Whether it shows a certain RUIC. */
+  public boolean shows(Ruic ruic) {
+    return selected.filter(s -> s == ruic).isPresent();
+  }
+
+  /** Has something run after each change of the selection. */
+  public Runnable onChange(Runnable listener) {
+    listeners.add(listener);
+    return () -> listeners.remove(listener);
+  }
+
+  void show(Optional<Ruic> next) {
+    if (!next.equals(selected)) {
+      selected = next;
+      listeners.forEach(Runnable::run);
+    }
+  }
+}

@@ -1,0 +1,132 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Menu;
+import org.eclipse.swt.widgets.MenuItem;
+import org.eclipse.swt.widgets.Shell;
+import org.eclipse.swt.widgets.Table;
+import org.eclipse.swt.widgets.TableColumn;
+import org.eclipse.swt.widgets.TableItem;
+import org.robotui.api.host.Match;
+import org.robotui.api.host.MatchState;
+import org.robotui.api.host.Ruic;
+import org.robotui.api.port.SourceId;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+
+/**
+ * Every connection of a RUIC, and why it is as it is. The context menu of a port connects it to one of those that fit.
+ * Display thread only.
+ */
+public final class ConnectionsDialog {
+  private static final int REFRESH_MILLIS = 500;
+  private static final int[] WIDTHS = {110, 180, 130, 200, 420};
+  private static final String[] TITLES = {"State", "View port", "Type", "Robot port", "Why"};
+
+  private final Theme theme;
+  private final Ruic ruic;
+  private final Shell shell;
+  private final Table table;
+  private List<Match> shown = List.of();
+
+  /** Makes the window. */
+  public ConnectionsDialog(Shell parent, Theme theme, Ruic ruic) {
+    this.theme = theme;
+    this.ruic = ruic;
+    shell = new Shell(parent, SWT.DIALOG_TRIM | SWT.RESIZE);
+    shell.setText("Connections of " + ruic.name());
+    shell.setLayout(new FillLayout());
+    shell.setBackground(theme.color(Role.PANEL));
+    table = new Table(shell, SWT.FULL_SELECTION | SWT.SINGLE);
+    table.setHeaderVisible(true);
+    table.setBackground(theme.color(Role.PANEL));
+    table.setForeground(theme.color(Role.TEXT));
+    table.setHeaderBackground(theme.color(Role.TITLE));
+    table.setHeaderForeground(theme.color(Role.DIM));
+    columns();
+    table.addListener(SWT.MenuDetect, e -> contextMenu());
+    shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
+    place(parent.getBounds());
+  }
+
+  /** Shows it and keeps it up to date until it is closed. */
+  public void open() {
+    refresh();
+    shell.open();
+  }
+
+  private void columns() {
+    for (int i = 0; i < TITLES.length; i++) {
+      TableColumn column = new TableColumn(table, SWT.LEFT);
+      column.setText(TITLES[i]);
+      column.setWidth(WIDTHS[i]);
+    }
+  }
+
+  private void place(Rectangle parent) {
+    int width = Math.min(1080, parent.width - 40);
+    int height = Math.min(520, parent.height - 80);
+    shell.setBounds(parent.x + (parent.width - width) / 2, parent.y + (parent.height - height) / 2, width, height);
+  }
+
+  private void refresh() {
+    if (shell.isDisposed()) {
+      return;
+    }
+    List<Match> now = ruic.snapshot().matches();
+    if (!now.equals(shown)) {
+      shown = List.copyOf(now);
+      fill();
+    }
+    shell.getDisplay().timerExec(REFRESH_MILLIS, this::refresh);
+  }
+
+  private void fill() {
+    table.setItemCount(shown.size());
+    for (int i = 0; i < shown.size(); i++) {
+      Match match = shown.get(i);
+      TableItem item = table.getItem(i);
+      item.setText(new String[] {word(match.state()), match.port().toString(), match.typeName(), names(match.peers()),
+          match.reason()});
+      item.setForeground(0, theme.color(role(match.state())));
+    }
+  }
+
+  private void contextMenu() {
+    int index = table.getSelectionIndex();
+    if (index < 0 || shown.get(index).candidates().isEmpty()) {
+      return;
+    }
+    Match match = shown.get(index);
+    Menu menu = new Menu(table);
+    for (SourceId candidate : match.candidates()) {
+      MenuItem item = new MenuItem(menu, SWT.PUSH);
+      item.setText("Connect to " + candidate);
+      item.addListener(SWT.Selection, e -> ruic.connect(match.port(), candidate));
+    }
+    menu.addListener(SWT.Hide, e -> table.getDisplay().asyncExec(menu::dispose));
+    menu.setVisible(true);
+  }
+
+  private static Role role(MatchState state) {
+    return switch (state) {
+      case CONNECTED -> Role.GOOD;
+      case AMBIGUOUS -> Role.WARNING;
+      case REFUSED -> Role.BAD;
+      case PENDING -> Role.DIM;
+    };
+  }
+
+  private static String word(MatchState state) {
+    return state.name().toLowerCase(Locale.ROOT);
+  }
+
+  private static String names(List<SourceId> ids) {
+    return ids.stream().map(SourceId::toString).collect(Collectors.joining(", "));
+  }
+}

@@ -1,0 +1,172 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.ScrolledComposite;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Menu;
+import org.eclipse.swt.widgets.MenuItem;
+import org.robotui.api.host.RuicSnapshot;
+import org.robotui.ui.Face;
+import org.robotui.ui.Icon;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+import org.robotui.ui.control.QuietButton;
+import org.robotui.workbench.internal.model.PortRow;
+import org.robotui.workbench.internal.model.RobotRow;
+
+/** All robots, and the ports of the selected one. Display thread only. */
+public final class Navigator extends Composite {
+  /** What the navigator does; robots are named. */
+  public interface Actions {
+    /** Lets the user choose a configuration and loads it. */
+    void open();
+
+    /** Shows a robot in this window. */
+    void select(String ruic);
+
+    /** Shows it no more. */
+    void unselect(String ruic);
+
+    /** Starts it anew. */
+    void restart(String ruic);
+
+    /** Takes it away. */
+    void remove(String ruic);
+
+    /** Shows what is connected, and why. */
+    void connections(String ruic);
+  }
+
+  private static final int HEADING = 36;
+
+  private final Theme theme;
+  private final Actions actions;
+  private final RobotList robots;
+  private final Words portsHeading;
+  private final PortList ports;
+  private final ScrolledComposite scroller;
+  private String selected = "";
+
+  /** Makes an empty navigator. */
+  public Navigator(Composite parent, Theme theme, Actions actions) {
+    super(parent, SWT.NONE);
+    this.theme = theme;
+    this.actions = actions;
+    setBackground(theme.color(Role.PANEL));
+    GridLayout layout = new GridLayout(1, false);
+    layout.marginWidth = 0;
+    layout.marginHeight = 0;
+    layout.verticalSpacing = 0;
+    setLayout(layout);
+    heading("ROBOTS");
+    robots = new RobotList(this, theme, actions::select);
+    robots.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
+    robots.addListener(SWT.MenuDetect, e -> contextMenu());
+    addButton();
+    portsHeading = heading("");
+    scroller = new ScrolledComposite(this, SWT.V_SCROLL);
+    ports = new PortList(scroller, theme);
+    scroll();
+  }
+
+  /** Shows robots and the ports of the selected one. */
+  public void show(List<RuicSnapshot> ruics, Optional<String> shown) {
+    selected = shown.orElse("");
+    robots.show(ruics.stream().map(RobotRow::of).toList(), selected);
+    Optional<RuicSnapshot> chosen = ruics.stream().filter(r -> r.name().equals(selected)).findFirst();
+    portsHeading.show(Role.DIM, chosen.map(r -> r.name().toUpperCase(Locale.ROOT) + " \u00b7 PORTS").orElse(""));
+    ports.show(chosen.map(PortRow::of).orElse(List.of()));
+    int height = ports.computeSize(SWT.DEFAULT, SWT.DEFAULT).y;
+    if (scroller.getMinHeight() != height) {
+      scroller.setMinHeight(height);
+      layout(true);
+    }
+  }
+
+  /** The list of robots. */
+  public RobotList robots() {
+    return robots;
+  }
+
+  @Override
+  public boolean setFocus() {
+    return robots.setFocus();
+  }
+
+  private Words heading(String text) {
+    Words words = new Words(this, theme, Face.SMALL_STRONG, Role.DIM, text);
+    GridData data = new GridData(SWT.FILL, SWT.TOP, true, false);
+    data.heightHint = HEADING;
+    data.horizontalIndent = Theme.EDGE + 2;
+    words.setLayoutData(data);
+    return words;
+  }
+
+  private void addButton() {
+    QuietButton button = new QuietButton(this, theme, actions::open).icon(Icon.PLUS).text("Open configuration\u2026")
+        .hint("Open a configuration file and add its robots");
+    GridData data = new GridData(SWT.BEGINNING, SWT.TOP, true, false);
+    data.verticalIndent = 2 * Theme.STEP;
+    button.setLayoutData(data);
+    Words gap = new Words(this, theme, Face.SMALL, Role.DIM, "");
+    gap.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+  }
+
+  private void scroll() {
+    GridData data = new GridData(SWT.FILL, SWT.END, true, false);
+    scroller.setLayoutData(data);
+    scroller.setBackground(theme.color(Role.PANEL));
+    scroller.setExpandHorizontal(true);
+    scroller.setExpandVertical(true);
+    scroller.setContent(ports);
+    addListener(SWT.Resize, e -> layout(true));
+    limitPorts();
+  }
+
+  /** At most half of the navigator. */
+  private void limitPorts() {
+    GridData data = (GridData) scroller.getLayoutData();
+    int wanted = ports.computeSize(SWT.DEFAULT, SWT.DEFAULT).y + 2 * Theme.STEP;
+    data.heightHint = Math.min(wanted, Math.max(0, getSize().y / 2));
+  }
+
+  @Override
+  public void layout(boolean changed) {
+    if (ports != null && !ports.isDisposed()) {
+      limitPorts();
+    }
+    super.layout(changed);
+  }
+
+  private void contextMenu() {
+    Menu menu = new Menu(this);
+    item(menu, "Open configuration\u2026", actions::open);
+    robots.pointed().map(RobotRow::name).ifPresent(name -> robotItems(menu, name));
+    menu.addListener(SWT.Hide, e -> getDisplay().asyncExec(menu::dispose));
+    menu.setVisible(true);
+  }
+
+  private void robotItems(Menu menu, String name) {
+    new MenuItem(menu, SWT.SEPARATOR);
+    if (name.equals(selected)) {
+      item(menu, "Unselect", () -> actions.unselect(name));
+    } else {
+      item(menu, "Select", () -> actions.select(name));
+    }
+    item(menu, "Show connections", () -> actions.connections(name));
+    item(menu, "Restart", () -> actions.restart(name));
+    new MenuItem(menu, SWT.SEPARATOR);
+    item(menu, "Remove", () -> actions.remove(name));
+  }
+
+  private static void item(Menu menu, String label, Runnable action) {
+    MenuItem item = new MenuItem(menu, SWT.PUSH);
+    item.setText(label);
+    item.addListener(SWT.Selection, e -> action.run());
+  }
+}

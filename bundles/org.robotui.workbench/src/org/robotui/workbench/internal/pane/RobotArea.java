@@ -1,0 +1,145 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.host.Problem;
+import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.host.RuicState;
+import org.robotui.api.layout.Layout;
+import org.robotui.ui.Health;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+
+/**
+ * Most of a window: the views of the selected robot, or why there are none and what would help; above them what is wrong
+ * with a configuration. Display thread only.
+ */
+public final class RobotArea extends Composite {
+  /** What can be done here. */
+  public interface Actions {
+    /** Lets the user choose a configuration and loads it. */
+    void open();
+
+    /** Starts the selected robot's interface anew. */
+    void restart(Ruic ruic);
+
+    /** Reads the configuration with the problems again. */
+    void reload();
+
+    /** The user has seen the problems. */
+    void closeProblems();
+  }
+
+  private final Theme theme;
+  private final Actions actions;
+  private final Map<String, Map<String, int[]>> shares;
+  private Optional<ProblemsPane> problems = Optional.empty();
+  private Optional<RuicSurface> surface = Optional.empty();
+  private Optional<Layout> built = Optional.empty();
+  private Optional<Control> message = Optional.empty();
+  private String said = "";
+
+  /**
+   * Makes an area that shows nothing yet.
+   *
+   * @param parent the parent
+   * @param theme colours and fonts
+   * @param shares how the user divided splits, by RUIC and place; outlives the area
+   * @param actions what can be done
+   */
+  public RobotArea(Composite parent, Theme theme, Map<String, Map<String, int[]>> shares, Actions actions) {
+    super(parent, SWT.NONE);
+    this.theme = theme;
+    this.shares = shares;
+    this.actions = actions;
+    setBackground(theme.color(Role.PANEL));
+    GridLayout layout = new GridLayout(1, false);
+    layout.marginWidth = 0;
+    layout.marginHeight = 0;
+    layout.verticalSpacing = 0;
+    setLayout(layout);
+  }
+
+  /** Shows problems above the views; none takes the panel away. */
+  public void problems(List<Problem> found) {
+    problems.ifPresent(Control::dispose);
+    problems = found.isEmpty() ? Optional.empty()
+        : Optional.of(new ProblemsPane(this, theme, found, actions::reload, actions::closeProblems));
+    problems.ifPresent(p -> {
+      p.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
+      p.moveAbove(null);
+    });
+    layout(true);
+  }
+
+  /** Shows a RUIC as it is now. */
+  public void show(Optional<Ruic> ruic) {
+    if (ruic.isEmpty()) {
+      say(Health.NONE, "No robot is selected", "Select a robot at the left, or open a configuration that names one.",
+          List.of(new MessagePane.Choice("Open configuration\u2026", actions::open)));
+    } else {
+      show(ruic.get(), ruic.get().snapshot());
+    }
+  }
+
+  /** The surface of the RUIC that is shown. */
+  public Optional<RuicSurface> surface() {
+    return surface;
+  }
+
+  @Override
+  public boolean setFocus() {
+    return surface.map(RuicSurface::setFocus).orElseGet(super::setFocus);
+  }
+
+  private void show(Ruic ruic, RuicSnapshot now) {
+    if (now.state() == RuicState.FAILED) {
+      say(Health.BAD, ruic.name() + " failed", now.reason(),
+          List.of(new MessagePane.Choice("Restart", () -> actions.restart(ruic))));
+    } else if (now.state() == RuicState.ADDED || now.state() == RuicState.SHUT_DOWN) {
+      say(Health.WAITING, ruic.name() + (now.state() == RuicState.ADDED ? " is starting" : " has ended"), "", List.of());
+    } else if (surface.filter(s -> s.ruic() == ruic).isPresent() && built.equals(Optional.of(ruic.layout()))) {
+      surface.get().showInstances();
+    } else {
+      build(ruic);
+    }
+  }
+
+  private void build(Ruic ruic) {
+    clear();
+    built = Optional.of(ruic.layout());
+    RuicSurface next = new RuicSurface(this, theme, ruic, shares.computeIfAbsent(ruic.name(), n -> new HashMap<>()));
+    next.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+    surface = Optional.of(next);
+    layout(true);
+  }
+
+  private void say(Health health, String title, String sentence, List<MessagePane.Choice> choices) {
+    String words = title + "\n" + sentence;
+    if (message.isEmpty() || !said.equals(words)) {
+      clear();
+      said = words;
+      MessagePane pane = new MessagePane(this, theme, health, title, sentence, choices);
+      pane.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+      message = Optional.of(pane);
+      layout(true);
+    }
+  }
+
+  private void clear() {
+    surface.ifPresent(Control::dispose);
+    message.ifPresent(Control::dispose);
+    surface = Optional.empty();
+    message = Optional.empty();
+    built = Optional.empty();
+    said = "";
+  }
+}

@@ -1,0 +1,111 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.SashForm;
+import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.robotui.api.host.Ruic;
+import org.robotui.api.layout.Layout;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+
+/** The views of one RUIC, laid out as its abstract layout says. Display thread only. */
+public final class RuicSurface extends Composite {
+  private static final int SASH = 3;
+  private static final double UNITS = 1000;
+
+  private final Theme theme;
+  private final Ruic ruic;
+  private final Map<String, int[]> shares;
+  private final Map<String, SashForm> sashes = new HashMap<>();
+  private final List<ViewStack> stacks = new ArrayList<>();
+
+  /**
+   * Makes the controls of all views that are seen.
+   *
+   * @param parent the parent
+   * @param theme colours and fonts
+   * @param ruic whose views
+   * @param shares how the user divided the splits before, by their place in the layout; kept up to date
+   */
+  public RuicSurface(Composite parent, Theme theme, Ruic ruic, Map<String, int[]> shares) {
+    super(parent, SWT.NONE);
+    this.theme = theme;
+    this.ruic = ruic;
+    this.shares = shares;
+    setBackground(theme.color(Role.PANEL));
+    setLayout(new FillLayout());
+    build(this, ruic.layout(), "0");
+    addListener(SWT.Dispose, e -> keepShares());
+  }
+
+  /** The RUIC that it shows. */
+  public Ruic ruic() {
+    return ruic;
+  }
+
+  /** Shows the instances that run now; called when the RUIC changed. */
+  public void showInstances() {
+    stacks.forEach(ViewStack::showInstances);
+  }
+
+  /** Has a view show what its last ticks prepared. */
+  public void refresh(String uic) {
+    stacks.forEach(s -> s.refresh(uic));
+  }
+
+  /** Takes the view out whose code took part in a failure on the display thread; false where no view did. */
+  public boolean blame(Throwable failure) {
+    List<ViewHolder> guilty = stacks.stream().flatMap(ViewStack::holders).filter(h -> h.isGuilty(failure)).toList();
+    guilty.forEach(h -> h.fail(failure));
+    return !guilty.isEmpty();
+  }
+
+  @Override
+  public boolean setFocus() {
+    return stacks.stream().findFirst().map(ViewStack::setFocus).orElseGet(super::setFocus);
+  }
+
+  private void build(Composite parent, Layout layout, String place) {
+    switch (layout) {
+      case Layout.View view -> stacks.add(new ViewStack(parent, theme, ruic, List.of(view.uic())));
+      case Layout.Tabs tabs -> stacks.add(new ViewStack(parent, theme, ruic, tabs.uics()));
+      case Layout.Split split -> split(parent, split, place);
+    }
+  }
+
+  private void split(Composite parent, Layout.Split split, String place) {
+    SashForm form = new Splitter(parent, split.direction());
+    form.setBackground(theme.mix(Role.LINE, Role.GROUND, 0.6));
+    form.setSashWidth(SASH);
+    for (int i = 0; i < split.parts().size(); i++) {
+      build(form, split.parts().get(i), place + "." + i);
+    }
+    form.setWeights(weights(split, place));
+    sashes.put(place, form);
+  }
+
+  /** Not a plain sash form, which style sheets would colour. */
+  private static final class Splitter extends SashForm {
+    Splitter(Composite parent, Layout.Direction direction) {
+      super(parent, (direction == Layout.Direction.ROW ? SWT.HORIZONTAL : SWT.VERTICAL) | SWT.SMOOTH);
+    }
+  }
+
+  private int[] weights(Layout.Split split, String place) {
+    int[] kept = shares.get(place);
+    if (kept != null && kept.length == split.parts().size()) {
+      return kept;
+    }
+    double all = split.weights().stream().mapToDouble(w -> w).sum();
+    return split.weights().stream().mapToInt(w -> (int) Math.max(1, Math.round(UNITS * w / all))).toArray();
+  }
+
+  private void keepShares() {
+    sashes.forEach((place, form) -> shares.put(place, form.getWeights()));
+  }
+}

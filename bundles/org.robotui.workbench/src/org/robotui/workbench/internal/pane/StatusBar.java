@@ -1,0 +1,60 @@
+package org.robotui.workbench.internal.pane;
+
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.Point;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.robotui.ui.Face;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+import org.robotui.workbench.internal.model.StatusText;
+
+/** The line at the bottom of a window. Display thread only. */
+public final class StatusBar extends Composite {
+  private static final int HEIGHT = 24;
+
+  private final Words left;
+  private final Words alert;
+  private final Words right;
+
+  /** Makes the line. */
+  public StatusBar(Composite parent, Theme theme) {
+    super(parent, SWT.NONE);
+    setBackground(theme.mix(Role.LINE, Role.GROUND, 0.25));
+    GridLayout layout = new GridLayout(3, false);
+    layout.marginHeight = 0;
+    layout.marginWidth = Theme.EDGE;
+    layout.horizontalSpacing = 2 * Theme.EDGE;
+    setLayout(layout);
+    left = words(theme, false);
+    alert = words(theme, true);
+    right = words(theme, false);
+  }
+
+  /** Shows robot, clock and traffic. */
+  public void show(StatusText text) {
+    boolean wider = left.text().length() != text.left().length() || right.text().length() != text.right().length();
+    left.show(Role.DIM, text.left());
+    right.show(Role.DIM, text.right());
+    if (wider) {
+      layout(true);
+    }
+  }
+
+  /** Shows what went wrong last, until nothing is said any more. */
+  public void alert(String message) {
+    alert.show(Role.WARNING, message.replace('\n', ' '));
+  }
+
+  @Override
+  public Point computeSize(int widthHint, int heightHint, boolean changed) {
+    return new Point(super.computeSize(widthHint, heightHint, changed).x, HEIGHT);
+  }
+
+  private Words words(Theme theme, boolean grab) {
+    Words words = new Words(this, theme, Face.SMALL, Role.DIM, "");
+    words.setLayoutData(new GridData(grab ? SWT.FILL : SWT.BEGINNING, SWT.CENTER, grab, true));
+    return words;
+  }
+}

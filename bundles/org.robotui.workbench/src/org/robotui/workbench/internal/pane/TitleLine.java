@@ -1,0 +1,178 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntConsumer;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.accessibility.ACC;
+import org.eclipse.swt.accessibility.AccessibleAdapter;
+import org.eclipse.swt.accessibility.AccessibleControlAdapter;
+import org.eclipse.swt.accessibility.AccessibleControlEvent;
+import org.eclipse.swt.accessibility.AccessibleEvent;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Point;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Event;
+import org.robotui.ui.Face;
+import org.robotui.ui.Icon;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+import org.robotui.ui.ViewAction;
+import org.robotui.ui.control.QuietButton;
+
+/** The line above views: their titles, the actions of the one that is seen, and its note. Display thread only. */
+final class TitleLine extends Composite {
+  static final int HEIGHT = 30;
+
+  private static final int BUTTON = 26;
+
+  private final Theme theme;
+  private final List<String> titles;
+  private final IntConsumer chosen;
+  private final List<ActionButton> buttons = new ArrayList<>();
+  private int[] ends = {};
+  private int shown;
+  private String note = "";
+
+  /** An action and its button. */
+  private record ActionButton(ViewAction action, QuietButton button) {}
+
+  TitleLine(Composite parent, Theme theme, List<String> titles, IntConsumer chosen) {
+    super(parent, SWT.DOUBLE_BUFFERED);
+    this.theme = theme;
+    this.titles = titles;
+    this.chosen = chosen;
+    setBackground(theme.color(Role.TITLE));
+    addPaintListener(e -> paint(e.gc));
+    addListener(SWT.MouseDown, this::press);
+    addListener(SWT.KeyDown, this::key);
+    addListener(SWT.Resize, e -> place());
+    addListener(SWT.FocusIn, e -> redraw());
+    addListener(SWT.FocusOut, e -> redraw());
+    addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    describe();
+  }
+
+  void show(int index) {
+    shown = index;
+    redraw();
+  }
+
+  void note(String text) {
+    if (!note.equals(text)) {
+      note = text;
+      redraw();
+    }
+  }
+
+  String note() {
+    return note;
+  }
+
+  void actions(List<ViewAction> actions) {
+    buttons.forEach(b -> b.button().dispose());
+    buttons.clear();
+    for (ViewAction action : actions) {
+      QuietButton button = new QuietButton(this, theme, () -> run(action)).hint(action.label());
+      Icon.find(action.icon()).ifPresentOrElse(button::icon, () -> button.text(action.label()));
+      buttons.add(new ActionButton(action, button));
+    }
+    checks();
+    place();
+    redraw();
+  }
+
+  /** Asks the switched actions whether they are on. */
+  void checks() {
+    buttons.forEach(b -> b.action().checked().ifPresent(on -> b.button().checked(on.getAsBoolean())));
+  }
+
+  @Override
+  public Point computeSize(int widthHint, int heightHint, boolean changed) {
+    return new Point(widthHint == SWT.DEFAULT ? 100 : widthHint, HEIGHT);
+  }
+
+  private void run(ViewAction action) {
+    action.run().run();
+    checks();
+  }
+
+  private void place() {
+    int right = getSize().x - Theme.STEP;
+    for (ActionButton each : buttons.reversed()) {
+      int width = each.button().computeSize(SWT.DEFAULT, BUTTON).x;
+      each.button().setBounds(right - width, (HEIGHT - BUTTON) / 2, width, BUTTON);
+      right -= width;
+    }
+  }
+
+  private int actionsLeft() {
+    return buttons.isEmpty() ? getSize().x - Theme.EDGE + 2 * Theme.STEP : buttons.getFirst().button().getLocation().x;
+  }
+
+  private void paint(GC gc) {
+    gc.setTextAntialias(SWT.ON);
+    gc.setForeground(theme.color(Role.LINE));
+    gc.drawLine(0, HEIGHT - 1, getSize().x, HEIGHT - 1);
+    paintTitles(gc);
+    paintNote(gc, ends.length == 0 ? 0 : ends[ends.length - 1]);
+  }
+
+  private void paintTitles(GC gc) {
+    int x = Theme.EDGE;
+    ends = new int[titles.size()];
+    for (int i = 0; i < titles.size(); i++) {
+      gc.setFont(theme.font(i == shown ? Face.BODY_STRONG : Face.BODY));
+      gc.setForeground(theme.color(i == shown ? Role.TEXT : Role.DIM));
+      Point size = gc.textExtent(titles.get(i));
+      gc.drawText(titles.get(i), x, (HEIGHT - size.y) / 2, true);
+      if (i == shown && (isFocusControl() || titles.size() > 1)) {
+        gc.setBackground(theme.color(Role.ACCENT));
+        gc.fillRectangle(x, HEIGHT - 2, size.x, 2);
+      }
+      x += size.x + 4 * Theme.STEP;
+      ends[i] = x;
+    }
+  }
+
+  private void paintNote(GC gc, int left) {
+    gc.setFont(theme.font(Face.SMALL));
+    gc.setForeground(theme.color(Role.DIM));
+    int right = actionsLeft() - 2 * Theme.STEP;
+    String text = Shortened.to(gc, note, right - left);
+    Point size = gc.textExtent(text);
+    gc.drawText(text, right - size.x, (HEIGHT - size.y) / 2, true);
+  }
+
+  private void press(Event event) {
+    for (int i = 0; event.button == 1 && i < ends.length; i++) {
+      if (event.x < ends[i]) {
+        chosen.accept(i);
+        return;
+      }
+    }
+  }
+
+  private void key(Event event) {
+    if (event.keyCode == SWT.ARROW_RIGHT && shown + 1 < titles.size()) {
+      chosen.accept(shown + 1);
+    } else if (event.keyCode == SWT.ARROW_LEFT && shown > 0) {
+      chosen.accept(shown - 1);
+    }
+  }
+
+  private void describe() {
+    getAccessible().addAccessibleListener(new AccessibleAdapter() {
+      @Override
+      public void getName(AccessibleEvent e) {
+        e.result = titles.get(shown);
+      }
+    });
+    getAccessible().addAccessibleControlListener(new AccessibleControlAdapter() {
+      @Override
+      public void getRole(AccessibleControlEvent e) {
+        e.detail = ACC.ROLE_TABFOLDER;
+      }
+    });
+  }
+}

@@ -1,0 +1,134 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.List;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.ui.Face;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+import org.robotui.ui.control.QuietButton;
+import org.robotui.workbench.internal.model.Lease;
+
+/**
+ * The bar at the top of a window: product, menu, search, who drives, and the stop at its one place. What it shows keeps its
+ * place when the stop is latched. Display thread only.
+ */
+public final class TopBar extends Composite {
+  /** What the bar does. */
+  public interface Actions {
+    /** Pops up a menu below a control. */
+    void menu(String id, Control below);
+
+    /** Opens the search for commands and views. */
+    void search();
+
+    /** Takes or gives back the lease. */
+    void lease();
+
+    /** Stops all robots. */
+    void stop();
+
+    /** Releases all stops. */
+    void release();
+  }
+
+  /**
+   * A menu of the bar.
+   *
+   * @param id as {@link Actions#menu} gets it
+   * @param label what users read
+   */
+  public record MenuTitle(String id, String label) {}
+
+  private static final int HEIGHT = 44;
+  private static final int BUTTON_HEIGHT = 30;
+  private static final int SEARCH_WIDTH = 300;
+  private static final int LEASE_WIDTH = 190;
+  private static final int STOP_WIDTH = 128;
+
+  private final Theme theme;
+  private final LeaseLamp lease;
+  private final QuietButton release;
+  private final QuietButton stop;
+
+  /** Makes the bar. */
+  public TopBar(Composite parent, Theme theme, List<MenuTitle> menus, Actions actions) {
+    super(parent, SWT.NONE);
+    this.theme = theme;
+    setBackground(theme.color(Role.GROUND));
+    GridLayout layout = new GridLayout(menus.size() + 7, false);
+    layout.marginHeight = 0;
+    layout.marginWidth = Theme.EDGE;
+    layout.horizontalSpacing = 2;
+    setLayout(layout);
+    product();
+    menus.forEach(m -> menu(m, actions));
+    spring();
+    search(actions);
+    spring();
+    release = place(new QuietButton(this, theme, actions::release), SWT.DEFAULT).text("Release stop")
+        .hint("Release the stop of all robots; nothing moves by that");
+    release.setVisible(false);
+    lease = place(new LeaseLamp(this, theme, actions::lease), LEASE_WIDTH);
+    stop = place(new QuietButton(this, theme, actions::stop), STOP_WIDTH).text("STOP  (F12)").fill(Role.BAD)
+        .hint("Stop all robots and keep them stopped until released (F12, or space in a view)");
+    ((GridData) stop.getLayoutData()).horizontalIndent = 2 * Theme.STEP;
+    // Line at the lower edge.
+    addPaintListener(e -> {
+      e.gc.setForeground(theme.color(Role.LINE));
+      e.gc.drawLine(0, getSize().y - 1, getSize().x, getSize().y - 1);
+    });
+  }
+
+  /** Shows who drives, and whether any robot is stopped. */
+  public void show(Lease shown, boolean stopped) {
+    lease.show(shown);
+    release.setVisible(stopped);
+    stop.text(stopped ? "STOPPED" : "STOP  (F12)");
+  }
+
+  @Override
+  public org.eclipse.swt.graphics.Point computeSize(int widthHint, int heightHint, boolean changed) {
+    org.eclipse.swt.graphics.Point size = super.computeSize(widthHint, heightHint, changed);
+    return new org.eclipse.swt.graphics.Point(size.x, HEIGHT);
+  }
+
+  private void product() {
+    Words name = new Words(this, theme, Face.TITLE, Role.TEXT, "RobotUI");
+    GridData data = new GridData(SWT.BEGINNING, SWT.CENTER, false, true);
+    data.widthHint = name.computeSize(SWT.DEFAULT, SWT.DEFAULT).x + 2 * Theme.EDGE;
+    name.setLayoutData(data);
+  }
+
+  private void menu(MenuTitle title, Actions actions) {
+    MenuButton button = new MenuButton(this, theme, title, actions);
+    button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, true));
+  }
+
+  private void search(Actions actions) {
+    SearchField field = new SearchField(this, theme, actions::search);
+    GridData data = new GridData(SWT.CENTER, SWT.CENTER, false, true);
+    data.widthHint = SEARCH_WIDTH;
+    data.heightHint = BUTTON_HEIGHT;
+    data.minimumWidth = 0;
+    field.setLayoutData(data);
+  }
+
+  private void spring() {
+    Words gap = new Words(this, theme, Face.BODY, Role.TEXT, "");
+    GridData data = new GridData(SWT.FILL, SWT.CENTER, true, false);
+    data.heightHint = 1;
+    gap.setLayoutData(data);
+  }
+
+  private <C extends Control> C place(C control, int width) {
+    GridData data = new GridData(SWT.END, SWT.CENTER, false, true);
+    data.heightHint = BUTTON_HEIGHT;
+    data.widthHint = width;
+    control.setLayoutData(data);
+    return control;
+  }
+}

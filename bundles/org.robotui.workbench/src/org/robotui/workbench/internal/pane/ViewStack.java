@@ -1,0 +1,92 @@
+package org.robotui.workbench.internal.pane;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.StackLayout;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.robotui.api.host.Ruic;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+
+/**
+ * Views of which one is seen, below their title line. A view gets its control when it is seen for the first time. Display
+ * thread only.
+ */
+final class ViewStack extends Composite {
+  private final TitleLine line;
+  private final Composite body;
+  private final StackLayout stack = new StackLayout();
+  private final List<ViewHolder> holders;
+
+  ViewStack(Composite parent, Theme theme, Ruic ruic, List<String> ids) {
+    super(parent, SWT.NONE);
+    setBackground(theme.color(Role.PANEL));
+    GridLayout layout = new GridLayout(1, false);
+    layout.marginWidth = 0;
+    layout.marginHeight = 0;
+    layout.verticalSpacing = 0;
+    setLayout(layout);
+    line = new TitleLine(this, theme, ids.stream().map(ruic::title).toList(), this::choose);
+    line.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
+    body = new Body(this);
+    body.setBackground(getBackground());
+    body.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+    body.setLayout(stack);
+    holders = ids.stream().map(id -> new ViewHolder(body, theme, ruic, id, this::titleChanged)).toList();
+    choose(0);
+  }
+
+  /** Holds the views; not a plain composite, which style sheets would colour. */
+  private static final class Body extends Composite {
+    Body(Composite parent) {
+      super(parent, SWT.NONE);
+    }
+  }
+
+  Stream<ViewHolder> holders() {
+    return holders.stream();
+  }
+
+  TitleLine line() {
+    return line;
+  }
+
+  void choose(int index) {
+    ViewHolder holder = holders.get(index);
+    stack.topControl = holder;
+    line.show(index);
+    holder.showInstance();
+    titleChanged(holder);
+    body.layout(true);
+  }
+
+  /** Shows the instance that runs now; views not yet seen wait. */
+  void showInstances() {
+    seen().showInstance();
+    holders.stream().filter(h -> h != seen() && h.getChildren().length > 0).forEach(ViewHolder::showInstance);
+  }
+
+  void refresh(String id) {
+    holders.stream().filter(h -> h.id().equals(id) && h == seen()).forEach(ViewHolder::refresh);
+    line.checks();
+  }
+
+  @Override
+  public boolean setFocus() {
+    return seen().setFocus();
+  }
+
+  private ViewHolder seen() {
+    return (ViewHolder) stack.topControl;
+  }
+
+  private void titleChanged(ViewHolder holder) {
+    if (holder == stack.topControl) {
+      line.note(holder.noteText());
+      line.actions(holder.actions());
+    }
+  }
+}

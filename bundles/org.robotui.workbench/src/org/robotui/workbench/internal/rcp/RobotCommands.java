@@ -1,0 +1,36 @@
+package org.robotui.workbench.internal.rcp;
+
+import org.eclipse.core.commands.AbstractHandler;
+import org.eclipse.core.commands.ExecutionEvent;
+import org.eclipse.core.commands.ExecutionException;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.eclipse.ui.handlers.HandlerUtil;
+import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchServices;
+
+/** Our commands, so that menus, keys and the search find them. */
+public final class RobotCommands extends AbstractHandler {
+  private static final String PREFIX = "org.robotui.workbench.command.";
+  private static final String THEME = "org.robotui.workbench.theme";
+
+  @Override
+  public Object execute(ExecutionEvent event) throws ExecutionException {
+    IWorkbenchWindow window = HandlerUtil.getActiveWorkbenchWindowChecked(event);
+    Session session = WorkbenchServices.session();
+    WindowActions actions = new WindowActions(session, window);
+    switch (event.getCommand().getId().substring(PREFIX.length())) {
+      case "open" -> actions.open();
+      case "reload" -> actions.reload();
+      case "stop" -> actions.stop();
+      case "release" -> actions.release();
+      case "lease" -> actions.lease();
+      case "unselect" -> actions.withSelected(actions::unselect);
+      case "restart" -> actions.withSelected(actions::restart);
+      case "remove" -> actions.withSelected(actions::remove);
+      case "connections" -> actions.withSelected(actions::connections);
+      case "theme" -> session.look().change(event.getParameter(THEME));
+      default -> throw new ExecutionException("no such command: " + event.getCommand().getId());
+    }
+    return null; // as the platform asks of every handler
+  }
+}

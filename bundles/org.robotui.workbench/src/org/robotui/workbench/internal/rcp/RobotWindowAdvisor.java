@@ -1,0 +1,44 @@
+package org.robotui.workbench.internal.rcp;
+
+import org.eclipse.swt.graphics.Point;
+import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
+import org.eclipse.ui.application.WorkbenchWindowAdvisor;
+import org.robotui.workbench.internal.Session;
+
+/** A window: nothing of the platform's chrome, our bar at the top and our line at the bottom. */
+final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
+  private static final Point USUAL_SIZE = new Point(1600, 980);
+
+  private final Session session;
+
+  RobotWindowAdvisor(IWorkbenchWindowConfigurer configurer, Session session) {
+    super(configurer);
+    this.session = session;
+  }
+
+  @Override
+  public void preWindowOpen() {
+    IWorkbenchWindowConfigurer configurer = getWindowConfigurer();
+    Rectangle screen = configurer.getWindow().getWorkbench().getDisplay().getPrimaryMonitor().getClientArea();
+    configurer.setInitialSize(new Point(Math.min(USUAL_SIZE.x, screen.width), Math.min(USUAL_SIZE.y, screen.height)));
+    configurer.setTitle("RobotUI");
+    configurer.setShowMenuBar(false);
+    configurer.setShowCoolBar(false);
+    configurer.setShowPerspectiveBar(false);
+    configurer.setShowStatusLine(false);
+    configurer.setShowProgressIndicator(false);
+  }
+
+  @Override
+  public void postWindowCreate() {
+    Trim.add(getWindowConfigurer().getWindow());
+  }
+
+  @Override
+  public void postWindowClose() {
+    IWorkbenchWindow window = getWindowConfigurer().getWindow();
+    session.closed(window);
+  }
+}

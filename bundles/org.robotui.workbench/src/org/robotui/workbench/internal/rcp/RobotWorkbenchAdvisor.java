@@ -1,0 +1,93 @@
+package org.robotui.workbench.internal.rcp;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import org.eclipse.core.runtime.ILog;
+import org.eclipse.swt.SWTException;
+import org.eclipse.swt.widgets.Display;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.eclipse.ui.PlatformUI;
+import org.eclipse.ui.application.IWorkbenchConfigurer;
+import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
+import org.eclipse.ui.application.WorkbenchAdvisor;
+import org.eclipse.ui.application.WorkbenchWindowAdvisor;
+import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.display.HostHub;
+import org.robotui.workbench.internal.display.Screenshot;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** How the workbench starts, and what it does with failures on the display thread. */
+public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
+  private static final Logger LOG = LoggerFactory.getLogger(RobotWorkbenchAdvisor.class);
+
+  private final Session session;
+
+  /** For a session. */
+  public RobotWorkbenchAdvisor(Session session) {
+    this.session = session;
+  }
+
+  @Override
+  public void initialize(IWorkbenchConfigurer configurer) {
+    configurer.setSaveAndRestore(false);
+  }
+
+  @Override
+  public String getInitialWindowPerspectiveId() {
+    return RobotPerspective.ID;
+  }
+
+  @Override
+  public String getMainPreferencePageId() {
+    return "org.eclipse.ui.preferencePages.Workbench";
+  }
+
+  @Override
+  public WorkbenchWindowAdvisor createWorkbenchWindowAdvisor(IWorkbenchWindowConfigurer configurer) {
+    return new RobotWindowAdvisor(configurer, session);
+  }
+
+  @Override
+  public void preStartup() {
+    session.look().apply();
+  }
+
+  @Override
+  public void postStartup() {
+    session.arguments().configurations().forEach(session.configurations()::load);
+    session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
+    session.arguments().limit().ifPresent(limit -> after(limit, () -> PlatformUI.getWorkbench().close()));
+    session.hub().add(new HostHub.Client() {
+      @Override
+      public void alert(String ruic, String message) {
+        ILog.of(RobotWorkbenchAdvisor.class).warn(ruic.isEmpty() ? message : ruic + ": " + message);
+      }
+    });
+  }
+
+  /** A view that throws while it paints or takes input is taken out; the workbench goes on. */
+  @Override
+  public void eventLoopException(Throwable exception) {
+    boolean blamed = false;
+    for (IWorkbenchWindow window : PlatformUI.getWorkbench().getWorkbenchWindows()) {
+      blamed |= RobotPart.in(window).filter(part -> part.blame(exception)).isPresent();
+    }
+    if (!blamed) {
+      LOG.error("failure on the display thread", exception);
+      ILog.of(RobotWorkbenchAdvisor.class).error("failure on the display thread", exception);
+    }
+  }
+
+  private static void after(Duration delay, Runnable action) {
+    Display.getCurrent().timerExec((int) delay.toMillis(), action);
+  }
+
+  private static void picture(Path file) {
+    try {
+      Screenshot.save(PlatformUI.getWorkbench().getWorkbenchWindows()[0].getShell(), file);
+    } catch (SWTException e) {
+      LOG.error("{} could not be written", file, e);
+    }
+  }
+}

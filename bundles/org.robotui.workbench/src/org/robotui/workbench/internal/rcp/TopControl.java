@@ -1,0 +1,35 @@
+package org.robotui.workbench.internal.rcp;
+
+import jakarta.annotation.PostConstruct;
+import org.eclipse.e4.ui.model.application.ui.basic.MWindow;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.robotui.api.host.Ruic;
+import org.robotui.ui.Theme;
+import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.model.Lease;
+import org.robotui.workbench.internal.model.WindowModel;
+import org.robotui.workbench.internal.pane.Menus;
+import org.robotui.workbench.internal.pane.TopBar;
+
+/** The bar of a window, in the platform's trim. */
+public final class TopControl {
+  private final Session session = WorkbenchServices.session();
+
+  /** Called by the platform. */
+  @PostConstruct
+  void create(Composite parent, MWindow model) {
+    IWorkbenchWindow window = model.getContext().get(IWorkbenchWindow.class);
+    new Rebuilt<>(parent, session, (p, theme) -> bar(p, theme, window), bar -> show(bar, session.model(window)));
+  }
+
+  private TopBar bar(Composite parent, Theme theme, IWorkbenchWindow window) {
+    return new TopBar(parent, theme, Menus.ALL, new WindowActions(session, window));
+  }
+
+  private void show(TopBar bar, WindowModel model) {
+    bar.show(Lease.of(model.selected().map(Ruic::authorities).orElse(java.util.List.of()), session.user()),
+        session.isStopped());
+  }
+}

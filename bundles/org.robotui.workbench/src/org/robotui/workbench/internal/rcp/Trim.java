@@ -1,0 +1,35 @@
+package org.robotui.workbench.internal.rcp;
+
+import org.eclipse.e4.ui.model.application.ui.SideValue;
+import org.eclipse.e4.ui.model.application.ui.basic.MTrimBar;
+import org.eclipse.e4.ui.model.application.ui.basic.MTrimmedWindow;
+import org.eclipse.e4.ui.model.application.ui.menu.MToolControl;
+import org.eclipse.e4.ui.workbench.modeling.EModelService;
+import org.eclipse.ui.IWorkbenchWindow;
+
+/** Puts our bar at the top of a window and our line at its bottom; the 3.x API has no place for a whole bar of our own. */
+final class Trim {
+  /** Has the platform give a control the rest of the line. */
+  private static final String STRETCH = "stretch";
+  private static final String CLASSES = "bundleclass://org.robotui.workbench/";
+
+  private Trim() {}
+
+  static void add(IWorkbenchWindow window) {
+    MTrimmedWindow model = (MTrimmedWindow) window.getService(MTrimmedWindow.class);
+    EModelService service = window.getService(EModelService.class);
+    add(service, model, SideValue.TOP, "org.robotui.workbench.top", TopControl.class);
+    add(service, model, SideValue.BOTTOM, "org.robotui.workbench.bottom", StatusControl.class);
+  }
+
+  private static void add(EModelService service, MTrimmedWindow window, SideValue side, String id, Class<?> type) {
+    MToolControl control = service.createModelElement(MToolControl.class);
+    control.setElementId(id);
+    control.setContributionURI(CLASSES + type.getName());
+    control.getTags().add(STRETCH);
+    MTrimBar bar = service.getTrim(window, side);
+    bar.getChildren().add(0, control);
+    bar.setToBeRendered(true);
+    bar.setVisible(true);
+  }
+}

@@ -1,0 +1,136 @@
+package org.robotui.workbench.internal.rcp;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.eclipse.jface.dialogs.MessageDialog;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.FileDialog;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.robotui.api.command.Authority;
+import org.robotui.api.host.Ruic;
+import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.model.WindowModel;
+import org.robotui.workbench.internal.pane.ConnectionsDialog;
+import org.robotui.workbench.internal.pane.Navigator;
+import org.robotui.workbench.internal.pane.RobotArea;
+import org.robotui.workbench.internal.pane.TopBar;
+
+/** What the panes and commands of one window do. Display thread only. */
+final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotArea.Actions {
+  private static final String FOLDER = "folder";
+
+  private final Session session;
+  private final IWorkbenchWindow window;
+
+  WindowActions(Session session, IWorkbenchWindow window) {
+    this.session = session;
+    this.window = window;
+  }
+
+  @Override
+  public void menu(String id, Control below) {
+    new PopupMenu(window, id).show(below);
+  }
+
+  @Override
+  public void search() {
+    new Commands(window).run("org.eclipse.ui.window.quickAccess");
+  }
+
+  @Override
+  public void lease() {
+    selected().map(Ruic::authorities).filter(a -> !a.isEmpty()).map(java.util.List::getFirst).ifPresent(this::lease);
+    session.refresh();
+  }
+
+  @Override
+  public void stop() {
+    session.stop();
+  }
+
+  @Override
+  public void release() {
+    session.release();
+  }
+
+  @Override
+  public void open() {
+    FileDialog dialog = new FileDialog(window.getShell(), SWT.OPEN);
+    dialog.setText("Open configuration");
+    dialog.setFilterExtensions(new String[] {"*.yaml;*.yml", "*"});
+    dialog.setFilterNames(new String[] {"Configurations (*.yaml)", "All files"});
+    session.state().get(FOLDER).ifPresent(dialog::setFilterPath);
+    Optional.ofNullable(dialog.open()).map(Path::of).ifPresent(file -> {
+      session.state().put(FOLDER, file.getParent().toString());
+      session.configurations().load(file);
+    });
+  }
+
+  @Override
+  public void select(String ruic) {
+    session.ruic(ruic).ifPresent(r -> session.windows().select(model(), r));
+    session.refresh();
+  }
+
+  @Override
+  public void unselect(String ruic) {
+    session.windows().unselect(model());
+    session.refresh();
+  }
+
+  @Override
+  public void restart(String ruic) {
+    session.ruic(ruic).ifPresent(this::restart);
+  }
+
+  @Override
+  public void restart(Ruic ruic) {
+    ruic.restart();
+  }
+
+  @Override
+  public void remove(String ruic) {
+    session.ruic(ruic).ifPresent(Ruic::remove);
+  }
+
+  @Override
+  public void connections(String ruic) {
+    session.ruic(ruic).ifPresent(r -> new ConnectionsDialog(window.getShell(), session.look().theme(), r).open());
+  }
+
+  @Override
+  public void reload() {
+    session.configurations().reload();
+  }
+
+  @Override
+  public void closeProblems() {
+    session.configurations().forget();
+  }
+
+  /** Does something with the selected RUIC. */
+  void withSelected(Consumer<String> action) {
+    selected().map(Ruic::name).ifPresent(action);
+  }
+
+  private WindowModel model() {
+    return session.model(window);
+  }
+
+  private Optional<Ruic> selected() {
+    return model().selected();
+  }
+
+  private void lease(Authority authority) {
+    if (authority.holder().filter(session.user()::equals).isPresent()) {
+      authority.giveBack(session.user());
+    } else if (authority.take(session.user(), false) instanceof Authority.LeaseOutcome.HeldBy held) {
+      String question = held.holder().label() + " drives " + authority.robot() + ". Take over?";
+      if (MessageDialog.openConfirm(window.getShell(), "Take over", question)) {
+        authority.take(session.user(), true);
+      }
+    }
+  }
+}
