@@ -4,29 +4,44 @@ readonly STATE=${XDG_STATE_HOME:-$HOME/.local/state}/robotui
 readonly DEFAULT_CONFIG=$ROOT/configs/demo.yaml
 
 cmd_run() {
-  local mode=window stay='' screenshot='' configs=() options=()
+  local mode=window stay='' screenshot='' configs=() options=() window_options=()
+  parse_run_options "$@"
+  [[ ${#configs[@]} -gt 0 ]] || configs=("$(config_path "$DEFAULT_CONFIG")") || exit 2
+  mode=$(mode_for_display "$mode" "$screenshot") || exit 2
+  case $mode in
+    json) options+=(-json) ;;
+    window)
+      options+=("${window_options[@]}")
+      need_packages "The window" "${WINDOW_PACKAGES[@]}" || exit 1
+      ;;
+  esac
+  need_product
+  trap end_everything EXIT
+  wants_simulator "${configs[@]}" && start_simulator "$stay"
+  run_application "$mode" -config "${configs[@]}" "${options[@]}"
+}
+
+# Fills the local variables of cmd_run.
+parse_run_options() {
   while [[ $# -gt 0 ]]; do
     case $1 in
       --text) [[ $mode == json ]] || mode=text ;;
       --json) mode=json ;;
       --stay) stay=yes ;;
-      --for | --after) require_seconds "$1" "${2:-}"; options+=("-${1#--}" "$2"); shift ;;
-      --screenshot) [[ -n ${2:-} ]] || usage_error "--screenshot needs a file"; screenshot=$2; shift ;;
-      --theme) [[ ${2:-} =~ ^(light|dark)$ ]] || usage_error "--theme is light or dark"; options+=(-theme "$2"); shift ;;
+      --for) require_seconds "$1" "${2:-}"; options+=(-for "$2"); shift ;;
+      --after) require_seconds "$1" "${2:-}"; window_options+=(-after "$2"); shift ;;
+      --theme) [[ ${2:-} =~ ^(light|dark)$ ]] || usage_error "--theme is light or dark"; window_options+=(-theme "$2"); shift ;;
+      --screenshot)
+        [[ -n ${2:-} ]] || usage_error "--screenshot needs a file"
+        screenshot=$2
+        window_options+=(-screenshot "$(realpath -m "$2")")
+        shift
+        ;;
       -*) usage_error "run does not know '$1'" ;;
       *) configs+=("$(config_path "$1")") || exit 2 ;;
     esac
     shift
   done
-  [[ ${#configs[@]} -gt 0 ]] || configs=("$(config_path "$DEFAULT_CONFIG")") || exit 2
-  [[ -z $screenshot ]] || options+=(-screenshot "$(realpath -m "$screenshot")")
-  mode=$(mode_for_display "$mode" "$screenshot") || exit 2
-  [[ $mode != json ]] || options+=(-json)
-  [[ $mode != window ]] || need_packages "The window" "${WINDOW_PACKAGES[@]}" || exit 1
-  need_product
-  trap end_everything EXIT
-  wants_simulator "${configs[@]}" && start_simulator "$stay"
-  run_application "$mode" -config "${configs[@]}" "${options[@]}"
 }
 
 cmd_check() {
@@ -52,8 +67,13 @@ config_path() {
   return 1
 }
 
+# What the wish for a window (and its picture) comes to on this machine.
 mode_for_display() {
   local mode=$1 screenshot=$2
+  if [[ $mode != window && -n $screenshot ]]; then
+    say "robotui: only a window can have a screenshot: leave out --text and --json"
+    return 1
+  fi
   if [[ $mode == window && -z ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
     if [[ -n $screenshot ]]; then
       say "robotui: a screenshot needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set."
@@ -72,7 +92,7 @@ mode_for_display() {
 wants_simulator() { grep -qsE '^simulator:[[:space:]]*["'\'']?mobile-base' "$@"; }
 
 start_simulator() {
-  local stay=$1 out prefix
+  local stay=$1 out prefix=() options=()
   out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
   simulator_dir=$out
   : >"$out/out"
@@ -80,21 +100,12 @@ start_simulator() {
     simulator_stays=yes
     prefix=(setsid nohup)
   else
-    read -ra prefix < <(dies_with_us)
+    options=(--parent $$)           # so that it also ends when this script is killed without a chance to tell
   fi
-  "${prefix[@]}" "$JAVA_HOME/bin/java" -cp "$(simulator_classpath)" org.robotui.sim.Main \
+  "${prefix[@]}" "$JAVA_HOME/bin/java" -cp "$(simulator_classpath)" org.robotui.sim.Main "${options[@]}" \
     >"$out/out" 2>"$out/err" </dev/null &
   simulator=$!
   await_simulator "$out"
-}
-
-# Also kill -9 of this script shall end the simulator.
-dies_with_us() {
-  if setpriv --pdeathsig TERM true 2>/dev/null; then
-    echo setpriv --pdeathsig TERM
-  else
-    echo env
-  fi
 }
 
 # The simulator needs no OSGi: the same bundles are plain jars.
