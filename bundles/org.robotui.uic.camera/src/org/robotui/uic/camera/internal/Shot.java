@@ -1,0 +1,44 @@
+package org.robotui.uic.camera.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.CameraInfo;
+import org.robotui.entity.image.Picture;
+import org.robotui.ui.StateView;
+
+/**
+ * All that the view shows, at one moment.
+ *
+ * @param state what the input has; failed where the newest picture cannot be decoded
+ * @param picture the newest that could be decoded
+ * @param info the calibration
+ * @param candidates what could be connected, where the user must choose
+ * @param message what became of a picture that was to be saved, for a few seconds
+ */
+record Shot(
+    InputState state,
+    Optional<Picture> picture,
+    Optional<CameraInfo> info,
+    List<SourceId> candidates,
+    Optional<String> message) {
+  static final Shot NOTHING =
+      new Shot(new InputState.Unconnected("nothing was looked for yet"), Optional.empty(), Optional.empty(), List.of(), Optional.empty());
+
+  /** The picture, where the state lets it be seen. */
+  Optional<Picture> seen() {
+    return picture.filter(p -> StateView.showsContent(state));
+  }
+
+  /** What stands at the right of the view's title. */
+  String note() {
+    return seen().map(p -> p.width() + "\u00d7" + p.height() + " " + p.encoding() + " " + StateView.word(state)).orElse(StateView.word(state));
+  }
+
+  /** Whether it looks other than another. */
+  boolean differs(Shot other) {
+    return !picture.equals(other.picture) || !note().equals(other.note()) || !candidates.equals(other.candidates)
+        || !message.equals(other.message) || !state.explanation().equals(other.state.explanation());
+  }
+}
