@@ -1,0 +1,162 @@
+package org.robotui.core.internal.host;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Host;
+import org.robotui.api.host.HostListener;
+import org.robotui.api.host.Problem;
+import org.robotui.api.host.Ruic;
+import org.robotui.core.internal.command.Arbiters;
+import org.robotui.core.internal.command.DisplayWatch;
+import org.robotui.core.internal.config.model.ConfigResult;
+import org.robotui.core.internal.config.model.RuicConfig;
+import org.robotui.core.internal.life.OverlayStore;
+import org.robotui.core.internal.life.RuicRuntime;
+import org.robotui.core.internal.life.Services;
+import org.robotui.core.internal.watch.DisplayWatchdog;
+import org.robotui.core.internal.watch.SuspectFile;
+import org.robotui.core.internal.watch.Watch;
+
+/** The core, put together. It knows nothing of OSGi. */
+public final class Core implements Host {
+  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+  private static final Services.Stage NO_STAGE =
+      new Services.Stage(Surface.NONE, new Principal("core", "RobotUI", Principal.Kind.SCRIPT));
+
+  private final CoreParts parts;
+  private final Notifier notifier = new Notifier();
+  private final List<RuicRuntime> ruics = new CopyOnWriteArrayList<>();
+  private final Map<Path, OverlayStore> overlays = new ConcurrentHashMap<>();
+  private final ScheduledThreadPoolExecutor timer = executor("robotui-timer");
+  private final ScheduledThreadPoolExecutor files = executor("robotui-files");
+  private final HostEvents events = new HostEvents(notifier, ruics::remove);
+  private final DisplayWatch display;
+  private final Arbiters arbiters;
+  private final Watch watch;
+  private final Services services;
+  private volatile Services.Stage stage = NO_STAGE;
+
+  /** A core without RUICs. */
+  public Core(CoreParts parts) {
+    this.parts = parts;
+    this.display = new DisplayWatch(parts.clock());
+    this.arbiters = new Arbiters(parts.clock(), display);
+    this.watch = new Watch(parts.clock());
+    this.services = new Services(parts.registry(), parts.check(), arbiters, events, watch, timer, parts.clock(),
+        parts.wall(), () -> stage);
+    watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
+        message -> events.alert("", message)));
+    parts.registry().listen(() -> ruics.forEach(RuicRuntime::typesChanged));
+  }
+
+  private static ScheduledThreadPoolExecutor executor(String name) {
+    ScheduledThreadPoolExecutor executor =
+        new ScheduledThreadPoolExecutor(1, work -> Thread.ofPlatform().daemon().name(name).unstarted(work));
+    executor.setRemoveOnCancelPolicy(true);
+    return executor;
+  }
+
+  @Override
+  public void open(Surface surface, Principal principal) {
+    stage = new Services.Stage(surface, principal);
+  }
+
+  @Override
+  public List<Problem> load(Path file) {
+    ConfigResult result = parts.configs().read(file, parts.registry());
+    List<Problem> problems = new ArrayList<>(result.problems());
+    OverlayStore store = overlays.computeIfAbsent(parts.state().overlay(file),
+        path -> new OverlayStore(parts.overlays(), path, files));
+    result.ruics().forEach(config -> add(config, store, problems));
+    events.ruicsChanged();
+    return List.copyOf(problems);
+  }
+
+  private synchronized void add(RuicConfig config, OverlayStore store, List<Problem> problems) {
+    if (ruics.stream().anyMatch(r -> r.name().equals(config.name()))) {
+      problems.add(new Problem(config.file(), config.line(), config.column(), Problem.Severity.ERROR,
+          "a RUIC '" + config.name() + "' runs already; give this one another name, or remove the other first"));
+      return;
+    }
+    RuicRuntime ruic = new RuicRuntime(config, store.of(config.name()), services);
+    ruics.add(ruic);
+    ruic.initialize();
+  }
+
+  @Override
+  public CheckReport check(Path file, Duration wait) {
+    return new Checker(parts).check(file, wait);
+  }
+
+  @Override
+  public List<Ruic> ruics() {
+    return List.copyOf(ruics);
+  }
+
+  @Override
+  public Subscription listen(HostListener listener) {
+    return notifier.listen(listener);
+  }
+
+  @Override
+  public void displayAlive() {
+    display.alive();
+  }
+
+  @Override
+  public void displayFocused(boolean focused) {
+    display.focus(focused);
+    arbiters.recheckAll();
+  }
+
+  @Override
+  public void stopAll(Principal by) {
+    arbiters.stopAll(by);
+  }
+
+  @Override
+  public List<String> close(Duration limit) {
+    long end = System.nanoTime() + limit.toNanos();
+    Duration each = limit.compareTo(CLOSE_LIMIT) < 0 ? limit.multipliedBy(2).dividedBy(3) : CLOSE_LIMIT;
+    List<RuicRuntime> all = List.copyOf(ruics);
+    List<CompletableFuture<List<String>>> ends =
+        all.stream().map(r -> r.shutDown(each).toCompletableFuture()).toList();
+    List<String> left = new ArrayList<>();
+    for (int i = 0; i < all.size(); i++) {
+      left.addAll(await(all.get(i), ends.get(i), end - System.nanoTime()));
+    }
+    overlays.values().forEach(OverlayStore::save);
+    arbiters.close();
+    watch.close();
+    timer.shutdownNow();
+    files.shutdown();
+    notifier.close();
+    return List.copyOf(left);
+  }
+
+  private static List<String> await(RuicRuntime ruic, CompletableFuture<List<String>> end, long nanos) {
+    try {
+      return end.get(Math.max(1, nanos), TimeUnit.NANOSECONDS);
+    } catch (TimeoutException e) {
+      return List.of(ruic.name() + " has not ended in time");
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return List.of(ruic.name() + ": closing was interrupted");
+    } catch (ExecutionException e) {
+      return List.of(ruic.name() + " has not ended: " + e.getCause());
+    }
+  }
+}

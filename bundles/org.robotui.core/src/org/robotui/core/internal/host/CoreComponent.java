@@ -1,0 +1,131 @@
+package org.robotui.core.internal.host;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.osgi.framework.BundleContext;
+import org.osgi.framework.FrameworkUtil;
+import org.osgi.service.component.annotations.Activate;
+import org.osgi.service.component.annotations.Component;
+import org.osgi.service.component.annotations.Deactivate;
+import org.osgi.service.component.annotations.Reference;
+import org.osgi.service.component.annotations.ReferenceCardinality;
+import org.osgi.service.component.annotations.ReferencePolicy;
+import org.robotui.api.ComponentType;
+import org.robotui.api.RficType;
+import org.robotui.api.RuicType;
+import org.robotui.api.UicType;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Host;
+import org.robotui.api.host.HostListener;
+import org.robotui.api.host.Problem;
+import org.robotui.api.host.Ruic;
+import org.robotui.core.internal.config.SchemaCheck;
+import org.robotui.core.internal.config.YamlConfigSource;
+import org.robotui.core.internal.config.YamlOverlay;
+import org.robotui.core.internal.life.Registry;
+import org.robotui.core.internal.time.NanoClock;
+import org.robotui.core.internal.time.WallClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The core as an OSGi service. The only place that tracks component types as they come and go. */
+@Component(service = Host.class, immediate = true)
+public final class CoreComponent implements Host {
+  private static final Logger LOG = LoggerFactory.getLogger(CoreComponent.class);
+  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+
+  private final Registry registry = new Registry();
+  private final Core core;
+
+  /** Called by declarative services. */
+  @Activate
+  public CoreComponent(BundleContext context) {
+    core = new Core(new CoreParts(registry, new YamlConfigSource(System.getenv()), new SchemaCheck(), new YamlOverlay(),
+        StateFolder.of(System.getProperties(), System.getenv()), new OsgiBundleNames(context), NanoClock.SYSTEM,
+        WallClock.SYSTEM));
+  }
+
+  @Deactivate
+  void deactivate() {
+    core.close(CLOSE_LIMIT).forEach(left -> LOG.warn("{}", left));
+  }
+
+  @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, unbind = "removeRfic")
+  void addRfic(RficType type) {
+    registry.add(type, bundle(type));
+  }
+
+  void removeRfic(RficType type) {
+    registry.remove(type);
+  }
+
+  @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, unbind = "removeUic")
+  void addUic(UicType type) {
+    registry.add(type, bundle(type));
+  }
+
+  void removeUic(UicType type) {
+    registry.remove(type);
+  }
+
+  @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, unbind = "removeRuic")
+  void addRuic(RuicType type) {
+    registry.add(type, bundle(type));
+  }
+
+  void removeRuic(RuicType type) {
+    registry.remove(type);
+  }
+
+  private static String bundle(ComponentType type) {
+    return FrameworkUtil.getBundle(type.getClass()).getSymbolicName();
+  }
+
+  @Override
+  public void open(Surface surface, Principal principal) {
+    core.open(surface, principal);
+  }
+
+  @Override
+  public List<Problem> load(Path file) {
+    return core.load(file);
+  }
+
+  @Override
+  public CheckReport check(Path file, Duration wait) {
+    return core.check(file, wait);
+  }
+
+  @Override
+  public List<Ruic> ruics() {
+    return core.ruics();
+  }
+
+  @Override
+  public Subscription listen(HostListener listener) {
+    return core.listen(listener);
+  }
+
+  @Override
+  public void displayAlive() {
+    core.displayAlive();
+  }
+
+  @Override
+  public void displayFocused(boolean focused) {
+    core.displayFocused(focused);
+  }
+
+  @Override
+  public void stopAll(Principal by) {
+    core.stopAll(by);
+  }
+
+  @Override
+  public List<String> close(Duration limit) {
+    return core.close(limit);
+  }
+}

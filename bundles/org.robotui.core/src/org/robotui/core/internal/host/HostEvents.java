@@ -1,0 +1,42 @@
+package org.robotui.core.internal.host;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.robotui.core.internal.life.Events;
+import org.robotui.core.internal.life.RuicRuntime;
+
+/** Passes on what happens to listeners. */
+final class HostEvents implements Events {
+  private final Notifier notifier;
+  private final Consumer<RuicRuntime> removed;
+
+  HostEvents(Notifier notifier, Consumer<RuicRuntime> removed) {
+    this.notifier = notifier;
+    this.removed = removed;
+  }
+
+  void ruicsChanged() {
+    notifier.post("ruics", l -> l.ruicsChanged());
+  }
+
+  @Override
+  public void changed(String ruic) {
+    notifier.post(List.of("changed", ruic), l -> l.ruicChanged(ruic));
+  }
+
+  @Override
+  public void frameReady(String ruic, String uic) {
+    notifier.post(List.of("frame", ruic, uic), l -> l.frameReady(ruic, uic));
+  }
+
+  @Override
+  public void alert(String ruic, String message) {
+    notifier.post(List.of("alert", ruic, message), l -> l.alert(ruic, message));
+  }
+
+  @Override
+  public void removed(RuicRuntime ruic) {
+    removed.accept(ruic);
+    ruicsChanged();
+  }
+}

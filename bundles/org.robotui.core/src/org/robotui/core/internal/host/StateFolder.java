@@ -1,0 +1,38 @@
+package org.robotui.core.internal.host;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.zip.CRC32;
+
+/**
+ * Where core keeps what users changed.
+ *
+ * @param path the folder; it need not exist
+ */
+public record StateFolder(Path path) {
+  /** The folder by the system property {@code robotui.state}, else that of the XDG base directory specification. */
+  public static StateFolder of(Properties properties, Map<String, String> environment) {
+    Path home = Path.of(properties.getProperty("user.home", "."));
+    Path xdg = Optional.ofNullable(environment.get("XDG_STATE_HOME")).filter(s -> s.startsWith("/")).map(Path::of)
+        .orElse(home.resolve(".local").resolve("state"));
+    return new StateFolder(Optional.ofNullable(properties.getProperty("robotui.state")).filter(s -> !s.isBlank())
+        .map(Path::of).orElse(xdg.resolve("robotui")));
+  }
+
+  /** The file for changes to one configuration: two files of one name in two folders have two. */
+  Path overlay(Path configuration) {
+    Path absolute = configuration.toAbsolutePath().normalize();
+    CRC32 sum = new CRC32();
+    sum.update(absolute.toString().getBytes(StandardCharsets.UTF_8));
+    String name = absolute.getFileName().toString().replaceFirst("\\.ya?ml$", "");
+    return path.resolve("overlays").resolve(name + "-" + Long.toHexString(sum.getValue()) + ".yaml");
+  }
+
+  /** The file that names bundles which held the display up. */
+  Path suspects() {
+    return path.resolve("suspect-bundles.txt");
+  }
+}

@@ -1,0 +1,96 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.robotui.api.command.Authority;
+import org.robotui.core.internal.command.CommandTarget;
+import org.robotui.core.internal.config.model.ComponentConfig;
+
+/** All components of one RUIC. Changed on its worker only, read by all. */
+final class Components {
+  private final RuicParts ruic;
+  private volatile List<RficSlot> rfics = List.of();
+  private volatile List<UicSlot> uics = List.of();
+
+  Components(RuicParts ruic) {
+    this.ruic = ruic;
+  }
+
+  /** Creates and starts all: robot interfaces first, so that views find their ports. */
+  void start(List<ComponentConfig> interfaces, List<ComponentConfig> views, Authority authority) {
+    rfics = interfaces.stream().map(c -> new RficSlot(c, ruic)).toList();
+    uics = views.stream().map(c -> new UicSlot(c, authority, ruic)).toList();
+    rfics.forEach(Slot::start);
+    shown().forEach(Slot::start);
+  }
+
+  /** Ends all: views first, so that nobody commands any more; robot interfaces at the same time. Returns what is left. */
+  List<String> close(Duration limit) throws InterruptedException {
+    List<UicSlot> views = uics;
+    List<RficSlot> interfaces = rfics;
+    List<String> left = new ArrayList<>(closeAll(views, limit));
+    left.addAll(closeAll(interfaces, limit));
+    uics = List.of();
+    rfics = List.of();
+    return left;
+  }
+
+  private List<String> closeAll(List<? extends Slot<?, ?>> slots, Duration limit) throws InterruptedException {
+    ConcurrentLinkedQueue<String> left = new ConcurrentLinkedQueue<>();
+    List<Runnable> works = new ArrayList<>();
+    slots.stream().filter(s -> s.instance().isPresent())
+        .forEach(s -> works.add(() -> s.close(limit).ifPresent(left::add)));
+    Guarded.all(ruic.threads(), works);
+    return List.copyOf(left);
+  }
+
+  /** Takes up that types have come or gone. True where something has changed. */
+  boolean typesChanged() {
+    return all().map(Slot::typesChanged).reduce(false, Boolean::logicalOr);
+  }
+
+  /** The component of an instance failed while it ran. */
+  boolean failed(Object instance, String reason) {
+    Optional<Slot<?, ?>> slot = find(s -> s.instance().filter(i -> i == instance).isPresent());
+    slot.ifPresent(s -> s.giveUp(reason));
+    return slot.isPresent();
+  }
+
+  /** A component by its id. */
+  Optional<Slot<?, ?>> find(String id) {
+    return find(s -> s.id().equals(id));
+  }
+
+  private Optional<Slot<?, ?>> find(Predicate<Slot<?, ?>> which) {
+    return all().filter(which).findFirst();
+  }
+
+  private Stream<Slot<?, ?>> all() {
+    return Stream.<Slot<?, ?>>concat(rfics.stream(), shown().stream());
+  }
+
+  List<RficSlot> rfics() {
+    return rfics;
+  }
+
+  /** The views that can be shown where this application shows views. */
+  List<UicSlot> shown() {
+    return uics.stream().filter(UicSlot::isShown).toList();
+  }
+
+  Optional<UicSlot> uic(String id) {
+    return shown().stream().filter(s -> s.id().equals(id)).findFirst();
+  }
+
+  /** The command ports to one robot. */
+  List<CommandTarget<?>> commands(String robot) {
+    return rfics.stream().filter(s -> s.config().robot().equals(robot))
+        .flatMap(s -> s.instance().stream()).flatMap(i -> i.table().commands().stream())
+        .<CommandTarget<?>>map(c -> c).toList();
+  }
+}

@@ -1,0 +1,16 @@
+package org.robotui.core.internal.life;
+
+/** Where the life of RUICs is reported. Methods never block. */
+public interface Events {
+  /** State, components or matches changed. */
+  void changed(String ruic);
+
+  /** A view has something new to show. */
+  void frameReady(String ruic, String uic);
+
+  /** Something the user should know. */
+  void alert(String ruic, String message);
+
+  /** A RUIC has ended and is to be taken away. */
+  void removed(RuicRuntime ruic);
+}

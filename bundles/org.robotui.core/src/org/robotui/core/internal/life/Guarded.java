@@ -1,0 +1,62 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/** Calls foreign code with a time limit, on a thread of its own that is given up where it hangs. */
+final class Guarded {
+  /** It threw or hung; the message is a part of a sentence. */
+  static final class GuardException extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    GuardException(String message, Throwable cause) {
+      super(message, cause);
+    }
+  }
+
+  private Guarded() {}
+
+  /** Calls; {@code what} names the call in messages, for example {@code start}. */
+  static <T> T call(String what, ThreadFactory threads, Duration limit, Callable<T> work)
+      throws GuardException, InterruptedException {
+    FutureTask<T> task = new FutureTask<>(work);
+    threads.newThread(task).start();
+    try {
+      return task.get(limit.toNanos(), TimeUnit.NANOSECONDS);
+    } catch (ExecutionException e) {
+      throw new GuardException("threw " + e.getCause() + " in " + what, e.getCause());
+    } catch (TimeoutException e) {
+      task.cancel(true);
+      throw new GuardException("did not return from " + what + " within " + seconds(limit), e);
+    }
+  }
+
+  /** Runs several pieces of work at once and waits for all of them; they have limits of their own. */
+  static void all(ThreadFactory threads, Iterable<? extends Runnable> works) throws InterruptedException {
+    int count = 0;
+    for (Runnable ignored : works) {
+      count++;
+    }
+    CountDownLatch done = new CountDownLatch(count);
+    for (Runnable work : works) {
+      threads.newThread(() -> {
+        try {
+          work.run();
+        } finally {
+          done.countDown();
+        }
+      }).start();
+    }
+    done.await();
+  }
+
+  private static String seconds(Duration limit) {
+    return limit.toMillis() / 1000.0 + " s";
+  }
+}

@@ -1,0 +1,123 @@
+package org.robotui.core.internal.life;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.robotui.api.port.BrowsePort;
+import org.robotui.api.port.Browser;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.CommandSink;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.Offer;
+import org.robotui.api.port.Offers;
+import org.robotui.api.port.PortKind;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.port.StreamPort;
+import org.robotui.core.internal.command.CommandTarget;
+import org.robotui.core.internal.command.GuardedBrowser;
+import org.robotui.core.internal.port.BrowseTarget;
+import org.robotui.core.internal.port.CallTarget;
+import org.robotui.core.internal.port.Offered;
+import org.robotui.core.internal.port.StreamSource;
+import org.robotui.data.Data;
+
+/** What one instance of a robot interface offers now. */
+final class OfferTable implements Offers {
+  private record Key(PortKind kind, String name) {}
+
+  private final RficParts parts;
+  private final Map<Key, Offered> offers = new ConcurrentHashMap<>();
+  private volatile long changedAt;
+  private volatile boolean closed;
+
+  OfferTable(RficParts parts) {
+    this.parts = parts;
+    this.changedAt = parts.clock().nanos();
+  }
+
+  @Override
+  public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
+    return add(new StreamSource<>(
+        id(port.name()), port, parts.link(), parts.clock(), demand, parts.serial(), this::remove));
+  }
+
+  @Override
+  public <T extends Data> Offer command(CommandPort<T> port, CommandSink<T> sink) {
+    return add(new CommandTarget<>(
+        id(port.name()), port, sink, parts.link(), parts.arbiter(), parts.sender(), parts.clock(), this::remove));
+  }
+
+  @Override
+  public <Q, R> Offer call(CallPort<Q, R> port, CallHandler<Q, R> handler) {
+    return add(new CallTarget<>(
+        id(port.name()), port, handler, parts.calls(), parts.timer(), parts.clock(), this::remove));
+  }
+
+  @Override
+  public Offer browse(BrowsePort port, Browser browser) {
+    return add(new BrowseTarget(
+        id(port.name()), port, who -> new GuardedBrowser(browser, parts.arbiter(), who), this::remove));
+  }
+
+  private SourceId id(String port) {
+    return new SourceId(parts.component(), port);
+  }
+
+  private <O extends Offered> O add(O offered) {
+    Key key = key(offered);
+    if (closed) {
+      return offered; // an instance that was given up still runs somewhere; nobody listens to it
+    }
+    if (offers.putIfAbsent(key, offered) instanceof Offered) {
+      throw new IllegalStateException(parts.component() + " offers the " + key.kind() + " '" + key.name() + "' already");
+    }
+    changed();
+    return offered;
+  }
+
+  private void remove(Offered offered) {
+    if (offers.remove(key(offered), offered)) {
+      changed();
+    }
+  }
+
+  private void changed() {
+    changedAt = parts.clock().nanos();
+    parts.changed().run();
+  }
+
+  private static Key key(Offered offered) {
+    return new Key(offered.port().kind(), offered.port().name());
+  }
+
+  /** All offers, sorted by kind and name. */
+  List<Offered> list() {
+    return offers.values().stream()
+        .sorted(Comparator.comparing((Offered o) -> o.port().kind()).thenComparing(o -> o.port().name())).toList();
+  }
+
+  /** The command ports. */
+  List<CommandTarget<?>> commands() {
+    return offers.values().stream()
+        .<CommandTarget<?>>mapMulti((o, out) -> {
+          if (o instanceof CommandTarget<?> c) {
+            out.accept(c);
+          }
+        }).toList();
+  }
+
+  /** When something was last offered or withdrawn. */
+  long changedAt() {
+    return changedAt;
+  }
+
+  /** Withdraws all. */
+  void close() {
+    closed = true;
+    offers.values().forEach(Offered::close);
+  }
+}

@@ -1,0 +1,124 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import org.robotui.api.ComponentType;
+import org.robotui.api.RficType;
+import org.robotui.api.RuicType;
+import org.robotui.api.UicType;
+import org.robotui.core.internal.config.model.TypeLookup;
+
+/** The component types that are installed now. Safe for all threads. */
+public final class Registry implements TypeLookup {
+  private final TypeTable<RficType> rfics = new TypeTable<>();
+  private final TypeTable<UicType> uics = new TypeTable<>();
+  private final TypeTable<RuicType> ruics = new TypeTable<>();
+  private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+
+  /** A type has appeared in a bundle. */
+  public void add(RficType type, String bundle) {
+    rfics.add(type, bundle);
+    changed();
+  }
+
+  /** A type has appeared in a bundle. */
+  public void add(UicType type, String bundle) {
+    uics.add(type, bundle);
+    changed();
+  }
+
+  /** A type has appeared in a bundle. */
+  public void add(RuicType type, String bundle) {
+    ruics.add(type, bundle);
+    changed();
+  }
+
+  /** A type has vanished with its bundle. */
+  public void remove(ComponentType type) {
+    rfics.remove(type);
+    uics.remove(type);
+    ruics.remove(type);
+    changed();
+  }
+
+  private void changed() {
+    synchronized (this) {
+      notifyAll();
+    }
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Has somebody told of changes, on the thread that made them. */
+  public void listen(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** Waits until something holds that depends on the types, or the time is over. */
+  public synchronized void await(BooleanSupplier condition, Duration limit) throws InterruptedException {
+    long end = System.nanoTime() + limit.toNanos();
+    long left = limit.toNanos();
+    while (!condition.getAsBoolean() && left > 0) {
+      wait(Math.max(1, left / 1_000_000));
+      left = end - System.nanoTime();
+    }
+  }
+
+  /** Names bundle and class of something made by a type, for messages. */
+  public String origin(ComponentType type, Object instance) {
+    String bundle = rfics.bundle(type).or(() -> uics.bundle(type)).or(() -> ruics.bundle(type)).orElse("unknown");
+    return "bundle " + bundle + ", class " + instance.getClass().getName();
+  }
+
+  /** Why there is no such type of robot interface. */
+  public String missingRfic(String id) {
+    return missing(id, rfics.formerBundle(id), rfics.ids());
+  }
+
+  /** Why there is no such type of view. */
+  public String missingUic(String id) {
+    return missing(id, uics.formerBundle(id), uics.ids());
+  }
+
+  /** Why there is no such type of RUIC. */
+  public String missingRuic(String id) {
+    return missing(id, ruics.formerBundle(id), ruics.ids());
+  }
+
+  private static String missing(String id, Optional<String> bundle, List<String> installed) {
+    String known = installed.isEmpty() ? "none is" : "installed are " + String.join(", ", installed);
+    return "type '" + id + "' " + bundle.map(b -> "(bundle " + b + ") is not installed").orElse("is not installed; " + known);
+  }
+
+  @Override
+  public Optional<RficType> rfic(String id) {
+    return rfics.find(id);
+  }
+
+  @Override
+  public Optional<UicType> uic(String id) {
+    return uics.find(id);
+  }
+
+  @Override
+  public Optional<RuicType> ruic(String id) {
+    return ruics.find(id);
+  }
+
+  @Override
+  public List<String> rficIds() {
+    return rfics.ids();
+  }
+
+  @Override
+  public List<String> uicIds() {
+    return uics.ids();
+  }
+
+  @Override
+  public List<String> ruicIds() {
+    return ruics.ids();
+  }
+}

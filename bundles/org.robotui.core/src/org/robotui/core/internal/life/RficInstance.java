@@ -1,0 +1,187 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ThreadFactory;
+import org.robotui.api.Rfic;
+import org.robotui.api.RficContext;
+import org.robotui.api.RficType;
+import org.robotui.api.config.Settings;
+import org.robotui.api.frame.FrameSink;
+import org.robotui.api.link.LinkReporter;
+import org.robotui.api.port.Offers;
+import org.robotui.api.time.ClockSource;
+import org.robotui.core.internal.command.Arbiter;
+import org.robotui.core.internal.command.CommandTarget;
+import org.robotui.core.internal.command.Sender;
+import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.port.CallPool;
+import org.robotui.core.internal.port.Link;
+import org.robotui.core.internal.watch.Watch.Watched;
+
+/** One running instance of a robot interface with all that it was given. */
+final class RficInstance implements RficContext, Instance {
+  private static final Duration LIMIT = Duration.ofSeconds(2);
+  private static final Duration GRACE = Duration.ofMillis(300);
+  private static final Duration FLUSH = Duration.ofMillis(100);
+  private static final int ZEROS = 3;
+  private static final long ZERO_SPACING_MILLIS = 50;
+
+  private final ComponentConfig config;
+  private final RficType type;
+  private final Settings settings;
+  private final RuicParts ruic;
+  private final TrackedThreads threads;
+  private final Link link;
+  private final Arbiter arbiter;
+  private final Sender sender;
+  private final CallPool calls;
+  private final OfferTable offers;
+  private final ClockSource clock;
+  private final Watched watched = this::check;
+  private Optional<Rfic> rfic = Optional.empty();
+
+  RficInstance(ComponentConfig config, RficType type, Settings settings, RuicParts ruic) {
+    Services services = ruic.services();
+    this.config = config;
+    this.type = type;
+    this.settings = settings;
+    this.ruic = ruic;
+    String name = ruic.config().name() + "." + config.id();
+    this.threads = new TrackedThreads(name, (thread, error) -> died(thread, error));
+    this.link = new Link(services.clock(), ruic.wake()::linkChanged);
+    this.arbiter = services.arbiters().of(config.robot());
+    this.sender = new Sender(name, threads, services.clock());
+    this.calls = new CallPool(threads);
+    this.clock = ruic.clock().source(config.id());
+    this.offers = new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, services.timer(), ruic.serial(),
+        services.clock(), ruic.wake()::rematch));
+  }
+
+  @Override
+  public void start() throws Guarded.GuardException, InterruptedException {
+    Rfic made = Guarded.call("create", threads, LIMIT, () -> type.create(this, settings));
+    rfic = Optional.of(made);
+    ruic.services().watch().add(watched);
+    Guarded.call("start", threads, LIMIT, () -> {
+      made.start();
+      return made;
+    });
+  }
+
+  private void died(Thread thread, Throwable error) {
+    ruic.wake().failed(this, "its thread " + thread.getName() + " ended with " + error + " (" + origin() + ")");
+  }
+
+  private void check(long now) {
+    sender.check(now).ifPresent(reason -> ruic.services().events().alert(ruic.config().name(), reason + " (" + origin() + ")"));
+  }
+
+  @Override
+  public String origin() {
+    return ruic.services().registry().origin(type, rfic.<Object>map(r -> r).orElse(type));
+  }
+
+  @Override
+  public Optional<String> close(Duration limit) {
+    try {
+      return end(limit);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of(config.id() + ": closing was interrupted");
+    } finally {
+      ruic.services().watch().remove(watched);
+    }
+  }
+
+  private Optional<String> end(Duration limit) throws InterruptedException {
+    stopOurs();
+    String hung = "";
+    try {
+      if (rfic.isPresent()) {
+        Guarded.call("close", threads, limit, () -> closeInstance(rfic.get()));
+      }
+    } catch (Guarded.GuardException e) {
+      hung = e.getMessage() + "; ";
+    }
+    offers.close();
+    calls.close();
+    sender.close();
+    return left(hung);
+  }
+
+  private static Rfic closeInstance(Rfic instance) {
+    instance.close();
+    return instance;
+  }
+
+  private void stopOurs() throws InterruptedException {
+    List<CommandTarget<?>> moving = arbiter.endNow(offers.commands());
+    for (int i = 1; !moving.isEmpty() && i < ZEROS; i++) {
+      sender.flush(FLUSH);
+      Thread.sleep(ZERO_SPACING_MILLIS);
+      moving.forEach(CommandTarget::postZero);
+    }
+    sender.flush(FLUSH);
+  }
+
+  private Optional<String> left(String hung) throws InterruptedException {
+    if (hung.isEmpty() && threads.awaitNone(GRACE)) {
+      return Optional.empty();
+    }
+    threads.interruptAll();
+    boolean ended = threads.awaitNone(GRACE);
+    String left = ended ? "" : "threads left: " + String.join(", ", threads.alive());
+    return hung.isEmpty() && ended
+        ? Optional.empty()
+        : Optional.of(config.id() + " " + hung + left + " (" + origin() + ")");
+  }
+
+  RficType type() {
+    return type;
+  }
+
+  OfferTable table() {
+    return offers;
+  }
+
+  Link linkNow() {
+    return link;
+  }
+
+  @Override
+  public String robot() {
+    return config.robot();
+  }
+
+  @Override
+  public String instance() {
+    return config.id();
+  }
+
+  @Override
+  public Offers offers() {
+    return offers;
+  }
+
+  @Override
+  public LinkReporter link() {
+    return link;
+  }
+
+  @Override
+  public ThreadFactory threads() {
+    return threads;
+  }
+
+  @Override
+  public ClockSource clock() {
+    return clock;
+  }
+
+  @Override
+  public FrameSink frames() {
+    return ruic.frames();
+  }
+}

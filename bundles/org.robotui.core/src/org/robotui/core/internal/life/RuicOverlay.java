@@ -1,0 +1,43 @@
+package org.robotui.core.internal.life;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.Overlay;
+
+/**
+ * What the user changed in one RUIC.
+ *
+ * @param store keeps it
+ * @param ruic its name
+ */
+public record RuicOverlay(OverlayStore store, String ruic) {
+  /** The settings of a view that were changed. */
+  Map<String, Object> settings(String uic) {
+    return store.get(ruic).settings().getOrDefault(uic, Map.of());
+  }
+
+  /** The connections that were chosen. */
+  Map<SourceId, SourceId> connections() {
+    return store.get(ruic).connections();
+  }
+
+  void set(String uic, String name, Object value) {
+    store.change(ruic, old -> new Overlay(with(old.settings(), uic, with(settingsOf(old, uic), name, value)),
+        old.connections()));
+  }
+
+  void connect(SourceId port, SourceId peer) {
+    store.change(ruic, old -> new Overlay(old.settings(), with(old.connections(), port, peer)));
+  }
+
+  private static Map<String, Object> settingsOf(Overlay overlay, String uic) {
+    return overlay.settings().getOrDefault(uic, Map.of());
+  }
+
+  private static <K, V> Map<K, V> with(Map<K, V> map, K key, V value) {
+    Map<K, V> changed = new HashMap<>(map);
+    changed.put(key, value);
+    return changed;
+  }
+}

@@ -1,0 +1,280 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.robotui.api.RuicType;
+import org.robotui.api.Uic;
+import org.robotui.api.command.Authority;
+import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.host.RuicState;
+import org.robotui.api.layout.Layout;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.time.RobotClock;
+import org.robotui.core.internal.config.model.RuicConfig;
+import org.robotui.core.internal.time.RuicClock;
+import org.robotui.core.internal.time.RuicFrames;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One RUIC and its life. All changes happen on its worker, one after the other; everything else only asks for them. */
+public final class RuicRuntime implements Ruic, RuicParts.Wake {
+  private static final Logger LOG = LoggerFactory.getLogger(RuicRuntime.class);
+  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+
+  private final RuicConfig config;
+  private final Services services;
+  private final SerialWorker worker;
+  private final RuicFrames frames = new RuicFrames();
+  private final RuicClock clock;
+  private final RuicOverlay overlay;
+  private final Components components;
+  private final RuicRobots robots;
+  private final Wiring wiring;
+  private final Set<String> windows = ConcurrentHashMap.newKeySet();
+  private final CompletableFuture<List<String>> ended = new CompletableFuture<>();
+  private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
+  private boolean wasSelected; // only on the worker
+  private volatile Layout layout = new Layout.Tabs(List.of());
+  private volatile Health health = Health.ADDED;
+
+  /** A RUIC that has nothing yet. */
+  public RuicRuntime(RuicConfig config, RuicOverlay overlay, Services services) {
+    this.config = config;
+    this.overlay = overlay;
+    this.services = services;
+    this.worker = new SerialWorker("ruic-" + config.name());
+    this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
+    TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
+    RuicParts parts = new RuicParts(config, this, services, worker, threads, clock, frames, overlay, this);
+    this.components = new Components(parts);
+    this.robots = new RuicRobots(config, services, components);
+    this.wiring = new Wiring(parts, components, this::tell);
+    this.layout = config.layout().orElse(layout);
+  }
+
+  /** Creates all components. */
+  public void initialize() {
+    robots.register();
+    onWorker(this::create);
+  }
+
+  private void onWorker(Runnable task) {
+    worker.execute(() -> {
+      if (health.state() != RuicState.SHUT_DOWN) {
+        task.run();
+      }
+    });
+  }
+
+  private void create() {
+    switch (Plan.of(config, services.registry(), services.check())) {
+      case Plan.Outcome.Impossible i -> set(Health.failed(i.reason()));
+      case Plan.Outcome.Made m -> create(m.plan());
+    }
+  }
+
+  private void create(Plan plan) {
+    plannedWith = plan.type();
+    layout = plan.layout();
+    components.start(config.rfics(), plan.uics(), robots.first());
+    wiring.rematch();
+    set(Health.RUNNING);
+    applySelection();
+  }
+
+  private void set(Health now) {
+    health = now;
+    tell();
+  }
+
+  private void tell() {
+    services.events().changed(config.name());
+  }
+
+  /** Component types have come or gone. */
+  public void typesChanged() {
+    onWorker(this::takeUpTypes);
+  }
+
+  private void takeUpTypes() {
+    Optional<RuicType> type = services.registry().ruic(config.type());
+    if (!config.type().isEmpty() && !type.equals(plannedWith)) {
+      end(CLOSE_LIMIT);
+      create();
+    } else if (components.typesChanged()) {
+      wiring.rematch();
+      applySelection();
+      tell();
+    }
+  }
+
+  private void applySelection() {
+    if (health.isFailed()) {
+      return;
+    }
+    boolean selected = !windows.isEmpty();
+    wasSelected |= selected;
+    RuicState idle = wasSelected ? RuicState.UNSELECTED : RuicState.INITIALIZED;
+    components.shown().forEach(s -> s.select(selected));
+    set(new Health(selected ? RuicState.SELECTED : idle, ""));
+  }
+
+  /** Ends all components; logs what is left. */
+  private List<String> end(Duration limit) {
+    plannedWith = Optional.empty();
+    try {
+      List<String> left = components.close(limit);
+      left.forEach(l -> LOG.warn("RUIC {}: {}", config.name(), l));
+      left.forEach(l -> services.events().alert(config.name(), l));
+      return left;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return List.of(config.name() + ": closing was interrupted");
+    } finally {
+      wiring.clear();
+      frames.reset();
+    }
+  }
+
+  @Override
+  public CompletionStage<RuicState> restart() {
+    CompletableFuture<RuicState> done = new CompletableFuture<>();
+    onWorker(() -> {
+      end(CLOSE_LIMIT);
+      set(Health.ADDED);
+      create();
+      done.complete(health.state());
+    });
+    ended.thenRun(() -> done.complete(RuicState.SHUT_DOWN));
+    return done;
+  }
+
+  @Override
+  public void restart(String id) {
+    onWorker(() -> components.find(id).ifPresent(slot -> {
+      slot.start();
+      wiring.rematch();
+      applySelection();
+      tell();
+    }));
+  }
+
+  @Override
+  public CompletionStage<RuicState> remove() {
+    return shutDown(CLOSE_LIMIT).thenApply(left -> RuicState.SHUT_DOWN);
+  }
+
+  /** Ends it within a limit; completes with what could not be ended. */
+  public CompletionStage<List<String>> shutDown(Duration limit) {
+    onWorker(() -> {
+      List<String> left = end(limit);
+      robots.unregister();
+      set(new Health(RuicState.SHUT_DOWN, ""));
+      worker.close();
+      services.events().removed(this);
+      ended.complete(left);
+    });
+    return ended;
+  }
+
+  @Override
+  public void failed(Object instance, String reason) {
+    onComponents(() -> components.failed(instance, reason));
+  }
+
+  @Override
+  public void surfaceFailed(String id, String reason) {
+    onComponents(() -> {
+      Optional<UicSlot> slot = components.uic(id);
+      slot.ifPresent(s -> s.giveUp(reason));
+      return slot.isPresent();
+    });
+  }
+
+  private void onComponents(BooleanSupplier change) {
+    onWorker(() -> {
+      if (change.getAsBoolean()) {
+        wiring.rematch();
+        tell();
+      }
+    });
+  }
+
+  @Override
+  public void rematch() {
+    wiring.request();
+  }
+
+  @Override
+  public void linkChanged() {
+    robots.recheck();
+    wiring.request();
+    tell();
+  }
+
+  @Override
+  public void connect(SourceId port, SourceId peer) {
+    overlay.connect(port, peer);
+    wiring.request();
+  }
+
+  @Override
+  public void select(String window) {
+    change(set -> set.add(window));
+  }
+
+  @Override
+  public void unselect(String window) {
+    change(set -> set.remove(window));
+  }
+
+  private void change(Consumer<Set<String>> how) {
+    onWorker(() -> {
+      how.accept(windows);
+      applySelection();
+    });
+  }
+
+  @Override
+  public String name() {
+    return config.name();
+  }
+
+  @Override
+  public RuicSnapshot snapshot() {
+    return Snapshots.of(config.name(), health, components, wiring.matches(), services.clock().nanos());
+  }
+
+  @Override
+  public List<Authority> authorities() {
+    return robots.authorities();
+  }
+
+  @Override
+  public RobotClock clock() {
+    return clock;
+  }
+
+  @Override
+  public Layout layout() {
+    return layout;
+  }
+
+  @Override
+  public Optional<Uic> uic(String id) {
+    return components.uic(id).flatMap(UicSlot::uic);
+  }
+
+  @Override
+  public String title(String id) {
+    return components.uic(id).map(UicSlot::title).orElse(id);
+  }
+}

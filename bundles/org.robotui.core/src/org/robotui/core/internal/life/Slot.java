@@ -1,0 +1,109 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.robotui.api.ComponentType;
+import org.robotui.api.config.Settings;
+import org.robotui.core.internal.config.model.CheckedSettings;
+import org.robotui.core.internal.config.model.ComponentConfig;
+
+/** The place of one component in a RUIC, with or without an instance. Changed on the RUIC's worker only, read by all. */
+abstract class Slot<T extends ComponentType, I extends Instance> {
+  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+
+  private final ComponentConfig config;
+  private final RuicParts ruic;
+  private boolean waitsForType;
+  private Optional<T> type = Optional.empty();
+  private volatile Health health = Health.ADDED;
+  private volatile Optional<I> instance = Optional.empty();
+
+  Slot(ComponentConfig config, RuicParts ruic) {
+    this.config = config;
+    this.ruic = ruic;
+  }
+
+  abstract Optional<T> find();
+
+  abstract String missing();
+
+  abstract I make(T of, Settings settings);
+
+  /** Makes an instance, in place of any that is there. */
+  final void start() {
+    close(CLOSE_LIMIT);
+    type = find();
+    waitsForType = type.isEmpty();
+    type.ifPresentOrElse(this::startOf, () -> health = Health.failed(missing()));
+  }
+
+  private void startOf(T found) {
+    switch (ruic.services().check().check(found.schema(), config.raw())) {
+      case CheckedSettings.Invalid i -> health = Health.failed(Plan.text(i.problems()));
+      case CheckedSettings.Valid v -> run(make(found, v.settings()));
+    }
+  }
+
+  private void run(I made) {
+    instance = Optional.of(made);
+    health = Health.RUNNING;
+    try {
+      made.start();
+    } catch (Guarded.GuardException e) {
+      giveUp(e.getMessage() + " (" + made.origin() + ")");
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      giveUp("starting was interrupted");
+    }
+  }
+
+  /** Ends the instance; the component has failed. */
+  final void giveUp(String reason) {
+    health = Health.failed(reason);
+    close(CLOSE_LIMIT).ifPresent(left -> health = Health.failed(reason + "; " + left));
+    ruic.services().events().alert(ruic.config().name(), config.id() + " failed: " + reason);
+  }
+
+  /** Ends the instance, where there is one. Returns what could not be ended. */
+  final Optional<String> close(Duration limit) {
+    Optional<I> ending = instance;
+    instance = Optional.empty();
+    return ending.flatMap(i -> i.close(limit));
+  }
+
+  /** Takes up that types have come or gone. True where that concerns this component. */
+  final boolean typesChanged() {
+    Optional<T> found = find();
+    boolean lost = type.isPresent() && !type.equals(found);
+    boolean back = (waitsForType || lost) && found.isPresent();
+    if (lost) {
+      type = Optional.empty();
+      waitsForType = true;
+      giveUp(missing());
+    }
+    if (back) {
+      start();
+    }
+    return lost || back;
+  }
+
+  final String id() {
+    return config.id();
+  }
+
+  final ComponentConfig config() {
+    return config;
+  }
+
+  final RuicParts ruic() {
+    return ruic;
+  }
+
+  final Health health() {
+    return health;
+  }
+
+  final Optional<I> instance() {
+    return instance;
+  }
+}

@@ -1,0 +1,127 @@
+package org.robotui.core.internal.life;
+
+import java.util.concurrent.ThreadFactory;
+import java.util.function.Consumer;
+import org.robotui.api.Uic;
+import org.robotui.core.internal.time.NanoClock;
+import org.robotui.core.internal.watch.Watch.Watched;
+
+/** Ticks one view on a thread of its own while it is selected. A tick that throws or hangs ends the ticking. */
+final class Ticker implements Watched, AutoCloseable {
+  private static final long HANGS_NANOS = 2_000_000_000L;
+  private static final double FASTEST_HZ = 1000;
+  private static final double SLOWEST_HZ = 0.01;
+  private static final long NOT_TICKING = Long.MIN_VALUE;
+
+  private final Uic uic;
+  private final long periodNanos;
+  private final Runnable frameReady;
+  private final Consumer<String> failed;
+  private final NanoClock clock;
+  private final Thread thread;
+  private volatile long tickSince = NOT_TICKING;
+  private boolean selected;
+  private boolean closed;
+
+  /**
+   * A ticker at rest.
+   *
+   * @param uic whom to tick
+   * @param rateHz how often at most
+   * @param threads makes its thread
+   * @param frameReady is told that there is something new to show
+   * @param failed is told, once, why the ticking has ended
+   * @param clock monotonic
+   */
+  Ticker(Uic uic, double rateHz, ThreadFactory threads, Runnable frameReady, Consumer<String> failed, NanoClock clock) {
+    this.uic = uic;
+    this.periodNanos = (long) (1e9 / Math.clamp(rateHz, SLOWEST_HZ, FASTEST_HZ));
+    this.frameReady = frameReady;
+    this.failed = failed;
+    this.clock = clock;
+    this.thread = threads.newThread(this::run);
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  synchronized void select(boolean now) {
+    selected = now;
+    notifyAll();
+  }
+
+  private void run() {
+    try {
+      long next = clock.nanos();
+      while (awaitTurn(next)) {
+        // A tick that took too long makes the next one late; the ones in between are left out.
+        next = Math.max(next + periodNanos, clock.nanos());
+        tick();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // given up, or closed
+    }
+  }
+
+  private synchronized boolean awaitTurn(long next) throws InterruptedException {
+    long left = next - clock.nanos();
+    while (!closed && (!selected || left > 0)) {
+      long millis = selected ? left / 1_000_000 : 0;
+      wait(millis, selected ? (int) (left % 1_000_000) : 0);
+      left = next - clock.nanos();
+    }
+    return !closed;
+  }
+
+  private void tick() {
+    long now = clock.nanos();
+    tickSince = now;
+    try {
+      if (uic.tick(now)) {
+        frameReady.run();
+      }
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      giveUp("threw " + e + " in tick");
+    } finally {
+      tickSince = NOT_TICKING;
+    }
+  }
+
+  private void giveUp(String reason) {
+    if (end()) {
+      failed.accept(reason);
+    }
+  }
+
+  private synchronized boolean end() {
+    boolean first = !closed;
+    closed = true;
+    notifyAll();
+    return first;
+  }
+
+  @Override
+  public void check(long now) {
+    long since = tickSince;
+    if (since != NOT_TICKING && now - since > HANGS_NANOS) {
+      giveUp("did not return from tick within 2 s");
+      thread.interrupt();
+    }
+  }
+
+  @Override
+  public void close() {
+    end();
+  }
+
+  /** Waits for the thread's end; false where it hangs. Interrupts it half-way. */
+  boolean awaitEnd(long millis) throws InterruptedException {
+    thread.join(Math.max(1, millis / 2));
+    if (thread.isAlive()) {
+      thread.interrupt();
+      thread.join(Math.max(1, millis / 2));
+    }
+    return !thread.isAlive();
+  }
+}

@@ -1,0 +1,66 @@
+package org.robotui.core.internal.life;
+
+import java.lang.Thread.UncaughtExceptionHandler;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** Makes the threads of one component and knows which of them live, so that no leak stays unseen. */
+public final class TrackedThreads implements ThreadFactory {
+  private static final long POLL_MILLIS = 5;
+
+  private final String name;
+  private final UncaughtExceptionHandler handler;
+  private final AtomicInteger count = new AtomicInteger();
+  private final Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+  /**
+   * No threads yet.
+   *
+   * @param name of the component
+   * @param handler is told of a thread that threw
+   */
+  public TrackedThreads(String name, UncaughtExceptionHandler handler) {
+    this.name = name;
+    this.handler = handler;
+  }
+
+  @Override
+  public Thread newThread(Runnable work) {
+    Thread thread = Thread.ofPlatform().daemon().name(name + "-" + count.incrementAndGet())
+        .uncaughtExceptionHandler(handler).unstarted(work);
+    threads.removeIf(t -> t.getState() == Thread.State.TERMINATED);
+    threads.add(thread);
+    return thread;
+  }
+
+  /** The names of those that live. */
+  public List<String> alive() {
+    return living().stream().map(Thread::getName).sorted().toList();
+  }
+
+  private List<Thread> living() {
+    List<Thread> living = new ArrayList<>(threads);
+    living.removeIf(t -> !t.isAlive() || t == Thread.currentThread());
+    return living;
+  }
+
+  /** Interrupts all. */
+  public void interruptAll() {
+    living().forEach(Thread::interrupt);
+  }
+
+  /** Waits until none lives, or the time is over. */
+  public boolean awaitNone(Duration limit) throws InterruptedException {
+    long end = System.nanoTime() + limit.toNanos();
+    for (Thread thread : living()) {
+      long left = (end - System.nanoTime()) / 1_000_000;
+      thread.join(Math.max(POLL_MILLIS, left));
+    }
+    return living().isEmpty();
+  }
+}

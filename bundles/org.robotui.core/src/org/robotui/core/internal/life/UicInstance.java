@@ -1,0 +1,182 @@
+package org.robotui.core.internal.life;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.robotui.api.Uic;
+import org.robotui.api.UicContext;
+import org.robotui.api.UicType;
+import org.robotui.api.command.Authority;
+import org.robotui.api.command.Output;
+import org.robotui.api.command.Principal;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.api.frame.Frames;
+import org.robotui.api.host.RuicView;
+import org.robotui.api.port.BrowseInput;
+import org.robotui.api.port.BrowsePort;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.Caller;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.StreamPort;
+import org.robotui.api.time.RobotClock;
+import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.data.Data;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One running instance of a view with all that it was given. */
+final class UicInstance implements UicContext, Instance {
+  private static final Logger LOG = LoggerFactory.getLogger(UicInstance.class);
+  private static final Duration LIMIT = Duration.ofSeconds(2);
+
+  private final ComponentConfig config;
+  private final UicType type;
+  private final RuicParts ruic;
+  private final TrackedThreads threads;
+  private final Principal principal;
+  private final UicEnds ends;
+  private final UicSettings settings;
+  private Optional<Ticker> ticker = Optional.empty();
+  private volatile Optional<Uic> uic = Optional.empty();
+
+  UicInstance(ComponentConfig config, UicType type, Settings written, Authority fallback, RuicParts ruic) {
+    this.config = config;
+    this.type = type;
+    this.ruic = ruic;
+    this.principal = ruic.services().stage().get().principal();
+    String name = ruic.config().name() + "." + config.id();
+    this.threads = new TrackedThreads(name, (thread, error) -> LOG.error("{} ended", thread.getName(), error));
+    this.ends = new UicEnds(type.ports(), ruic.services(), principal, fallback);
+    this.settings = new UicSettings(written, ruic.overlay().settings(config.id()), ruic.services().check(),
+        (key, value) -> ruic.overlay().set(config.id(), key, value));
+  }
+
+  /** Creates the instance and gives it its ticker, at rest. */
+  @Override
+  public void start() throws Guarded.GuardException, InterruptedException {
+    Services services = ruic.services();
+    Uic made = Guarded.call("create", threads, LIMIT, () -> type.create(this, settings.current()));
+    Ticker ticks = new Ticker(made, type.rateHz(), threads,
+        () -> services.events().frameReady(ruic.config().name(), config.id()),
+        reason -> ruic.wake().failed(this, reason + " (" + origin() + ")"), services.clock());
+    uic = Optional.of(made);
+    ticker = Optional.of(ticks);
+    services.watch().add(ticks);
+    ticks.start();
+  }
+
+  void select(boolean selected) {
+    ticker.ifPresent(t -> t.select(selected));
+  }
+
+  @Override
+  public String origin() {
+    return ruic.services().registry().origin(type, uic.<Object>map(u -> u).orElse(type));
+  }
+
+  Optional<Uic> uic() {
+    return uic;
+  }
+
+  UicType type() {
+    return type;
+  }
+
+  UicEnds ends() {
+    return ends;
+  }
+
+  @Override
+  public Optional<String> close(Duration limit) {
+    try {
+      return end(limit);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of(config.id() + ": closing was interrupted");
+    }
+  }
+
+  private Optional<String> end(Duration limit) throws InterruptedException {
+    ticker.ifPresent(t -> ruic.services().watch().remove(t));
+    ticker.ifPresent(Ticker::close);
+    ends.close();
+    boolean idle = ticker.isEmpty() || ticker.get().awaitEnd(limit.toMillis() / 2);
+    Optional<String> problem = idle ? closeInstance(limit.dividedBy(2)) : Optional.of("hangs in tick");
+    threads.interruptAll();
+    boolean ended = threads.awaitNone(Duration.ofMillis(200));
+    String left = ended ? "" : "; threads left: " + String.join(", ", threads.alive());
+    return problem.isPresent() || !ended
+        ? Optional.of(config.id() + " " + problem.orElse("has ended") + left + " (" + origin() + ")")
+        : Optional.empty();
+  }
+
+  private Optional<String> closeInstance(Duration limit) throws InterruptedException {
+    try {
+      if (uic.isPresent()) {
+        Guarded.call("close", threads, limit, () -> closed(uic.get()));
+      }
+      return Optional.empty();
+    } catch (Guarded.GuardException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  private static Uic closed(Uic instance) {
+    instance.close();
+    return instance;
+  }
+
+  @Override
+  public String instance() {
+    return config.id();
+  }
+
+  @Override
+  public RuicView ruic() {
+    return ruic.view();
+  }
+
+  @Override
+  @SuppressWarnings("unchecked") // the port asked for equals the declared one
+  public <T extends Data> Input<T> input(StreamPort<T> port) {
+    return (Input<T>) ends.input(port);
+  }
+
+  @Override
+  @SuppressWarnings("unchecked") // the port asked for equals the declared one
+  public <T extends Data> Output<T> output(CommandPort<T> port) {
+    return (Output<T>) ends.output(port);
+  }
+
+  @Override
+  @SuppressWarnings("unchecked") // the port asked for equals the declared one
+  public <Q, R> Caller<Q, R> caller(CallPort<Q, R> port) {
+    return (Caller<Q, R>) ends.caller(port);
+  }
+
+  @Override
+  public BrowseInput browse(BrowsePort port) {
+    return ends.browser(port);
+  }
+
+  @Override
+  public Principal principal() {
+    return principal;
+  }
+
+  @Override
+  public RobotClock clock() {
+    return ruic.clock();
+  }
+
+  @Override
+  public Frames frames() {
+    return ruic.frames();
+  }
+
+  @Override
+  public SettingsStore settings() {
+    return settings;
+  }
+}

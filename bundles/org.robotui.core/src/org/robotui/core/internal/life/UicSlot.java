@@ -1,0 +1,68 @@
+package org.robotui.core.internal.life;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.Uic;
+import org.robotui.api.UicType;
+import org.robotui.api.command.Authority;
+import org.robotui.api.config.Settings;
+import org.robotui.api.host.ComponentStatus;
+import org.robotui.api.host.RuicState;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.match.Want;
+
+/** The place of one view. */
+final class UicSlot extends Slot<UicType, UicInstance> {
+  private final Authority authority;
+
+  UicSlot(ComponentConfig config, Authority authority, RuicParts ruic) {
+    super(config, ruic);
+    this.authority = authority;
+  }
+
+  @Override
+  Optional<UicType> find() {
+    return ruic().services().registry().uic(config().type());
+  }
+
+  @Override
+  String missing() {
+    return ruic().services().registry().missingUic(config().type());
+  }
+
+  @Override
+  UicInstance make(UicType of, Settings settings) {
+    return new UicInstance(config(), of, settings, authority, ruic());
+  }
+
+  /** False where its type is for another surface than the application has. */
+  boolean isShown() {
+    return find().map(t -> ruic().services().stage().get().shows(t.surface())).orElse(true);
+  }
+
+  /** The ports that want to be connected. */
+  List<Want> wants() {
+    return instance().map(i -> i.type().ports().stream()
+        .map(p -> new Want(new SourceId(id(), p.name()), p)).toList()).orElse(List.of());
+  }
+
+  void select(boolean selected) {
+    instance().ifPresent(i -> i.select(selected));
+  }
+
+  Optional<Uic> uic() {
+    return instance().flatMap(UicInstance::uic);
+  }
+
+  String title() {
+    return config().title().isEmpty() ? find().map(UicType::label).orElse(id()) : config().title();
+  }
+
+  ComponentStatus status(RuicState ruicState) {
+    Health now = health();
+    RuicState state = now.state() == RuicState.INITIALIZED ? ruicState : now.state();
+    return new ComponentStatus(
+        id(), config().type(), ComponentStatus.Kind.UIC, state, now.reason(), Optional.empty());
+  }
+}

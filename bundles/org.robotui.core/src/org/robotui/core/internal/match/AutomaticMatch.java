@@ -1,0 +1,60 @@
+package org.robotui.core.internal.match;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import org.robotui.api.host.Match;
+import org.robotui.api.host.MatchState;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.SourceId;
+
+/** A port of which nobody said where to connect it: by its type, and where several fit, by its name. */
+record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
+  Match match() {
+    List<Have> fitting = haves.stream().filter(h -> Legal.connection(want.port(), h.port())).toList();
+    if (fitting.isEmpty()) {
+      return none();
+    }
+    if (want.port().arity() == Arity.MANY) {
+      return Matches.connected(want, ids(fitting), "all that fit " + want.port().typeName());
+    }
+    return fitting.size() == 1 ? connect(fitting, "the only one that fits " + want.port().typeName()) : oneOf(fitting);
+  }
+
+  private Match oneOf(List<Have> fitting) {
+    List<Have> named = fitting.stream().filter(this::hasMyName).toList();
+    return named.size() == 1
+        ? connect(named, "of " + fitting.size() + " that fit, the one named '" + want.port().name() + "'")
+        : ambiguous(fitting, named.isEmpty() ? fitting : named);
+  }
+
+  private boolean hasMyName(Have have) {
+    return Words.lastSegment(have.port().name()).equals(want.port().name());
+  }
+
+  private Match connect(List<Have> one, String reason) {
+    return Matches.connected(want, ids(one), reason);
+  }
+
+  private Match ambiguous(List<Have> fitting, List<Have> best) {
+    String list = fitting.stream().map(h -> h.id().toString()).collect(Collectors.joining(", "));
+    return Matches.ambiguous(want, ids(fitting), Words.need(want) + "; " + fitting.size() + " fit: " + list
+        + ". Write under 'connect':  " + want.id() + ": " + best.getFirst().id());
+  }
+
+  private Match none() {
+    List<Supplier> open = suppliers.stream().filter(s -> !s.settled()).toList();
+    String optional = want.port().arity() == Arity.OPTIONAL ? "; it works without" : "";
+    if (!open.isEmpty()) {
+      String status = open.stream().map(s -> s.component() + " " + s.status()).collect(Collectors.joining(", "));
+      return Matches.without(want, MatchState.PENDING, Words.need(want) + "; " + status + optional);
+    }
+    String offers = suppliers.stream()
+        .map(s -> Words.offer(s.component(), want.port().kind(), haves)).collect(Collectors.joining("; "));
+    String found = suppliers.isEmpty() ? "there is no robot interface" : offers;
+    return Matches.without(want, MatchState.REFUSED, Words.need(want) + "; " + found + optional);
+  }
+
+  private static List<SourceId> ids(List<Have> haves) {
+    return haves.stream().map(Have::id).toList();
+  }
+}

@@ -1,0 +1,29 @@
+package org.robotui.core.internal.match;
+
+import java.util.List;
+import org.robotui.api.host.Match;
+import org.robotui.api.port.Port;
+
+/** Tells whether another robot interface could take the place of one, as far as its connections are used. */
+public final class Exchange {
+  private Exchange() {}
+
+  /**
+   * What would be missing.
+   *
+   * @param wants ports of views
+   * @param matches what they are connected to now
+   * @param component the robot interface to be replaced
+   * @param offered the ports that its replacement has
+   * @return a sentence per used connection that could not be made; empty where it can be exchanged
+   */
+  public static List<String> missing(
+      List<Want> wants, List<Match> matches, String component, List<? extends Port> offered) {
+    return matches.stream()
+        .filter(m -> m.peers().stream().anyMatch(p -> p.component().equals(component)))
+        .flatMap(m -> wants.stream().filter(w -> w.id().equals(m.port()) && w.port().kind() == m.kind()))
+        .filter(want -> offered.stream().noneMatch(port -> Legal.connection(want.port(), port)))
+        .map(want -> Words.need(want) + "; the replacement has nothing that fits")
+        .toList();
+  }
+}

@@ -1,0 +1,43 @@
+package org.robotui.core.internal.port;
+
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.robotui.api.port.Demand;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Counts consumers and tells a producer when the first comes and the last goes, on a serial executor. */
+final class DemandSwitch {
+  private static final Logger LOG = LoggerFactory.getLogger(DemandSwitch.class);
+
+  private final Demand demand;
+  private final Executor serial;
+  private final AtomicInteger consumers = new AtomicInteger();
+  private boolean told; // only on the serial executor
+
+  DemandSwitch(Demand demand, Executor serial) {
+    this.demand = demand;
+    this.serial = serial;
+  }
+
+  void add(int change) {
+    consumers.addAndGet(change);
+    serial.execute(this::tell);
+  }
+
+  boolean wanted() {
+    return consumers.get() > 0;
+  }
+
+  private void tell() {
+    boolean wanted = wanted();
+    if (wanted != told) {
+      told = wanted;
+      try {
+        demand.changed(wanted);
+      } catch (RuntimeException e) {
+        LOG.warn("A robot interface failed when told that its stream is {}", wanted ? "wanted" : "not wanted", e);
+      }
+    }
+  }
+}

@@ -1,0 +1,103 @@
+package org.robotui.core.internal.port;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.Conflation;
+import org.robotui.data.Data;
+import org.robotui.data.DataType;
+import org.robotui.data.Late;
+import org.robotui.data.Stamp;
+
+/**
+ * Hands the values of one source to any number of consumers, each with a mailbox of its own, and remembers the newest.
+ * Publishing is lock-free; consumers come and go while it goes on.
+ */
+public final class Fan<T extends Data> {
+  private final SourceId source;
+  private final DataType type;
+  private final AtomicLong sequence = new AtomicLong();
+  private final AtomicReference<Envelope<T>> last = new AtomicReference<>();
+  private final List<Tap<T>> taps = new CopyOnWriteArrayList<>();
+  private final RateMeter rate;
+
+  /** A fan that starts counting at a moment of the monotonic clock. */
+  public Fan(SourceId source, DataType type, long now) {
+    this.source = source;
+    this.type = type;
+    this.rate = new RateMeter(now);
+  }
+
+  /** Hands out a value. */
+  public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
+    Envelope<T> envelope = new Envelope<>(value, source, sequence.getAndIncrement(), stamp, receivedNanos, raw);
+    rate.mark(receivedNanos);
+    last.accumulateAndGet(envelope, this::conflate);
+    for (Tap<T> tap : taps) {
+      tap.offer(envelope);
+    }
+  }
+
+  private Envelope<T> conflate(Envelope<T> held, Envelope<T> other) {
+    return type.conflation() == Conflation.KEYED ? Envelopes.merged(held, other) : Envelopes.newest(held, other);
+  }
+
+  /** Adds a consumer; it is given at once what late consumers of the type get. */
+  Tap<T> join() {
+    boolean late = type.late() != Late.NONE;
+    Tap<T> tap = new Tap<>(this, mailbox(), late ? 0 : sequence.get());
+    // Conflating mailboxes are given the last value after joining, so that none is missed in between; it may come twice, which
+    // they do not mind. A queue would show it twice, so it is filled before.
+    boolean queue = type.conflation() == Conflation.EVENT;
+    if (late && queue) {
+      last().ifPresent(tap::offer);
+    }
+    taps.add(tap);
+    if (late && !queue) {
+      last().ifPresent(tap::offer);
+    }
+    return tap;
+  }
+
+  private Mailbox<T> mailbox() {
+    return switch (type.conflation()) {
+      case SAMPLE -> new SampleMailbox<>();
+      case KEYED -> new KeyedMailbox<>();
+      case EVENT -> new EventMailbox<>();
+    };
+  }
+
+  void leave(Tap<T> tap) {
+    taps.remove(tap);
+  }
+
+  /** The newest value, merged for keyed types. */
+  public Optional<Envelope<T>> last() {
+    return Optional.ofNullable(last.get());
+  }
+
+  /** Where the values come from. */
+  public SourceId source() {
+    return source;
+  }
+
+  /** How they are delivered. */
+  public DataType type() {
+    return type;
+  }
+
+  /** How often they come. */
+  public RateMeter rate() {
+    return rate;
+  }
+
+  /** What the consumers there are now have lost. */
+  public long dropped() {
+    return taps.stream().mapToLong(Tap::dropped).sum();
+  }
+}

@@ -1,0 +1,110 @@
+package org.robotui.core.internal.port;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.time.NanoClock;
+import org.robotui.data.Data;
+
+/** A view's end of a stream. Matching changes its sources while it is used. */
+public final class InputEnd<T extends Data> implements Input<T> {
+  private record Line<T extends Data>(StreamSource<T> source, Tap<T> tap) {}
+
+  private record Lines<T extends Data>(List<Line<T>> all, String reason) {}
+
+  private final NanoClock clock;
+  private volatile Lines<T> lines = new Lines<>(List.of(), "not matched yet");
+
+  /** An end without sources. */
+  public InputEnd(NanoClock clock) {
+    this.clock = clock;
+  }
+
+  /**
+   * Connects the end to these sources; those it has already keep what they hold. Called on the worker of the RUIC.
+   *
+   * @param sources in the order of matching, each of a type that the view accepts
+   * @param reason what matching says
+   */
+  public synchronized void connect(List<StreamSource<T>> sources, String reason) {
+    List<Line<T>> before = lines.all();
+    List<Line<T>> after = new ArrayList<>();
+    for (StreamSource<T> source : sources) {
+      after.add(before.stream().filter(l -> l.source() == source).findFirst()
+          .orElseGet(() -> new Line<>(source, source.join())));
+    }
+    lines = new Lines<>(List.copyOf(after), reason);
+    before.stream().filter(l -> !after.contains(l)).forEach(l -> l.source().leave(l.tap()));
+  }
+
+  @Override
+  public InputState state() {
+    Lines<T> now = lines;
+    return now.all().stream().map(this::state).min(Comparator.comparingInt(InputEnd::rank))
+        .orElseGet(() -> new InputState.Unconnected(now.reason()));
+  }
+
+  private InputState state(Line<T> line) {
+    return line.source().state(line.tap(), clock.nanos());
+  }
+
+  private static int rank(InputState state) {
+    return switch (state) {
+      case InputState.Live live -> 0;
+      case InputState.Stale stale -> 1;
+      case InputState.Waiting waiting -> 2;
+      case InputState.Failed failed -> 3;
+      case InputState.Unconnected unconnected -> 4;
+    };
+  }
+
+  @Override
+  public List<SourceId> sources() {
+    return lines.all().stream().map(l -> l.source().id()).toList();
+  }
+
+  @Override
+  public InputState state(SourceId source) {
+    return find(source).map(this::state).orElseGet(() -> new InputState.Unconnected(source + " is not connected"));
+  }
+
+  @Override
+  public Optional<Envelope<T>> latest() {
+    return lines.all().stream().map(l -> l.tap().latest()).flatMap(Optional::stream)
+        .max(Comparator.comparingLong(Envelope::receivedNanos));
+  }
+
+  @Override
+  public Optional<Envelope<T>> latest(SourceId source) {
+    return find(source).flatMap(l -> l.tap().latest());
+  }
+
+  private Optional<Line<T>> find(SourceId source) {
+    return lines.all().stream().filter(l -> l.source().id().equals(source)).findFirst();
+  }
+
+  @Override
+  public int drain(Consumer<? super Envelope<T>> consumer) {
+    List<Line<T>> now = lines.all();
+    return now.size() == 1 ? now.getFirst().tap().drain(consumer) : drainInOrder(now, consumer);
+  }
+
+  private int drainInOrder(List<Line<T>> now, Consumer<? super Envelope<T>> consumer) {
+    List<Envelope<T>> taken = new ArrayList<>();
+    now.forEach(l -> l.tap().drain(taken::add));
+    taken.sort(Comparator.comparingLong(Envelope::receivedNanos));
+    taken.forEach(consumer);
+    return taken.size();
+  }
+
+  @Override
+  public long dropped() {
+    return lines.all().stream().mapToLong(l -> l.tap().dropped()).sum();
+  }
+}

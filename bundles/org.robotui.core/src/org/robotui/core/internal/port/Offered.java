@@ -1,0 +1,18 @@
+package org.robotui.core.internal.port;
+
+import org.robotui.api.host.PortStatus;
+import org.robotui.api.port.Offer;
+import org.robotui.api.port.Port;
+import org.robotui.api.port.SourceId;
+
+/** A port of a robot interface, as core holds it. */
+public interface Offered extends Offer {
+  /** Which it is. */
+  SourceId id();
+
+  /** As offered. */
+  Port port();
+
+  /** How it is doing. */
+  PortStatus status(long now);
+}

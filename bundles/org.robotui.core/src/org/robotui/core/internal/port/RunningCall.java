@@ -1,0 +1,109 @@
+package org.robotui.core.internal.port;
+
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.CallOutcome;
+import org.robotui.api.port.Caller.Call;
+import org.robotui.api.port.Caller.Progress;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One call under way. It ends once: by its reply, its failure, its time or its caller, whichever is first. */
+final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
+  private static final Logger LOG = LoggerFactory.getLogger(RunningCall.class);
+
+  private final Q request;
+  private final long deadline;
+  private final Progress progress;
+  private final ScheduledExecutorService timer;
+  private final CompletableFuture<CallOutcome<R>> outcome = new CompletableFuture<>();
+  private final AtomicBoolean over = new AtomicBoolean();
+
+  RunningCall(Q request, long deadline, Progress progress, ScheduledExecutorService timer) {
+    this.request = request;
+    this.deadline = deadline;
+    this.progress = progress;
+    this.timer = timer;
+  }
+
+  void start(CallHandler<Q, R> handler, CallPool pool, Duration timeout) {
+    try {
+      Future<?> work = pool.submit(() -> run(handler));
+      Future<?> alarm = timer.schedule(() -> end(new CallOutcome.TimedOut<>()), timeout.toNanos(), TimeUnit.NANOSECONDS);
+      outcome.whenComplete((result, error) -> {
+        work.cancel(true);
+        alarm.cancel(false);
+      });
+    } catch (RejectedExecutionException e) {
+      endElsewhere(new CallOutcome.Failed<>("the robot interface has ended, or too many calls are under way"));
+    }
+  }
+
+  private void run(CallHandler<Q, R> handler) {
+    try {
+      end(new CallOutcome.Replied<>(handler.handle(this)));
+    } catch (CallException e) {
+      end(new CallOutcome.Failed<>(e.getMessage()));
+    } catch (InterruptedException e) {
+      end(new CallOutcome.Cancelled<>());
+    } catch (RuntimeException | LinkageError e) {
+      LOG.warn("The handler of a call failed", e);
+      end(new CallOutcome.Failed<>("the robot interface failed: " + e));
+    }
+  }
+
+  private void end(CallOutcome<R> how) {
+    if (over.compareAndSet(false, true)) {
+      outcome.complete(how);
+    }
+  }
+
+  /** Ends it on the timer's thread: callers are promised that their dependents never run on their own thread. */
+  private void endElsewhere(CallOutcome<R> how) {
+    timer.execute(() -> end(how));
+  }
+
+  static String problem(CallOutcome<?> outcome) {
+    return switch (outcome) {
+      case CallOutcome.Failed<?> f -> f.reason();
+      case CallOutcome.TimedOut<?> t -> "the last call was not answered in time";
+      case CallOutcome.Replied<?> r -> "";
+      case CallOutcome.Cancelled<?> c -> "";
+    };
+  }
+
+  @Override
+  public CompletionStage<CallOutcome<R>> outcome() {
+    return outcome.minimalCompletionStage();
+  }
+
+  @Override
+  public void cancel() {
+    endElsewhere(new CallOutcome.Cancelled<>());
+  }
+
+  @Override
+  public Q request() {
+    return request;
+  }
+
+  @Override
+  public long deadlineNanos() {
+    return deadline;
+  }
+
+  @Override
+  public void progress(double fraction, String message) {
+    if (!over.get()) {
+      progress.at(fraction, message);
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.robotui.core.internal.port;
+
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import org.robotui.api.host.PortStatus;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.RawMessage;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.port.StreamPort;
+import org.robotui.core.internal.time.NanoClock;
+import org.robotui.data.Data;
+import org.robotui.data.DataType;
+import org.robotui.data.Stamp;
+
+/** A stream that a robot interface offers. */
+public final class StreamSource<T extends Data> implements Publication<T>, Offered {
+  private final SourceId id;
+  private final StreamPort<T> port;
+  private final DataType type;
+  private final Link link;
+  private final DemandSwitch demand;
+  private final Withdrawal withdrawal;
+  private final Fan<T> fan;
+  private final AtomicBoolean closed = new AtomicBoolean();
+  private final AtomicLong lost = new AtomicLong();
+  private volatile String lostReason = "";
+  private volatile String failure = "";
+
+  /** Made by the table of offers. */
+  public StreamSource(
+      SourceId id, StreamPort<T> port, Link link, NanoClock clock, Demand demand, Executor serial, Withdrawal withdrawal) {
+    this.id = id;
+    this.port = port;
+    this.type = port.dataType();
+    this.link = link;
+    this.demand = new DemandSwitch(demand, serial);
+    this.withdrawal = withdrawal;
+    this.fan = new Fan<>(id, type, clock.nanos());
+  }
+
+  @Override
+  public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
+    if (!closed.get()) {
+      failure = "";
+      fan.publish(value, stamp, receivedNanos, raw);
+    }
+  }
+
+  @Override
+  public void lost(long count, String reason) {
+    lost.addAndGet(count);
+    lostReason = reason;
+  }
+
+  @Override
+  public void failed(String reason) {
+    failure = reason;
+  }
+
+  /** Adds a consumer: a view, or anything that taps the port without the producer knowing. */
+  public Tap<T> join() {
+    demand.add(1);
+    return fan.join();
+  }
+
+  /** Ends a consumer. */
+  public void leave(Tap<T> tap) {
+    tap.close();
+    demand.add(-1);
+  }
+
+  @Override
+  public void close() {
+    if (closed.compareAndSet(false, true)) {
+      withdrawal.withdrawn(this);
+    }
+  }
+
+  /** What a consumer of this source has. */
+  InputState state(Tap<T> tap, long now) {
+    if (!failure.isEmpty()) {
+      return new InputState.Failed(id + ": " + failure);
+    }
+    return tap.latest().map(e -> aged(e, now)).orElseGet(this::waiting);
+  }
+
+  private InputState aged(Envelope<T> newest, long now) {
+    double age = newest.ageSeconds(now);
+    return Staleness.of(type, age, fan.rate().typicalPeriodSeconds(), link)
+        .<InputState>map(why -> new InputState.Stale(age, id + ": " + why))
+        .orElseGet(() -> new InputState.Live(fan.rate().rateHz(now), age));
+  }
+
+  private InputState waiting() {
+    String sofar = lostReason.isEmpty() ? "nothing came yet" : "nothing usable came yet; " + lostReason;
+    return new InputState.Waiting(id + ": " + (link.isUp() ? sofar : "no link yet (" + link.text() + ")"));
+  }
+
+  @Override
+  public SourceId id() {
+    return id;
+  }
+
+  @Override
+  public StreamPort<T> port() {
+    return port;
+  }
+
+  @Override
+  public PortStatus status(long now) {
+    Optional<Envelope<T>> last = fan.last();
+    double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
+    Optional<String> stale = last.flatMap(e -> Staleness.of(type, age, fan.rate().typicalPeriodSeconds(), link));
+    String problem = !failure.isEmpty() ? failure : lost.get() > 0 ? lostReason : stale.orElse("");
+    String value = last.map(e -> ValueText.of(e.value())).orElse("");
+    return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now), age,
+        stale.isPresent(), lost.get() + fan.dropped(), problem, value);
+  }
+}

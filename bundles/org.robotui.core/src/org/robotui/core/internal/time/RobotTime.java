@@ -1,0 +1,74 @@
+package org.robotui.core.internal.time;
+
+import java.util.OptionalLong;
+import org.robotui.api.time.ClockSource;
+
+/** What one robot interface knows of its robot's time. */
+final class RobotTime implements ClockSource {
+  /** Several publishers of simulated time are never quite in step; that is no jump. */
+  private static final long JITTER_NANOS = 10_000_000L;
+
+  private final NanoClock clock;
+  private final WallClock wall;
+  private final Runnable jumped;
+  private final OffsetFilter filter = new OffsetFilter();
+  private boolean simulated;
+  private long simulatedNanos;
+
+  RobotTime(NanoClock clock, WallClock wall, Runnable jumped) {
+    this.clock = clock;
+    this.wall = wall;
+    this.jumped = jumped;
+  }
+
+  @Override
+  public void simulated(long nanos) {
+    if (advance(nanos)) {
+      jumped.run();
+    }
+  }
+
+  private synchronized boolean advance(long nanos) {
+    boolean jump = simulated ? nanos < simulatedNanos - JITTER_NANOS : filter.minimum(clock.nanos()).isPresent();
+    simulatedNanos = simulated && !jump ? Math.max(simulatedNanos, nanos) : nanos;
+    simulated = true;
+    return jump;
+  }
+
+  @Override
+  public void live() {
+    if (leaveSimulation()) {
+      jumped.run();
+    }
+  }
+
+  private synchronized boolean leaveSimulation() {
+    boolean was = simulated;
+    simulated = false;
+    if (was) {
+      filter.clear();
+    }
+    return was;
+  }
+
+  @Override
+  public void observed(long stampNanos) {
+    if (!isSimulated()) {
+      filter.observe(clock.nanos(), wall.nanos() - stampNanos);
+    }
+  }
+
+  synchronized boolean isSimulated() {
+    return simulated;
+  }
+
+  synchronized long simulatedNanos() {
+    return simulatedNanos;
+  }
+
+  /** How far the robot's clock is ahead of ours. */
+  OptionalLong offsetNanos() {
+    OptionalLong minimum = filter.minimum(clock.nanos());
+    return minimum.isPresent() ? OptionalLong.of(-minimum.getAsLong()) : minimum;
+  }
+}

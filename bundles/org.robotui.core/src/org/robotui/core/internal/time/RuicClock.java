@@ -1,0 +1,90 @@
+package org.robotui.core.internal.time;
+
+import java.time.Duration;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import org.robotui.api.time.ClockSource;
+import org.robotui.api.time.RobotClock;
+import org.robotui.data.ClockKind;
+import org.robotui.data.Stamp;
+
+/**
+ * The clock of one RUIC: the simulated time of its first robot interface that has one, else this machine's time moved by the
+ * offset of the first that is known, else this machine's time.
+ */
+public final class RuicClock implements RobotClock {
+  private final NanoClock clock;
+  private final WallClock wall;
+  private final Runnable jumped;
+  private final AtomicLong epoch = new AtomicLong();
+  private final Map<String, RobotTime> times = Collections.synchronizedMap(new LinkedHashMap<>());
+
+  /**
+   * A clock without sources.
+   *
+   * @param clock monotonic
+   * @param wall this machine's
+   * @param jumped is told that the time has jumped back, on the thread that reported it
+   */
+  public RuicClock(NanoClock clock, WallClock wall, Runnable jumped) {
+    this.clock = clock;
+    this.wall = wall;
+    this.jumped = jumped;
+  }
+
+  /** The source of a robot interface; a new one in place of that of an earlier instance. */
+  public ClockSource source(String component) {
+    RobotTime time = new RobotTime(clock, wall, this::jump);
+    times.put(component, time);
+    return time;
+  }
+
+  private void jump() {
+    epoch.incrementAndGet();
+    jumped.run();
+  }
+
+  @Override
+  public Stamp now() {
+    Optional<RobotTime> simulated = simulated();
+    if (simulated.isPresent()) {
+      return new Stamp(simulated.get().simulatedNanos(), ClockKind.SIMULATED);
+    }
+    return offset()
+        .map(ahead -> new Stamp(wall.nanos() + ahead.toNanos(), ClockKind.ROBOT))
+        .orElseGet(() -> new Stamp(wall.nanos(), ClockKind.WALL));
+  }
+
+  @Override
+  public ClockKind kind() {
+    return now().clock();
+  }
+
+  @Override
+  public Optional<Duration> offset() {
+    return all().stream()
+        .map(RobotTime::offsetNanos)
+        .filter(o -> o.isPresent())
+        .findFirst()
+        .map(o -> Duration.ofNanos(o.getAsLong()));
+  }
+
+  @Override
+  public long epoch() {
+    return epoch.get();
+  }
+
+  private Optional<RobotTime> simulated() {
+    return all().stream().filter(RobotTime::isSimulated).findFirst();
+  }
+
+  private Collection<RobotTime> all() {
+    synchronized (times) {
+      return times.values().stream().toList();
+    }
+  }
+}

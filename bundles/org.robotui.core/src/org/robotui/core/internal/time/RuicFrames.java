@@ -1,0 +1,79 @@
+package org.robotui.core.internal.time;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import org.robotui.api.frame.FrameSink;
+import org.robotui.api.frame.Frames;
+import org.robotui.data.FrameId;
+import org.robotui.data.FrameTransform;
+import org.robotui.data.Stamp;
+import org.robotui.data.TransformSet;
+import org.robotui.geometry.TransformBuffer;
+import org.robotui.geometry.TransformLookup;
+import org.robotui.geometry.TransformPut;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The frames of all robots of one RUIC. */
+public final class RuicFrames implements Frames, FrameSink {
+  private static final Logger LOG = LoggerFactory.getLogger(RuicFrames.class);
+  private static final int LOGGED = 20;
+
+  private final AtomicReference<TransformBuffer<FrameId>> buffer = new AtomicReference<>(new TransformBuffer<>());
+  private final AtomicLong refused = new AtomicLong();
+
+  @Override
+  public void add(TransformSet transforms, String authority) {
+    TransformBuffer<FrameId> into = buffer.get();
+    for (FrameTransform t : transforms.transforms()) {
+      TransformPut<FrameId> put = t.fixed()
+          ? into.putStatic(t.parent(), t.child(), t.parentFromChild(), authority)
+          : into.put(t.parent(), t.child(), t.stamp().nanos(), t.parentFromChild(), authority);
+      if (put instanceof TransformPut.Refused<FrameId> r) {
+        refuse(r.reason(), authority);
+      }
+    }
+  }
+
+  private void refuse(String reason, String authority) {
+    long count = refused.incrementAndGet();
+    if (count <= LOGGED) {
+      LOG.warn("Refused of {}: {}{}", authority, reason, count == LOGGED ? "; further ones are only counted" : "");
+    }
+  }
+
+  /** How many transforms were refused. */
+  public long refused() {
+    return refused.get();
+  }
+
+  /** The time has jumped back: what was known lies in the future now. Fixed transforms stay true. */
+  public void clear() {
+    buffer.get().clear();
+  }
+
+  /** Forgets really all: new instances will say it again. */
+  public void reset() {
+    buffer.set(new TransformBuffer<>());
+  }
+
+  @Override
+  public TransformLookup<FrameId> lookup(FrameId target, FrameId source, Optional<Stamp> stamp) {
+    TransformBuffer<FrameId> from = buffer.get();
+    return stamp.map(s -> from.lookup(target, source, s.nanos())).orElseGet(() -> from.lookupLatest(target, source));
+  }
+
+  @Override
+  public List<FrameId> all() {
+    return buffer.get().frames().stream()
+        .sorted(Comparator.comparing(FrameId::robot).thenComparing(FrameId::name)).toList();
+  }
+
+  @Override
+  public Optional<FrameId> parent(FrameId frame) {
+    return buffer.get().parentOf(frame);
+  }
+}

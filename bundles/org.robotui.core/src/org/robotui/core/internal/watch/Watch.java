@@ -1,0 +1,64 @@
+package org.robotui.core.internal.watch;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.LockSupport;
+import org.robotui.core.internal.time.NanoClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The thread that looks for what hangs, ten times a second. It only looks: what it calls must not block. */
+public final class Watch implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
+  private static final long PERIOD_NANOS = 100_000_000L;
+
+  /** Something that may hang. */
+  @FunctionalInterface
+  public interface Watched {
+    /** Looks; {@code now} is monotonic. */
+    void check(long now);
+  }
+
+  private final NanoClock clock;
+  private final List<Watched> watched = new CopyOnWriteArrayList<>();
+  private final Thread thread;
+  private volatile boolean closed;
+
+  /** Starts to look. */
+  public Watch(NanoClock clock) {
+    this.clock = clock;
+    thread = Thread.ofPlatform().daemon().name("robotui-watch").start(this::run);
+  }
+
+  /** Looks after something from now on. */
+  public void add(Watched what) {
+    watched.add(what);
+  }
+
+  /** Looks after it no more. */
+  public void remove(Watched what) {
+    watched.remove(what);
+  }
+
+  private void run() {
+    while (!closed) {
+      long now = clock.nanos();
+      watched.forEach(w -> check(w, now));
+      LockSupport.parkNanos(this, PERIOD_NANOS);
+    }
+  }
+
+  private static void check(Watched what, long now) {
+    try {
+      what.check(now);
+    } catch (RuntimeException e) {
+      LOG.error("Looking after {} failed", what, e);
+    }
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+  }
+}
