@@ -35,6 +35,7 @@ public final class PaintedCanvas extends Canvas {
   private final AtomicBoolean requested = new AtomicBoolean();
   private final List<Runnable> atEnd = new ArrayList<>();
   private long paintNanos;
+  private long paints;
 
   /**
    * A canvas on the ground of views.
@@ -94,6 +95,15 @@ public final class PaintedCanvas extends Canvas {
     return paintNanos;
   }
 
+  /**
+   * How often it was painted.
+   *
+   * @return the count
+   */
+  public long paints() {
+    return paints;
+  }
+
   private void repaint() {
     requested.set(false);
     if (!isDisposed()) {
@@ -112,6 +122,7 @@ public final class PaintedCanvas extends Canvas {
     gc.setFont(theme.font(Face.BODY));
     gc.setForeground(theme.color(Role.TEXT));
     content.paint(gc, area);
+    paints++;
     paintNanos = System.nanoTime() - start;
   }
 }

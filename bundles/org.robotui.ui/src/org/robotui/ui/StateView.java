@@ -14,6 +14,7 @@ import org.robotui.api.port.InputState;
 public final class StateView {
   private static final int OPAQUE = 255;
   private static final int FADED = 90;
+  private static final int GROUND_ALPHA = 236;
   private static final int LINE_WIDTH = 380;
   private static final int BANNER_HEIGHT = 22;
 
@@ -151,7 +152,7 @@ public final class StateView {
    */
   public void pill(GC gc, Rectangle area) {
     gc.setAntialias(SWT.ON);
-    gc.setAlpha(220);
+    gc.setAlpha(GROUND_ALPHA);
     gc.setBackground(theme.color(Role.GROUND));
     gc.fillRoundRectangle(area.x, area.y, area.width, area.height, 2 * Theme.STEP, 2 * Theme.STEP);
     gc.setAlpha(OPAQUE);

@@ -77,7 +77,7 @@ public final class Themes {
     colors.put(Role.LASER, rgb(0xff8a65));
     colors.put(Role.SONAR, rgb(0xb39df0));
     colors.put(Role.WALL, rgb(0x6b7886));
-    colors.put(Role.FLOOR, rgb(0x272d35));
+    colors.put(Role.FLOOR, rgb(0x2e353e));
     colors.put(Role.PLAN, rgb(0x3fb68b));
     colors.put(Role.TRAIL, rgb(0x4da3ff));
     return new Palette(DARK, true, colors,
@@ -104,7 +104,7 @@ public final class Themes {
     colors.put(Role.LASER, rgb(0xd1491c));
     colors.put(Role.SONAR, rgb(0x7048c8));
     colors.put(Role.WALL, rgb(0x56616e));
-    colors.put(Role.FLOOR, rgb(0xffffff));
+    colors.put(Role.FLOOR, rgb(0xf0f3f6));
     colors.put(Role.PLAN, rgb(0x0a7350));
     colors.put(Role.TRAIL, rgb(0x2f7fd6));
     return new Palette(LIGHT, false, colors,

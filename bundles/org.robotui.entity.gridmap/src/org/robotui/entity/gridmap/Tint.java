@@ -6,14 +6,17 @@ import org.eclipse.swt.graphics.RGB;
 import org.robotui.ui.Palette;
 import org.robotui.ui.Role;
 
-/** Gives cells the colours of a theme: from floor to wall, unknown ones transparent. */
+/** Gives cells the colours of a theme: from floor, which lets a grid below shine through, to wall; unknown ones are transparent. */
 final class Tint {
   private static final int FULL = 100;
   private static final int BYTES_PER_PIXEL = 4;
+  private static final int FLOOR_ALPHA = 140;
+  private static final int OPAQUE = 255;
 
   private final byte[] red = new byte[FULL + 1];
   private final byte[] green = new byte[FULL + 1];
   private final byte[] blue = new byte[FULL + 1];
+  private final byte[] alpha = new byte[FULL + 1];
 
   Tint(Palette palette) {
     for (int i = 0; i <= FULL; i++) {
@@ -21,6 +24,7 @@ final class Tint {
       red[i] = (byte) rgb.red;
       green[i] = (byte) rgb.green;
       blue[i] = (byte) rgb.blue;
+      alpha[i] = (byte) (FLOOR_ALPHA + (OPAQUE - FLOOR_ALPHA) * i / FULL);
     }
   }
 
@@ -34,7 +38,7 @@ final class Tint {
       for (int x = 0; x < width; x++) {
         if (row[x] >= 0) {
           put(image, y * image.bytesPerLine + x * BYTES_PER_PIXEL, Math.min(row[x], FULL));
-          image.alphaData[y * width + x] = (byte) 0xff;
+          image.alphaData[y * width + x] = alpha[Math.min(row[x], FULL)];
         }
       }
     }

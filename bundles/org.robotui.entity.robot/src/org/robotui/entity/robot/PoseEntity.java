@@ -16,8 +16,8 @@ import org.robotui.ui.scene.Painter;
 /** An estimate of a pose: an arrow, and the ellipse of two standard deviations. */
 public final class PoseEntity implements Entity {
   private static final double SIGMAS = 2;
-  private static final double ARROW_PIXELS = 26;
-  private static final double HEAD = 0.3;
+  private static final double ARROW_PIXELS = 40;
+  private static final double HEAD = 0.2;
   private static final int XY = 1;
   private static final int YY = 7;
   private static final int YAW_YAW = 35;
@@ -73,8 +73,8 @@ public final class PoseEntity implements Entity {
   private static void arrow(Painter painter, RigidTransform pose) {
     double length = ARROW_PIXELS / painter.viewport().scale();
     Vector3 tip = pose.apply(new Vector3(length, 0, 0));
-    Vector3 left = pose.apply(new Vector3(length * (1 - HEAD), length * HEAD * 0.7, 0));
-    Vector3 right = pose.apply(new Vector3(length * (1 - HEAD), -length * HEAD * 0.7, 0));
+    Vector3 left = pose.apply(new Vector3(length * (1 - HEAD), length * HEAD * 0.8, 0));
+    Vector3 right = pose.apply(new Vector3(length * (1 - HEAD), -length * HEAD * 0.8, 0));
     painter.line(pose.translation().x(), pose.translation().y(), tip.x(), tip.y());
     painter.polyline(new double[] {left.x(), left.y(), tip.x(), tip.y(), right.x(), right.y()}, 3);
     painter.disc(pose.translation().x(), pose.translation().y(), 2.5);

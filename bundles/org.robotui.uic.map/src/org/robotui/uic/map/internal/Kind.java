@@ -2,10 +2,10 @@ package org.robotui.uic.map.internal;
 
 /** The kinds of layers, lowest first. */
 public enum Kind {
+  /** The metric grid; it shines through the floor of maps. */
+  GRID("grid", "Grid"),
   /** Grid maps. */
   MAP("map", "Map"),
-  /** The metric grid. */
-  GRID("grid", "Grid"),
   /** Sonar cones. */
   SONAR("sonar", "Sonar"),
   /** Laser scans. */
@@ -14,10 +14,10 @@ public enum Kind {
   TRAIL("trail", "Trail"),
   /** Planned ways. */
   PATH("path", "Plan"),
-  /** Bodies of robots. */
-  ROBOT("robot", "Robot"),
   /** Estimates of poses. */
-  POSE("pose", "Estimated pose");
+  POSE("pose", "Estimated pose"),
+  /** Bodies of robots. */
+  ROBOT("robot", "Robot");
 
   private final String word;
   private final String label;

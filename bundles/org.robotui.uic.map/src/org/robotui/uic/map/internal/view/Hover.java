@@ -7,13 +7,13 @@ import org.eclipse.swt.graphics.Point;
 /** Where the pointer is, and what is said about that place once it rests. Display thread. */
 final class Hover {
   private Optional<Point> pointer = Optional.empty();
-  private List<String> lines = List.of();
+  private List<CardLine> lines = List.of();
 
   Optional<Point> pointer() {
     return pointer;
   }
 
-  List<String> lines() {
+  List<CardLine> lines() {
     return lines;
   }
 
@@ -27,7 +27,7 @@ final class Hover {
     lines = List.of();
   }
 
-  void say(List<String> words) {
+  void say(List<CardLine> words) {
     lines = List.copyOf(words);
   }
 }

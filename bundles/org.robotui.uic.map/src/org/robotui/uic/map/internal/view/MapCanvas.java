@@ -211,11 +211,12 @@ public final class MapCanvas {
     }
   }
 
-  private List<String> describe(Point pixel) {
-    List<String> lines = new ArrayList<>();
+  private List<CardLine> describe(Point pixel) {
+    List<CardLine> lines = new ArrayList<>();
     for (Scene.Hit hit : hits(pixel).stream().limit(MOST_HITS).toList()) {
-      lines.addAll(hit.description().text().lines().toList());
-      model.detail(hit.layer().id(), System.nanoTime()).ifPresent(lines::add);
+      List<String> words = hit.description().text().lines().toList();
+      words.forEach(w -> lines.add(new CardLine(w, w == words.getFirst())));
+      model.detail(hit.layer().id(), System.nanoTime()).ifPresent(d -> lines.add(new CardLine(d, false)));
     }
     return lines;
   }

@@ -23,6 +23,7 @@ final class Overlay {
   private static final int MOST_NOTES = 5;
   private static final int NOTE_HEIGHT = 18;
   private static final int CARD_OFFSET = 16;
+  private static final String WIDEST_PLACE = "x \u2212000.00  y \u2212000.00 m";
 
   private final Theme theme;
   private final StateView states;
@@ -36,7 +37,7 @@ final class Overlay {
     ScaleBar.paint(gc, theme, viewport);
     String frame = snapshot.fixed().map(f -> f.name() + "   ").orElse("");
     String place = pointer
-        .map(p -> "x " + padded(viewport.worldX(p.x)) + "  y " + padded(viewport.worldY(p.y)) + " m")
+        .map(p -> "x " + Figures.fixed(viewport.worldX(p.x), 2) + "  y " + Figures.fixed(viewport.worldY(p.y), 2) + " m")
         .orElse("");
     if (!(frame + place).isBlank()) {
       coordinates(gc, viewport, frame, place);
@@ -77,10 +78,10 @@ final class Overlay {
     gc.drawText(text, pill.x + Theme.EDGE + lead, pill.y + (PILL_HEIGHT - size.y) / 2, true);
   }
 
-  /** What is under the pointer, beside it and within the area; the first line is stronger. */
-  void card(GC gc, Rectangle area, Point pointer, List<String> lines) {
+  /** What is under the pointer, beside it and within the area. */
+  void card(GC gc, Rectangle area, Point pointer, List<CardLine> lines) {
     gc.setFont(theme.font(Face.SMALL));
-    int width = lines.stream().mapToInt(l -> gc.textExtent(l).x).max().orElse(0) + 2 * Theme.EDGE;
+    int width = lines.stream().mapToInt(l -> gc.textExtent(l.text()).x).max().orElse(0) + 2 * Theme.EDGE;
     int height = lines.size() * NOTE_HEIGHT + 2 * Theme.STEP;
     int x = Math.max(0, Math.min(pointer.x + CARD_OFFSET, area.width - width - Theme.STEP));
     boolean above = pointer.y + CARD_OFFSET + height > area.height;
@@ -88,9 +89,10 @@ final class Overlay {
     states.pill(gc, new Rectangle(x, y, width, height));
     int top = y + Theme.STEP;
     for (int i = 0; i < lines.size(); i++) {
-      gc.setForeground(theme.color(i == 0 ? Role.TEXT : Role.DIM));
-      int inset = (NOTE_HEIGHT - gc.textExtent(lines.get(i)).y) / 2;
-      gc.drawText(lines.get(i), x + Theme.EDGE, top + i * NOTE_HEIGHT + inset, true);
+      CardLine line = lines.get(i);
+      gc.setForeground(theme.color(line.strong() ? Role.TEXT : Role.DIM));
+      int inset = (NOTE_HEIGHT - gc.textExtent(line.text()).y) / 2;
+      gc.drawText(line.text(), x + Theme.EDGE, top + i * NOTE_HEIGHT + inset, true);
     }
   }
 
@@ -98,8 +100,10 @@ final class Overlay {
     gc.setFont(theme.font(Face.SMALL));
     int frameWidth = frame.isEmpty() ? 0 : gc.textExtent(frame).x;
     gc.setFont(theme.font(Face.SMALL_FIGURES));
-    Point size = gc.textExtent(place);
-    int width = frameWidth + size.x + 2 * Theme.EDGE - (place.isEmpty() ? Theme.EDGE / 2 : 0);
+    Point size = gc.textExtent(place.isEmpty() ? "x" : WIDEST_PLACE);
+    // As wide as it ever gets, so that it does not jump with the figures.
+    int width = frameWidth + (place.isEmpty() ? 0 : Math.max(size.x, gc.textExtent(place).x)) + 2 * Theme.EDGE
+        - (place.isEmpty() ? Theme.EDGE / 2 : 0);
     Rectangle pill = new Rectangle(Theme.EDGE, viewport.height() - Theme.EDGE - PILL_HEIGHT, width, PILL_HEIGHT);
     states.pill(gc, pill);
     gc.setForeground(theme.color(Role.DIM));
@@ -132,9 +136,5 @@ final class Overlay {
       length -= Math.max(1, length / 16);
     }
     return text.substring(0, Math.max(0, length)) + "\u2026";
-  }
-
-  private static String padded(double metres) {
-    return String.format("%7s", Figures.fixed(metres, 2));
   }
 }

@@ -1,0 +1,138 @@
+package org.robotui.uic.map.internal;
+
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Image;
+import org.eclipse.swt.graphics.ImageData;
+import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Event;
+import org.eclipse.swt.widgets.Shell;
+import org.robotui.testkit.FakeFrames;
+import org.robotui.testkit.FakeUicContext;
+import org.robotui.ui.PaintedCanvas;
+import org.robotui.ui.Theme;
+import org.robotui.ui.UiContext;
+
+/** A window with a map and fakes behind it. */
+final class MapStage {
+  final FakeUicContext context = new FakeUicContext("map", new MapType().schema());
+  final Shell shell;
+  MapUic uic;
+  private final Display display;
+  private final Theme theme;
+  private String note = "";
+  private Optional<Control> control = Optional.empty();
+
+  MapStage(Display display, Theme theme, int width, int height) {
+    this.display = display;
+    this.theme = theme;
+    shell = new Shell(display, SWT.NO_TRIM);
+    shell.setLayout(new FillLayout());
+    shell.setSize(width, height);
+    context.frames(new FakeFrames());
+    replace();
+  }
+
+  /** Makes the view anew, as it keeps the frames that it was made with. */
+  void replace() {
+    uic = (MapUic) new MapType().create(context, context.settings().current());
+  }
+
+  /** Lets the pointer rest until the view has spoken. */
+  void rest() {
+    boolean[] over = {false};
+    display.timerExec(500, () -> over[0] = true);
+    while (!over[0]) {
+      if (!display.readAndDispatch()) {
+        display.sleep();
+      }
+    }
+    settle();
+  }
+
+  void open() {
+    control = Optional.of(uic.createControl(shell, new UiContext() {
+      @Override
+      public Theme theme() {
+        return theme;
+      }
+
+      @Override
+      public void note(String text) {
+        note = text;
+      }
+    }));
+    shell.open();
+    settle();
+  }
+
+  String note() {
+    return note;
+  }
+
+  PaintedCanvas canvas() {
+    return (PaintedCanvas) control.orElseThrow();
+  }
+
+  boolean tick() {
+    boolean changed = uic.tick(System.nanoTime());
+    uic.refresh();
+    settle();
+    return changed;
+  }
+
+  void act(String id) {
+    uic.actions().stream().filter(a -> a.id().equals(id)).findFirst().orElseThrow().run().run();
+    settle();
+  }
+
+  void mouse(int type, int button, int x, int y) {
+    Event event = new Event();
+    event.button = button;
+    event.x = x;
+    event.y = y;
+    canvas().notifyListeners(type, event);
+    settle();
+  }
+
+  void key(char character) {
+    Event event = new Event();
+    event.character = character;
+    canvas().notifyListeners(SWT.KeyDown, event);
+    settle();
+  }
+
+  /** Runs what the display thread has to do until the canvas has painted what was asked for. */
+  void settle() {
+    if (control.isPresent() && !control.get().isDisposed()) {
+      long before = canvas().paints();
+      canvas().requestPaint();
+      long deadline = System.nanoTime() + 5_000_000_000L;
+      while (canvas().paints() == before && System.nanoTime() < deadline) {
+        if (!display.readAndDispatch()) {
+          Thread.onSpinWait();
+        }
+      }
+    }
+  }
+
+  ImageData picture() {
+    settle();
+    Control shown = control.orElseThrow();
+    Image image = new Image(display, shown.getSize().x, shown.getSize().y);
+    GC gc = new GC(shown);
+    gc.copyArea(image, 0, 0);
+    gc.dispose();
+    ImageData data = image.getImageData();
+    image.dispose();
+    return data;
+  }
+
+  void close() {
+    shell.dispose();
+    uic.close();
+  }
+}
