@@ -8,6 +8,8 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import org.robotui.ros.internal.io.Closeables;
 import org.robotui.ros.internal.io.Workers;
 import org.slf4j.Logger;
@@ -84,6 +86,8 @@ public final class XmlRpcServer implements Closeable {
                 in.within(limits.message());
                 goOn = answerOne(in, socket, handler);
             }
+        } catch (XmlRpcException e) {
+            refuse(socket, e);
         } catch (EOFException | SocketTimeoutException e) {
             LOG.trace("{}: {} ended: {}", name, socket, e.getMessage());
         } catch (IOException e) {
@@ -99,16 +103,18 @@ public final class XmlRpcServer implements Closeable {
             reply(socket, "405 Method Not Allowed", new byte[0], false);
             return false;
         }
-        byte[] answer;
-        try {
-            answer = answer(XmlRpcReader.call(in.readFully(head.contentLength(limits.maxBody()))), handler);
-        } catch (XmlRpcException e) {
-            LOG.warn("{}: bad request from {}: {}", name, socket.getRemoteSocketAddress(), e.getMessage());
-            reply(socket, "400 Bad Request", e.getMessage().getBytes(java.nio.charset.StandardCharsets.UTF_8), false);
-            return false;
-        }
-        reply(socket, "200 OK", answer, head.keepsAlive());
+        byte[] body = in.readFully(head.contentLength(limits.maxBody()));
+        reply(socket, "200 OK", answer(XmlRpcReader.call(body), handler), head.keepsAlive());
         return head.keepsAlive();
+    }
+
+    private void refuse(Socket socket, XmlRpcException problem) {
+        LOG.warn("{}: bad request from {}: {}", name, socket.getRemoteSocketAddress(), problem.getMessage());
+        try {
+            reply(socket, "400 Bad Request", problem.getMessage().getBytes(StandardCharsets.UTF_8), false);
+        } catch (IOException e) {
+            LOG.debug("{}: telling {} why it is refused failed", name, socket, e);
+        }
     }
 
     private byte[] answer(MethodCall call, XmlRpcHandler handler) {
@@ -125,7 +131,7 @@ public final class XmlRpcServer implements Closeable {
     private static void reply(Socket socket, String status, byte[] body, boolean keepAlive) throws IOException {
         byte[] head = HttpHead.bytes("HTTP/1.1 " + status, "Content-Type: text/xml", "Content-Length: " + body.length,
                 "Connection: " + (keepAlive ? "keep-alive" : "close"));
-        byte[] all = java.util.Arrays.copyOf(head, head.length + body.length);
+        byte[] all = Arrays.copyOf(head, head.length + body.length);
         System.arraycopy(body, 0, all, head.length, body.length);
         socket.getOutputStream().write(all);
     }
