@@ -10,6 +10,7 @@ import com.sun.source.util.Trees;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URI;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -58,13 +59,13 @@ record ParsedSource(CompilationUnitTree unit, Trees trees) {
     }
 
     private List<Tree> withoutPackage() {
-        List<Tree> parts = new java.util.ArrayList<>(unit.getImports());
+        List<Tree> parts = new ArrayList<>(unit.getImports());
         parts.addAll(unit.getTypeDecls());
         return parts;
     }
 
     private static JavaFileObject fileObject(SourceFile source) {
-        return new SimpleJavaFileObject(URI.create("string:///" + source.path().getFileName()), JavaFileObject.Kind.SOURCE) {
+        return new SimpleJavaFileObject(URI.create("string:///" + source.fileName()), JavaFileObject.Kind.SOURCE) {
             @Override
             public CharSequence getCharContent(boolean ignoreEncodingErrors) {
                 return source.text();

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -14,7 +15,12 @@ import org.junit.jupiter.api.TestFactory;
 /** Every rule, on this repository. */
 class RepositoryTest {
 
-    private final Repository repository = Repository.at(root());
+    private static Repository repository;
+
+    @BeforeAll
+    static void readOnce() {
+        repository = Repository.at(root());
+    }
 
     @TestFactory
     Stream<DynamicTest> rules() {

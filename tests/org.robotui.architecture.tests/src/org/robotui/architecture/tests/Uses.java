@@ -24,6 +24,6 @@ final class Uses {
 
     private static Stream<Use> inSources(Bundle bundle) {
         return bundle.sources().stream()
-                .flatMap(source -> source.parsed().qualifiedNames().stream().map(name -> new Use(source.where(), name)));
+                .flatMap(source -> source.qualifiedNames().stream().map(name -> new Use(source.where(), name)));
     }
 }
