@@ -47,16 +47,23 @@ final class Demo implements AutoCloseable {
     URI uri = options.realMaster().or(() -> master.map(RosMaster::uri)).orElseThrow();
     GraphName name = GraphName.of(options.name());
     RosNode node = RosNode.open(environment(options, uri), name, NodeOptions.standard(Demo::thread));
+    awaitMaster(node, uri);
     long now = options.simTime() ? 0 : System.currentTimeMillis() * 1_000_000;
     RobotNode robot = RobotNode.start(node, World.demo(), Settings.demo(options.seed()), options.simTime(), now);
     Demo demo = new Demo(master, uri, robot, options);
     node.whenClosed().thenRun(demo::end);
     demo.runner.start();
-    if (!node.awaitRegistered(REGISTRATION)) {
-      demo.close();
-      throw new IOException("the master at " + uri + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
-    }
+    awaitMaster(node, uri);
     return demo;
+  }
+
+  /** The first time for the parameters of the command line, which the robot reads; then for all it advertises. */
+  private static void awaitMaster(RosNode node, URI master) throws IOException {
+    if (!node.awaitRegistered(REGISTRATION)) {
+      node.close();
+      throw new IOException(
+          "the master at " + master + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
+    }
   }
 
   private static Thread thread(Runnable task) {

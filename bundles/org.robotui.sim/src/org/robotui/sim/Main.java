@@ -58,7 +58,7 @@ public final class Main {
     Demo demo = Demo.start(options);
     Runtime.getRuntime().addShutdownHook(new Thread(() -> closeInTime(demo), "shutdown"));
     parent.ifPresent(process -> process.onExit().thenRun(demo::end));
-    out.println("ROS_MASTER_URI=" + demo.masterUri());
+    out.println("ROS_MASTER_URI=" + demo.masterUri().toString().replaceAll("/$", ""));
     out.flush();
     demo.awaitEnd();
     return 0;
