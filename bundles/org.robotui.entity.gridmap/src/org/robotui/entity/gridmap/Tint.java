@@ -10,7 +10,7 @@ import org.robotui.ui.Role;
 final class Tint {
   private static final int FULL = 100;
   private static final int BYTES_PER_PIXEL = 4;
-  private static final int FLOOR_ALPHA = 140;
+  private static final int FLOOR_ALPHA = 115;
   private static final int OPAQUE = 255;
 
   private final byte[] red = new byte[FULL + 1];

@@ -12,7 +12,7 @@ import org.robotui.ui.scene.Painter;
 
 /** The newest scan: a dot per echo and, faintly, the space that the beams crossed. */
 public final class LaserScanEntity implements Entity {
-  private static final double DOT = 3.4;
+  private static final double DOT = 4;
   private static final double FAINT = 0.11;
 
   private volatile Optional<ScanShape> shape = Optional.empty();

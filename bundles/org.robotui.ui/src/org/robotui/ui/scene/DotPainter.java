@@ -1,54 +1,45 @@
 package org.robotui.ui.scene;
 
-import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
-import org.eclipse.swt.graphics.Path;
 
-/** Draws many small dots as cheaply as they can be: in one path per some hundred, skipping those that cannot be seen. */
+/**
+ * Draws many small dots as cheaply as they can be: two crossed rectangles look round at this size and cost a tenth of an
+ * antialiased circle; dots that cannot be seen, or lie on the one before, are skipped.
+ */
 final class DotPainter {
-  private static final int PER_PATH = 256;
-  private static final int FULL_TURN = 360;
-
   private DotPainter() {}
 
   static void paint(GC gc, Viewport viewport, double[] xy, int count, double diameter) {
-    Path path = new Path(gc.getDevice());
-    // Overlapping dots must not cut holes into each other.
-    gc.setFillRule(SWT.FILL_WINDING);
-    int inPath = 0;
-    double lastX = Double.NaN;
-    double lastY = Double.NaN;
+    int size = Math.max(2, (int) Math.round(diameter));
+    int thick = size < 4 ? size : size / 2;
+    int lastX = Integer.MIN_VALUE;
+    int lastY = Integer.MIN_VALUE;
     for (int i = 0; i < count; i++) {
       double x = viewport.pixelX(xy[2 * i]);
       double y = viewport.pixelY(xy[2 * i + 1]);
-      boolean same = Math.abs(x - lastX) < 0.5 && Math.abs(y - lastY) < 0.5;
-      if (same || !seen(viewport, x, y, diameter)) {
+      if (!seen(viewport, x, y, size)) {
         continue;
       }
-      dot(path, x, y, diameter);
-      lastX = x;
-      lastY = y;
-      if (++inPath == PER_PATH) {
-        gc.fillPath(path);
-        path.dispose();
-        path = new Path(gc.getDevice());
-        inPath = 0;
+      int left = (int) Math.round(x - size / 2.0);
+      int top = (int) Math.round(y - size / 2.0);
+      if (left != lastX || top != lastY) {
+        dot(gc, left, top, size, thick);
+        lastX = left;
+        lastY = top;
       }
     }
-    gc.fillPath(path);
-    path.dispose();
+  }
+
+  private static void dot(GC gc, int left, int top, int size, int thick) {
+    int inset = (size - thick) / 2;
+    gc.fillRectangle(left, top + inset, size, thick);
+    if (thick < size) {
+      gc.fillRectangle(left + inset, top, thick, inset);
+      gc.fillRectangle(left + inset, top + inset + thick, thick, size - inset - thick);
+    }
   }
 
   private static boolean seen(Viewport viewport, double x, double y, double margin) {
     return x > -margin && y > -margin && x < viewport.width() + margin && y < viewport.height() + margin;
-  }
-
-  private static void dot(Path path, double x, double y, double diameter) {
-    float left = (float) (x - diameter / 2);
-    float top = (float) (y - diameter / 2);
-    float size = (float) diameter;
-    path.moveTo(left + size, top + size / 2);
-    path.addArc(left, top, size, size, 0, FULL_TURN);
-    path.close();
   }
 }

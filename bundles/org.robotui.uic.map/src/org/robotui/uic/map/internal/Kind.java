@@ -37,6 +37,11 @@ public enum Kind {
     return label;
   }
 
+  /** What it is made of, in notes. */
+  public String data() {
+    return this == TRAIL ? "odometry" : word;
+  }
+
   /** The setting that shows or hides it. */
   public String setting() {
     return "show_" + word;

@@ -197,7 +197,7 @@ public final class Feed<T extends Data, E extends Entity> {
   }
 
   private Optional<Note> note(SourceId id, Source<T, E> source) {
-    String name = kind.word() + (sources.size() > 1 ? " " + id.port() : "");
+    String name = kind.data() + (sources.size() > 1 ? " " + id.port() : "");
     InputState state = input.state(id);
     if (state instanceof InputState.Failed || state instanceof InputState.Waiting) {
       return Optional.of(new Note(StateView.health(state), name + ": " + state.explanation()));
