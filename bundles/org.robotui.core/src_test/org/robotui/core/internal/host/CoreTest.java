@@ -1,0 +1,310 @@
+package org.robotui.core.internal.host;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.RficContext;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.command.CommandOutcome;
+import org.robotui.api.command.Output;
+import org.robotui.api.host.MatchState;
+import org.robotui.api.host.PortStatus;
+import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicState;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.support.Await;
+import org.robotui.core.internal.support.CoreBench;
+import org.robotui.core.internal.support.FakeRobot;
+import org.robotui.core.internal.support.FakeView;
+import org.robotui.core.internal.support.Samples;
+import org.robotui.data.LaserScan;
+import org.robotui.data.VelocityCommand;
+
+class CoreTest {
+  private static final String YAML = """
+      ruics:
+        pioneer:
+          rfics:
+            base:
+              type: fake
+          uics:
+            map:
+              type: map
+            teleop:
+              type: teleop
+      """;
+
+  @TempDir
+  Path folder;
+
+  private CoreBench bench;
+  private final AtomicReference<Publication<LaserScan>> scans = new AtomicReference<>();
+  private final List<VelocityCommand> sent = new CopyOnWriteArrayList<>();
+  private final FakeRobot robot = new FakeRobot("fake").onStart(this::offer);
+  private final FakeView map = new FakeView("map", Samples.SCAN).onTick(c -> c.input(Samples.SCAN).drain(e -> { }) > 0);
+  private final FakeView teleop = new FakeView("teleop", Samples.VELOCITY);
+
+  @BeforeEach
+  void start() {
+    bench = new CoreBench(folder);
+    bench.registry.add(robot, "org.robotui.rfic.fake");
+    bench.registry.add(map, "org.robotui.uic.map");
+    bench.registry.add(teleop, "org.robotui.uic.teleop");
+  }
+
+  @AfterEach
+  void end() {
+    bench.close();
+  }
+
+  private void offer(RficContext context) {
+    scans.set(context.offers().stream(Samples.SCAN, Demand.IGNORED));
+    context.offers().command(Samples.VELOCITY, command -> {
+      sent.add(command);
+      return new Sent.Out();
+    });
+    context.link().report(new LinkState.Connected("robot"));
+  }
+
+  private Ruic running() {
+    assertEquals(List.of(), bench.load(YAML));
+    Ruic ruic = bench.ruic();
+    Await.until("the scan is connected", () -> bench.match("map.scan").filter(m -> m.state() == MatchState.CONNECTED).isPresent());
+    return ruic;
+  }
+
+  @Test
+  void dataFlowsFromRobotToSelectedView() {
+    Ruic ruic = running();
+    ruic.select("window");
+    bench.await("map", RuicState.SELECTED);
+    scans.get().publish(Samples.scan(1), Optional.empty());
+    Await.until("a frame is ready", () -> bench.frames.contains("map"));
+    assertInstanceOf(InputState.Live.class, map.context().input(Samples.SCAN).state());
+    PortStatus port = ruic.snapshot().ports().getFirst();
+    assertEquals(1, port.count());
+    assertEquals("1 beams, min 1.00 m", port.value());
+    assertTrue(port.wanted());
+  }
+
+  @Test
+  void unselectedViewsDoNotTick() {
+    Ruic ruic = running();
+    ruic.select("one");
+    ruic.select("two");
+    Await.until("the view ticks", () -> map.ticks.get() > 0);
+    ruic.unselect("one");
+    bench.await("map", RuicState.SELECTED);
+    ruic.unselect("two");
+    bench.await("map", RuicState.UNSELECTED);
+    int ticks = map.ticks.get();
+    bench.await("base", RuicState.INITIALIZED);
+    assertTrue(map.ticks.get() - ticks <= 1, "at most the tick that was under way");
+  }
+
+  @Test
+  void commandsNeedTheLeaseAndReachTheRobot() {
+    Ruic ruic = running();
+    Output<VelocityCommand> output = teleop.context().output(Samples.VELOCITY);
+    CommandOutcome refused = output.send(Samples.forward(1), Duration.ofMillis(300));
+    assertEquals(CommandOutcome.Why.NO_LEASE, assertInstanceOf(CommandOutcome.Refused.class, refused).why());
+    ruic.authorities().getFirst().take(Samples.YOU, false);
+    assertEquals(new CommandOutcome.Accepted(), output.send(Samples.forward(1), Duration.ofMillis(100)));
+    Await.until("zero follows when it is not renewed", () -> sent.size() == 4);
+    assertEquals(
+        List.of(Samples.forward(1), VelocityCommand.ZERO, VelocityCommand.ZERO, VelocityCommand.ZERO), sent);
+  }
+
+  @Test
+  void stopIsRepeatedUntilReleasedAlsoForWhatWeNeverCommanded() {
+    Ruic ruic = running();
+    bench.core.stopAll(Samples.YOU);
+    Await.until("zero is sent again and again", () -> sent.size() >= 3);
+    ruic.authorities().getFirst().take(Samples.YOU, false);
+    CommandOutcome refused = teleop.context().output(Samples.VELOCITY).send(Samples.forward(1), Duration.ofMillis(300));
+    assertEquals(CommandOutcome.Why.STOPPED, assertInstanceOf(CommandOutcome.Refused.class, refused).why());
+    ruic.authorities().getFirst().releaseStop(Samples.YOU);
+    assertEquals(new CommandOutcome.Accepted(),
+        teleop.context().output(Samples.VELOCITY).send(Samples.forward(1), Duration.ofMillis(300)));
+    assertTrue(sent.stream().allMatch(c -> c.equals(VelocityCommand.ZERO) || c.equals(Samples.forward(1))));
+  }
+
+  @Test
+  void stopStaysLatchedOverARestart() throws Exception {
+    Ruic ruic = running();
+    bench.core.stopAll(Samples.YOU);
+    ruic.restart().toCompletableFuture().get();
+    assertTrue(ruic.authorities().getFirst().stoppedBy().isPresent());
+    sent.clear();
+    Await.until("the new instance is stopped, too", () -> !sent.isEmpty());
+  }
+
+  @Test
+  void closingStopsWhatWeDriveAndOnlyThat() {
+    Ruic ruic = running();
+    ruic.authorities().getFirst().take(Samples.YOU, false);
+    teleop.context().output(Samples.VELOCITY).send(Samples.forward(1), Duration.ofSeconds(60));
+    Await.until("it moves", () -> sent.contains(Samples.forward(1)));
+    assertEquals(List.of(), bench.core.close(Duration.ofSeconds(5)));
+    assertEquals(VelocityCommand.ZERO, sent.getLast());
+  }
+
+  @Test
+  void closingSendsNothingWhereWeDidNotMove() {
+    running();
+    assertEquals(List.of(), bench.core.close(Duration.ofSeconds(5)));
+    assertEquals(List.of(), sent);
+    assertEquals(1, robot.closed.get());
+  }
+
+  @Test
+  void typeThatVanishesFailsItsComponentsAndRecoversThem() {
+    Ruic ruic = running();
+    bench.registry.remove(map);
+    bench.await("map", RuicState.FAILED);
+    assertEquals("type 'map' (bundle org.robotui.uic.map) is not installed", bench.status("map").reason());
+    Await.until("it is closed", () -> map.closed.get() == 1);
+    assertTrue(ruic.uic("map").isEmpty());
+    bench.registry.add(map, "org.robotui.uic.map");
+    bench.await("map", RuicState.INITIALIZED);
+    Await.until("connected again", () -> bench.match("map.scan").filter(m -> m.state() == MatchState.CONNECTED).isPresent());
+    assertEquals(2, map.contexts.size());
+  }
+
+  @Test
+  void robotInterfaceTypeThatVanishesIsShownAndRecovers() {
+    running();
+    bench.registry.remove(robot);
+    bench.await("base", RuicState.FAILED);
+    Await.until("the view says so", () -> bench.match("map.scan").orElseThrow().state() == MatchState.PENDING);
+    assertTrue(bench.match("map.scan").orElseThrow().reason().contains("not installed"));
+    bench.registry.add(robot, "org.robotui.rfic.fake");
+    Await.until("connected again", () -> bench.match("map.scan").orElseThrow().state() == MatchState.CONNECTED);
+  }
+
+  @Test
+  void typeUnknownAtLoadIsAwaited() {
+    bench.registry.remove(map);
+    bench.load(YAML);
+    bench.ruic();
+    bench.await("map", RuicState.FAILED);
+    bench.registry.add(map, "org.robotui.uic.map");
+    bench.await("map", RuicState.INITIALIZED);
+  }
+
+  @Test
+  void viewThatThrowsIsFencedAndTheOthersGoOn() {
+    map.onTick(c -> {
+      throw new IllegalStateException("broken");
+    });
+    Ruic ruic = running();
+    ruic.select("window");
+    bench.await("map", RuicState.FAILED);
+    String reason = bench.status("map").reason();
+    assertTrue(reason.contains("broken") && reason.contains("org.robotui.uic.map") && reason.contains("FakeView"), reason);
+    int ticks = teleop.ticks.get();
+    Await.until("the other ticks", () -> teleop.ticks.get() > ticks + 2);
+    map.onTick(c -> false);
+    ruic.restart("map");
+    bench.await("map", RuicState.SELECTED);
+  }
+
+  @Test
+  void viewThatHangsIsFencedAndItsThreadInterrupted() {
+    CountDownLatch never = new CountDownLatch(1);
+    map.onTick(c -> {
+      try {
+        never.await();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+      return false;
+    });
+    Ruic ruic = running();
+    ruic.select("window");
+    bench.await("map", RuicState.FAILED);
+    assertTrue(bench.status("map").reason().startsWith("did not return from tick within 2 s"), bench.status("map").reason());
+    Await.until("its thread has ended", () -> CoreBench.threads("pioneer.map").isEmpty());
+    bench.await("teleop", RuicState.SELECTED);
+  }
+
+  @Test
+  void threadOfARobotInterfaceThatThrowsFailsIt() {
+    Ruic ruic = running();
+    robot.context().threads().newThread(() -> {
+      throw new IllegalStateException("socket code is broken");
+    }).start();
+    bench.await("base", RuicState.FAILED);
+    assertTrue(bench.status("base").reason().contains("socket code is broken"));
+    assertEquals("base", ruic.snapshot().components().getFirst().id());
+  }
+
+  @Test
+  void lostLinkMakesViewsStaleAtOnce() {
+    running();
+    scans.get().publish(Samples.scan(1), Optional.empty());
+    robot.context().link().report(new LinkState.Failed("robot: connection reset", Duration.ofSeconds(1)));
+    InputState state = map.context().input(Samples.SCAN).state();
+    assertTrue(assertInstanceOf(InputState.Stale.class, state).explanation().contains("connection reset"));
+  }
+
+  @Test
+  void chosenPeerIsConnectedAndKeptAcrossARestartOfTheProcess() {
+    robot.onStart(c -> {
+      offer(c);
+      c.offers().stream(new org.robotui.api.port.StreamPort<>("rear", LaserScan.class, Samples.SCAN.arity(), ""), Demand.IGNORED);
+    });
+    Ruic ruic = running();
+    assertEquals(List.of(new SourceId("base", "scan")), bench.match("map.scan").orElseThrow().peers());
+    ruic.connect(new SourceId("map", "scan"), new SourceId("base", "rear"));
+    Await.until("it is connected", () -> bench.match("map.scan").orElseThrow().peers().equals(List.of(new SourceId("base", "rear"))));
+    map.context().settings().set("zoom", 20.0);
+    bench.close();
+    start();
+    running();
+    assertEquals(List.of(new SourceId("base", "rear")), bench.match("map.scan").orElseThrow().peers());
+    assertEquals(20.0, map.context().settings().current().number("zoom"));
+  }
+
+  @Test
+  void viewsForAnotherSurfaceAreLeftOut() {
+    teleop.on(Surface.TEXT);
+    Ruic ruic = running();
+    assertEquals(List.of("base", "map"), ruic.snapshot().components().stream().map(c -> c.id()).toList());
+    assertEquals(0, teleop.contexts.size());
+  }
+
+  @Test
+  void sameNameTwiceIsAProblem() {
+    running();
+    assertTrue(bench.load(YAML).getFirst().message().contains("runs already"));
+    assertEquals(1, bench.core.ruics().size());
+  }
+
+  @Test
+  void removedRuicLeavesNoThread() throws Exception {
+    Ruic ruic = running();
+    ruic.select("window");
+    assertEquals(RuicState.SHUT_DOWN, ruic.remove().toCompletableFuture().get());
+    assertEquals(List.of(), bench.core.ruics());
+    Await.until("no thread is left", () -> CoreBench.threads("pioneer").isEmpty() && CoreBench.threads("ruic-").isEmpty()
+        && CoreBench.threads("arbiter-pioneer").isEmpty());
+  }
+}
