@@ -47,7 +47,7 @@ final class CameraSurface {
     this.states = new StateView(context.theme());
     this.root = new Composite(parent, SWT.NONE);
     root.setLayout(stack);
-    this.canvas = new PaintedCanvas(root, SWT.NONE, context.theme(), Role.GROUND, this::paint);
+    this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser = new CandidateChooser(root, context.theme(), chosen);
     this.navigation = new Navigation(canvas, () -> shot.seen());
     stack.topControl = canvas;

@@ -1,0 +1,65 @@
+package org.robotui.uic.text.internal;
+
+import java.util.List;
+import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Uic;
+import org.robotui.api.UicContext;
+import org.robotui.api.UicType;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.ValueType;
+import org.robotui.api.port.Port;
+
+/** Shows in a terminal how a robot is doing. */
+@Component(service = UicType.class)
+public final class TextType implements UicType {
+  static final String UNUSED = "unused";
+  static final String TYPES = "types";
+
+  private static final double RATE_HZ = 2;
+
+  private static final Schema SCHEMA = Schema.of(
+      Setting.of(UNUSED, new ValueType.Flag(), true, "Whether ports are listed that no view uses."),
+      Setting.of(TYPES, new ValueType.Flag(), true, "Whether the types of ports are listed, where there is room."));
+
+  @Override
+  public String id() {
+    return "text";
+  }
+
+  @Override
+  public String label() {
+    return "Text";
+  }
+
+  @Override
+  public String help() {
+    return "Shows link, authority and every port of a robot in a terminal.";
+  }
+
+  @Override
+  public Schema schema() {
+    return SCHEMA;
+  }
+
+  @Override
+  public List<Port> ports() {
+    return List.of();
+  }
+
+  @Override
+  public Surface surface() {
+    return Surface.TEXT;
+  }
+
+  @Override
+  public double rateHz() {
+    return RATE_HZ;
+  }
+
+  @Override
+  public Uic create(UicContext context, Settings settings) {
+    return new TextView(context);
+  }
+}

@@ -1,0 +1,37 @@
+package org.robotui.uic.text.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.TextUic;
+import org.robotui.api.UicContext;
+import org.robotui.api.config.Settings;
+
+/** The view: the tick looks, the terminal's thread lays out. */
+final class TextView implements TextUic {
+  private final UicContext context;
+  private volatile Optional<Report> report = Optional.empty();
+
+  TextView(UicContext context) {
+    this.context = context;
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    Settings settings = context.settings().current();
+    Optional<Report> next = Optional.of(new Report(context.ruic().snapshot(), Standing.of(context.ruic().authorities()),
+        settings.flag(TextType.UNUSED), settings.flag(TextType.TYPES)));
+    boolean changed = !next.equals(report);
+    report = next;
+    return changed;
+  }
+
+  @Override
+  public List<String> lines(int columns, int rows) {
+    return report.map(r -> r.lines(columns, rows)).orElse(List.of());
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+}
