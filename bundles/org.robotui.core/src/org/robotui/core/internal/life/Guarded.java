@@ -2,6 +2,7 @@ package org.robotui.core.internal.life;
 
 import java.time.Duration;
 import java.util.concurrent.Callable;
+import java.util.Collection;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -38,12 +39,8 @@ final class Guarded {
   }
 
   /** Runs several pieces of work at once and waits for all of them; they have limits of their own. */
-  static void all(ThreadFactory threads, Iterable<? extends Runnable> works) throws InterruptedException {
-    int count = 0;
-    for (Runnable ignored : works) {
-      count++;
-    }
-    CountDownLatch done = new CountDownLatch(count);
+  static void all(ThreadFactory threads, Collection<? extends Runnable> works) throws InterruptedException {
+    CountDownLatch done = new CountDownLatch(works.size());
     for (Runnable work : works) {
       threads.newThread(() -> {
         try {

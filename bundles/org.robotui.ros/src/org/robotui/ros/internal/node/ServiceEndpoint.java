@@ -2,7 +2,6 @@ package org.robotui.ros.internal.node;
 
 import java.io.EOFException;
 import java.io.IOException;
-import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
@@ -49,8 +48,9 @@ final class ServiceEndpoint<Q, R> implements ServiceServer {
         String client = request.field("callerid").orElse("unnamed");
         String md5 = request.field("md5sum").orElse(MessageInfo.ANY);
         if (!new MessageInfo(codec.type(), codec.md5(), "").accepts(md5)) {
-            throw new ProtocolException("service " + name + " is " + codec.type() + " with MD5 sum " + codec.md5() + ", but "
-                    + client + " wants " + md5);
+            String reason = "it is " + codec.type() + " with MD5 sum " + codec.md5() + ", but the client wants " + md5;
+            failed(client, reason);
+            throw new ProtocolException("service " + name + ": " + reason);
         }
         connection.socket().getOutputStream().write(reply().encode());
         if (!request.flag("probe") && sockets.add(connection.socket())) {
@@ -115,7 +115,7 @@ final class ServiceEndpoint<Q, R> implements ServiceServer {
     }
 
     private void failed(String client, String cause) {
-        context.report(Kind.SERVICE_SERVER, name.text(), client,
+        context.report(Kind.SERVICE, name.text(), client,
                 new LinkState.Closed("service " + name + ": client " + client + ": " + cause));
     }
 
