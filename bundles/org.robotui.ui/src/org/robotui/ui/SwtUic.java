@@ -8,7 +8,7 @@ import org.robotui.api.Uic;
 /**
  * A view in a window. {@link #tick} runs on the view's own worker and prepares; the methods here run on the display thread
  * and only paint and take input: they never block, decode or send (sending goes through
- * {@link org.robotui.api.command.Output}, which returns at once).
+ * the outputs of its context, which returns at once).
  */
 public interface SwtUic extends Uic {
   /**

@@ -1,8 +1,8 @@
 package org.robotui.core.internal.life;
 
 import java.time.Duration;
-import java.util.concurrent.Callable;
 import java.util.Collection;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
