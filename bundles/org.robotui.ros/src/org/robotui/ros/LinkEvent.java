@@ -1,7 +1,7 @@
 package org.robotui.ros;
 
 /**
- * A change of one link's state.
+ * A change of one link's state. What becomes of calls to services of other nodes is told by their {@link Outcome}.
  *
  * @param kind  what the link is for
  * @param name  the topic or service; the node's own name for the master's link
@@ -18,9 +18,7 @@ public record LinkEvent(Kind kind, String name, String peer, LinkState state) {
         SUBSCRIPTION,
         /** Messages from a publisher of this node to a subscriber. */
         PUBLICATION,
-        /** Calls of a client to a service of this node. */
-        SERVICE_SERVER,
-        /** Calls of this node to a service. */
-        SERVICE_CLIENT
+        /** Calls of a client to a service of this node; reported only when the client is refused or breaks the protocol. */
+        SERVICE
     }
 }

@@ -1,9 +1,11 @@
 package org.robotui.ros;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Collections;
 
 /** A value as XML-RPC knows it: what ROS parameters hold and what the master's and the nodes' APIs exchange. */
 public sealed interface XmlRpcValue {
@@ -55,6 +57,7 @@ public sealed interface XmlRpcValue {
             bytes = bytes.clone();
         }
 
+        /** The content, as a copy. */
         @Override
         public byte[] bytes() {
             return bytes.clone();
@@ -62,12 +65,12 @@ public sealed interface XmlRpcValue {
 
         @Override
         public boolean equals(Object other) {
-            return other instanceof Binary that && java.util.Arrays.equals(bytes, that.bytes);
+            return other instanceof Binary that && Arrays.equals(bytes, that.bytes);
         }
 
         @Override
         public int hashCode() {
-            return java.util.Arrays.hashCode(bytes);
+            return Arrays.hashCode(bytes);
         }
     }
 
@@ -154,7 +157,7 @@ public sealed interface XmlRpcValue {
      * @return the value
      */
     static XmlRpcValue ofTexts(Iterable<String> items) {
-        List<XmlRpcValue> values = new java.util.ArrayList<>();
+        List<XmlRpcValue> values = new ArrayList<>();
         items.forEach(item -> values.add(of(item)));
         return new Array(values);
     }

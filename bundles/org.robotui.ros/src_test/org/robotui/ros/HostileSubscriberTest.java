@@ -72,6 +72,13 @@ class HostileSubscriberTest {
     @Test
     void anotherTypeIsRefusedWithBothSums() throws Exception {
         expectRefusal(ConnectionHeaders.subscriber("/chatter", "abc"), "abc", "992ce8a1687cec8c8bd883ec73ca41d1", "/chatter");
+        links.awaitReason(Kind.PUBLICATION, "/chatter", "/liar", "abc", "992ce8a1687cec8c8bd883ec73ca41d1");
+    }
+
+    @Test
+    void aClientOfAnotherServiceTypeIsRefusedWithBothSums() throws Exception {
+        expectRefusal(ConnectionHeaders.client("/echo", "abc"), "/echo", "abc", ECHO.md5());
+        links.awaitReason(Kind.SERVICE, "/echo", "/liar", "abc", ECHO.md5());
     }
 
     @Test
@@ -110,7 +117,7 @@ class HostileSubscriberTest {
         try (Socket socket = new Socket(tcp.host(), tcp.port())) {
             socket.getOutputStream().write(ConnectionHeaders.client("/echo", ECHO.md5()));
             socket.getOutputStream().write(new MessageWriter().i32(-1).toByteArray());
-            links.awaitReason(Kind.SERVICE_SERVER, "/echo", "/liar", "request of 4294967295 bytes");
+            links.awaitReason(Kind.SERVICE, "/echo", "/liar", "request of 4294967295 bytes");
         }
     }
 
@@ -119,7 +126,7 @@ class HostileSubscriberTest {
         try (Socket socket = new Socket(tcp.host(), tcp.port())) {
             socket.getOutputStream().write(ConnectionHeaders.client("/echo", ECHO.md5()));
             socket.getOutputStream().write(new MessageWriter().i32(4).i32(77).toByteArray());
-            links.awaitReason(Kind.SERVICE_SERVER, "/echo", "/liar", "request that is no test/Echo", "data");
+            links.awaitReason(Kind.SERVICE, "/echo", "/liar", "request that is no test/Echo", "data");
         }
     }
 

@@ -200,6 +200,17 @@ class PubSubTest {
     }
 
     @Test
+    void virtualThreadsDoAsWell() throws Exception {
+        List<String> got = new CopyOnWriteArrayList<>();
+        NodeOptions options = NodeOptions.standard(Thread.ofVirtual().factory());
+        RosEnvironment environment = RosEnvironment.of(graph.master().uri());
+        Publisher<String> publisher = graph.open(environment, "talker", options).publisher("chatter", TEXT, PublisherOptions.latched());
+        listen(graph.open(environment, "listener", options), "chatter", got);
+        publisher.publish("light");
+        Eventually.await("the message", () -> got.equals(List.of("light")));
+    }
+
+    @Test
     void closingOneOfTwoSubscribersLeavesTheOther() throws Exception {
         List<String> got = new CopyOnWriteArrayList<>();
         Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard());

@@ -19,6 +19,7 @@ public record RawMessage(MessageInfo info, ByteBuffer bytes) {
         bytes = bytes.asReadOnlyBuffer();
     }
 
+    /** The message's bytes as a fresh little-endian view, from position 0 on. */
     @Override
     public ByteBuffer bytes() {
         return bytes.duplicate().order(ByteOrder.LITTLE_ENDIAN);

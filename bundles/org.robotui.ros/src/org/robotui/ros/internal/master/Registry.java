@@ -40,7 +40,7 @@ final class Registry {
     synchronized List<String> addSubscriber(String node, String uri, String topic, String type) {
         arrive(node, uri);
         subscribers.computeIfAbsent(topic, key -> new LinkedHashSet<>()).add(node);
-        if (!types.containsKey(topic)) {
+        if (!types.containsKey(topic) && !type.equals(ANY)) {
             learn(topic, type);
         }
         return uris(publishers, topic);

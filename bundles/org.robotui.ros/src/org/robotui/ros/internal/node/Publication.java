@@ -9,6 +9,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import org.robotui.ros.GraphName;
+import org.robotui.ros.LinkEvent;
+import org.robotui.ros.LinkState;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
@@ -71,8 +73,10 @@ final class Publication<T> implements Publisher<T> {
         MessageInfo theirs = new MessageInfo(request.field("type").orElse(MessageInfo.ANY), request.require("md5sum"),
                 request.field("message_definition").orElse(""));
         if (!codec.info().accepts(theirs.md5())) {
-            throw new ProtocolException("topic " + topic + " is " + codec.info().type() + " with MD5 sum " + codec.info().md5()
-                    + ", but " + subscriber + " wants " + theirs.type() + " with " + theirs.md5());
+            String reason = "topic " + topic + " is " + codec.info().type() + " with MD5 sum " + codec.info().md5()
+                    + ", but " + subscriber + " wants " + theirs.type() + " with " + theirs.md5();
+            context.report(LinkEvent.Kind.PUBLICATION, topic.text(), subscriber, new LinkState.Closed(reason));
+            throw new ProtocolException(reason);
         }
         socket.getOutputStream().write(reply().encode());
         OutQueue queue = new OutQueue(options.queueMessages(), options.queueBytes(), dropped);

@@ -1,6 +1,7 @@
 package org.robotui.ros.internal.xmlrpc;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -58,7 +59,7 @@ public final class ApiMethods implements XmlRpcHandler {
     public final ApiMethods add(String name, Body body, Class<? extends XmlRpcValue>... types) {
         List<Class<? extends XmlRpcValue>> all = new ArrayList<>();
         all.add(XmlRpcValue.Text.class);
-        all.addAll(List.of(types));
+        Collections.addAll(all, types);
         methods.computeIfAbsent(name, key -> new ArrayList<>()).add(new Method(all, body));
         return this;
     }
