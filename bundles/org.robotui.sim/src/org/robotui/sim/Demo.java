@@ -47,20 +47,29 @@ final class Demo implements AutoCloseable {
     URI uri = options.realMaster().or(() -> master.map(RosMaster::uri)).orElseThrow();
     GraphName name = GraphName.of(options.name());
     RosNode node = RosNode.open(environment(options, uri), name, NodeOptions.standard(Demo::thread));
+    try {
+      return start(options, master, uri, node);
+    } catch (IOException | RuntimeException e) {
+      node.close();
+      master.ifPresent(RosMaster::close);
+      throw e;
+    }
+  }
+
+  private static Demo start(Options options, Optional<RosMaster> master, URI uri, RosNode node) throws IOException {
     awaitMaster(node, uri);
     long now = options.simTime() ? 0 : System.currentTimeMillis() * 1_000_000;
     RobotNode robot = RobotNode.start(node, World.demo(), Settings.demo(options.seed()), options.simTime(), now);
+    awaitMaster(node, uri);
     Demo demo = new Demo(master, uri, robot, options);
     node.whenClosed().thenRun(demo::end);
     demo.runner.start();
-    awaitMaster(node, uri);
     return demo;
   }
 
   /** The first time for the parameters of the command line, which the robot reads; then for all it advertises. */
   private static void awaitMaster(RosNode node, URI master) throws IOException {
     if (!node.awaitRegistered(REGISTRATION)) {
-      node.close();
       throw new IOException(
           "the master at " + master + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
     }
