@@ -1,0 +1,62 @@
+package org.robotui.uic.status.internal;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.Battery;
+import org.robotui.ui.Figures;
+import org.robotui.ui.Health;
+import org.robotui.ui.StateView;
+
+/** Lines of batteries. */
+final class BatteryRows {
+  private static final double PERCENT = 100;
+
+  private BatteryRows() {}
+
+  /**
+   * A line.
+   *
+   * @param source where it comes from
+   * @param name how it is called
+   * @param battery the newest value
+   * @param state of the source
+   * @param low the fraction below which the charge is a warning
+   */
+  static Row of(SourceId source, String name, Optional<Battery> battery, InputState state, double low) {
+    Health health = StateView.health(state);
+    if (health == Health.OK) {
+      health = battery.map(b -> health(b.charge(), low)).orElse(Health.WAITING);
+    }
+    String figures = battery.map(BatteryRows::figures).orElse(StateView.word(state));
+    String text = health == Health.STALE ? StateView.word(state) + "  " + figures : figures;
+    return new Row.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN), text,
+        source + "\nBattery, charge in % of full, V, A (negative when discharging)\n" + text);
+  }
+
+  private static Health health(double charge, double low) {
+    return charge < low / 2 ? Health.BAD : charge < low ? Health.WARNING : Health.OK;
+  }
+
+  private static String figures(Battery battery) {
+    return Stream.of(
+            figure(battery.charge() * PERCENT, 0, "%"), figure(battery.voltage(), 1, "V"), figure(battery.current(), 1, "A"),
+            status(battery.status()))
+        .filter(text -> !text.isEmpty())
+        .collect(Collectors.joining("  "));
+  }
+
+  private static String figure(double value, int decimals, String unit) {
+    return Double.isNaN(value) ? "" : Figures.of(value, decimals, unit);
+  }
+
+  private static String status(Battery.Status status) {
+    return switch (status) {
+      case UNKNOWN, DISCHARGING -> "";
+      default -> status.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    };
+  }
+}

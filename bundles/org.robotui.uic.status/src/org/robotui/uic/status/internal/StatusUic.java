@@ -1,0 +1,91 @@
+package org.robotui.uic.status.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.api.command.Authority;
+import org.robotui.api.command.Principal;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.Battery;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+
+/** The view: the tick looks, the surface lists. */
+final class StatusUic implements SwtUic {
+  private final UicContext context;
+  private final Input<Battery> batteries;
+  private volatile Look look;
+  private Optional<StatusSurface> surface = Optional.empty();
+
+  StatusUic(UicContext context) {
+    this.context = context;
+    this.batteries = context.input(StatusType.BATTERY);
+    this.look = look();
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    Look next = look();
+    boolean changed = !next.equals(look);
+    look = next;
+    return changed;
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    StatusSurface made = new StatusSurface(parent, ui, new Actions());
+    surface = Optional.of(made);
+    made.show(look);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(s -> s.show(look));
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+
+  private Look look() {
+    double low = context.settings().current().number(StatusType.LOW_CHARGE);
+    List<SourceId> sources = batteries.sources();
+    List<Row> rows = sources.stream()
+        .map(source -> BatteryRows.of(source, sources.size() > 1 ? source.port() : "Battery", batteries.latest(source).map(Envelope::value), batteries.state(source), low))
+        .toList();
+    Optional<String> stopped = context.ruic().authorities().stream()
+        .flatMap(authority -> authority.stoppedBy().stream()).map(Principal::label).findFirst();
+    return new Look(context.ruic().snapshot(), rows, stopped, context.settings().current().flag(StatusType.CONNECTIONS));
+  }
+
+  /** What the user can do. Display thread. */
+  final class Actions {
+    void stop() {
+      context.ruic().authorities().forEach(authority -> authority.stop(context.principal()));
+      now();
+    }
+
+    void releaseStop() {
+      for (Authority authority : context.ruic().authorities()) {
+        authority.releaseStop(context.principal());
+      }
+      now();
+    }
+
+    void connections(boolean shown) {
+      context.settings().set(StatusType.CONNECTIONS, shown);
+      now();
+    }
+
+    private void now() {
+      look = look();
+      refresh();
+    }
+  }
+}
