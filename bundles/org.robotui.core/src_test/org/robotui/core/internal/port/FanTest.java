@@ -1,0 +1,216 @@
+package org.robotui.core.internal.port;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.IntFunction;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.support.Samples;
+import org.robotui.data.Conflation;
+import org.robotui.data.Data;
+import org.robotui.data.DataType;
+import org.robotui.data.Delivery;
+import org.robotui.data.JointState;
+import org.robotui.data.JointState.Joint;
+import org.robotui.data.LaserScan;
+import org.robotui.data.Late;
+import org.robotui.data.LogEntry;
+
+class FanTest {
+  private static final SourceId ID = new SourceId("base", "port");
+
+  /** An event whose last value late consumers get. */
+  @Delivery(conflation = Conflation.EVENT, late = Late.LAST)
+  private record Notice(int number) implements Data {}
+
+  private static <T extends Data> Fan<T> fan(Class<T> type) {
+    return new Fan<>(ID, DataType.of(type), 0);
+  }
+
+  private static <T extends Data> void publish(Fan<T> fan, T value) {
+    fan.publish(value, Optional.empty(), System.nanoTime(), Optional.empty());
+  }
+
+  private static <T extends Data> List<T> drain(Tap<T> tap) {
+    List<T> taken = new ArrayList<>();
+    tap.drain(e -> taken.add(e.value()));
+    return taken;
+  }
+
+  private static Joint joint(String name, double position) {
+    return new Joint(name, position, 0, 0);
+  }
+
+  @Test
+  void samplesAreReplacedByNewerOnes() {
+    Fan<LaserScan> fan = fan(LaserScan.class);
+    Tap<LaserScan> tap = fan.join();
+    publish(fan, Samples.scan(1));
+    publish(fan, Samples.scan(2));
+    assertEquals(List.of(Samples.scan(2)), drain(tap));
+    assertEquals(List.of(), drain(tap));
+    assertEquals(Samples.scan(2), tap.latest().orElseThrow().value());
+    assertEquals(0, tap.dropped());
+  }
+
+  @Test
+  void keyedValuesAreMergedUntilTheyAreTaken() {
+    Fan<JointState> fan = fan(JointState.class);
+    Tap<JointState> tap = fan.join();
+    publish(fan, new JointState(List.of(joint("a", 1), joint("b", 1))));
+    publish(fan, new JointState(List.of(joint("b", 2))));
+    assertEquals(List.of(new JointState(List.of(joint("a", 1), joint("b", 2)))), drain(tap));
+    publish(fan, new JointState(List.of(joint("c", 3))));
+    assertEquals(List.of(new JointState(List.of(joint("c", 3)))), drain(tap), "only what changed");
+    assertEquals(3, tap.latest().orElseThrow().value().joints().size());
+  }
+
+  @Test
+  void lateConsumersOfKeyedValuesGetAllKeys() {
+    Fan<JointState> fan = fan(JointState.class);
+    publish(fan, new JointState(List.of(joint("a", 1))));
+    publish(fan, new JointState(List.of(joint("b", 2))));
+    assertEquals(List.of(new JointState(List.of(joint("a", 1), joint("b", 2)))), drain(fan.join()));
+  }
+
+  @Test
+  void eventsAreAllDeliveredInOrder() {
+    Fan<LogEntry> fan = fan(LogEntry.class);
+    publish(fan, Samples.log("before"));
+    Tap<LogEntry> tap = fan.join();
+    assertTrue(tap.latest().isEmpty(), "late consumers of a log get nothing");
+    publish(fan, Samples.log("one"));
+    publish(fan, Samples.log("two"));
+    assertEquals(List.of(Samples.log("one"), Samples.log("two")), drain(tap));
+  }
+
+  @Test
+  void eventsBeyondTheQueueAreDroppedOldestFirstAndCounted() {
+    Fan<LogEntry> fan = fan(LogEntry.class);
+    Tap<LogEntry> tap = fan.join();
+    for (int i = 0; i < EventMailbox.CAPACITY + 10; i++) {
+      publish(fan, Samples.log("entry " + i));
+    }
+    List<LogEntry> taken = drain(tap);
+    assertEquals(EventMailbox.CAPACITY, taken.size());
+    assertEquals(Samples.log("entry 10"), taken.getFirst());
+    assertEquals(10, tap.dropped());
+    assertEquals(10, fan.dropped());
+  }
+
+  @Test
+  void lateConsumersOfAnEventGetTheLastOnce() {
+    Fan<Notice> fan = fan(Notice.class);
+    publish(fan, new Notice(1));
+    publish(fan, new Notice(2));
+    Tap<Notice> tap = fan.join();
+    publish(fan, new Notice(3));
+    assertEquals(List.of(new Notice(2), new Notice(3)), drain(tap));
+  }
+
+  @Test
+  void sequenceCountsAllValuesOfTheSource() {
+    Fan<LaserScan> fan = fan(LaserScan.class);
+    Tap<LaserScan> tap = fan.join();
+    AtomicReference<Envelope<LaserScan>> seen = new AtomicReference<>();
+    for (int i = 0; i < 5; i++) {
+      publish(fan, Samples.scan(i));
+    }
+    tap.drain(seen::set);
+    assertEquals(4, seen.get().sequence());
+    assertEquals(ID, seen.get().source());
+  }
+
+  @Test
+  void consumerThatLeftGetsNothing() {
+    Fan<LaserScan> fan = fan(LaserScan.class);
+    Tap<LaserScan> tap = fan.join();
+    tap.close();
+    publish(fan, Samples.scan(1));
+    assertEquals(List.of(), drain(tap));
+  }
+
+  @Test
+  void samplesNeverGoBackWhileFourThreadsPublishAndConsumersComeAndGo() throws InterruptedException {
+    Fan<LaserScan> fan = fan(LaserScan.class);
+    AtomicBoolean wentBack = new AtomicBoolean();
+    AtomicBoolean over = new AtomicBoolean();
+    Thread consumer = Thread.ofPlatform().start(() -> {
+      while (!over.get()) {
+        Tap<LaserScan> tap = fan.join();
+        long[] last = {-1};
+        for (int i = 0; i < 100; i++) {
+          tap.drain(e -> {
+            wentBack.compareAndSet(false, e.sequence() <= last[0]);
+            last[0] = e.sequence();
+          });
+        }
+        tap.close();
+      }
+    });
+    publishFromFourThreads(fan, 20_000, i -> Samples.scan(i));
+    over.set(true);
+    consumer.join();
+    assertFalse(wentBack.get());
+    assertEquals(80_000, fan.rate().count());
+  }
+
+  @Test
+  void noEventIsLostOrDoubledWhileFourThreadsPublish() throws InterruptedException {
+    Fan<LogEntry> fan = fan(LogEntry.class);
+    Tap<LogEntry> tap = fan.join();
+    AtomicBoolean over = new AtomicBoolean();
+    List<Long> taken = new ArrayList<>();
+    Thread consumer = Thread.ofPlatform().start(() -> {
+      int count = 1;
+      while (!over.get() || count > 0) {
+        count = tap.drain(e -> taken.add(e.sequence()));
+      }
+    });
+    publishFromFourThreads(fan, 5_000, i -> Samples.log("x"));
+    over.set(true);
+    consumer.join();
+    assertEquals(20_000, taken.size() + tap.dropped());
+    assertEquals(taken.size(), taken.stream().distinct().count());
+  }
+
+  @Test
+  void noKeyIsLostWhileFourThreadsPublish() throws InterruptedException {
+    Fan<JointState> fan = fan(JointState.class);
+    Tap<JointState> tap = fan.join();
+    publishFromFourThreads(fan, 200, i -> new JointState(List.of(joint("joint " + i, i))));
+    assertEquals(200, tap.latest().orElseThrow().value().joints().size());
+    assertEquals(200, drain(tap).getFirst().joints().size());
+  }
+
+  private static <T extends Data> void publishFromFourThreads(
+      Fan<T> fan, int each, IntFunction<T> value) throws InterruptedException {
+    CountDownLatch go = new CountDownLatch(1);
+    List<Thread> threads = new ArrayList<>();
+    for (int t = 0; t < 4; t++) {
+      threads.add(Thread.ofPlatform().start(() -> {
+        try {
+          go.await();
+        } catch (InterruptedException e) {
+          return;
+        }
+        for (int i = 0; i < each; i++) {
+          publish(fan, value.apply(i));
+        }
+      }));
+    }
+    go.countDown();
+    for (Thread thread : threads) {
+      thread.join();
+    }
+  }
+}

@@ -1,0 +1,190 @@
+package org.robotui.core.internal.port;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.port.StreamPort;
+import org.robotui.core.internal.support.ManualClock;
+import org.robotui.core.internal.support.Samples;
+import org.robotui.data.Bytes;
+import org.robotui.data.Data;
+import org.robotui.data.FrameId;
+import org.robotui.data.GridMap;
+import org.robotui.data.LaserScan;
+import org.robotui.geometry.RigidTransform;
+
+class InputEndTest {
+  private final ManualClock clock = new ManualClock();
+  private final Link link = new Link(clock, () -> {});
+  private final List<Boolean> demand = new ArrayList<>();
+  private final StreamSource<LaserScan> front = source("front", LaserScan.class);
+  private final StreamSource<LaserScan> rear = source("rear", LaserScan.class);
+  private final InputEnd<LaserScan> input = new InputEnd<>(clock);
+
+  private <T extends Data> StreamSource<T> source(String name, Class<T> type) {
+    Demand told = demand::add;
+    StreamPort<T> port = new StreamPort<>(name, type, Arity.ONE, "");
+    return new StreamSource<>(new SourceId("base", name), port, link, clock, told, Runnable::run, o -> {});
+  }
+
+  private <T extends Data> void publish(StreamSource<T> source, T value) {
+    source.publish(value, Optional.empty(), clock.nanos(), Optional.empty());
+  }
+
+  private void connected() {
+    link.report(new LinkState.Connected("robot"));
+  }
+
+  private static String explanation(Class<? extends InputState> type, InputState state) {
+    return assertInstanceOf(type, state).explanation();
+  }
+
+  @Test
+  void withoutSourceItSaysWhatMatchingSays() {
+    input.connect(List.of(), "map needs GridMap");
+    assertEquals(new InputState.Unconnected("map needs GridMap"), input.state());
+    assertTrue(input.latest().isEmpty());
+    assertEquals(0, input.drain(e -> {}));
+  }
+
+  @Test
+  void waitsLivesAndGoesStale() {
+    input.connect(List.of(front), "");
+    assertTrue(explanation(InputState.Waiting.class, input.state()).contains("no link yet (disconnected)"));
+    connected();
+    assertTrue(explanation(InputState.Waiting.class, input.state()).contains("nothing came yet"));
+    for (int i = 0; i < 10; i++) {
+      publish(front, Samples.scan(i));
+      clock.advanceMillis(100);
+    }
+    assertEquals(10, assertInstanceOf(InputState.Live.class, input.state()).rateHz(), 1);
+    clock.advanceMillis(850);
+    assertInstanceOf(InputState.Live.class, input.state(), "within a second nothing is stale");
+    clock.advanceMillis(100);
+    assertTrue(explanation(InputState.Stale.class, input.state()).contains("usually every 0.10 s"));
+  }
+
+  @Test
+  void slowSourcesAreStaleAfterThreePeriods() {
+    connected();
+    input.connect(List.of(front), "");
+    for (int i = 0; i < 5; i++) {
+      publish(front, Samples.scan(i));
+      clock.advanceMillis(2000);
+    }
+    clock.advanceMillis(3900);
+    assertInstanceOf(InputState.Live.class, input.state());
+    clock.advanceMillis(200);
+    assertInstanceOf(InputState.Stale.class, input.state());
+  }
+
+  @Test
+  void mapsDoNotExpireButALostLinkIsTold() {
+    connected();
+    StreamSource<GridMap> source = source("map", GridMap.class);
+    InputEnd<GridMap> end = new InputEnd<>(clock);
+    end.connect(List.of(source), "");
+    publish(source, new GridMap(new FrameId("r", "map"), 1, 1, 1, RigidTransform.IDENTITY, Bytes.of((byte) 0)));
+    clock.advanceMillis(3_600_000);
+    assertInstanceOf(InputState.Live.class, end.state());
+    link.report(new LinkState.Failed("robot: no route", Duration.ofSeconds(2)));
+    assertTrue(explanation(InputState.Stale.class, end.state()).contains("no route"));
+  }
+
+  @Test
+  void failureOfTheSourceIsToldUntilTheNextValue() {
+    connected();
+    input.connect(List.of(front), "");
+    front.failed("robot sends std_msgs/String");
+    assertTrue(explanation(InputState.Failed.class, input.state()).contains("std_msgs/String"));
+    publish(front, Samples.scan(1));
+    assertInstanceOf(InputState.Live.class, input.state());
+  }
+
+  @Test
+  void lostMessagesAreToldWhileNothingUsableCame() {
+    connected();
+    input.connect(List.of(front), "");
+    front.lost(3, "robot: truncated scan");
+    assertTrue(input.state().explanation().contains("truncated scan"));
+    assertEquals(3, front.status(clock.nanos()).dropped());
+    assertEquals("robot: truncated scan", front.status(clock.nanos()).problem());
+  }
+
+  @Test
+  void bestOfSeveralSourcesCounts() {
+    connected();
+    input.connect(List.of(front, rear), "");
+    front.failed("broken");
+    assertInstanceOf(InputState.Waiting.class, input.state());
+    publish(rear, Samples.scan(2));
+    assertInstanceOf(InputState.Live.class, input.state());
+    assertInstanceOf(InputState.Failed.class, input.state(front.id()));
+    assertInstanceOf(InputState.Unconnected.class, input.state(new SourceId("base", "none")));
+    assertEquals(List.of(front.id(), rear.id()), input.sources());
+  }
+
+  @Test
+  void latestIsTheNewestOfAllSourcesAndDrainKeepsTheOrderOfArrival() {
+    input.connect(List.of(front, rear), "");
+    publish(rear, Samples.scan(1));
+    clock.advanceMillis(1);
+    publish(front, Samples.scan(2));
+    assertEquals(front.id(), input.latest().orElseThrow().source());
+    assertEquals(rear.id(), input.latest(rear.id()).orElseThrow().source());
+    List<SourceId> order = new ArrayList<>();
+    assertEquals(2, input.drain(e -> order.add(e.source())));
+    assertEquals(List.of(rear.id(), front.id()), order);
+  }
+
+  @Test
+  void matchingAgainKeepsWhatAConnectionHolds() {
+    input.connect(List.of(front), "");
+    publish(front, Samples.scan(1));
+    input.connect(List.of(front, rear), "");
+    assertEquals(1, input.drain(e -> {}));
+  }
+
+  @Test
+  void demandIsToldForTheFirstAndTheLastConsumer() {
+    InputEnd<LaserScan> second = new InputEnd<>(clock);
+    input.connect(List.of(front), "");
+    second.connect(List.of(front), "");
+    assertTrue(front.status(clock.nanos()).wanted());
+    input.connect(List.of(), "");
+    second.connect(List.of(), "");
+    assertEquals(List.of(true, false), demand);
+    assertFalse(front.status(clock.nanos()).wanted());
+  }
+
+  @Test
+  void tapSeesWhatViewsSeeWithoutTheProducerKnowing() {
+    input.connect(List.of(front), "");
+    Tap<LaserScan> tap = front.join();
+    publish(front, Samples.scan(1));
+    assertEquals(1, tap.drain(e -> {}));
+    assertEquals(1, input.drain(e -> {}));
+    front.leave(tap);
+    assertEquals(List.of(true), demand);
+  }
+
+  @Test
+  void closedSourcePublishesNothing() {
+    input.connect(List.of(front), "");
+    front.close();
+    publish(front, Samples.scan(1));
+    assertEquals(0, input.drain(e -> {}));
+  }
+}
