@@ -51,7 +51,8 @@ record Cone(RangeReading reading, boolean echo, double[] corners, double[] arc) 
 
   private static double[] arc(RangeReading reading, RigidTransform fixedFromSensor, double range) {
     double opening = Math.clamp(reading.fieldOfView(), NARROWEST, 2 * Math.PI);
-    int steps = (int) Math.ceil(opening / STEP) + 1;
+    // An even number, so that one corner lies straight ahead.
+    int steps = 2 * (int) Math.ceil(opening / 2 / STEP);
     double[] xy = new double[2 * (steps + 1)];
     for (int i = 0; i <= steps; i++) {
       double angle = opening * (i / (double) steps - 0.5);

@@ -1,0 +1,35 @@
+package org.robotui.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.port.InputState;
+
+class StateViewTest {
+  private static final List<InputState> ALL = List.of(
+      new InputState.Unconnected("nothing fits"),
+      new InputState.Waiting("for the first scan"),
+      new InputState.Live(10, 0.1),
+      new InputState.Stale(2.1, "the link is lost"),
+      new InputState.Failed("refused"));
+
+  @Test
+  void everyStateHasADotAndAWordOfItsOwn() {
+    assertEquals(ALL.size(), ALL.stream().map(StateView::health).collect(Collectors.toSet()).size());
+    Set<String> words = ALL.stream().map(StateView::word).collect(Collectors.toSet());
+    assertEquals(ALL.size(), words.size());
+    assertTrue(words.contains("stale 2.1\u00a0s"), words.toString());
+  }
+
+  @Test
+  void onlyLiveAndStaleDataIsShownAndStaleFades() {
+    assertTrue(StateView.showsContent(ALL.get(2)) && StateView.showsContent(ALL.get(3)));
+    assertFalse(StateView.showsContent(ALL.get(0)) || StateView.showsContent(ALL.get(4)));
+    assertTrue(StateView.contentAlpha(ALL.get(3)) < StateView.contentAlpha(ALL.get(2)));
+  }
+}
