@@ -59,7 +59,7 @@ class MainTest {
       String line = String.valueOf(out.readLine());
       assertTrue(line.matches("ROS_MASTER_URI=http://127\\.0\\.0\\.1:\\d+"), line);
       long before = System.nanoTime();
-      demo.destroy();
+      demo.toHandle().destroy();
       assertTrue(demo.waitFor(10, TimeUnit.SECONDS));
       long millis = (System.nanoTime() - before) / 1_000_000;
       assertTrue(millis < 2000, "ended after " + millis + " ms");
