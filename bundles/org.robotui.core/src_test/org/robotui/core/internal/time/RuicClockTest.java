@@ -1,0 +1,107 @@
+package org.robotui.core.internal.time;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.time.ClockSource;
+import org.robotui.core.internal.support.ManualClock;
+import org.robotui.data.ClockKind;
+import org.robotui.data.Stamp;
+
+class RuicClockTest {
+  private static final long EPOCH = 1_700_000_000_000_000_000L;
+  private static final long MILLI = 1_000_000;
+
+  private final ManualClock mono = new ManualClock();
+  private final WallClock wall = () -> EPOCH + mono.nanos();
+  private final AtomicInteger jumps = new AtomicInteger();
+  private final RuicClock clock = new RuicClock(mono, wall, jumps::incrementAndGet);
+  private final ClockSource source = clock.source("base");
+
+  @Test
+  void withoutStampsItIsTheWallClock() {
+    assertEquals(new Stamp(wall.nanos(), ClockKind.WALL), clock.now());
+    assertEquals(Optional.empty(), clock.offset());
+    assertEquals(0, clock.epoch());
+  }
+
+  @Test
+  void offsetIsEstimatedThroughVaryingDelay() {
+    Random random = new Random(2);
+    long ahead = 3_000 * MILLI;
+    for (int i = 0; i < 500; i++) {
+      mono.advanceMillis(20);
+      long delay = MILLI + (long) (random.nextDouble() * 80 * MILLI);
+      source.observed(wall.nanos() + ahead - delay);
+    }
+    assertEquals(3000, clock.offset().orElseThrow().toMillis(), 3);
+    assertEquals(ClockKind.ROBOT, clock.kind());
+    assertEquals(wall.nanos() + clock.offset().orElseThrow().toNanos(), clock.now().nanos());
+  }
+
+  @Test
+  void offsetFollowsAClockThatWasSetWithinAMinute() {
+    source.observed(wall.nanos() + 5000 * MILLI);
+    for (int i = 0; i < 70; i++) {
+      mono.advanceMillis(1000);
+      source.observed(wall.nanos() + 1000 * MILLI);
+    }
+    assertEquals(Duration.ofSeconds(1), clock.offset().orElseThrow());
+  }
+
+  @Test
+  void offsetIsKeptWhileTheRobotIsSilent() {
+    source.observed(wall.nanos() + 5000 * MILLI);
+    mono.advanceMillis(3_600_000);
+    assertEquals(Duration.ofSeconds(5), clock.offset().orElseThrow());
+  }
+
+  @Test
+  void simulatedTimeStandsStillBetweenItsMessages() {
+    source.simulated(7_000 * MILLI);
+    mono.advanceMillis(500);
+    assertEquals(new Stamp(7_000 * MILLI, ClockKind.SIMULATED), clock.now());
+    assertEquals(0, clock.epoch(), "the first simulated time is no jump");
+  }
+
+  @Test
+  void simulatedTimeThatJumpsBackStartsAnEpoch() {
+    source.simulated(7_000 * MILLI);
+    source.simulated(8_000 * MILLI);
+    source.simulated(7_995 * MILLI);
+    assertEquals(0, clock.epoch(), "two publishers out of step are no jump");
+    assertEquals(8_000 * MILLI, clock.now().nanos());
+    source.simulated(0);
+    assertEquals(1, clock.epoch());
+    assertEquals(1, jumps.get());
+    assertEquals(0, clock.now().nanos());
+  }
+
+  @Test
+  void changesBetweenSimulatedAndLiveAreJumps() {
+    source.observed(wall.nanos());
+    source.simulated(0);
+    assertEquals(1, clock.epoch());
+    source.live();
+    assertEquals(2, clock.epoch());
+    assertEquals(ClockKind.WALL, clock.kind());
+    source.live();
+    assertEquals(2, clock.epoch());
+  }
+
+  @Test
+  void simulatedInterfaceCountsAmongSeveral() {
+    ClockSource second = clock.source("other");
+    source.observed(wall.nanos() + MILLI);
+    second.simulated(5);
+    assertEquals(ClockKind.SIMULATED, clock.kind());
+    clock.source("other");
+    assertEquals(ClockKind.ROBOT, clock.kind(), "a new instance starts anew");
+    assertTrue(clock.offset().isPresent());
+  }
+}
