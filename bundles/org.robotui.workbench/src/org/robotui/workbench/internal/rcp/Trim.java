@@ -2,6 +2,7 @@ package org.robotui.workbench.internal.rcp;
 
 import org.eclipse.e4.ui.model.application.ui.SideValue;
 import org.eclipse.e4.ui.model.application.ui.basic.MTrimBar;
+import org.eclipse.e4.ui.model.application.ui.basic.MTrimElement;
 import org.eclipse.e4.ui.model.application.ui.basic.MTrimmedWindow;
 import org.eclipse.e4.ui.model.application.ui.menu.MToolControl;
 import org.eclipse.e4.ui.workbench.modeling.EModelService;
@@ -28,8 +29,15 @@ final class Trim {
     control.setContributionURI(CLASSES + type.getName());
     control.getTags().add(STRETCH);
     MTrimBar bar = service.getTrim(window, side);
+    bar.getChildren().forEach(Trim::hide);
     bar.getChildren().add(0, control);
     bar.setToBeRendered(true);
     bar.setVisible(true);
+  }
+
+  /** What the platform keeps there, such as spacers, would take its share of the line. */
+  private static void hide(MTrimElement element) {
+    element.getTags().remove(STRETCH);
+    element.setToBeRendered(false);
   }
 }

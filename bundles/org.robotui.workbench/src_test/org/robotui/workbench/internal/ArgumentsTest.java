@@ -1,0 +1,33 @@
+package org.robotui.workbench.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class ArgumentsTest {
+  @Test
+  void readsWhatIsOursAndLeavesThePlatformItsOwn() {
+    Arguments read = Arguments.parse("-clearPersistedState", "-config", "a.yaml", "b.yaml", "-for", "2", "-screenshot",
+        "x.png", "-after", "0.5", "-theme", "light");
+
+    assertEquals(new Arguments(List.of(Path.of("a.yaml"), Path.of("b.yaml")), Optional.of(Duration.ofSeconds(2)),
+        Optional.of(Path.of("x.png")), Duration.ofMillis(500), Optional.of("light")), read);
+  }
+
+  @Test
+  void saysWhatIsWrong() {
+    assertEquals("-theme is dark or light, not 'pink'", wrong("-theme", "pink"));
+    assertEquals("-screenshot needs a value", wrong("-screenshot"));
+    assertEquals("-after needs a number of seconds, not 'x'", wrong("-after", "x"));
+    assertEquals("-for needs a number of seconds from 0, not '-1'", wrong("-for", "NaN").replace("NaN", "-1"));
+  }
+
+  private static String wrong(String... words) {
+    return assertThrows(IllegalArgumentException.class, () -> Arguments.parse(words)).getMessage();
+  }
+}
