@@ -30,13 +30,15 @@ final class Demo implements AutoCloseable {
   private final RobotNode robot;
   private final Runner runner;
   private final CountDownLatch end = new CountDownLatch(1);
+  private volatile Optional<RuntimeException> failure = Optional.empty();
   private long steps;
 
   private Demo(Optional<RosMaster> master, URI masterUri, RobotNode robot, Options options) {
     this.master = master;
     this.masterUri = masterUri;
     this.robot = robot;
-    runner = new Runner(due -> robot.step(options.simTime() ? simulatedTime() : wallTime(due)), options.speedFactor());
+    runner = new Runner(
+        due -> robot.step(options.simTime() ? simulatedTime() : wallTime(due)), options.speedFactor(), this::fail);
   }
 
   /** Starts everything; the robot is advertised when this returns. */
@@ -110,8 +112,21 @@ final class Demo implements AutoCloseable {
     end.countDown();
   }
 
+  private void fail(RuntimeException cause) {
+    failure = Optional.of(cause);
+    end();
+  }
+
+  /**
+   * Waits until something ends the demo.
+   *
+   * @throws IllegalStateException if that is an error of the simulation
+   */
   void awaitEnd() throws InterruptedException {
     end.await();
+    if (failure.isPresent()) {
+      throw new IllegalStateException("the simulation failed", failure.get());
+    }
   }
 
   @Override

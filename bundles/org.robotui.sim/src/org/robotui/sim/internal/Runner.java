@@ -1,6 +1,7 @@
 package org.robotui.sim.internal;
 
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 
 /** Makes steps at a fixed rate on a thread of its own until it is closed. */
@@ -8,13 +9,19 @@ public final class Runner implements AutoCloseable {
   private static final long JOIN_MILLIS = 300;
 
   private final LongConsumer step;
+  private final Consumer<RuntimeException> failed;
   private final Timetable timetable;
   private final Thread thread;
   private volatile boolean closed;
 
-  /** @param step is told when it was due, nanoseconds of {@link System#nanoTime()} */
-  public Runner(LongConsumer step, double factor) {
+  /**
+   * @param step is told when it was due, nanoseconds of {@link System#nanoTime()}
+   * @param factor how many times faster than real
+   * @param failed hears of what a step threw; there is no further step
+   */
+  public Runner(LongConsumer step, double factor, Consumer<RuntimeException> failed) {
     this.step = step;
+    this.failed = failed;
     timetable = new Timetable(System.nanoTime(), factor);
     thread = Thread.ofPlatform().name("simulation").daemon().unstarted(this::run);
   }
@@ -24,6 +31,14 @@ public final class Runner implements AutoCloseable {
   }
 
   private void run() {
+    try {
+      makeSteps();
+    } catch (RuntimeException e) {
+      failed.accept(e);
+    }
+  }
+
+  private void makeSteps() {
     while (!closed) {
       long due = timetable.nextDue();
       waitUntil(due);
