@@ -1,0 +1,88 @@
+package org.robotui.core.internal.host;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.host.Host.Subscription;
+import org.robotui.api.host.HostListener;
+import org.robotui.core.internal.support.Await;
+
+class NotifierTest {
+  private final Notifier notifier = new Notifier();
+  private final HostEvents events = new HostEvents(notifier, r -> {});
+  private final List<String> told = new CopyOnWriteArrayList<>();
+  private final CountDownLatch entered = new CountDownLatch(1);
+  private final CountDownLatch gate = new CountDownLatch(1);
+
+  private final HostListener slow = new HostListener() {
+    @Override
+    public void ruicsChanged() {
+      entered.countDown();
+      try {
+        gate.await();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+
+    @Override
+    public void frameReady(String ruic, String uic) {
+      told.add(uic);
+    }
+
+    @Override
+    public void alert(String ruic, String message) {
+      told.add(message);
+    }
+  };
+
+  @AfterEach
+  void end() {
+    notifier.close();
+  }
+
+  @Test
+  void slowListenerIsToldOnceOfWhatHappenedOften() {
+    notifier.listen(slow);
+    events.ruicsChanged();
+    Await.until("it is taken", () -> entered.getCount() == 0);
+    for (int i = 0; i < 100; i++) {
+      events.frameReady("r", "map");
+      events.frameReady("r", "camera");
+    }
+    events.alert("r", "one");
+    events.alert("r", "two");
+    gate.countDown();
+    Await.until("all is told", () -> told.contains("two"));
+    assertEquals(List.of("map", "camera", "one", "two"), told);
+  }
+
+  @Test
+  void listenerThatThrowsDoesNotKeepOthersFromHearing() {
+    notifier.listen(new HostListener() {
+      @Override
+      public void alert(String ruic, String message) {
+        throw new IllegalStateException("broken listener");
+      }
+    });
+    notifier.listen(slow);
+    events.alert("", "message");
+    Await.until("the other is told", () -> told.contains("message"));
+  }
+
+  @Test
+  void closedSubscriptionHearsNothing() {
+    Subscription subscription = notifier.listen(slow);
+    notifier.listen(slow);
+    subscription.close();
+    events.alert("", "message");
+    Await.until("it is told", () -> !told.isEmpty());
+    events.alert("", "second");
+    Await.until("it is told", () -> told.contains("second"));
+    assertEquals(List.of("message", "second"), told);
+  }
+}

@@ -1,0 +1,59 @@
+package org.robotui.core.internal.watch;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robotui.core.internal.command.DisplayWatch;
+import org.robotui.core.internal.support.ManualClock;
+
+class DisplayWatchdogTest {
+  @TempDir
+  Path folder;
+
+  private final ManualClock clock = new ManualClock();
+  private final DisplayWatch display = new DisplayWatch(clock);
+  private final List<String> alerts = new ArrayList<>();
+  private SuspectFile suspects;
+  private DisplayWatchdog watchdog;
+
+  @BeforeEach
+  void start() {
+    suspects = new SuspectFile(folder.resolve("new").resolve("suspects.txt"));
+    watchdog = new DisplayWatchdog(display, name -> Optional.of("org.robotui.uic.map"), suspects, Runnable::run, alerts::add);
+  }
+
+  private void silent(long millis) {
+    clock.advanceMillis(millis);
+    watchdog.check(clock.nanos());
+  }
+
+  @Test
+  void applicationWithoutDisplayIsNeverReported() {
+    silent(100_000);
+    assertEquals(List.of(), alerts);
+  }
+
+  @Test
+  void oneSilenceIsReportedOnceAndTheNextAgain() throws IOException {
+    display.alive();
+    silent(1900);
+    assertEquals(0, alerts.size());
+    silent(200);
+    silent(5000);
+    assertEquals(1, alerts.size());
+    assertTrue(alerts.getFirst().contains("2.1 s; bundle org.robotui.uic.map holds it up at "), alerts.getFirst());
+    display.alive();
+    silent(10);
+    silent(3000);
+    assertEquals(2, alerts.size());
+    assertEquals(List.of("org.robotui.uic.map"), suspects.all(), "remembered once");
+  }
+}
