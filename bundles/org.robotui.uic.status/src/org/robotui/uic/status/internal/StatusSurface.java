@@ -38,6 +38,7 @@ final class StatusSurface {
     this.filter = filter(bar);
     this.stop = button(bar, actions::stop, "Stop").hint("Stops the robot until the stop is released");
     this.release = button(bar, actions::releaseStop, "Release stop").fill(Role.ACCENT);
+    sameWidth(stop, release);
     this.list = new RowList(root, context.theme());
     list.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
     filter.addListener(SWT.Modify, e -> list.filter(filter.getText()));
@@ -62,6 +63,13 @@ final class StatusSurface {
       root.layout(true, true);
     }
     list.show(look);
+  }
+
+  /** The one that replaces the other takes the same room, so that nothing moves. */
+  private static void sameWidth(QuietButton one, QuietButton other) {
+    int width = Math.max(one.computeSize(SWT.DEFAULT, SWT.DEFAULT).x, other.computeSize(SWT.DEFAULT, SWT.DEFAULT).x);
+    ((GridData) one.getLayoutData()).widthHint = width;
+    ((GridData) other.getLayoutData()).widthHint = width;
   }
 
   private static boolean seen(QuietButton button, boolean wanted) {

@@ -40,7 +40,7 @@ final class TeleopSurface {
     this.buttons = new FooterButtons(canvas, context.theme(), this::pressed);
     new Hands(canvas, driver, this::drivable, this::refresh).listen();
     canvas.addListener(SWT.Resize, e -> place());
-    canvas.addDisposeListener(e -> driver.forget());
+    root.addDisposeListener(e -> leave());
     refresh();
   }
 
@@ -73,6 +73,12 @@ final class TeleopSurface {
     public boolean setFocus() {
       return canvas.forceFocus();
     }
+  }
+
+  /** The focus goes while all still stands: GTK would tell a half disposed canvas that it has lost it. */
+  private void leave() {
+    driver.forget();
+    canvas.setEnabled(false);
   }
 
   private Optional<Rectangle> drivable() {
