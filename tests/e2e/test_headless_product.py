@@ -21,6 +21,16 @@ def test_product_holds_no_swt_and_no_workbench():
     assert "org.robotui.headless" in names
 
 
+def test_every_bundle_resolves_in_a_framework_that_holds_only_those():
+    plugins = PRODUCT / "plugins"
+    (framework,) = plugins.glob("org.eclipse.osgi_*.jar")
+
+    unresolved = subprocess.run([pathlib.Path(os.environ["JAVA_HOME"]) / "bin/java", "-cp", framework,
+                                 pathlib.Path(__file__).with_name("ResolveAll.java"), plugins],
+                                text=True, capture_output=True, timeout=60, check=True).stdout
+    assert unresolved == ""
+
+
 def test_unknown_configuration_is_named_with_those_that_exist():
     result = robotui("check", "no-such-robot")
 
