@@ -1,7 +1,9 @@
 package org.robotui.entity.gridmap;
 
+import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.eclipse.swt.graphics.Image;
@@ -11,8 +13,8 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.scene.Painter;
 
 /**
- * Paints the tiles of a level that are seen and keeps their images. New images take a bounded time per paint; what is missing
- * then follows with the next paint, and until then a coarser level is seen below. Display thread only.
+ * Paints the tiles of a level that are seen and keeps their images. New images take a bounded time per paint; the rest follows
+ * with the next one, and until all are there the coarsest level is seen instead. Display thread only.
  */
 final class TilePainter {
   static final int EDGE = 256;
@@ -31,11 +33,14 @@ final class TilePainter {
     from(new Source(pyramid, painter.theme()));
     int suited = pyramid.suited(pyramid.map().resolution() * painter.viewport().scale());
     int coarsest = pyramid.levels().size() - 1;
-    long deadline = System.nanoTime() + BUDGET_NANOS;
-    if (suited != coarsest && !complete(painter, pyramid, fixedFromGrid, suited)) {
-      paint(painter, pyramid, fixedFromGrid, coarsest, Long.MAX_VALUE);
+    boolean complete = make(painter, pyramid, seen(painter, pyramid, fixedFromGrid, suited));
+    if (complete || suited == coarsest) {
+      paint(painter, pyramid, fixedFromGrid, seen(painter, pyramid, fixedFromGrid, suited));
+    } else {
+      List<Key> small = seen(painter, pyramid, fixedFromGrid, coarsest);
+      make(painter, pyramid, small);
+      paint(painter, pyramid, fixedFromGrid, small);
     }
-    paint(painter, pyramid, fixedFromGrid, suited, deadline);
     forgetOldest();
   }
 
@@ -53,44 +58,47 @@ final class TilePainter {
     }
   }
 
-  private boolean complete(Painter painter, Pyramid pyramid, RigidTransform fixedFromGrid, int index) {
-    TileRange range = TileRange.seen(pyramid, index, fixedFromGrid, painter.viewport().visible());
+  private static List<Key> seen(Painter painter, Pyramid pyramid, RigidTransform fixedFromGrid, int level) {
+    TileRange range = TileRange.seen(pyramid, level, fixedFromGrid, painter.viewport().visible());
+    List<Key> keys = new ArrayList<>();
     for (int row = range.firstRow(); row <= range.lastRow(); row++) {
       for (int column = range.firstColumn(); column <= range.lastColumn(); column++) {
-        if (!images.containsKey(new Key(index, column, row))) {
-          return false;
+        keys.add(new Key(level, column, row));
+      }
+    }
+    return keys;
+  }
+
+  /** Makes missing images as long as there is time, at least one. */
+  private boolean make(Painter painter, Pyramid pyramid, List<Key> keys) {
+    long deadline = System.nanoTime() + BUDGET_NANOS;
+    for (Key key : keys) {
+      if (!images.containsKey(key)) {
+        images.put(key, image(painter, pyramid.levels().get(key.level()), key));
+        if (System.nanoTime() > deadline) {
+          break;
         }
       }
     }
-    return true;
+    boolean complete = images.keySet().containsAll(keys);
+    if (!complete) {
+      painter.paintAgain();
+    }
+    return complete;
   }
 
-  private void paint(Painter painter, Pyramid pyramid, RigidTransform fixedFromGrid, int index, long deadline) {
-    TileRange range = TileRange.seen(pyramid, index, fixedFromGrid, painter.viewport().visible());
-    for (int row = range.firstRow(); row <= range.lastRow(); row++) {
-      for (int column = range.firstColumn(); column <= range.lastColumn(); column++) {
-        paintTile(painter, pyramid, fixedFromGrid, new Key(index, column, row), deadline);
-      }
+  private void paint(Painter painter, Pyramid pyramid, RigidTransform fixedFromGrid, List<Key> keys) {
+    for (Key key : keys) {
+      Optional.ofNullable(images.get(key)).flatMap(i -> i).ifPresent(image -> {
+        double size = pyramid.map().resolution() * pyramid.levels().get(key.level()).factor();
+        Vector3 corner = new Vector3(key.column() * EDGE * size, key.row() * EDGE * size, 0);
+        RigidTransform place = new RigidTransform(fixedFromGrid.apply(corner), fixedFromGrid.rotation());
+        painter.image(image, place, size);
+      });
     }
   }
 
-  private void paintTile(Painter painter, Pyramid pyramid, RigidTransform fixedFromGrid, Key key, long deadline) {
-    if (!images.containsKey(key)) {
-      if (System.nanoTime() > deadline) {
-        painter.paintAgain();
-        return;
-      }
-      images.put(key, make(painter, pyramid.levels().get(key.level()), key));
-    }
-    images.get(key).ifPresent(image -> {
-      double size = pyramid.map().resolution() * pyramid.levels().get(key.level()).factor();
-      Vector3 corner = new Vector3(key.column() * EDGE * size, key.row() * EDGE * size, 0);
-      RigidTransform place = new RigidTransform(fixedFromGrid.apply(corner), fixedFromGrid.rotation());
-      painter.image(image, place, size);
-    });
-  }
-
-  private Optional<Image> make(Painter painter, Level level, Key key) {
+  private Optional<Image> image(Painter painter, Level level, Key key) {
     int left = key.column() * EDGE;
     int low = key.row() * EDGE;
     int width = Math.min(EDGE, level.width() - left);

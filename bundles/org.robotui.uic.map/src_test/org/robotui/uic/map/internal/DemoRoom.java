@@ -22,13 +22,13 @@ import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeUicContext;
 
 /** A building of two rooms with a robot in it, as in the drawing of the workbench. */
-final class DemoRoom {
-  static final String ROBOT = "Keira";
-  static final FrameId MAP = frame("map");
-  static final FrameId ODOM = frame("odom");
-  static final FrameId BASE = frame("base_link");
-  static final FrameId LASER = frame("laser");
-  static final RigidTransform ROBOT_AT = RigidTransform.planar(6.35, 1.35, Math.toRadians(20));
+public final class DemoRoom {
+  public static final String ROBOT = "Keira";
+  public static final FrameId MAP = frame("map");
+  public static final FrameId ODOM = frame("odom");
+  public static final FrameId BASE = frame("base_link");
+  public static final FrameId LASER = frame("laser");
+  public static final RigidTransform ROBOT_AT = RigidTransform.planar(6.35, 1.35, Math.toRadians(20));
 
   private static final double RESOLUTION = 0.05;
   private static final int WIDTH = 300;
@@ -37,15 +37,15 @@ final class DemoRoom {
 
   private DemoRoom() {}
 
-  static FrameId frame(String name) {
+  public static FrameId frame(String name) {
     return new FrameId(ROBOT, name);
   }
 
-  static SourceId source(String port) {
+  public static SourceId source(String port) {
     return new SourceId("base", port);
   }
 
-  static FakeFrames frames() {
+  public static FakeFrames frames() {
     FakeFrames frames = new FakeFrames();
     frames.fix(MAP, ODOM, RigidTransform.IDENTITY);
     frames.fix(ODOM, BASE, ROBOT_AT);
@@ -54,7 +54,7 @@ final class DemoRoom {
   }
 
   /** Gives a context everything there is. */
-  static void fill(FakeUicContext context, long nanos) {
+  public static void fill(FakeUicContext context, long nanos) {
     context.frames(frames());
     context.input(MapPorts.MAP).put(source("map"), map(), nanos, Optional.empty());
     context.input(MapPorts.SCAN).put(source("scan"), scan(), nanos, Optional.empty());
@@ -63,7 +63,7 @@ final class DemoRoom {
     context.input(MapPorts.ODOM).put(source("odom"), odometry(ROBOT_AT), nanos, Optional.empty());
   }
 
-  static List<Odometry> drive() {
+  public static List<Odometry> drive() {
     List<Odometry> way = new ArrayList<>();
     for (int i = 0; i <= 120; i++) {
       double t = i / 120.0;
@@ -75,7 +75,7 @@ final class DemoRoom {
     return way;
   }
 
-  static Odometry odometry(RigidTransform pose) {
+  public static Odometry odometry(RigidTransform pose) {
     double[] covariance = new double[Odometry.COVARIANCE_SIZE];
     covariance[0] = 0.04;
     covariance[1] = 0.015;
@@ -85,12 +85,12 @@ final class DemoRoom {
         Doubles.EMPTY);
   }
 
-  static Path plan() {
+  public static Path plan() {
     double[][] points = {{6.35, 1.35}, {7.3, 3.5}, {8.3, 5.2}, {9.3, 5.9}};
     return new Path(MAP, List.of(points).stream().map(p -> RigidTransform.planar(p[0], p[1], 0)).toList());
   }
 
-  static GridMap map() {
+  public static GridMap map() {
     byte[] cells = new byte[WIDTH * HEIGHT];
     Arrays.fill(cells, GridMap.UNKNOWN);
     for (int row = 0; row < HEIGHT; row++) {
@@ -107,7 +107,7 @@ final class DemoRoom {
     return new GridMap(MAP, RESOLUTION, WIDTH, HEIGHT, RigidTransform.planar(-1, -1, 0), Bytes.of(cells));
   }
 
-  static LaserScan scan() {
+  public static LaserScan scan() {
     float[] ranges = new float[BEAMS];
     double first = Math.toRadians(-110);
     double step = Math.toRadians(220) / (BEAMS - 1);
@@ -118,7 +118,7 @@ final class DemoRoom {
     return new LaserScan(LASER, first, step, 0.1, 5.6, 0.1, Floats.wrap(ranges), Floats.EMPTY);
   }
 
-  static RangeReadings sonars() {
+  public static RangeReadings sonars() {
     List<RangeReading> readings = new ArrayList<>();
     double[] ranges = {1.4, 2.2, Double.POSITIVE_INFINITY};
     for (double range : ranges) {

@@ -98,6 +98,21 @@ final class MapStage {
     settle();
   }
 
+  void wheel(int count, int x, int y) {
+    Event event = new Event();
+    event.count = count;
+    event.x = x;
+    event.y = y;
+    canvas().notifyListeners(SWT.MouseVerticalWheel, event);
+    settle();
+  }
+
+  boolean checked(String id) {
+    return uic.actions().stream()
+        .filter(a -> a.id().equals(id))
+        .anyMatch(a -> a.checked().orElseThrow().getAsBoolean());
+  }
+
   void key(char character) {
     Event event = new Event();
     event.character = character;

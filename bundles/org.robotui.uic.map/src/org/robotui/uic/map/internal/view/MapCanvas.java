@@ -43,6 +43,7 @@ public final class MapCanvas {
   private final Camera camera = new Camera();
   private final Toast toast = new Toast();
   private final Hover hover = new Hover();
+  private final SentGoal sent = new SentGoal();
   private Optional<Tool> tool = Optional.empty();
   private String note = "";
 
@@ -115,6 +116,7 @@ public final class MapCanvas {
 
   void endTool() {
     toast.clear();
+    sent.clear();
     tool.ifPresent(t -> toggleTool(t.id()));
     refresh();
   }
@@ -136,6 +138,9 @@ public final class MapCanvas {
   }
 
   void center(double x, double y) {
+    if (following()) {
+      choices.follow(false);
+    }
     camera.center(x, y);
     refresh();
   }
@@ -160,7 +165,13 @@ public final class MapCanvas {
   }
 
   void sendGoal(RigidTransform pose) {
-    command(frame -> commander.goal(frame, pose));
+    command(frame -> {
+      Told told = commander.goal(frame, pose);
+      if (told.health() == Health.OK) {
+        sent.at(frame, pose);
+      }
+      return told;
+    });
   }
 
   void sendPose(RigidTransform pose) {
@@ -185,6 +196,7 @@ public final class MapCanvas {
     camera.settle(area.width, area.height, model.scene().bounds(), followed);
     Painter painter = new Painter(gc, camera.viewport(), theme);
     model.scene().paint(painter);
+    sent.paint(painter, snapshot);
     tool.ifPresent(t -> t.paint(painter));
     painter.opacity(1);
     paintState(gc, area, snapshot);
