@@ -34,6 +34,8 @@ final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
   @Override
   public void postWindowCreate() {
     Trim.add(getWindowConfigurer().getWindow());
+    // The platform has restored the theme of the product by now; ours is the user's.
+    session.look().apply();
   }
 
   @Override

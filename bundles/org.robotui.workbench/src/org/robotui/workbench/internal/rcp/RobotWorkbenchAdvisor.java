@@ -49,11 +49,6 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   }
 
   @Override
-  public void preStartup() {
-    session.look().apply();
-  }
-
-  @Override
   public void postStartup() {
     session.arguments().configurations().forEach(session.configurations()::load);
     session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
