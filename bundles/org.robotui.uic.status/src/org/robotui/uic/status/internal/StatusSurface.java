@@ -17,7 +17,6 @@ final class StatusSurface {
   private static final int WIDEST_FILTER = 180;
 
   private final UiContext context;
-  private final StatusUic.Actions actions;
   private final Composite root;
   private final QuietButton ports;
   private final QuietButton connections;
@@ -28,7 +27,6 @@ final class StatusSurface {
 
   StatusSurface(Composite parent, UiContext context, StatusUic.Actions actions) {
     this.context = context;
-    this.actions = actions;
     this.root = new Composite(parent, SWT.NONE);
     root.setBackground(context.theme().color(Role.PANEL));
     root.setLayout(layout(1));
