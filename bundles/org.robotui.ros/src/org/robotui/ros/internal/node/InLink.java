@@ -134,7 +134,7 @@ final class InLink<T> {
     }
 
     private HostPort requestTopic() throws IOException {
-        RosApi publisher = new RosApi(HostPort.ofUri(publisherUri, "http"), "publisher", context.handshake());
+        RosApi publisher = new RosApi(HostPort.ofUri(publisherUri, "http"), "", context.handshake());
         if (!open.add(publisher)) {
             throw new IOException("closed");
         }

@@ -16,12 +16,14 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 final class RosApi implements Closeable {
 
     private final XmlRpcClient client;
-    private final String peer;
+    /** What error messages start with. */
+    private final String prefix;
     private final Duration timeout;
 
+    /** An api whose errors name the peer, unless it is empty because the caller says it. */
     RosApi(HostPort target, String peer, Duration timeout) {
         this.client = new XmlRpcClient(target, XmlRpcLimits.standard().withMessage(timeout));
-        this.peer = peer + " at " + target;
+        this.prefix = peer.isEmpty() ? "" : peer + " at " + target + ": ";
         this.timeout = timeout;
     }
 
@@ -33,9 +35,9 @@ final class RosApi implements Closeable {
         try {
             return answer(method, client.call(method, List.of(arguments), within));
         } catch (SocketTimeoutException e) {
-            return new Outcome.TimedOut<>(peer + ": " + e.getMessage(), within);
+            return new Outcome.TimedOut<>(prefix + e.getMessage(), within);
         } catch (IOException | XmlRpcFault e) {
-            return new Outcome.Failed<>(peer + ": " + e.getMessage());
+            return new Outcome.Failed<>(prefix + e.getMessage());
         }
     }
 
@@ -45,7 +47,7 @@ final class RosApi implements Closeable {
                 && array.items().get(1) instanceof XmlRpcValue.Text status) {
             return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(status.value());
         }
-        return new Outcome.Failed<>(peer + ": " + method + " did not answer [code, status, value]");
+        return new Outcome.Failed<>(prefix + method + " did not answer [code, status, value]");
     }
 
     @Override
