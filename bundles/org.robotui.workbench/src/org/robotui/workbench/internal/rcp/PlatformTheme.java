@@ -9,6 +9,7 @@ import org.robotui.workbench.internal.WorkbenchServices;
  * Has the platform look like our theme: its style sheets, and by the word "dark" in the id also the toolkit's own menus and
  * scroll bars.
  */
+@SuppressWarnings("restriction") // the platform has no public way to set a theme
 public final class PlatformTheme {
   private static final String PREFIX = "org.robotui.workbench.theme.";
 
