@@ -26,6 +26,7 @@ import org.robotui.data.MotionLimits;
  */
 public final class Arbiter implements Authority {
   private static final long STOP_PERIOD_NANOS = 100_000_000L;
+  private static final Duration LONGEST = Duration.ofHours(1);
 
   private final String robot;
   private final NanoClock clock;
@@ -83,7 +84,8 @@ public final class Arbiter implements Authority {
   private synchronized <T extends Data> CommandOutcome decide(
       Object output, Principal principal, CommandTarget<T> target, T command, Duration validFor) {
     return obstacle(principal, target, validFor).<CommandOutcome>map(r -> r).orElseGet(() -> {
-      long deadline = clock.nanos() + validFor.toNanos();
+      Duration valid = validFor.compareTo(LONGEST) < 0 ? validFor : LONGEST;
+      long deadline = clock.nanos() + valid.toNanos();
       if (!target.post(limited(command), deadline)) {
         return new Refused(Why.ROBOT, target.id() + " is too slow: too many commands wait");
       }

@@ -33,6 +33,8 @@ import org.robotui.core.internal.watch.Watch;
 /** The core, put together. It knows nothing of OSGi. */
 public final class Core implements Host {
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+  /** What core itself needs, beyond the limit of components, to find out what is left. */
+  private static final Duration REPORTING = Duration.ofMillis(700);
   private static final Services.Stage NO_STAGE =
       new Services.Stage(Surface.NONE, new Principal("core", "RobotUI", Principal.Kind.SCRIPT));
 
@@ -130,7 +132,8 @@ public final class Core implements Host {
   @Override
   public List<String> close(Duration limit) {
     long end = System.nanoTime() + limit.toNanos();
-    Duration each = limit.compareTo(CLOSE_LIMIT) < 0 ? limit.multipliedBy(2).dividedBy(3) : CLOSE_LIMIT;
+    Duration rest = limit.minus(REPORTING);
+    Duration each = rest.compareTo(CLOSE_LIMIT) < 0 ? max(rest, REPORTING) : CLOSE_LIMIT;
     List<RuicRuntime> all = List.copyOf(ruics);
     List<CompletableFuture<List<String>>> ends =
         all.stream().map(r -> r.shutDown(each).toCompletableFuture()).toList();
@@ -145,6 +148,10 @@ public final class Core implements Host {
     files.shutdown();
     notifier.close();
     return List.copyOf(left);
+  }
+
+  private static Duration max(Duration a, Duration b) {
+    return a.compareTo(b) > 0 ? a : b;
   }
 
   private static List<String> await(RuicRuntime ruic, CompletableFuture<List<String>> end, long nanos) {

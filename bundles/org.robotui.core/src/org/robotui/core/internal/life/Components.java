@@ -33,8 +33,11 @@ final class Components {
   List<String> close(Duration limit) throws InterruptedException {
     List<UicSlot> views = uics;
     List<RficSlot> interfaces = rfics;
-    List<String> left = new ArrayList<>(closeAll(views, limit));
-    left.addAll(closeAll(interfaces, limit));
+    long end = System.nanoTime() + limit.toNanos();
+    Duration half = limit.dividedBy(2);
+    List<String> left = new ArrayList<>(closeAll(views, half));
+    Duration rest = Duration.ofNanos(end - System.nanoTime());
+    left.addAll(closeAll(interfaces, rest.compareTo(half) > 0 ? rest : half));
     uics = List.of();
     rfics = List.of();
     return left;

@@ -2,6 +2,7 @@ package org.robotui.core.internal.life;
 
 import java.time.Duration;
 import java.util.Collection;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
@@ -54,6 +55,6 @@ final class Guarded {
   }
 
   private static String seconds(Duration limit) {
-    return limit.toMillis() / 1000.0 + " s";
+    return String.format(Locale.ROOT, "%.1f s", limit.toMillis() / 1000.0);
   }
 }

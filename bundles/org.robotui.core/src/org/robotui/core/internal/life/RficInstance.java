@@ -103,11 +103,12 @@ final class RficInstance implements RficContext, Instance {
         Guarded.call("close", threads, limit, () -> closeInstance(rfic.get()));
       }
     } catch (Guarded.GuardException e) {
-      hung = e.getMessage() + "; ";
+      hung = " " + e.getMessage();
     }
     offers.close();
     calls.close();
     sender.close();
+    ruic.clock().forget(clock);
     return left(hung);
   }
 
@@ -132,10 +133,10 @@ final class RficInstance implements RficContext, Instance {
     }
     threads.interruptAll();
     boolean ended = threads.awaitNone(GRACE);
-    String left = ended ? "" : "threads left: " + String.join(", ", threads.alive());
+    String left = ended ? "" : "; threads left: " + String.join(", ", threads.alive());
     return hung.isEmpty() && ended
         ? Optional.empty()
-        : Optional.of(config.id() + " " + hung + left + " (" + origin() + ")");
+        : Optional.of(config.id() + hung + left + " (" + origin() + ")");
   }
 
   RficType type() {

@@ -81,7 +81,7 @@ final class Ticker implements Watched, AutoCloseable {
       if (uic.tick(now)) {
         frameReady.run();
       }
-    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+    } catch (RuntimeException | Error e) { // foreign code may throw anything, and nothing of it may end more than this view
       giveUp("threw " + e + " in tick");
     } finally {
       tickSince = NOT_TICKING;

@@ -13,6 +13,7 @@ final class DemandSwitch {
   private final Demand demand;
   private final Executor serial;
   private final AtomicInteger consumers = new AtomicInteger();
+  private volatile boolean ended;
   private boolean told; // only on the serial executor
 
   DemandSwitch(Demand demand, Executor serial) {
@@ -29,9 +30,14 @@ final class DemandSwitch {
     return consumers.get() > 0;
   }
 
+  /** The producer has ended and is told nothing any more. */
+  void end() {
+    ended = true;
+  }
+
   private void tell() {
     boolean wanted = wanted();
-    if (wanted != told) {
+    if (wanted != told && !ended) {
       told = wanted;
       try {
         demand.changed(wanted);

@@ -48,7 +48,7 @@ public final class Fan<T extends Data> {
   }
 
   /** Adds a consumer; it is given at once what late consumers of the type get. */
-  Tap<T> join() {
+  public Tap<T> join() {
     boolean late = type.late() != Late.NONE;
     Tap<T> tap = new Tap<>(this, mailbox(), late ? 0 : sequence.get());
     // Conflating mailboxes are given the last value after joining, so that none is missed in between; it may come twice, which

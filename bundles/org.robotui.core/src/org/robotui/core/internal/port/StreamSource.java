@@ -77,6 +77,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   @Override
   public void close() {
     if (closed.compareAndSet(false, true)) {
+      demand.end();
       withdrawal.withdrawn(this);
     }
   }

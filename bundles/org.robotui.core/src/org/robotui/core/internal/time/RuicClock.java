@@ -43,6 +43,11 @@ public final class RuicClock implements RobotClock {
     return time;
   }
 
+  /** A robot interface has ended: its time counts no more. */
+  public void forget(ClockSource source) {
+    times.values().removeIf(t -> t == source);
+  }
+
   private void jump() {
     epoch.incrementAndGet();
     jumped.run();

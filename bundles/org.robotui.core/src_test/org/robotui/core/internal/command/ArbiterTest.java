@@ -21,6 +21,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.InputState;
 import org.robotui.core.internal.config.model.SafetyConfig;
+import org.robotui.core.internal.port.Tap;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.MotionLimits;
@@ -322,6 +323,17 @@ class ArbiterTest {
     drive();
     output.connect(List.of(), "");
     assertStoppedWithThreeZeros();
+  }
+
+  @Test
+  void whatWentOutCanBeTapped() {
+    Tap<VelocityCommand> tap = robot.velocity.sent().join();
+    drive();
+    output.release();
+    robot.pass(200);
+    assertEquals(VelocityCommand.ZERO, tap.latest().map(e -> e.value()).orElse(Samples.forward(9)));
+    assertEquals(4, robot.velocity.status(robot.clock.nanos()).count());
+    tap.close();
   }
 
   @Test
