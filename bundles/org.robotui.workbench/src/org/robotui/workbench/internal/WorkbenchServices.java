@@ -3,16 +3,23 @@ package org.robotui.workbench.internal;
 import java.time.Duration;
 import java.util.Optional;
 import org.eclipse.e4.ui.css.swt.theme.IThemeManager;
+import org.osgi.framework.Bundle;
 import org.osgi.framework.BundleContext;
+import org.osgi.framework.BundleException;
 import org.osgi.framework.FrameworkUtil;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The one place that asks OSGi for services. What the extension registry creates (the application, parts, handlers) gets
  * nothing injected; it asks here, and hands on by constructors.
  */
+@SuppressWarnings("restriction") // the platform has no public way to set a theme
 public final class WorkbenchServices {
+  private static final Logger LOG = LoggerFactory.getLogger(WorkbenchServices.class);
+
   private WorkbenchServices() {}
 
   /** Waits for the core, which may start after the application. */
@@ -48,5 +55,18 @@ public final class WorkbenchServices {
 
   private static BundleContext context() {
     return FrameworkUtil.getBundle(WorkbenchServices.class).getBundleContext();
+  }
+
+  /** Leaves a bundle out of this run. */
+  public static void disable(String bundle) {
+    for (Bundle each : context().getBundles()) {
+      if (each.getSymbolicName().equals(bundle)) {
+        try {
+          each.stop(Bundle.STOP_TRANSIENT);
+        } catch (BundleException e) {
+          LOG.warn("{} could not be left out", bundle, e);
+        }
+      }
+    }
   }
 }

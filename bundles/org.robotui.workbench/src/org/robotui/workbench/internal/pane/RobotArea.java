@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
@@ -135,10 +136,11 @@ public final class RobotArea extends Composite {
   }
 
   private void clear() {
-    surface.ifPresent(Control::dispose);
-    message.ifPresent(Control::dispose);
+    // Forgotten first: what is being disposed is asked for the focus.
+    List<Control> former = Stream.concat(surface.stream(), message.stream()).map(Control.class::cast).toList();
     surface = Optional.empty();
     message = Optional.empty();
+    former.forEach(Control::dispose);
     built = Optional.empty();
     said = "";
   }

@@ -67,7 +67,7 @@ public final class RuicSurface extends Composite {
 
   @Override
   public boolean setFocus() {
-    return stacks.stream().findFirst().map(ViewStack::setFocus).orElseGet(super::setFocus);
+    return stacks.stream().filter(s -> !s.isDisposed()).findFirst().map(ViewStack::setFocus).orElseGet(super::setFocus);
   }
 
   private void build(Composite parent, Layout layout, String place) {

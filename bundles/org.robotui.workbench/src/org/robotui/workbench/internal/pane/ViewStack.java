@@ -76,7 +76,7 @@ final class ViewStack extends Composite {
 
   @Override
   public boolean setFocus() {
-    return seen().setFocus();
+    return !seen().isDisposed() && seen().setFocus();
   }
 
   private ViewHolder seen() {

@@ -3,6 +3,8 @@ package org.robotui.workbench.internal.rcp;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.eclipse.core.runtime.ILog;
+import org.eclipse.jface.dialogs.MessageDialog;
+import org.eclipse.swt.SWT;
 import org.eclipse.swt.SWTException;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.ui.IWorkbenchWindow;
@@ -12,6 +14,8 @@ import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
 import org.eclipse.ui.application.WorkbenchAdvisor;
 import org.eclipse.ui.application.WorkbenchWindowAdvisor;
 import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.Suspects;
+import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.display.HostHub;
 import org.robotui.workbench.internal.display.Screenshot;
 import org.slf4j.Logger;
@@ -50,6 +54,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   @Override
   public void postStartup() {
+    new Suspects(session.state().folder()).judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
     session.arguments().configurations().forEach(session.configurations()::load);
     session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
     session.arguments().limit().ifPresent(limit -> after(limit, () -> PlatformUI.getWorkbench().close()));
@@ -72,6 +77,13 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
       LOG.error("failure on the display thread", exception);
       ILog.of(RobotWorkbenchAdvisor.class).error("failure on the display thread", exception);
     }
+  }
+
+  private static boolean leaveOut(String bundle) {
+    String question = "In the last run the bundle " + bundle
+        + " kept the window from answering, so that the robots were stopped. Start without it this time?";
+    return MessageDialog.open(MessageDialog.QUESTION, PlatformUI.getWorkbench().getWorkbenchWindows()[0].getShell(),
+        "Start without a bundle", question, SWT.NONE, "Start without it", "Use it all the same") == 0;
   }
 
   private static void after(Duration delay, Runnable action) {

@@ -1,0 +1,46 @@
+package org.robotui.workbench.internal;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Predicate;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The bundles that held the display up in the last run: core's watchdog names them in a file, one a line. */
+public final class Suspects {
+  private static final Logger LOG = LoggerFactory.getLogger(Suspects.class);
+  private static final String FILE = "suspect-bundles.txt";
+
+  private final Path file;
+
+  /** In the folder of the user's state. */
+  public Suspects(Path folder) {
+    file = folder.resolve(FILE);
+  }
+
+  /** Asks for each suspect once whether to leave it out, and forgets them. */
+  public List<String> judge(Predicate<String> leaveOut) {
+    List<String> out = read().stream().filter(leaveOut).toList();
+    forget();
+    return out;
+  }
+
+  private List<String> read() {
+    try {
+      return Files.exists(file) ? Files.readAllLines(file).stream().filter(l -> !l.isBlank()).distinct().toList() : List.of();
+    } catch (IOException e) {
+      LOG.warn("{} cannot be read", file, e);
+      return List.of();
+    }
+  }
+
+  private void forget() {
+    try {
+      Files.deleteIfExists(file);
+    } catch (IOException e) {
+      LOG.warn("{} cannot be deleted: the same question comes again", file, e);
+    }
+  }
+}

@@ -1,0 +1,284 @@
+package org.robotui.workbench.internal.pane;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Event;
+import org.eclipse.swt.widgets.Shell;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
+import org.robotui.api.command.Principal;
+import org.robotui.api.host.Problem;
+import org.robotui.api.host.RuicState;
+import org.robotui.api.layout.Layout;
+import org.robotui.testkit.host.FakeRuic;
+import org.robotui.ui.Theme;
+import org.robotui.ui.Themes;
+import org.robotui.ui.control.QuietButton;
+import org.robotui.workbench.internal.display.StopKeys;
+import org.robotui.workbench.internal.model.Lease;
+
+@EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
+class PanesTest {
+  private static final Principal YOU = new Principal("w", "You", Principal.Kind.WINDOW);
+
+  private final NoActions actions = new NoActions();
+  private final PaintedView map = new PaintedView("follow");
+  private final PaintedView camera = new PaintedView("30 Hz");
+  private final FakeRuic ruic = new FakeRuic("Keira").in(RuicState.SELECTED, "").view("map", map).view("camera", camera);
+  private final Map<String, Map<String, int[]>> shares = new HashMap<>();
+  private Display display;
+  private Theme theme;
+  private Shell shell;
+
+  @BeforeEach
+  void open() {
+    display = new Display();
+    theme = Themes.dark(display);
+    shell = new Shell(display, SWT.NO_TRIM);
+    shell.setLayout(new FillLayout());
+    shell.setSize(800, 600);
+  }
+
+  @AfterEach
+  void close() {
+    theme.dispose();
+    display.dispose();
+  }
+
+  @Test
+  void aSplitSharesTheRoomAsTheLayoutSays() {
+    show(new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")),
+        List.of(3.0, 1.0)));
+
+    assertEquals(3.0, (double) map.control.getSize().x / camera.control.getSize().x, 0.1);
+    assertEquals(map.control.getSize().y, camera.control.getSize().y);
+  }
+
+  @Test
+  void howTheUserDividedASplitSurvivesAnotherSelection() {
+    Layout split = new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")),
+        List.of(1.0, 1.0));
+    RobotArea area = show(split);
+    shares.get("Keira").put("0", new int[] {900, 100});
+    area.show(Optional.empty());
+    shares.get("Keira").put("0", new int[] {900, 100});
+    area.show(Optional.of(ruic));
+    shell.layout(true, true);
+
+    assertTrue(map.control.getSize().x > 5 * camera.control.getSize().x);
+  }
+
+  @Test
+  void aTabGetsItsControlWhenItIsSeen() {
+    RobotArea area = show(new Layout.Tabs(List.of("map", "camera")));
+    assertEquals(0, camera.created);
+
+    find(area, ViewStack.class).choose(1);
+
+    assertEquals(1, camera.created);
+    assertEquals("30 Hz", find(area, TitleLine.class).note());
+  }
+
+  @Test
+  void framesOfATabThatIsNotSeenAreNotPainted() {
+    RobotArea area = show(new Layout.Tabs(List.of("map", "camera")));
+    find(area, ViewStack.class).choose(1);
+    int before = map.refreshed;
+
+    area.surface().orElseThrow().refresh("map");
+
+    assertEquals(before, map.refreshed);
+  }
+
+  @Test
+  void anUnselectedRobotHasNoControls() {
+    RobotArea area = show(new Layout.View("map"));
+
+    area.show(Optional.empty());
+
+    assertTrue(map.control.isDisposed());
+    assertTrue(area.surface().isEmpty());
+  }
+
+  @Test
+  void aViewThatThrowsWhenItIsMadeFailsAlone() {
+    camera.throwsOnCreate = true;
+
+    RobotArea area = show(new Layout.Split(Layout.Direction.COLUMN,
+        List.of(new Layout.View("map"), new Layout.View("camera")), List.of(1.0, 1.0)));
+
+    assertEquals(List.of("surfaceFailed camera"), ruic.calls());
+    assertFalse(map.control.isDisposed());
+    press(find(area, MessagePane.class), "");
+    assertEquals("restart camera", ruic.calls().getLast());
+  }
+
+  @Test
+  void aViewThatThrowsWhenItIsRefreshedIsTakenOut() {
+    RobotArea area = show(new Layout.View("map"));
+    map.throwsOnRefresh = true;
+
+    area.surface().orElseThrow().refresh("map");
+
+    assertTrue(map.control.isDisposed());
+    assertEquals(List.of("surfaceFailed map"), ruic.calls());
+  }
+
+  @Test
+  void aFailureOnTheDisplayThreadIsBlamedOnTheViewWhoseCodeTookPart() {
+    RobotArea area = show(new Layout.View("map"));
+
+    assertFalse(area.surface().orElseThrow().blame(foreign()));
+    assertTrue(area.surface().orElseThrow().blame(new IllegalStateException("thrown in this package")));
+
+    assertEquals(List.of("surfaceFailed map"), ruic.calls());
+  }
+
+  @Test
+  void anInstanceThatWasRestartedIsShownAnew() {
+    RobotArea area = show(new Layout.View("map"));
+    PaintedView next = new PaintedView("new");
+    ruic.view("map", next);
+
+    area.show(Optional.of(ruic));
+
+    assertTrue(map.control.isDisposed());
+    assertEquals(1, next.created);
+  }
+
+  @Test
+  void aChangeThatDoesNotTouchAViewLeavesItsControl() {
+    RobotArea area = show(new Layout.View("map"));
+
+    area.show(Optional.of(ruic));
+
+    assertEquals(1, map.created);
+  }
+
+  @Test
+  void aFailedRobotSaysWhyAndCanBeRestarted() {
+    ruic.in(RuicState.FAILED, "the master is gone");
+    RobotArea area = show(new Layout.View("map"));
+
+    press(find(area, MessagePane.class), "");
+
+    assertEquals(List.of("restart Keira"), actions.calls);
+  }
+
+  @Test
+  void problemsStandAboveViewsThatGoOn() {
+    RobotArea area = show(new Layout.View("map"));
+
+    area.problems(List.of(new Problem("a.yaml", 3, 4, Problem.Severity.ERROR, "wrong word")));
+    area.layout(true, true);
+
+    ProblemsPane pane = find(area, ProblemsPane.class);
+    assertTrue(pane.getSize().y > 40);
+    assertEquals(pane.getSize().y, area.surface().orElseThrow().getLocation().y);
+    area.problems(List.of());
+    assertTrue(pane.isDisposed());
+  }
+
+  @Test
+  void theBarKeepsItsPlacesWhenTheStopIsLatched() {
+    TopBar bar = new TopBar(shell, theme, Menus.ALL, actions);
+    shell.layout(true, true);
+    LeaseLamp lamp = find(bar, LeaseLamp.class);
+    int before = lamp.getLocation().x;
+
+    bar.show(Lease.of(ruic.authorities(), YOU), true);
+    bar.layout(true);
+
+    assertEquals(before, lamp.getLocation().x);
+    press(bar, "Release the stop of all robots; nothing moves by that");
+    assertEquals(List.of("release"), actions.calls);
+  }
+
+  @Test
+  void robotsAreSelectedByKeyAndMouse() {
+    Navigator navigator = new Navigator(shell, theme, actions);
+    shell.layout(true, true);
+    navigator.show(List.of(ruic.snapshot(), new FakeRuic("Natalie").snapshot()), Optional.empty());
+    navigator.layout(true);
+    RobotList list = navigator.robots();
+
+    send(list, SWT.MouseDown, e -> {
+      e.button = 1;
+      e.y = 60;
+    });
+    send(list, SWT.KeyDown, e -> e.keyCode = SWT.ARROW_UP);
+    send(list, SWT.KeyDown, e -> e.character = SWT.CR);
+
+    assertEquals(List.of("select Natalie", "select Keira"), actions.calls);
+  }
+
+  @Test
+  void spaceStopsInAViewAndF12Everywhere() {
+    RobotArea area = show(new Layout.View("map"));
+    try (StopKeys keys = new StopKeys(display, actions::stop)) {
+      send(map.control, SWT.KeyDown, e -> e.keyCode = ' ');
+      send(area, SWT.KeyDown, e -> e.keyCode = ' ');
+      send(shell, SWT.KeyDown, e -> e.keyCode = SWT.F12);
+    }
+    send(shell, SWT.KeyDown, e -> e.keyCode = SWT.F12);
+
+    assertEquals(List.of("stop", "stop"), actions.calls);
+  }
+
+  private RobotArea show(Layout layout) {
+    ruic.laidOut(layout);
+    RobotArea area = new RobotArea(shell, theme, shares, actions);
+    area.show(Optional.of(ruic));
+    shell.open();
+    shell.layout(true, true);
+    return area;
+  }
+
+  private static Throwable foreign() {
+    Throwable failure = new IllegalStateException("elsewhere");
+    failure.setStackTrace(new StackTraceElement[] {new StackTraceElement("org.example.Other", "paint", "Other.java", 1)});
+    return failure;
+  }
+
+  private static void press(Composite above, String hint) {
+    all(above, QuietButton.class).stream()
+        .filter(b -> hint.equals(Optional.ofNullable(b.getToolTipText()).orElse("")))
+        .findFirst().orElseThrow().press();
+  }
+
+  private static <C extends Control> C find(Composite above, Class<C> type) {
+    return all(above, type).getFirst();
+  }
+
+  private static <C extends Control> List<C> all(Composite above, Class<C> type) {
+    List<C> found = new java.util.ArrayList<>();
+    for (Control child : above.getChildren()) {
+      if (type.isInstance(child)) {
+        found.add(type.cast(child));
+      }
+      if (child instanceof Composite inner) {
+        found.addAll(all(inner, type));
+      }
+    }
+    return found;
+  }
+
+  private static void send(Control control, int type, java.util.function.Consumer<Event> fill) {
+    Event event = new Event();
+    fill.accept(event);
+    control.notifyListeners(type, event);
+  }
+}
