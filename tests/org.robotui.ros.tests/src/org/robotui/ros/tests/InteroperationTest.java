@@ -19,6 +19,7 @@ import org.robotui.ros.ServiceClient;
 import org.robotui.ros.ServiceException;
 import org.robotui.ros.ServiceIdentity;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
@@ -150,6 +151,23 @@ class InteroperationTest {
                 org.robotui.ros.msgs.std_msgs.StdInt32.CODEC, SubscriberOptions.standard(), (number, reception) -> { });
         Eventually.await(() -> "a refusal among " + reasons, () -> reasons.stream().anyMatch(reason ->
                 reason.contains("Failed") && reason.contains("/chatter") && reason.contains("std_msgs/Int32") && reason.contains("std_msgs/String")));
+    }
+
+    @Test
+    void parametersSetByOthersReachOurListeners() throws Exception {
+        List<String> heard = new CopyOnWriteArrayList<>();
+        RosNode node = world.node("watcher");
+        node.parameters().set("/limits/speed", XmlRpcValue.of(1.5));
+        node.parameters().subscribe("/limits/speed", (key, value) -> heard.add(key + " " + value));
+        String first = "/limits/speed Optional[Real[value=1.5]]";
+        Eventually.await(() -> "the present value, heard " + heard, () -> heard.equals(List.of(first)));
+        world.tool("rosparam", "set", "/limits/speed", "2");
+        Eventually.await(() -> "a new value, heard " + heard, () -> heard.contains("/limits/speed Optional[Int[value=2]]"));
+        world.tool("rosparam", "set", "/limits", "{speed: 3}");
+        Eventually.await(() -> "a value set by its namespace, heard " + heard, () -> heard.contains("/limits/speed Optional[Int[value=3]]"));
+        world.tool("rosparam", "delete", "/limits/speed");
+        Eventually.await(() -> "the deletion, heard " + heard, () -> heard.contains("/limits/speed Optional.empty"));
+        assertEquals(new Outcome.Done<>(false), node.parameters().has("/limits/speed"));
     }
 
     @Test

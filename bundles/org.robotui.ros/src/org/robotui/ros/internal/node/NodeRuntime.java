@@ -34,10 +34,13 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
 import org.robotui.ros.message.MessageCodec;
 import org.robotui.ros.message.MessageInfo;
 import org.robotui.ros.message.ServiceCodec;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** A running node: puts the parts together and takes them apart again. */
 public final class NodeRuntime implements RosNode {
 
+    private static final Logger LOG = LoggerFactory.getLogger(NodeRuntime.class);
     private static final Duration MASTER_TIMEOUT = Duration.ofSeconds(5);
 
     private final NodeContext context;
@@ -78,8 +81,17 @@ public final class NodeRuntime implements RosNode {
     public static RosNode open(RosEnvironment environment, GraphName name, NodeOptions options) throws IOException {
         GraphName wanted = environment.nodeName().orElse(name);
         NodeRuntime node = new NodeRuntime(environment, wanted.isGlobal() ? wanted : environment.namespace().join(wanted), options);
+        node.warnIfUnreachable(environment);
         node.start(environment);
         return node;
+    }
+
+    private void warnIfUnreachable(RosEnvironment environment) {
+        boolean remote = !masterAddress.host().matches("localhost|127\\..*|::1");
+        if (remote && environment.host().isEmpty()) {
+            LOG.warn("{} listens on loopback only: nodes on other machines cannot subscribe to it or call it; set ROS_IP or "
+                    + "ROS_HOSTNAME to this machine's address towards {}", name(), masterAddress);
+        }
     }
 
     private SlaveApi slave(RosEnvironment environment, LocalAddress address) {
