@@ -104,7 +104,7 @@ public final class Themes {
     colors.put(Role.LASER, rgb(0xd1491c));
     colors.put(Role.SONAR, rgb(0x7048c8));
     colors.put(Role.WALL, rgb(0x56616e));
-    colors.put(Role.FLOOR, rgb(0xf0f3f6));
+    colors.put(Role.FLOOR, rgb(0xd9e0e8));
     colors.put(Role.PLAN, rgb(0x0a7350));
     colors.put(Role.TRAIL, rgb(0x2f7fd6));
     return new Palette(LIGHT, false, colors,

@@ -20,6 +20,7 @@ import org.robotui.ui.Theme;
 public final class Painter {
   private static final int OPAQUE = 255;
   private static final int FULL_TURN = 360;
+  private static final double GROUND_OPACITY = 0.85;
 
   private final GC gc;
   private final Viewport viewport;
@@ -282,6 +283,28 @@ public final class Painter {
     Point size = gc.textExtent(text);
     int left = (int) Math.round(viewport.pixelX(x) + dx);
     int top = (int) Math.round(viewport.pixelY(y) + dy - size.y / 2.0);
+    gc.drawText(text, left, top, true);
+  }
+
+  /**
+   * Draws text as {@link #text} does, on a ground that keeps it legible over everything.
+   *
+   * @param text the text
+   * @param x metres
+   * @param y metres
+   * @param dx pixels to the right of the point
+   * @param dy pixels below the point where the middle of the text lies
+   * @param face typeface and size
+   */
+  public void label(String text, double x, double y, double dx, double dy, Face face) {
+    gc.setFont(theme.font(face));
+    Point size = gc.textExtent(text);
+    int left = (int) Math.round(viewport.pixelX(x) + dx);
+    int top = (int) Math.round(viewport.pixelY(y) + dy - size.y / 2.0);
+    opacity(GROUND_OPACITY).fill(Role.GROUND);
+    gc.fillRoundRectangle(
+        left - Theme.STEP, top - 1, size.x + 2 * Theme.STEP, size.y + 2, 2 * Theme.STEP, 2 * Theme.STEP);
+    opacity(1);
     gc.drawText(text, left, top, true);
   }
 

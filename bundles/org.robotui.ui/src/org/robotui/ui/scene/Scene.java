@@ -17,6 +17,11 @@ public final class Scene {
   private final Queue<Entity> removed = new ConcurrentLinkedQueue<>();
   private volatile List<Layer> layers = List.of();
 
+  /** Without layers. */
+  public Scene() {
+    // Layers come with add.
+  }
+
   /**
    * What lies on top of a point.
    *

@@ -51,7 +51,7 @@ final class MeasureTool implements Tool {
       painter.opacity(1).stroke(Role.TEXT).fill(Role.TEXT).dashed(1.5, 5).line(fromX, fromY, toX, toY);
       painter.width(1.5).disc(fromX, fromY, DOT);
       painter.disc(toX, toY, DOT);
-      painter.text(label(), toX, toY, LABEL_GAP, -LABEL_GAP, Face.FIGURES);
+      painter.label(label(), toX, toY, LABEL_GAP, -LABEL_GAP, Face.FIGURES);
     }
   }
 

@@ -80,7 +80,7 @@ final class PoseTool implements Tool {
       painter.opacity(1).stroke(role).fill(role).width(2);
       painter.circle(x, y, RING);
       Arrow.paint(painter, RigidTransform.planar(x, y, yaw()), ARROW, HEAD);
-      painter.text(Figures.degrees(yaw(), 0), x, y, RING + 6, RING + 10, Face.FIGURES);
+      painter.label(Figures.degrees(yaw(), 0), x, y, RING + 6, RING + 10, Face.FIGURES);
     }
   }
 
