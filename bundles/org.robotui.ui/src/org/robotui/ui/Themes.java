@@ -76,8 +76,8 @@ public final class Themes {
     colors.put(Role.BAD, rgb(0xe5534b));
     colors.put(Role.LASER, rgb(0xff8a65));
     colors.put(Role.SONAR, rgb(0xb39df0));
-    colors.put(Role.WALL, rgb(0x6b7886));
-    colors.put(Role.FLOOR, rgb(0x2e353e));
+    colors.put(Role.WALL, rgb(0x748291));
+    colors.put(Role.FLOOR, rgb(0x363e48));
     colors.put(Role.PLAN, rgb(0x3fb68b));
     colors.put(Role.TRAIL, rgb(0x4da3ff));
     return new Palette(DARK, true, colors,

@@ -50,6 +50,9 @@ public final class DemoRoom {
     frames.fix(MAP, ODOM, RigidTransform.IDENTITY);
     frames.fix(ODOM, BASE, ROBOT_AT);
     frames.fix(BASE, LASER, RigidTransform.planar(0.1, 0, 0));
+    for (int i = 0; i < 3; i++) {
+      frames.fix(BASE, frame("sonar_" + i), RigidTransform.planar(0.15, 0, Math.toRadians(-40 + 40 * i)));
+    }
     return frames;
   }
 
@@ -120,11 +123,12 @@ public final class DemoRoom {
 
   public static RangeReadings sonars() {
     List<RangeReading> readings = new ArrayList<>();
-    double[] ranges = {1.4, 2.2, Double.POSITIVE_INFINITY};
-    for (double range : ranges) {
-      readings.add(new RangeReading(BASE, RangeReading.Kind.ULTRASOUND, Math.toRadians(25), 0.1, 2.5, range));
+    double[] ranges = {1.1, 1.6, Double.POSITIVE_INFINITY};
+    for (int i = 0; i < ranges.length; i++) {
+      readings.add(new RangeReading(
+          frame("sonar_" + i), RangeReading.Kind.ULTRASOUND, Math.toRadians(25), 0.1, 2.5, ranges[i]));
     }
-    return new RangeReadings(List.of(readings.get(0)));
+    return new RangeReadings(readings);
   }
 
   private static double cast(RigidTransform laser, double angle, double limit, int noise) {

@@ -50,6 +50,7 @@ final class MapGallery {
     stale();
     states();
     tools();
+    drive();
     real("sena_loop", 0.1, RigidTransform.planar(-35.223296, -43.536954, 0));
     real("depot", 0.05, RigidTransform.planar(-7.14, -7.83, 0.4));
   }
@@ -162,6 +163,32 @@ final class MapGallery {
       stage.tick();
     }
     save(stage, name);
+    stage.close();
+  }
+
+  private void drive() throws IOException {
+    MapStage stage = stage(880, 560);
+    Path maps = shared.resolve("data/maps/sena_loop.pgm");
+    GridMap map = MapFiles.pgm(maps, 0.1, RigidTransform.planar(-35.223296, -43.536954, 0), DemoRoom.MAP);
+    FakeFrames frames = new FakeFrames();
+    frames.fix(DemoRoom.MAP, DemoRoom.ODOM, RigidTransform.IDENTITY);
+    frames.fix(DemoRoom.BASE, DemoRoom.LASER, RigidTransform.planar(0.78, 0, 0));
+    stage.context.frames(frames);
+    stage.replace();
+    stage.context.input(MapPorts.MAP).put(DemoRoom.source("map"), map, System.nanoTime(), Optional.empty());
+    stage.open();
+    for (CarmenLog.Entry entry : CarmenLog.read(shared.resolve("data/carmen/sena_loop.log")).subList(0, 120)) {
+      frames.fix(DemoRoom.ODOM, DemoRoom.BASE, entry.odomFromBase());
+      stage.context.input(MapPorts.ODOM)
+          .put(DemoRoom.source("odom"), DemoRoom.odometry(entry.odomFromBase()), System.nanoTime(), Optional.empty());
+      stage.context.input(MapPorts.SCAN)
+          .put(DemoRoom.source("scan"), entry.scan(), System.nanoTime(), Optional.empty());
+      stage.uic.tick(System.nanoTime());
+    }
+    stage.context.settings().set("trail_length", 200.0);
+    stage.tick();
+    stage.tick();
+    save(stage, "drive");
     stage.close();
   }
 

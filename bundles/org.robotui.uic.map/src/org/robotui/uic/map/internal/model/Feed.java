@@ -132,7 +132,7 @@ public final class Feed<T extends Data, E extends Entity> {
   private boolean removeOthers(List<SourceId> connected) {
     Set<SourceId> gone = new HashSet<>(sources.keySet());
     connected.forEach(gone::remove);
-    gone.forEach(id -> scene.remove(sources.remove(id).layer.id()));
+    gone.forEach(id -> forget(sources.remove(id).layer.id()));
     return !gone.isEmpty();
   }
 
@@ -208,6 +208,13 @@ public final class Feed<T extends Data, E extends Entity> {
     return state instanceof InputState.Stale
         ? Optional.of(new Note(Health.STALE, name + " " + StateView.word(state)))
         : Optional.empty();
+  }
+
+  private void forget(String layer) {
+    scene.remove(layer);
+    Map<String, Envelope<T>> others = new LinkedHashMap<>(newest);
+    others.remove(layer);
+    newest = Map.copyOf(others);
   }
 
   private void remember(String layer, Envelope<T> latest) {

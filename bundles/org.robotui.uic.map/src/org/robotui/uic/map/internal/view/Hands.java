@@ -39,6 +39,9 @@ final class Hands {
     surface.addListener(SWT.MouseVerticalWheel, this::wheel);
     surface.addListener(SWT.MenuDetect, this::menu);
     surface.addListener(SWT.KeyDown, this::key);
+    // Arrows and Esc are the map's; Tab leads on to the next control.
+    surface.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     surface.atEnd(() -> surface.getDisplay().timerExec(-1, rest));
   }
 

@@ -100,6 +100,7 @@ class MapModelTest {
     context.input(MapPorts.SCAN).remove(SCAN);
     assertTrue(tick(model));
     assertTrue(model.scene().find("scan:base.scan").isEmpty());
+    assertTrue(model.detail("scan:base.scan", now).isEmpty());
   }
 
   @Test
