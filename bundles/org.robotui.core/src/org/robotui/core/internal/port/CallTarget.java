@@ -46,8 +46,8 @@ public final class CallTarget<Q, R> implements Offered {
   /** Starts a call. */
   public Call<R> call(Q request, Duration timeout, Progress progress) {
     rate.mark(clock.nanos());
-    RunningCall<Q, R> call = new RunningCall<>(request, clock.nanos() + timeout.toNanos(), progress, timer);
-    call.outcome().thenAccept(outcome -> problem = RunningCall.problem(outcome));
+    RunningCall<Q, R> call = new RunningCall<>(request, clock.nanos() + timeout.toNanos(), progress, timer,
+        outcome -> problem = RunningCall.problem(outcome));
     call.start(handler, pool, timeout);
     return call;
   }

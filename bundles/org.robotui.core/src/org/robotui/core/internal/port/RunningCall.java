@@ -8,6 +8,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CallOutcome;
@@ -24,10 +25,14 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
   private final long deadline;
   private final Progress progress;
   private final ScheduledExecutorService timer;
+  private final Consumer<CallOutcome<R>> ending;
   private final CompletableFuture<CallOutcome<R>> outcome = new CompletableFuture<>();
   private final AtomicBoolean over = new AtomicBoolean();
 
-  RunningCall(Q request, long deadline, Progress progress, ScheduledExecutorService timer) {
+  /** A call that was not started yet; {@code ending} is told how it ends before its caller is. */
+  RunningCall(
+      Q request, long deadline, Progress progress, ScheduledExecutorService timer, Consumer<CallOutcome<R>> ending) {
+    this.ending = ending;
     this.request = request;
     this.deadline = deadline;
     this.progress = progress;
@@ -62,6 +67,7 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
 
   private void end(CallOutcome<R> how) {
     if (over.compareAndSet(false, true)) {
+      ending.accept(how);
       outcome.complete(how);
     }
   }

@@ -84,6 +84,16 @@ class SenderTest {
   }
 
   @Test
+  void motionThatWasGivenAfterAStopIsSentAfterIt() throws InterruptedException {
+    blockSender();
+    robot.velocity.postZero();
+    robot.velocity.post(Samples.forward(1), Long.MAX_VALUE);
+    gate.countDown();
+    robot.awaitSent(2);
+    assertEquals(List.of(VelocityCommand.ZERO, Samples.forward(1)), robot.sent);
+  }
+
+  @Test
   void ofMotionsThatWaitOnlyTheNewestIsSent() throws InterruptedException {
     blockSender();
     robot.velocity.post(Samples.forward(1), Long.MAX_VALUE);
