@@ -50,16 +50,6 @@ public record Bounds(double minX, double minY, double maxX, double maxY) {
   }
 
   /**
-   * Tells whether two rectangles share a point.
-   *
-   * @param other another rectangle
-   * @return true where they touch
-   */
-  public boolean touches(Bounds other) {
-    return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY;
-  }
-
-  /**
    * Tells whether a point lies within.
    *
    * @param x metres

@@ -59,7 +59,8 @@ final class Overlay {
   void hint(GC gc, Rectangle area, String text) {
     gc.setFont(theme.font(Face.SMALL));
     Point size = gc.textExtent(text);
-    Rectangle pill = centered(area, Theme.EDGE, size.x + 2 * Theme.EDGE);
+    // Below the place where stale data say their age.
+    Rectangle pill = centered(area, 2 * Theme.EDGE + PILL_HEIGHT, size.x + 2 * Theme.EDGE);
     states.pill(gc, pill);
     gc.setForeground(theme.color(Role.ACCENT));
     gc.drawText(text, pill.x + Theme.EDGE, pill.y + (PILL_HEIGHT - size.y) / 2, true);
