@@ -54,10 +54,14 @@ final class TeleopModel {
     half = on;
   }
 
-  /** Whether a hand is on the mouse or on a key: the dead-man. */
+  /** Whether a hand is on the mouse or on a key: the dead-man. Without one the next motion begins at rest. */
   boolean held(long now) {
     settle(now);
-    return drag.isPresent() || down.stream().anyMatch(key -> !spent.contains(key));
+    boolean held = drag.isPresent() || down.stream().anyMatch(key -> !spent.contains(key));
+    if (!held) {
+      rest();
+    }
+    return held;
   }
 
   /** Ends the motion; keys that are down must come up first. */

@@ -66,6 +66,18 @@ class DriverTest {
   }
 
   @Test
+  void theNextDriveBeginsAtRest() {
+    driver.drag(new Stick(1, 0), 0);
+    for (int i = 0; i < 10; i++) {
+      driver.tick(i * 50 * MS);
+    }
+    driver.dragEnd(500 * MS);
+    driver.drag(new Stick(1, 0), 600 * MS);
+    driver.tick(600 * MS);
+    assertEquals(VelocityCommand.planar(0.05, 0), output.sent().getLast().command());
+  }
+
+  @Test
   void aKeyReleaseStopsAfterTheGraceWithoutATick() {
     driver.press(DriveKey.FORWARD, 0);
     driver.tick(0);
