@@ -2,11 +2,13 @@ package org.robotui.workbench.internal.rcp;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
 import org.eclipse.core.runtime.ILog;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.SWTException;
 import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.application.IWorkbenchConfigurer;
@@ -57,7 +59,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
     new Suspects(session.state().folder()).judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
     session.arguments().configurations().forEach(session.configurations()::load);
     session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
-    session.arguments().limit().ifPresent(limit -> after(limit, () -> PlatformUI.getWorkbench().close()));
+    session.arguments().limit().ifPresent(limit -> after(limit, RobotWorkbenchAdvisor::close));
     session.hub().add(new HostHub.Client() {
       @Override
       public void alert(String ruic, String message) {
@@ -84,6 +86,14 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
         + " kept the window from answering, so that the robots were stopped. Start without it this time?";
     return MessageDialog.open(MessageDialog.QUESTION, PlatformUI.getWorkbench().getWorkbenchWindows()[0].getShell(),
         "Start without a bundle", question, SWT.NONE, "Start without it", "Use it all the same") == 0;
+  }
+
+  /** Closes dialogs first: one that is open would keep the workbench. */
+  private static void close() {
+    Arrays.stream(Display.getCurrent().getShells())
+        .filter(shell -> !shell.isDisposed() && shell.getParent() != null)
+        .forEach(Shell::close);
+    PlatformUI.getWorkbench().close();
   }
 
   private static void after(Duration delay, Runnable action) {

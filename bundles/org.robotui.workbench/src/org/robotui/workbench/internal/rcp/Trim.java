@@ -24,11 +24,14 @@ final class Trim {
   }
 
   private static void add(EModelService service, MTrimmedWindow window, SideValue side, String id, Class<?> type) {
+    MTrimBar bar = service.getTrim(window, side);
+    if (bar.getChildren().stream().anyMatch(c -> id.equals(c.getElementId()))) {
+      return;
+    }
     MToolControl control = service.createModelElement(MToolControl.class);
     control.setElementId(id);
     control.setContributionURI(CLASSES + type.getName());
     control.getTags().add(STRETCH);
-    MTrimBar bar = service.getTrim(window, side);
     bar.getChildren().forEach(Trim::hide);
     bar.getChildren().add(0, control);
     bar.setToBeRendered(true);
