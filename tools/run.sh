@@ -52,7 +52,7 @@ cmd_check() {
   config=$(config_path "$1") || exit 2
   need_product
   trap end_everything EXIT
-  run_application text -check "$config"
+  run_application check -application org.robotui.headless.application -check "$config"
 }
 
 # A file, or the name of one in configs/.
@@ -139,9 +139,10 @@ await_simulator() {
 # ---- the application ------------------------------------------------------------------------------------------------
 
 # Runs in the background and waits: a shell that waits for a foreground child would not hear a signal.
+# A check needs no display, but it must know the views of windows, and so their product.
 run_application() {
   local product=$HEADLESS_PRODUCT rc=0
-  [[ $1 != window ]] || product=$WINDOW_PRODUCT
+  [[ $1 != window && $1 != check ]] || product=$WINDOW_PRODUCT
   shift
   mkdir -p "$STATE"
   "$product/robotui" "$@" <&0 &

@@ -9,13 +9,20 @@ import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
+import org.robotui.api.port.Arity;
 import org.robotui.api.port.Port;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.Data;
 
 /** Shows in a terminal how a robot is doing. */
 @Component(service = UicType.class)
 public final class TextType implements UicType {
   static final String UNUSED = "unused";
   static final String TYPES = "types";
+
+  /** Everything that the robot sends: a port that nobody takes from has neither rate nor value. */
+  static final StreamPort<Data> ALL =
+      new StreamPort<>("all", Data.class, Arity.MANY, "Everything that the robot sends; connect it to none to ask for nothing.");
 
   private static final double RATE_HZ = 2;
 
@@ -45,7 +52,7 @@ public final class TextType implements UicType {
 
   @Override
   public List<Port> ports() {
-    return List.of();
+    return List.of(ALL);
   }
 
   @Override
