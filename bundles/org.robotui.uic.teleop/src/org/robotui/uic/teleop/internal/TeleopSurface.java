@@ -1,14 +1,16 @@
 package org.robotui.uic.teleop.internal;
 
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
-import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.ui.PaintedCanvas;
+import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.LimitBar;
@@ -37,9 +39,12 @@ final class TeleopSurface {
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.linear = bar(TeleopType.HIGHEST_LINEAR, TeleopType.MAX_LINEAR, settings, "Speed at full stick");
     this.angular = bar(TeleopType.HIGHEST_ANGULAR, TeleopType.MAX_ANGULAR, settings, "Turning speed at full stick");
-    this.buttons = new FooterButtons(canvas, context.theme(), this::pressed);
+    this.buttons = new FooterButtons(root, context.theme(), this::pressed);
     new Hands(canvas, driver, this::drivable, this::refresh).listen();
-    canvas.addListener(SWT.Resize, e -> place());
+    root.addListener(SWT.Resize, e -> place());
+    // The stick lies below the bars and buttons, and comes first when walking through by key.
+    canvas.moveBelow(null);
+    root.setTabList(tabs());
     root.addDisposeListener(e -> leave());
     refresh();
   }
@@ -66,7 +71,7 @@ final class TeleopSurface {
   private final class Root extends Composite {
     Root(Composite parent) {
       super(parent, SWT.NONE);
-      setLayout(new FillLayout());
+      setBackground(context.theme().color(Role.PANEL));
     }
 
     @Override
@@ -86,12 +91,12 @@ final class TeleopSurface {
   }
 
   private TeleopLayout layout() {
-    Rectangle area = canvas.getClientArea();
+    Rectangle area = root.getClientArea();
     return TeleopLayout.of(area.width, area.height);
   }
 
   private LimitBar bar(double highest, String setting, SettingsStore settings, String hint) {
-    LimitBar bar = new LimitBar(canvas, context.theme(), highest, value -> {
+    LimitBar bar = new LimitBar(root, context.theme(), highest, value -> {
       settings.set(setting, Math.round(value * ROUNDING) / ROUNDING);
       refresh();
     });
@@ -99,7 +104,12 @@ final class TeleopSurface {
     return bar;
   }
 
+  private Control[] tabs() {
+    return Stream.concat(Stream.of(canvas), Arrays.stream(root.getChildren()).filter(c -> c != canvas)).toArray(Control[]::new);
+  }
+
   private void place() {
+    canvas.setBounds(root.getClientArea());
     TeleopLayout at = layout();
     boolean bars = at.bars() > 0 && StateView.showsContent(look.output());
     place(linear, at.bar(0), bars);

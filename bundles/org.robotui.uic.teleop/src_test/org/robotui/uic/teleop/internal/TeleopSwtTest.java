@@ -30,6 +30,7 @@ import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
@@ -49,7 +50,8 @@ class TeleopSwtTest {
   private final Rectangle stick = TeleopLayout.of(WIDTH, HEIGHT).stick();
   private Theme theme;
   private Shell shell;
-  private Composite canvas;
+  private Composite root;
+  private PaintedCanvas canvas;
   private String note = "";
 
   @BeforeAll
@@ -68,7 +70,7 @@ class TeleopSwtTest {
     shell = new Shell(display, SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
     shell.setBounds(0, 0, WIDTH, HEIGHT);
-    Composite root = (Composite) uic.createControl(shell, new UiContext() {
+    root = (Composite) uic.createControl(shell, new UiContext() {
       @Override
       public Theme theme() {
         return theme;
@@ -79,7 +81,7 @@ class TeleopSwtTest {
         note = text;
       }
     });
-    canvas = (Composite) root.getChildren()[0];
+    canvas = (PaintedCanvas) root.getTabList()[0];
     shell.open();
     settle();
   }
@@ -170,7 +172,7 @@ class TeleopSwtTest {
 
   @Test
   void theBarsSetTheLimitsInTheSettings() {
-    LimitBar bar = Arrays.stream(canvas.getChildren()).filter(LimitBar.class::isInstance).map(LimitBar.class::cast).findFirst().orElseThrow();
+    LimitBar bar = Arrays.stream(root.getChildren()).filter(LimitBar.class::isInstance).map(LimitBar.class::cast).findFirst().orElseThrow();
     Event event = new Event();
     event.button = 1;
     event.x = bar.getBounds().width / 2;
@@ -180,7 +182,9 @@ class TeleopSwtTest {
 
   @Test
   void theFocusOfThePartGoesToTheStickSoThatKeysDrive() {
-    canvas.getParent().setFocus();
+    assertEquals(canvas, display.getFocusControl(), "when the window opens");
+    root.getChildren()[0].forceFocus();
+    root.setFocus();
     settle();
     assertEquals(canvas, display.getFocusControl());
   }
@@ -213,7 +217,7 @@ class TeleopSwtTest {
 
   private void press(Footer.Button wanted) {
     settle();
-    QuietButton button = Arrays.stream(canvas.getChildren()).filter(QuietButton.class::isInstance)
+    QuietButton button = Arrays.stream(root.getChildren()).filter(QuietButton.class::isInstance)
         .map(QuietButton.class::cast).toList().get(wanted.ordinal());
     assertTrue(button.isVisible(), wanted.label());
     button.press();
