@@ -36,7 +36,8 @@ public record Plan(Optional<RuicType> type, List<ComponentConfig> uics, Layout l
   /** Plans with the types that are installed now. */
   public static Outcome of(RuicConfig config, Registry registry, SettingsCheck check) {
     if (config.type().isEmpty()) {
-      return new Outcome.Made(new Plan(Optional.empty(), config.uics(), config.layout().orElseGet(() -> tabs(config.uics()))));
+      Layout layout = config.layout().orElseGet(() -> tabs(config.uics()));
+      return new Outcome.Made(new Plan(Optional.empty(), config.uics(), layout));
     }
     return registry.ruic(config.type())
         .map(type -> typed(config, type, check))

@@ -89,7 +89,8 @@ public final class Registry implements TypeLookup {
 
   private static String missing(String id, Optional<String> bundle, List<String> installed) {
     String known = installed.isEmpty() ? "none is" : "installed are " + String.join(", ", installed);
-    return "type '" + id + "' " + bundle.map(b -> "(bundle " + b + ") is not installed").orElse("is not installed; " + known);
+    return "type '" + id + "' "
+        + bundle.map(b -> "(bundle " + b + ") is not installed").orElse("is not installed; " + known);
   }
 
   @Override

@@ -75,7 +75,8 @@ final class RficInstance implements RficContext, Instance {
   }
 
   private void check(long now) {
-    sender.check(now).ifPresent(reason -> ruic.services().events().alert(ruic.config().name(), reason + " (" + origin() + ")"));
+    sender.check(now).ifPresent(
+        reason -> ruic.services().events().alert(ruic.config().name(), reason + " (" + origin() + ")"));
   }
 
   @Override

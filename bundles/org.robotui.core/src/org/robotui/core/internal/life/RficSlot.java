@@ -57,8 +57,8 @@ final class RficSlot extends Slot<RficType, RficInstance> {
   }
 
   LinkState link() {
-    return instance().map(i -> i.linkNow().state())
-        .orElseGet(() -> new LinkState.Failed(health().reason(), Duration.ZERO));
+    // Without an instance nobody tries again by itself, so that it is no failed link.
+    return instance().map(i -> i.linkNow().state()).orElseGet(LinkState.Disconnected::new);
   }
 
   ComponentStatus status() {

@@ -81,7 +81,7 @@ final class Ticker implements Watched, AutoCloseable {
       if (uic.tick(now)) {
         frameReady.run();
       }
-    } catch (RuntimeException | Error e) { // foreign code may throw anything, and nothing of it may end more than this view
+    } catch (RuntimeException | Error e) { // foreign code may throw anything; it must not end more than this view
       giveUp("threw " + e + " in tick");
     } finally {
       tickSince = NOT_TICKING;

@@ -15,6 +15,7 @@ import org.robotui.core.internal.match.Want;
 /** The place of one view. */
 final class UicSlot extends Slot<UicType, UicInstance> {
   private final Authority authority;
+  private volatile boolean shown = true;
 
   UicSlot(ComponentConfig config, Authority authority, RuicParts ruic) {
     super(config, ruic);
@@ -36,9 +37,10 @@ final class UicSlot extends Slot<UicType, UicInstance> {
     return new UicInstance(config(), of, settings, authority, ruic());
   }
 
-  /** False where its type is for another surface than the application has. */
+  /** False where its type is, or was when it was last there, for another surface than the application has. */
   boolean isShown() {
-    return find().map(t -> ruic().services().stage().get().shows(t.surface())).orElse(true);
+    find().ifPresent(t -> shown = ruic().services().stage().get().shows(t.surface()));
+    return shown;
   }
 
   /** The ports that want to be connected. */

@@ -46,7 +46,8 @@ public final class ValueText {
     return switch (value) {
       case LaserScan scan -> scan.ranges().size() + " beams" + nearest(scan);
       case RangeReadings readings -> readings.readings().size() + " ranges" + nearest(readings);
-      case RawImage image -> image.width() + "x" + image.height() + " " + image.encoding().name().toLowerCase(Locale.ROOT);
+      case RawImage image ->
+          image.width() + "x" + image.height() + " " + image.encoding().name().toLowerCase(Locale.ROOT);
       case CompressedImage image -> image.format() + ", " + size(image.data().size());
       case CameraInfo info -> info.width() + "x" + info.height() + " " + info.distortionModel();
       case PointCloud cloud -> cloud.size() + " points";

@@ -29,6 +29,7 @@ import org.robotui.api.port.Demand;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
@@ -86,8 +87,12 @@ class CoreTest {
   private Ruic running() {
     assertEquals(List.of(), bench.load(YAML));
     Ruic ruic = bench.ruic();
-    Await.until("the scan is connected", () -> bench.match("map.scan").filter(m -> m.state() == MatchState.CONNECTED).isPresent());
+    Await.until("the scan is connected", this::scanIsConnected);
     return ruic;
+  }
+
+  private boolean scanIsConnected() {
+    return bench.match("map.scan").filter(m -> m.state() == MatchState.CONNECTED).isPresent();
   }
 
   @Test
@@ -184,7 +189,7 @@ class CoreTest {
     assertTrue(ruic.uic("map").isEmpty());
     bench.registry.add(map, "org.robotui.uic.map");
     bench.await("map", RuicState.INITIALIZED);
-    Await.until("connected again", () -> bench.match("map.scan").filter(m -> m.state() == MatchState.CONNECTED).isPresent());
+    Await.until("connected again", this::scanIsConnected);
     assertEquals(2, map.contexts.size());
   }
 
@@ -269,12 +274,13 @@ class CoreTest {
   void chosenPeerIsConnectedAndKeptAcrossARestartOfTheProcess() {
     robot.onStart(c -> {
       offer(c);
-      c.offers().stream(new org.robotui.api.port.StreamPort<>("rear", LaserScan.class, Samples.SCAN.arity(), ""), Demand.IGNORED);
+      c.offers().stream(new StreamPort<>("rear", LaserScan.class, Samples.SCAN.arity(), ""), Demand.IGNORED);
     });
     Ruic ruic = running();
     assertEquals(List.of(new SourceId("base", "scan")), bench.match("map.scan").orElseThrow().peers());
     ruic.connect(new SourceId("map", "scan"), new SourceId("base", "rear"));
-    Await.until("it is connected", () -> bench.match("map.scan").orElseThrow().peers().equals(List.of(new SourceId("base", "rear"))));
+    List<SourceId> rear = List.of(new SourceId("base", "rear"));
+    Await.until("it is connected", () -> bench.match("map.scan").orElseThrow().peers().equals(rear));
     map.context().settings().set("zoom", 20.0);
     bench.close();
     start();
@@ -289,6 +295,10 @@ class CoreTest {
     Ruic ruic = running();
     assertEquals(List.of("base", "map"), ruic.snapshot().components().stream().map(c -> c.id()).toList());
     assertEquals(0, teleop.contexts.size());
+    bench.registry.remove(teleop);
+    bench.registry.remove(map);
+    bench.await("map", RuicState.FAILED);
+    assertEquals(List.of("base", "map"), ruic.snapshot().components().stream().map(c -> c.id()).toList());
   }
 
   @Test

@@ -128,7 +128,8 @@ class LifeCycleTest {
     robot.onStart(c -> hang());
     running();
     bench.await("base", RuicState.FAILED);
-    assertTrue(bench.status("base").reason().contains("did not return from start within 2.0 s"), bench.status("base").reason());
+    String reason = bench.status("base").reason();
+    assertTrue(reason.contains("did not return from start within 2.0 s"), reason);
     bench.await("second", RuicState.INITIALIZED);
     bench.await("map", RuicState.INITIALIZED);
     assertEquals(1, robot.closed.get(), "it is closed, also when its start failed");
