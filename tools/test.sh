@@ -39,6 +39,7 @@ prepare_tests() {
 test_with_maven() {
   local arguments=(-Dmaven.test.failure.ignore=true)
   clear_reports
+  clear_test_classes
   case $1 in
     all)          arguments+=(-Dskip.archive=true) ;;
     unit)         arguments+=(-pl "!:org.robotui.product" -Dproduct.only) ;;
@@ -48,6 +49,9 @@ test_with_maven() {
   say "Building and testing ($1)"
   maven "$LOGS/test.log" verify "${arguments[@]}" || broken="the build"
 }
+
+# Tycho compiles changed tests only, and does not see the classes of the unchanged ones beside them.
+clear_test_classes() { rm -rf "$ROOT"/bundles/*/target/test-classes; }
 
 test_end_to_end() {
   if ! ls "$E2E"/test_*.py >/dev/null 2>&1; then
