@@ -10,8 +10,9 @@ import org.robotui.data.Data;
 @FunctionalInterface
 public interface CommandSink<T extends Data> {
   /**
-   * Sends one command now or not at all: it must not be queued over a reconnection. Called on the arbiter's thread of this
-   * robot, never the display thread; must return within 20 ms, a call that blocks is fenced.
+   * Sends one command now or not at all: it must not be queued over a reconnection. Called on a sender thread that serves
+   * this robot interface alone, never the display thread. It should return within 20 ms; a call that blocks for a second is
+   * fenced, and no further command goes to the port.
    *
    * @param command the command, limited already
    * @return whether it went out
