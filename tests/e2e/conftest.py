@@ -183,4 +183,4 @@ def json_lines(process):
 
 def last_of(process, port):
     """The newest line about a port, or none."""
-    return next((line for line in reversed(json_lines(process)) if line["port"] == port), None)
+    return next((line for line in reversed(json_lines(process)) if line["port"].split(".", 1)[1] == port), None)

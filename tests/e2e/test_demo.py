@@ -79,6 +79,7 @@ def test_the_robot_ends_with_robotui_unless_asked_to_stay(processes, environment
     assert uri != simulator.uri
 
     os.kill(robotui.pid, signal.SIGKILL)
+    robotui.wait(5)
 
     port = int(uri.rstrip("/").rsplit(":", 1)[1])
     wait_for(lambda: not listening(port), seconds=10, what="the end of the simulator")
@@ -99,4 +100,4 @@ def test_check_says_what_becomes_of_every_connection(tmp_path):
     broken.write_text("ruics:\n  Robot:\n    type: mobilebase\n    rfics:\n      base: {type: ros, mastr: here}\n")
     result = subprocess.run([ROOT / "robotui", "check", broken], text=True, capture_output=True, timeout=60, check=False)
     assert result.returncode == 1, result.stdout + result.stderr
-    assert "broken.yaml:5:25: unknown setting 'mastr'; did you mean 'master'?" in result.stdout + result.stderr
+    assert "broken.yaml:5:25: error: unknown setting 'mastr'; did you mean 'master'?" in result.stdout + result.stderr
