@@ -1,6 +1,7 @@
 # Running the workbench, or its headless sister, with a simulated robot beside it where the configuration asks for one.
 
 readonly STATE=${XDG_STATE_HOME:-$HOME/.local/state}/robotui
+readonly LIVE_SECONDS=8
 readonly DEFAULT_CONFIG=$ROOT/configs/demo.yaml
 # Small and quick to start; the same speed as with all compilers.
 readonly SIMULATOR_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m)
@@ -47,12 +48,21 @@ parse_run_options() {
 }
 
 cmd_check() {
-  [[ $# -eq 1 ]] || usage_error "check needs one configuration"
-  local config
-  config=$(config_path "$1") || exit 2
+  local config='' live=()
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --live) live=(-live "$LIVE_SECONDS") ;;
+      -*) usage_error "check does not know '$1'" ;;
+      *) [[ -z $config ]] || usage_error "check takes one configuration"
+         config=$(config_path "$1") || exit 2 ;;
+    esac
+    shift
+  done
+  [[ -n $config ]] || usage_error "check needs a configuration"
   need_product
   trap end_everything EXIT
-  run_application check -application org.robotui.headless.application -check "$config"
+  [[ ${#live[@]} -eq 0 ]] || ! wants_simulator "$config" || start_simulator ''
+  run_application check -application org.robotui.headless.application -check "$config" "${live[@]}"
 }
 
 # A file, or the name of one in configs/.

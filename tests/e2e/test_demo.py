@@ -96,6 +96,11 @@ def test_check_says_what_becomes_of_every_connection(tmp_path):
     assert fine.returncode == 0, fine.stdout + fine.stderr
     assert "cmd_vel" in fine.stdout
 
+    live = subprocess.run([ROOT / "robotui", "check", "demo", "--live"], text=True, capture_output=True, timeout=60, check=False)
+    assert live.returncode == 0, live.stdout + live.stderr
+    lines = {line.split()[1]: line.split()[0] for line in live.stdout.splitlines() if line.startswith("  ")}
+    assert lines["map.scan"] == lines["teleop.cmd_vel"] == lines["camera.image"] == "connected", live.stdout
+
     broken = tmp_path / "broken.yaml"
     broken.write_text("ruics:\n  Robot:\n    type: mobilebase\n    rfics:\n      base: {type: ros, mastr: here}\n")
     result = subprocess.run([ROOT / "robotui", "check", broken], text=True, capture_output=True, timeout=60, check=False)

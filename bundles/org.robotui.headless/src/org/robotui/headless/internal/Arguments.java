@@ -14,13 +14,16 @@ import java.util.Optional;
  * @param json true for JSON lines, else text
  * @param limit how long to run
  * @param check a file to check only
+ * @param live how long to wait for the robots of the checked file; none to ask no robot
  */
-record Arguments(List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check) {
+record Arguments(
+    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live) {
   static final String USAGE = """
       -config FILE...   load these configurations
       -json             print a JSON line per port and second in place of the text views
       -for SECONDS      end by itself
       -check FILE       check a configuration and print what would be connected
+      -live SECONDS     with -check: connect to the robots, and wait at most so long for what they have
       exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start
       """;
 
@@ -44,6 +47,7 @@ record Arguments(List<Path> configurations, boolean json, Optional<Duration> lim
     private boolean json;
     private Optional<Duration> limit = Optional.empty();
     private Optional<Path> check = Optional.empty();
+    private Optional<Duration> live = Optional.empty();
     private int at;
 
     Parser(String[] words) {
@@ -54,7 +58,7 @@ record Arguments(List<Path> configurations, boolean json, Optional<Duration> lim
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), json, limit, check);
+      return new Arguments(List.copyOf(configurations), json, limit, check, live);
     }
 
     private void option(String word) throws Wrong {
@@ -62,6 +66,7 @@ record Arguments(List<Path> configurations, boolean json, Optional<Duration> lim
         case "-config" -> files(word);
         case "-json" -> json = true;
         case "-for" -> limit = Optional.of(seconds(word, value(word)));
+        case "-live" -> live = Optional.of(seconds(word, value(word)));
         case "-check" -> check = Optional.of(Path.of(value(word)));
         default -> throw new Wrong("unknown argument " + word);
       }

@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Optional;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Host;
 
@@ -22,12 +23,15 @@ final class CheckRun {
     this.err = err;
   }
 
-  Exit check(Path file) {
+  Exit check(Path file, Optional<Duration> live) throws InterruptedException {
     if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
       err.println(Files.exists(file) ? file + " cannot be read" : "there is no file " + file);
       return Exit.UNREADABLE;
     }
     CheckReport report = host.check(file, TYPES_LIMIT);
+    if (report.usable() && live.isPresent()) {
+      report = new LiveCheck(host).check(file, live.get());
+    }
     new CheckPrinter(out).print(report);
     return report.usable() ? Exit.FINE : Exit.ERRORS;
   }

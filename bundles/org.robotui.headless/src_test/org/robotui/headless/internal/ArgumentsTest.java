@@ -22,12 +22,13 @@ class ArgumentsTest {
 
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
-    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty()), Arguments.parse(new String[0]));
+    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty()), Arguments.parse(new String[0]));
   }
 
   @Test
   void checkNamesAFile() throws Exception {
     assertEquals(Optional.of(Path.of("x.yaml")), Arguments.parse(new String[] {"-check", "x.yaml"}).check());
+    assertEquals(Optional.of(Duration.ofSeconds(8)), Arguments.parse(new String[] {"-check", "x.yaml", "-live", "8"}).live());
   }
 
   @Test
