@@ -32,6 +32,15 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
     return new Parser(words).parse();
   }
 
+  /**
+   * Whether somebody may be expected to answer questions.
+   *
+   * @return false where the workbench makes a picture or closes by itself
+   */
+  public boolean isAttended() {
+    return limit.isEmpty() && screenshot.isEmpty();
+  }
+
   /** Reads the words one after the other. */
   private static final class Parser {
     private final List<String> words;

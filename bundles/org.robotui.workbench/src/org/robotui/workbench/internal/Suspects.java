@@ -4,14 +4,20 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The bundles that held the display up in the last run: core's watchdog names them in a file, one a line. */
+/**
+ * The bundles that held the display up in the last run: core's watchdog names them in a file, one a line. Where it could blame
+ * no single view it names a bundle that nothing works without; nobody is asked about those.
+ */
 public final class Suspects {
   private static final Logger LOG = LoggerFactory.getLogger(Suspects.class);
   private static final String FILE = "suspect-bundles.txt";
+  private static final Set<String> NEEDED = Set.of("org.robotui.workbench", "org.robotui.ui", "org.robotui.core", "org.robotui.api",
+      "org.robotui.data", "org.robotui.geometry");
 
   private final Path file;
 
@@ -22,7 +28,7 @@ public final class Suspects {
 
   /** Asks for each suspect once whether to leave it out, and forgets them. */
   public List<String> judge(Predicate<String> leaveOut) {
-    List<String> out = read().stream().filter(leaveOut).toList();
+    List<String> out = read().stream().filter(bundle -> !NEEDED.contains(bundle)).filter(leaveOut).toList();
     forget();
     return out;
   }

@@ -83,7 +83,7 @@ public final class WorkbenchApplication implements IApplication {
     Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(display, ended), "robotui-stop"));
     try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
         StopKeys keys = new StopKeys(display, session::stop)) {
-      int code = PlatformUI.createAndRunWorkbench(display, new RobotWorkbenchAdvisor(session));
+      int code = PlatformUI.createAndRunWorkbench(display, new RobotWorkbenchAdvisor(session, heartbeat::begin));
       return code == PlatformUI.RETURN_RESTART ? EXIT_RESTART : EXIT_OK;
     } finally {
       session.close();

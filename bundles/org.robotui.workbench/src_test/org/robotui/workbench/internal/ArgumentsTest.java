@@ -1,7 +1,9 @@
 package org.robotui.workbench.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.time.Duration;
@@ -17,6 +19,13 @@ class ArgumentsTest {
 
     assertEquals(new Arguments(List.of(Path.of("a.yaml"), Path.of("b.yaml")), Optional.of(Duration.ofSeconds(2)),
         Optional.of(Path.of("x.png")), Duration.ofMillis(500), Optional.of("light")), read);
+  }
+
+  @Test
+  void nobodyAnswersWhereItMakesAPictureOrClosesByItself() {
+    assertTrue(Arguments.parse("-config", "a.yaml").isAttended());
+    assertFalse(Arguments.parse("-for", "2").isAttended());
+    assertFalse(Arguments.parse("-screenshot", "a.png").isAttended());
   }
 
   @Test

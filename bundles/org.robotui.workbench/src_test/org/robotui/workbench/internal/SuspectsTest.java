@@ -25,6 +25,13 @@ class SuspectsTest {
   }
 
   @Test
+  void nobodyIsAskedForWhatNothingWorksWithout() throws Exception {
+    Files.writeString(folder.resolve("suspect-bundles.txt"), "org.robotui.workbench\norg.a\n");
+
+    assertEquals(List.of("org.a"), new Suspects(folder).judge(bundle -> true));
+  }
+
+  @Test
   void usuallyThereAreNone() {
     assertEquals(List.of(), new Suspects(folder).judge(bundle -> true));
   }

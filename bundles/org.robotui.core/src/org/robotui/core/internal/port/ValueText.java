@@ -1,5 +1,7 @@
 package org.robotui.core.internal.port;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -12,6 +14,7 @@ import org.robotui.data.Data;
 import org.robotui.data.Diagnostics;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldValue;
+import org.robotui.data.Footprint;
 import org.robotui.data.GpsFix;
 import org.robotui.data.GridMap;
 import org.robotui.data.Imu;
@@ -32,6 +35,7 @@ import org.robotui.geometry.RigidTransform;
 public final class ValueText {
   private static final int LONGEST = 60;
   private static final int FIELDS = 3;
+  private static final int DIGITS = 3;
   private static final int PERCENT = 100;
 
   private ValueText() {}
@@ -51,7 +55,8 @@ public final class ValueText {
       case CompressedImage image -> image.format() + ", " + size(image.data().size());
       case CameraInfo info -> info.width() + "x" + info.height() + " " + info.distortionModel();
       case PointCloud cloud -> cloud.size() + " points";
-      case GridMap map -> map.width() + "x" + map.height() + " cells of " + format("%.3g m", map.resolution());
+      case GridMap map -> map.width() + "x" + map.height() + " cells, " + figure(map.resolution()) + " m";
+      case Footprint outline -> outline.corners().size() + " corners";
       case Path path -> path.poses().size() + " poses";
       case TransformSet set -> set.transforms().size() + " transforms";
       case JointState joints -> joints.joints().size() + " joints";
@@ -71,6 +76,11 @@ public final class ValueText {
     return String.format(Locale.ROOT, pattern, values).replace('-', '−');
   }
 
+  /** At most three significant digits, and no zeros behind them. */
+  private static String figure(double value) {
+    return new BigDecimal(value).round(new MathContext(DIGITS)).stripTrailingZeros().toPlainString();
+  }
+
   private static String nearest(LaserScan scan) {
     float nearest = Float.POSITIVE_INFINITY;
     for (int i = 0; i < scan.ranges().size(); i++) {
@@ -86,7 +96,7 @@ public final class ValueText {
 
   private static String planar(RigidTransform pose) {
     double yaw = Math.toDegrees(pose.rotation().yaw());
-    return format("x %.2f m y %.2f m yaw %.0f°", pose.translation().x(), pose.translation().y(), yaw);
+    return format("x %.2f y %.2f m %.0f°", pose.translation().x(), pose.translation().y(), yaw);
   }
 
   private static String battery(Battery battery) {

@@ -17,6 +17,7 @@ import org.robotui.data.Diagnostics;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
+import org.robotui.data.Footprint;
 import org.robotui.data.GridMap;
 import org.robotui.data.Path;
 import org.robotui.data.PixelEncoding;
@@ -25,6 +26,7 @@ import org.robotui.data.Doubles;
 import org.robotui.data.RawImage;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
 
 class ValueTextTest {
   private static final FrameId FRAME = new FrameId("r", "map");
@@ -51,12 +53,14 @@ class ValueTextTest {
     assertEquals("1 beams, min 0.42 m", ValueText.of(Samples.scan(0.42f)));
     assertEquals("1 beams, no echo", ValueText.of(Samples.scan(Float.POSITIVE_INFINITY)));
     RigidTransform pose = RigidTransform.planar(1.2, -0.3, Math.toRadians(12));
-    assertEquals("x 1.20 m y −0.30 m yaw 12°", ValueText.of(new PoseEstimate(FRAME, pose, Doubles.EMPTY)));
+    assertEquals("x 1.20 y −0.30 m 12°", ValueText.of(new PoseEstimate(FRAME, pose, Doubles.EMPTY)));
     assertEquals("−0.50 m/s 1.00 rad/s", ValueText.of(VelocityCommand.planar(-0.5, 1)));
     assertEquals("87 % 14.1 V", ValueText.of(new Battery(14.1, 0, 0.87, Battery.Status.UNKNOWN)));
     assertEquals("34 poses", ValueText.of(new Path(FRAME, Collections.nCopies(34, RigidTransform.IDENTITY))));
-    assertEquals("2x1 cells of 0.0500 m", ValueText.of(
+    assertEquals("2x1 cells, 0.05 m", ValueText.of(
         new GridMap(FRAME, 0.05, 2, 1, RigidTransform.IDENTITY, Bytes.of((byte) 0, (byte) 1))));
+    List<Vector3> corners = List.of(new Vector3(0, 0, 0), new Vector3(1, 0, 0), new Vector3(0, 1, 0));
+    assertEquals("3 corners", ValueText.of(new Footprint(FRAME, corners)));
     assertEquals("INFO node: hello", ValueText.of(Samples.log("hello")));
   }
 

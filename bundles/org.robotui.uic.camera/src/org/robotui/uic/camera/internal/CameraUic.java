@@ -29,8 +29,8 @@ final class CameraUic implements SwtUic {
         context.input(CameraType.IMAGE), context.input(CameraType.CAMERA_INFO), context.ruic(), port);
     this.actions = List.of(
         action("fit", "Fit", Icon.FIT, CameraSurface::fit),
-        action("copy", "Copy picture", Icon.CAMERA, CameraSurface::copy),
-        action("save", "Save picture\u2026", Icon.CAMERA, s -> s.save(saver)));
+        action("copy", "Copy picture", Icon.COPY, CameraSurface::copy),
+        action("save", "Save picture\u2026", Icon.SAVE, s -> s.save(saver)));
   }
 
   @Override

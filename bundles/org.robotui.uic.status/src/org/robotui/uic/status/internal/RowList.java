@@ -19,6 +19,9 @@ import org.robotui.ui.Theme;
 
 /** A scrolled list of which only what is seen is painted. Display thread. */
 final class RowList {
+  /** A bar with less room than its ends need would be an error of the toolkit. */
+  private static final int LOWEST_BAR = 2 * RowPainter.ROW;
+
   private final PaintedCanvas canvas;
   private final RowPainter painter;
   private final StateView states;
@@ -32,6 +35,7 @@ final class RowList {
     painter = new RowPainter(theme);
     states = new StateView(theme);
     canvas = new PaintedCanvas(parent, SWT.V_SCROLL, theme, Role.PANEL, this::paint);
+    canvas.getVerticalBar().setVisible(false);
     canvas.getVerticalBar().addListener(SWT.Selection, e -> canvas.redraw());
     canvas.addListener(SWT.Resize, e -> fitBar());
     canvas.addListener(SWT.MouseDown, this::down);
@@ -75,7 +79,7 @@ final class RowList {
     ScrollBar bar = canvas.getVerticalBar();
     int seen = Math.max(1, canvas.getClientArea().height);
     int all = rows.size() * RowPainter.ROW;
-    bar.setVisible(all > seen);
+    bar.setVisible(all > seen && seen >= LOWEST_BAR);
     bar.setValues(Math.clamp(bar.getSelection(), 0, Math.max(0, all - seen)), 0, Math.max(1, all), Math.min(seen, Math.max(1, all)),
         RowPainter.ROW, seen);
   }

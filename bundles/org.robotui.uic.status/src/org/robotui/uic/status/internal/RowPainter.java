@@ -16,15 +16,15 @@ final class RowPainter {
   static final int ROW = 30;
 
   private static final int LEAD = Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP;
-  private static final int WORD = 88;
-  private static final int AGE = 60;
+  private static final int WORD = 76;
+  private static final int AGE = 52;
   private static final int DROPPED = 92;
-  private static final int GAP = 12;
+  private static final int GAP = 8;
   private static final int ROOM_FOR_DROPPED = 620;
   private static final int ROOM_FOR_AGE = 440;
   private static final int CHARGE_WIDTH = 72;
   private static final int CHARGE_HEIGHT = 8;
-  private static final double NAME_SHARE = 0.34;
+  private static final double NAME_SHARE = 0.32;
 
   private final Theme theme;
 

@@ -17,7 +17,7 @@ final class TeleopPainter {
   static final int BAR_HEIGHT = 20;
 
   private static final int LABEL = 80;
-  private static final int NUMBERS = 64;
+  private static final int NUMBERS = 61;
   private static final int NUMBER = 52;
   private static final int ROOM_FOR_MEASURED = 250;
   private static final double KNOB_SHARE = 0.2;
@@ -115,7 +115,7 @@ final class TeleopPainter {
       speed(gc, at.row(1), "angular", look.commanded().turn(), look.measured().map(Speed::turn).orElse(Double.NaN), "rad/s");
     }
     if (at.rows() == 4) {
-      words(gc, at.row(2), "keys", focused ? "W A S D, space = stop" : "click to use keys", Role.TEXT);
+      words(gc, at.row(2), "keys", focused ? "W A S D, space = stop" : "click, then W A S D", focused ? Role.TEXT : Role.DIM);
       words(gc, at.row(3), "dead-man", look.held() ? "held" : "hold mouse or key", look.held() ? Role.ACCENT : Role.TEXT);
     }
     if (at.bars() > 0) {

@@ -16,12 +16,16 @@ public final class Heartbeat implements AutoCloseable {
   private boolean focused;
   private boolean closed;
 
-  /** Starts beating. */
+  /** Makes a heart that does not beat yet. */
   public Heartbeat(Host host, Display display) {
     this.host = host;
     this.display = display;
     display.addFilter(SWT.Activate, activation);
     display.addFilter(SWT.Deactivate, activation);
+  }
+
+  /** Starts beating: not before the window stands, for making it is long and holds nothing up that moves. */
+  public void begin() {
     beat();
   }
 

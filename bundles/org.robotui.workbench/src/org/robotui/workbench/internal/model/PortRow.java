@@ -17,10 +17,11 @@ import org.robotui.ui.Health;
  *
  * @param name the port
  * @param health the dot
- * @param figure rate and age, or a word
+ * @param figure its rate, or a word
+ * @param age of the newest value; empty where the word says it, or where it does not matter
  * @param hint all that is known, for the tooltip
  */
-public record PortRow(String name, Health health, String figure, String hint) {
+public record PortRow(String name, Health health, String figure, String age, String hint) {
   /** What views want first, then what they miss, then what nobody looks at. */
   public static List<PortRow> of(RuicSnapshot ruic) {
     Stream<PortRow> wanted = streams(ruic, true).map(PortRow::wanted);
@@ -36,11 +37,11 @@ public record PortRow(String name, Health health, String figure, String hint) {
   }
 
   private static PortRow wanted(PortStatus port) {
-    return new PortRow(shown(port.port().port()), health(port), figure(port), hint(port));
+    return new PortRow(shown(port.port().port()), health(port), figure(port), age(port), hint(port));
   }
 
   private static PortRow offered(PortStatus port) {
-    return new PortRow(shown(port.port().port()), Health.NONE, port.typeName(), hint(port));
+    return new PortRow(shown(port.port().port()), Health.NONE, "offered", "", hint(port));
   }
 
   private static boolean isMissed(Match match) {
@@ -54,7 +55,7 @@ public record PortRow(String name, Health health, String figure, String hint) {
       case REFUSED, CONNECTED -> "not offered";
     };
     Health health = match.state() == MatchState.AMBIGUOUS ? Health.WARNING : Health.NONE;
-    return new PortRow(match.port().toString(), health, word, match.port() + " (" + match.typeName() + ")\n" + match.reason());
+    return new PortRow(match.port().toString(), health, word, "", match.port() + " (" + match.typeName() + ")\n" + match.reason());
   }
 
   private static Health health(PortStatus port) {
@@ -77,7 +78,11 @@ public record PortRow(String name, Health health, String figure, String hint) {
     if (port.stale()) {
       return "stale " + Figures.age(port.ageSeconds());
     }
-    return port.rateHz() > 0 ? Figures.rate(port.rateHz()) + "  " + Figures.age(port.ageSeconds()) : "event";
+    return port.rateHz() > 0 ? Figures.rate(port.rateHz()) : "event";
+  }
+
+  private static String age(PortStatus port) {
+    return health(port) == Health.OK && port.rateHz() > 0 ? Figures.age(port.ageSeconds()) : "";
   }
 
   private static String hint(PortStatus port) {

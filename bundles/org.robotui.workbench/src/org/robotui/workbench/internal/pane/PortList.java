@@ -14,6 +14,9 @@ import org.robotui.workbench.internal.model.PortRow;
 public final class PortList extends RowList<PortRow> {
   private static final int ROW = 24;
   private static final int TEXT_LEFT = 32;
+  private static final String WIDEST_AGE = "999\u00a0ms";
+
+  private int ageWidth;
 
   /** Makes an empty list. */
   public PortList(Composite parent, Theme theme) {
@@ -22,7 +25,7 @@ public final class PortList extends RowList<PortRow> {
 
   @Override
   protected String spoken(PortRow row) {
-    return row.name() + ", " + row.figure();
+    return row.name() + ", " + row.figure() + (row.age().isEmpty() ? "" : ", " + row.age());
   }
 
   @Override
@@ -30,17 +33,39 @@ public final class PortList extends RowList<PortRow> {
     return row.hint();
   }
 
+  /** Ages are shown where there is room for them beside all names; else the tooltip tells them. */
+  @Override
+  void prepare(GC gc, int width) {
+    gc.setFont(theme().font(Face.SMALL_FIGURES));
+    int age = gc.textExtent(WIDEST_AGE).x;
+    gc.setFont(theme().font(Face.BODY));
+    int names = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.name()).x).max().orElse(0);
+    gc.setFont(theme().font(Face.SMALL_FIGURES));
+    int rates = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.figure()).x).max().orElse(0);
+    ageWidth = TEXT_LEFT + names + rates + age + 3 * Theme.STEP + Theme.EDGE <= width ? age + Theme.STEP : 0;
+  }
+
   @Override
   protected void paintRow(GC gc, PortRow row, int top, int width) {
     HealthDot.paint(gc, theme(), row.health(), 19, top + ROW / 2, 7);
     gc.setFont(theme().font(Face.SMALL_FIGURES));
     gc.setForeground(theme().color(Role.DIM));
-    Point size = gc.textExtent(row.figure());
-    int left = Math.max(TEXT_LEFT, width - size.x - Theme.EDGE);
-    gc.drawText(row.figure(), left, top + (ROW - size.y) / 2, true);
+    int right = width - Theme.EDGE;
+    if (ageWidth > 0 && !row.age().isEmpty()) {
+      right(gc, row.age(), right, top);
+      right -= ageWidth;
+    }
+    int left = right(gc, row.figure(), right, top);
     gc.setFont(theme().font(Face.BODY));
     gc.setForeground(theme().color(row.health() == Health.NONE ? Role.DIM : Role.TEXT));
-    String name = Shortened.to(gc, row.name(), left - TEXT_LEFT - Theme.STEP);
+    String name = Shortened.inTheMiddle(gc, row.name(), left - TEXT_LEFT - Theme.STEP);
     gc.drawText(name, TEXT_LEFT, top + (ROW - gc.textExtent(name).y) / 2, true);
+  }
+
+  private static int right(GC gc, String text, int right, int top) {
+    Point size = gc.textExtent(text);
+    int left = Math.max(TEXT_LEFT, right - size.x);
+    gc.drawText(text, left, top + (ROW - size.y) / 2, true);
+    return left;
   }
 }

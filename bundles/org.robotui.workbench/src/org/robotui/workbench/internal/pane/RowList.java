@@ -45,6 +45,11 @@ abstract class RowList<R> extends Canvas {
     describe();
   }
 
+  /** Measures what all rows share, before they are painted. */
+  void prepare(GC gc, int width) {
+    // Most lists share nothing.
+  }
+
   /** Paints one row; the background is there. */
   abstract void paintRow(GC gc, R row, int top, int width);
 
@@ -126,6 +131,7 @@ abstract class RowList<R> extends Canvas {
     gc.setBackground(theme.color(Role.PANEL));
     gc.fillRectangle(0, 0, size.x, size.y);
     gc.setTextAntialias(SWT.ON);
+    prepare(gc, size.x);
     for (int i = 0; i < rows.size(); i++) {
       paintGround(gc, i, size.x);
       paintRow(gc, rows.get(i), i * rowHeight, size.x);

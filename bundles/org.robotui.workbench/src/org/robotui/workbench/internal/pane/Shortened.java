@@ -25,4 +25,14 @@ final class Shortened {
     }
     return low == 0 ? "" : text.substring(0, low).stripTrailing() + MORE;
   }
+
+  /** The text, or its beginning and its end, by which names of the same root differ. */
+  static String inTheMiddle(GC gc, String text, int width) {
+    String fitting = text;
+    for (int length = text.length() - 1; length > 0 && gc.textExtent(fitting).x > width; length--) {
+      int end = (length + 1) / 2;
+      fitting = text.substring(0, length - end) + MORE + text.substring(text.length() - end);
+    }
+    return gc.textExtent(fitting).x <= width ? fitting : "";
+  }
 }

@@ -8,7 +8,7 @@ public final class RobotPerspective implements IPerspectiveFactory {
   /** As in plugin.xml. */
   static final String ID = "org.robotui.workbench.perspective";
 
-  private static final float NAVIGATOR_SHARE = 0.14f;
+  private static final float NAVIGATOR_SHARE = 0.155f;
   private static final float BELOW_SHARE = 0.7f;
   private static final String LOG_VIEW = "org.eclipse.pde.runtime.LogView";
 

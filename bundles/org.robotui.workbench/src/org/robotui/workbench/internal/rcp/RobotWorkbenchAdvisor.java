@@ -28,10 +28,12 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   private static final Logger LOG = LoggerFactory.getLogger(RobotWorkbenchAdvisor.class);
 
   private final Session session;
+  private final Runnable started;
 
-  /** For a session. */
-  public RobotWorkbenchAdvisor(Session session) {
+  /** For a session; {@code started} runs when the window stands. */
+  public RobotWorkbenchAdvisor(Session session, Runnable started) {
     this.session = session;
+    this.started = started;
   }
 
   @Override
@@ -56,7 +58,10 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   @Override
   public void postStartup() {
-    new Suspects(session.state().folder()).judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
+    if (session.arguments().isAttended()) {
+      new Suspects(session.state().folder()).judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
+    }
+    started.run();
     session.arguments().configurations().forEach(session.configurations()::load);
     session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
     session.arguments().limit().ifPresent(limit -> after(limit, RobotWorkbenchAdvisor::close));

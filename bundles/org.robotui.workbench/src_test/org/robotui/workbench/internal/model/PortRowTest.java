@@ -30,8 +30,9 @@ class PortRowTest {
     ruic.offering(port("a", true, 10, 0.012, false, ""), port("b", true, 10, 2.1, true, ""),
         port("c", true, 0, Double.NaN, false, ""), port("d", true, 10, 0.1, false, "wrong type"));
 
-    assertEquals(List.of("10.0\u00a0Hz  12\u00a0ms", "stale 2.1\u00a0s", "waiting", "failed"),
+    assertEquals(List.of("10.0\u00a0Hz", "stale 2.1\u00a0s", "waiting", "failed"),
         rows().stream().map(PortRow::figure).toList());
+    assertEquals(List.of("12\u00a0ms", "", "", ""), rows().stream().map(PortRow::age).toList());
     assertEquals(List.of(Health.OK, Health.STALE, Health.WAITING, Health.BAD),
         rows().stream().map(PortRow::health).toList());
   }
