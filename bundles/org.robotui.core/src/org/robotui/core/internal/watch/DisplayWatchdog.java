@@ -13,7 +13,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Looks for a display thread that hangs. It cannot be ended in Java; so its stack is logged, once per silence, the bundle that
- * holds it up is named and remembered. What moves has been stopped by then by the arbiters.
+ * holds it up is named, and remembered if it can be left out. What moves has been stopped by then by the arbiters.
  */
 public final class DisplayWatchdog implements Watched {
   private static final Logger LOG = LoggerFactory.getLogger(DisplayWatchdog.class);
@@ -60,7 +60,7 @@ public final class DisplayWatchdog implements Watched {
     String who = blame.map(b -> "bundle " + b.bundle() + " holds it up at " + b.frame()).orElse("no bundle is to blame");
     String message = String.format(Locale.ROOT, "the display has not answered for %.1f s; %s", silence * 1e-9, who);
     LOG.error("{}\n{}", message, Arrays.stream(stack).map(f -> "    at " + f).collect(Collectors.joining("\n")));
-    blame.ifPresent(b -> files.execute(() -> suspects.add(b.bundle())));
+    blame.filter(Blame::canBeLeftOut).ifPresent(b -> files.execute(() -> suspects.add(b.bundle())));
     alert.accept(message);
   }
 }

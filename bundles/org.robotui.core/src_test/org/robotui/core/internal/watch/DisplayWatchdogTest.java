@@ -27,7 +27,11 @@ class DisplayWatchdogTest {
   @BeforeEach
   void start() {
     suspects = new SuspectFile(folder.resolve("new").resolve("suspects.txt"));
-    watchdog = new DisplayWatchdog(display, name -> Optional.of("org.robotui.uic.map"), suspects, Runnable::run, alerts::add);
+    watchdog = watching("org.robotui.uic.map");
+  }
+
+  private DisplayWatchdog watching(String bundle) {
+    return new DisplayWatchdog(display, name -> Optional.of(bundle), suspects, Runnable::run, alerts::add);
   }
 
   private void silent(long millis) {
@@ -55,5 +59,14 @@ class DisplayWatchdogTest {
     silent(3000);
     assertEquals(2, alerts.size());
     assertEquals(List.of("org.robotui.uic.map"), suspects.all(), "remembered once");
+  }
+
+  @Test
+  void bundlesThatAreNeededAreNamedButNotOfferedToBeLeftOut() throws IOException {
+    watchdog = watching("org.robotui.workbench");
+    display.alive();
+    silent(2100);
+    assertTrue(alerts.getFirst().contains("bundle org.robotui.workbench holds it up at "), alerts.getFirst());
+    assertEquals(List.of(), suspects.all());
   }
 }
