@@ -23,7 +23,7 @@ GOALS = {
 def interval(values):
     """The quartiles, which noise of single rounds does not move."""
     if len(values) < 2:
-        return [round(value, 3) for value in values * 2]
+        return [round(value, 3) for value in (*values, *values)]
     low, _, high = statistics.quantiles(values, n=4, method="inclusive")
     return [round(low, 3), round(high, 3)]
 
@@ -36,29 +36,29 @@ def compared(figure, ours, peer, peer_name, goal):
             "peer_name": peer_name, "ratio": round(ratio, 3), "goal": text,
             "holds": goal and (ratio >= bound if more else ratio <= bound),
             "ours_quartiles": interval(ours), "peer_quartiles": interval(peer),
-            "ratio_quartiles": interval([a / b for a, b in zip(ours, peer)]), "rounds": [len(ours), len(peer)]}
+            "ratio_quartiles": interval([a / b for a, b in zip(ours, peer)]), "rounds": len(ours)}
 
 
 def lost(kind, what, ours, peer, peer_name):
-    mine, theirs = (sum(r["lost"] for r in rounds[kind]) for rounds in (ours, peer))
+    mine, theirs = (sum(r["lost"] for r in rounds[kind].values()) for rounds in (ours, peer))
     return {"bench": "ros", "figure": f"{what} lost", "ours": mine, "peer": theirs, "peer_name": peer_name, "ratio": None,
             "goal": "0", "holds": mine == 0}
 
 
 def allocation(ours):
-    values = [r["allocated"] / r["count"] for r in ours["small"]]
+    values = [r["allocated"] / r["count"] for r in ours["small"].values()]
     return {"bench": "ros", "figure": "bytes allocated per small message", "ours": round(statistics.median(values), 1),
             "peer": None, "peer_name": None, "ratio": None, "goal": None, "holds": None, "ours_quartiles": interval(values)}
 
 
 def figures(results, peer_names):
-    """RESULTS are the rounds by subscriber and kind. Peers are compared in their order; goals are beside the first."""
+    """RESULTS are the rounds by subscriber, kind and number. Goals are beside the first peer; a peer is compared in its rounds."""
     ours = results[OURS]
     made = []
     for number, (peer, name) in enumerate(peer_names.items()):
         theirs = results[peer]
         for figure, (kind, value) in VALUES.items():
-            made.append(compared(figure, [value(r) for r in ours[kind]], [value(r) for r in theirs[kind]], name,
-                                 GOALS.get(figure) if number == 0 else None))
+            both = [(value(ours[kind][i]), value(theirs[kind][i])) for i in sorted(theirs[kind])]
+            made.append(compared(figure, *zip(*both), name, GOALS.get(figure) if number == 0 else None))
         made += [lost("small", "small messages", ours, theirs, name), lost("image", "images", ours, theirs, name)]
     return made + [allocation(ours)]
