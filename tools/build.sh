@@ -34,8 +34,20 @@ build_product() {
   stamp=$(source_stamp)
   say "Building RobotUI ($(build_outlook))"
   maven "$LOGS/build.log" verify -Dproduct.only -Dmaven.test.skip=true -Dtest.compile.phase=none -Dskip.archive=true || exit 1
+  archive_classes "$HEADLESS_PRODUCT"
+  archive_classes "$WINDOW_PRODUCT"
   printf '%s' "$stamp" >"$STAMP"
   say "Built in $((SECONDS - started)) s"
+}
+
+# Keeps the loaded classes of one quiet run for later starts. Never at the end of a user's run: the virtual machine would
+# write them while threads of robots still run, which takes long and has crashed it.
+archive_classes() {
+  local state
+  state=$(mktemp -d)
+  XDG_STATE_HOME=$state ROBOTUI_VMARGS="-XX:SharedArchiveFile= -XX:ArchiveClassesAtExit=$1/classes.jsa" "$1/robotui" \
+    -application org.robotui.headless.application -check "$ROOT/configs/ros.yaml" >"$LOGS/archive.log" 2>&1 </dev/null || true
+  rm -rf "$state"
 }
 
 build_outlook() {
