@@ -2,7 +2,6 @@ package org.robotui.core.internal.config;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.robotui.api.ComponentType;
 import org.robotui.api.host.Problem;
 import org.robotui.core.internal.config.model.CheckedSettings;
@@ -25,7 +24,7 @@ final class ComponentReader {
     return section.entries().stream().flatMap(e -> rfic(e, ruic).stream()).toList();
   }
 
-  List<ComponentConfig> uics(YamlValue.Section section, Set<String> brought) {
+  List<ComponentConfig> uics(YamlValue.Section section, Known brought) {
     return section.entries().stream().flatMap(e -> uic(e, brought).stream()).toList();
   }
 
@@ -42,9 +41,9 @@ final class ComponentReader {
     });
   }
 
-  private Optional<ComponentConfig> uic(YamlValue.Entry entry, Set<String> brought) {
+  private Optional<ComponentConfig> uic(YamlValue.Entry entry, Known brought) {
     return body(entry).map(section -> {
-      String type = text(section, "type").orElse(brought.contains(entry.key()) ? "" : entry.key());
+      String type = text(section, "type").orElse(brought.mayHave(entry.key()) ? "" : entry.key());
       YamlValue.Section own = section.without(List.of("type", "title"));
       if (!type.isEmpty()) {
         check(types.uic(type), type, "view", types.uicIds(), section, own);

@@ -1,6 +1,5 @@
 package org.robotui.core.internal.config;
 
-import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.host.Problem;
@@ -9,11 +8,11 @@ import org.robotui.core.internal.config.model.ConnectionConfig;
 
 /** Reads named connections: {@code view.port: interface.port}, a list of these, or {@code none}. */
 final class ConnectionReader {
-  private final Collection<String> views;
-  private final Collection<String> rfics;
+  private final Known views;
+  private final Known rfics;
   private final List<Problem> problems;
 
-  ConnectionReader(Collection<String> views, Collection<String> rfics, List<Problem> problems) {
+  ConnectionReader(Known views, Known rfics, List<Problem> problems) {
     this.views = views;
     this.rfics = rfics;
     this.problems = problems;
@@ -40,16 +39,16 @@ final class ConnectionReader {
         .flatMap(text -> port(text, value.place(), rfics, "robot interface"));
   }
 
-  private Optional<SourceId> port(String text, Place place, Collection<String> components, String what) {
+  private Optional<SourceId> port(String text, Place place, Known components, String what) {
     int dot = text.indexOf('.');
     if (dot <= 0 || dot == text.length() - 1) {
       problems.add(place.error("'" + text + "' is no port; write " + what.replace(' ', '-') + ".port, for example "
-          + components.stream().findFirst().orElse("base") + ".scan"));
+          + components.any().orElse("base") + ".scan"));
       return Optional.empty();
     }
     String component = text.substring(0, dot);
-    if (!components.contains(component)) {
-      problems.add(place.error("there is no " + what + " '" + component + "'" + NearestWord.hint(component, components)));
+    if (!components.mayHave(component)) {
+      problems.add(place.error("there is no " + what + " '" + component + "'" + NearestWord.hint(component, components.ids())));
       return Optional.empty();
     }
     return Optional.of(new SourceId(component, text.substring(dot + 1)));

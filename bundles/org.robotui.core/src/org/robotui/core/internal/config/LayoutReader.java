@@ -1,7 +1,6 @@
 package org.robotui.core.internal.config;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.host.Problem;
@@ -15,10 +14,10 @@ final class LayoutReader {
   private static final List<String> KINDS = List.of("view", "tabs", "row", "column");
   private static final List<String> KEYS = List.of("view", "tabs", "row", "column", "weight");
 
-  private final Collection<String> views;
+  private final Known views;
   private final List<Problem> problems;
 
-  LayoutReader(Collection<String> views, List<Problem> problems) {
+  LayoutReader(Known views, List<Problem> problems) {
     this.views = views;
     this.problems = problems;
   }
@@ -40,9 +39,9 @@ final class LayoutReader {
 
   private Optional<String> viewId(YamlValue value) {
     Optional<String> id = Shape.text(value, "a view", problems);
-    id.filter(i -> !views.contains(i)).ifPresent(i ->
-        problems.add(value.place().error("there is no view '" + i + "'" + NearestWord.hint(i, views))));
-    return id.filter(views::contains);
+    id.filter(i -> !views.mayHave(i)).ifPresent(i ->
+        problems.add(value.place().error("there is no view '" + i + "'" + NearestWord.hint(i, views.ids()))));
+    return id.filter(views::mayHave);
   }
 
   private Optional<Layout> section(YamlValue.Section section) {

@@ -38,16 +38,17 @@ final class RuicReader {
     String name = entry.key();
     String type = section.get("type").flatMap(v -> Shape.text(v, "'type'", problems)).orElse("");
     WrittenSection raw = new WrittenSection(section.without(OWN));
-    Set<String> brought = broughtViews(section, type, raw);
+    Known brought = broughtViews(section, type, raw);
     ComponentReader components = new ComponentReader(types, problems);
     List<ComponentConfig> rfics = components.rfics(part(section, "rfics"), name);
     List<ComponentConfig> uics = components.uics(part(section, "uics"), brought);
     uniqueIds(rfics, uics);
-    Set<String> views = new TreeSet<>(brought);
-    uics.forEach(u -> views.add(u.id()));
-    needed(entry, type, rfics, views);
+    Set<String> ids = new TreeSet<>(brought.ids());
+    uics.forEach(u -> ids.add(u.id()));
+    Known views = new Known(ids, brought.all());
+    needed(entry, type, rfics, ids);
     List<ConnectionConfig> connections =
-        new ConnectionReader(views, ids(rfics), problems).read(part(section, "connect"));
+        new ConnectionReader(views, Known.all(ids(rfics)), problems).read(part(section, "connect"));
     Optional<Layout> layout = section.get("layout").flatMap(new LayoutReader(views, problems)::read);
     Map<String, SafetyConfig> safety = new SafetyReader(problems).read(part(section, "safety"), robots(rfics));
     Place at = entry.place();
@@ -61,17 +62,17 @@ final class RuicReader {
   }
 
   /** The views that the RUIC's type brings along; checks the settings of the type on the way. */
-  private Set<String> broughtViews(YamlValue.Section section, String type, WrittenSection raw) {
+  private Known broughtViews(YamlValue.Section section, String type, WrittenSection raw) {
     Optional<RuicType> found = types.ruic(type);
     if (found.isEmpty()) {
       unknownType(section, type);
-      return Set.of();
+      return new Known(List.of(), type.isEmpty());
     }
     return switch (new SchemaCheck().check(found.get().schema(), raw)) {
-      case CheckedSettings.Valid v -> idsOf(found.get(), v.settings());
+      case CheckedSettings.Valid v -> Known.all(idsOf(found.get(), v.settings()));
       case CheckedSettings.Invalid i -> {
         i.problems().forEach(p -> problems.add(withOwnWords(p)));
-        yield Set.of();
+        yield new Known(List.of(), false);
       }
     };
   }

@@ -61,7 +61,11 @@ public final class Core implements Host {
         parts.wall(), () -> stage);
     watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
         message -> events.alert("", message)));
-    parts.registry().listen(() -> ruics.forEach(RuicRuntime::typesChanged));
+    parts.registry().listen(this::typesChanged);
+  }
+
+  private CompletableFuture<Void> typesChanged() {
+    return CompletableFuture.allOf(ruics.stream().map(RuicRuntime::typesChanged).toArray(CompletableFuture<?>[]::new));
   }
 
   private static ScheduledThreadPoolExecutor executor(String name) {

@@ -3,6 +3,10 @@ package org.robotui.core.internal.host;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.FrameworkUtil;
 import org.osgi.service.component.annotations.Activate;
@@ -36,6 +40,7 @@ import org.slf4j.LoggerFactory;
 public final class CoreComponent implements Host {
   private static final Logger LOG = LoggerFactory.getLogger(CoreComponent.class);
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
+  private static final Duration REMOVAL_LIMIT = Duration.ofSeconds(3);
 
   private final Registry registry = new Registry();
   private final Core core;
@@ -59,7 +64,7 @@ public final class CoreComponent implements Host {
   }
 
   void removeRfic(RficType type) {
-    registry.remove(type);
+    await(type, registry.remove(type));
   }
 
   @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, unbind = "removeUic")
@@ -68,7 +73,7 @@ public final class CoreComponent implements Host {
   }
 
   void removeUic(UicType type) {
-    registry.remove(type);
+    await(type, registry.remove(type));
   }
 
   @Reference(cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC, unbind = "removeRuic")
@@ -77,7 +82,18 @@ public final class CoreComponent implements Host {
   }
 
   void removeRuic(RuicType type) {
-    registry.remove(type);
+    await(type, registry.remove(type));
+  }
+
+  /** Once a service is given back its bundle may lose its classes: so its instances end before. */
+  private static void await(ComponentType type, CompletableFuture<Void> removal) {
+    try {
+      removal.get(REMOVAL_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (TimeoutException | ExecutionException e) {
+      LOG.warn("What the type of {} made has not ended while its bundle {} goes", type.getClass().getName(), bundle(type), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   private static String bundle(ComponentType type) {

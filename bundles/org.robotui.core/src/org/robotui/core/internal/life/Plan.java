@@ -1,6 +1,5 @@
 package org.robotui.core.internal.life;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -58,7 +57,12 @@ public record Plan(Optional<RuicType> type, List<ComponentConfig> uics, Layout l
       uics.merge(written.id(), written, (spec, own) -> own.type().isEmpty() ? own.withType(spec.type()) : own);
     }
     Layout layout = config.layout().orElseGet(() -> type.layout(settings));
-    return new Plan(Optional.of(type), new ArrayList<>(uics.values()), layout);
+    return new Plan(Optional.of(type), uics.values().stream().map(Plan::typed).toList(), layout);
+  }
+
+  /** A view without a type that the RUIC's type does not bring is named after its own. */
+  private static ComponentConfig typed(ComponentConfig uic) {
+    return uic.type().isEmpty() ? uic.withType(uic.id()) : uic;
   }
 
   private static ComponentConfig brought(UicSpec spec, RuicConfig config, SettingsCheck check) {

@@ -3,8 +3,10 @@ package org.robotui.core.internal.life;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import org.robotui.api.ComponentType;
 import org.robotui.api.RficType;
 import org.robotui.api.RuicType;
@@ -16,7 +18,7 @@ public final class Registry implements TypeLookup {
   private final TypeTable<RficType> rfics = new TypeTable<>();
   private final TypeTable<UicType> uics = new TypeTable<>();
   private final TypeTable<RuicType> ruics = new TypeTable<>();
-  private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+  private final List<Supplier<CompletableFuture<Void>>> listeners = new CopyOnWriteArrayList<>();
 
   /** A type has appeared in a bundle. */
   public void add(RficType type, String bundle) {
@@ -36,23 +38,23 @@ public final class Registry implements TypeLookup {
     changed();
   }
 
-  /** A type has vanished with its bundle. */
-  public void remove(ComponentType type) {
+  /** A type has vanished with its bundle. Completes when nothing that it made is in use any more. */
+  public CompletableFuture<Void> remove(ComponentType type) {
     rfics.remove(type);
     uics.remove(type);
     ruics.remove(type);
-    changed();
+    return changed();
   }
 
-  private void changed() {
+  private CompletableFuture<Void> changed() {
     synchronized (this) {
       notifyAll();
     }
-    listeners.forEach(Runnable::run);
+    return CompletableFuture.allOf(listeners.stream().map(Supplier::get).toArray(CompletableFuture<?>[]::new));
   }
 
-  /** Has somebody told of changes, on the thread that made them. */
-  public void listen(Runnable listener) {
+  /** Has somebody told of changes, on the thread that made them; what it gives completes when it has taken them up. */
+  public void listen(Supplier<CompletableFuture<Void>> listener) {
     listeners.add(listener);
   }
 
@@ -89,8 +91,8 @@ public final class Registry implements TypeLookup {
 
   private static String missing(String id, Optional<String> bundle, List<String> installed) {
     String known = installed.isEmpty() ? "none is" : "installed are " + String.join(", ", installed);
-    return "type '" + id + "' "
-        + bundle.map(b -> "(bundle " + b + ") is not installed").orElse("is not installed; " + known);
+    return "type '" + id + "' is not "
+        + bundle.map(b -> "there; install or start bundle " + b).orElse("installed; " + known);
   }
 
   @Override

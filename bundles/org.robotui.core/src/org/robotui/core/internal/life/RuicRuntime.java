@@ -99,9 +99,18 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     services.events().changed(config.name());
   }
 
-  /** Component types have come or gone. */
-  public void typesChanged() {
-    onWorker(this::takeUpTypes);
+  /** Component types have come or gone. Completes when that is taken up: when nothing of a type that has gone runs. */
+  public CompletableFuture<Void> typesChanged() {
+    CompletableFuture<Void> taken = new CompletableFuture<>();
+    onWorker(() -> {
+      try {
+        takeUpTypes();
+      } finally {
+        taken.complete(null);
+      }
+    });
+    ended.thenRun(() -> taken.complete(null));
+    return taken;
   }
 
   private void takeUpTypes() {

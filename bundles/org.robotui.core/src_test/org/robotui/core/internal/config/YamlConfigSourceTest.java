@@ -57,6 +57,17 @@ class YamlConfigSourceTest {
   }
 
   @Test
+  void viewsThatATypeNotInstalledWouldBringMayBeNamed() throws IOException {
+    ConfigResult result = read(GOOD.replace("type: base", "type: later"));
+    assertEquals(List.of("no RUIC type 'later' is installed; valid are base"),
+        result.problems().stream().map(Problem::message).toList());
+    RuicConfig ruic = result.ruics().getFirst();
+    assertEquals("", ruic.uics().getFirst().type(), "the type of a view that it may bring is its own");
+    assertEquals(2, ruic.connections().size());
+    assertTrue(ruic.layout().isPresent());
+  }
+
+  @Test
   void namesLineColumnAndNearestWord() throws IOException {
     assertProblem(GOOD.replace("{follow: true}", "{}").replace("type: camera", "type: camra"),
         8, 21, "no view type 'camra' is installed; did you mean 'camera'?");

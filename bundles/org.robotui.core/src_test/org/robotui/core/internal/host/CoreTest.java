@@ -182,10 +182,10 @@ class CoreTest {
   @Test
   void typeThatVanishesFailsItsComponentsAndRecoversThem() {
     Ruic ruic = running();
-    bench.registry.remove(map);
+    bench.registry.remove(map).join();
+    assertEquals(1, map.closed.get(), "nothing of it runs when its bundle may go");
     bench.await("map", RuicState.FAILED);
-    assertEquals("type 'map' (bundle org.robotui.uic.map) is not installed", bench.status("map").reason());
-    Await.until("it is closed", () -> map.closed.get() == 1);
+    assertEquals("type 'map' is not there; install or start bundle org.robotui.uic.map", bench.status("map").reason());
     assertTrue(ruic.uic("map").isEmpty());
     bench.registry.add(map, "org.robotui.uic.map");
     bench.await("map", RuicState.INITIALIZED);
@@ -199,7 +199,7 @@ class CoreTest {
     bench.registry.remove(robot);
     bench.await("base", RuicState.FAILED);
     Await.until("the view says so", () -> bench.match("map.scan").orElseThrow().state() == MatchState.PENDING);
-    assertTrue(bench.match("map.scan").orElseThrow().reason().contains("not installed"));
+    assertTrue(bench.match("map.scan").orElseThrow().reason().contains("install or start bundle org.robotui.rfic.fake"));
     bench.registry.add(robot, "org.robotui.rfic.fake");
     Await.until("connected again", () -> bench.match("map.scan").orElseThrow().state() == MatchState.CONNECTED);
   }

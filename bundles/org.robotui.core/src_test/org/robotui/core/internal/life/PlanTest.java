@@ -76,8 +76,9 @@ class PlanTest {
   @Test
   void viewsOfTheTypeAreConfiguredReplacedAndJoined() {
     registry.add(new Base(), "org.robotui.ruic.base");
-    Plan plan = plan(config("base", Optional.empty(), uic("map", ""), uic("camera", "stereo"), uic("log", "text")));
-    assertEquals(List.of("map", "stereo", "text"), plan.uics().stream().map(ComponentConfig::type).toList());
+    Plan plan = plan(config("base", Optional.empty(), uic("map", ""), uic("camera", "stereo"), uic("log", "text"),
+        uic("status", "")));
+    assertEquals(List.of("map", "stereo", "text", "status"), plan.uics().stream().map(ComponentConfig::type).toList());
     assertEquals(5, plan.uics().getFirst().line(), "settings are those of the file");
     assertEquals(new Layout.Tabs(List.of("map", "camera")), plan.layout());
   }

@@ -1,10 +1,12 @@
 package org.robotui.core.internal.life;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.robotui.core.internal.support.FakeRobot;
@@ -16,14 +18,21 @@ class RegistryTest {
   @Test
   void typesComeAndGoAndAreTold() {
     AtomicInteger told = new AtomicInteger();
-    registry.listen(told::incrementAndGet);
+    CompletableFuture<Void> takenUp = new CompletableFuture<>();
+    registry.listen(() -> {
+      told.incrementAndGet();
+      return takenUp;
+    });
     FakeView map = new FakeView("map");
     registry.add(map, "org.robotui.uic.map");
     assertSame(map, registry.uic("map").orElseThrow());
     assertTrue(registry.rfic("map").isEmpty());
-    registry.remove(map);
+    CompletableFuture<Void> removal = registry.remove(map);
     assertTrue(registry.uic("map").isEmpty());
     assertEquals(2, told.get());
+    assertFalse(removal.isDone());
+    takenUp.complete(null);
+    assertTrue(removal.isDone());
   }
 
   @Test
@@ -33,7 +42,7 @@ class RegistryTest {
     registry.add(new FakeView("camera"), "org.robotui.uic.camera");
     assertEquals("type 'mop' is not installed; installed are camera, map", registry.missingUic("mop"));
     registry.remove(map);
-    assertEquals("type 'map' (bundle org.robotui.uic.map) is not installed", registry.missingUic("map"));
+    assertEquals("type 'map' is not there; install or start bundle org.robotui.uic.map", registry.missingUic("map"));
     assertEquals("type 'ros' is not installed; none is", registry.missingRfic("ros"));
   }
 
