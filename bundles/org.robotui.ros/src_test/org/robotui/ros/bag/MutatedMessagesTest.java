@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robotui.ros.Effort;
 import org.robotui.ros.message.DefinitionException;
 import org.robotui.ros.message.DynamicCodec;
 import org.robotui.ros.message.DynamicMessage;
@@ -27,7 +28,7 @@ import org.robotui.ros.msgs.StandardCodecs;
 /** Damaged bytes and definitions lead to the declared exceptions only, quickly and without large allocations. */
 class MutatedMessagesTest {
 
-    private static final int ROUNDS = 300;
+    private static final int ROUNDS = Effort.rounds(300);
     private static final int[] EVIL = {-1, Integer.MAX_VALUE, Integer.MIN_VALUE, 1 << 28, 1 << 16, 0};
 
     private final SplittableRandom random = new SplittableRandom(2026);
