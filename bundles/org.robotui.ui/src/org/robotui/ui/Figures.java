@@ -13,6 +13,8 @@ public final class Figures {
   private static final double TENTHS_UNTIL = 9.95;
   private static final double MILLIS_UNTIL = 0.0995;
 
+  private static final double CLOCKS_DIFFER = 0.1;
+
   private Figures() {}
 
   /**
@@ -74,6 +76,17 @@ public final class Figures {
     }
     double minutes = seconds / SECONDS_PER_MINUTE;
     return Math.abs(minutes) < MINUTES_PER_HOUR ? of(minutes, 0, "min") : of(minutes / MINUTES_PER_HOUR, 1, "h");
+  }
+
+  /**
+   * The age of a value. What the inexactness of clocks makes slightly negative is no age at all; a robot whose clock is
+   * clearly ahead is shown as it is.
+   *
+   * @param seconds the time
+   * @return as of {@link #age}
+   */
+  public static String ageOfValue(double seconds) {
+    return age(seconds < 0 && seconds > -CLOCKS_DIFFER ? 0 : seconds);
   }
 
   /**

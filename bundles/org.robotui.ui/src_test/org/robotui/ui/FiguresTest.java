@@ -6,6 +6,13 @@ import org.junit.jupiter.api.Test;
 
 class FiguresTest {
   @Test
+  void noValueIsYoungerThanNow() {
+    assertEquals("0\u00a0ms", Figures.ageOfValue(-0.02));
+    assertEquals("\u22123.0\u00a0s", Figures.ageOfValue(-3));
+    assertEquals("20\u00a0ms", Figures.ageOfValue(0.02));
+  }
+
+  @Test
   void decimalsAreFixedAndMinusIsReal() {
     assertEquals("\u22120.18", Figures.fixed(-0.1849, 2));
     assertEquals("0.31\u00a0m/s", Figures.of(0.31, 2, "m/s"));

@@ -31,6 +31,7 @@ public final class Session {
   private final Map<Object, WindowModel> models = new HashMap<>();
   private final Map<String, Map<String, int[]>> shares = new HashMap<>();
   private final List<Runnable> refreshers = new CopyOnWriteArrayList<>();
+  private final List<Runnable> loaders = new CopyOnWriteArrayList<>();
   private final Configurations configurations;
   private String lastAlert = "";
 
@@ -140,6 +141,11 @@ public final class Session {
     return () -> refreshers.remove(refresher);
   }
 
+  /** Has something run after each configuration that was read, when its robots are shown. */
+  public void onLoaded(Runnable task) {
+    loaders.add(task);
+  }
+
   /** Shows what is true now. */
   public void refresh() {
     refreshers.forEach(Runnable::run);
@@ -176,6 +182,7 @@ public final class Session {
     windows.ruicsChanged();
     models.values().stream().filter(m -> m.selected().isEmpty()).findFirst().ifPresent(windows::fill);
     refresh();
+    loaders.forEach(Runnable::run);
   }
 
   private void later(Runnable task) {

@@ -40,7 +40,7 @@ final class PortRows {
   }
 
   private static String age(PortStatus port) {
-    return Double.isNaN(port.ageSeconds()) ? "" : Figures.age(port.ageSeconds());
+    return Double.isNaN(port.ageSeconds()) ? "" : Figures.ageOfValue(port.ageSeconds());
   }
 
   private static String dropped(PortStatus port) {
@@ -51,7 +51,7 @@ final class PortRows {
     StringBuilder text = new StringBuilder(port.port() + "\n" + port.kind().name().toLowerCase(Locale.ROOT) + " of " + port.typeName());
     if (port.count() > 0) {
       text.append("\n").append(port.count()).append(" values, ").append(Figures.rate(port.rateHz())).append(", newest ")
-          .append(Figures.age(port.ageSeconds())).append(" old, ").append(port.dropped()).append(" dropped");
+          .append(Figures.ageOfValue(port.ageSeconds())).append(" old, ").append(port.dropped()).append(" dropped");
     }
     text.append(port.wanted() ? "" : "\nno view uses it");
     return text + (port.problem().isEmpty() ? "" : "\n" + port.problem()) + (port.value().isEmpty() ? "" : "\n" + port.value());

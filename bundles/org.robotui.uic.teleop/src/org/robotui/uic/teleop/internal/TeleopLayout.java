@@ -54,7 +54,7 @@ record TeleopLayout(Rectangle stick, Rectangle figures, int rows, int bars, Rect
   }
 
   private static int side(int width, int height) {
-    return Math.max(0, Math.min(LARGEST_STICK, Math.min(width, height) - 2 * Theme.EDGE));
+    return Math.max(0, Math.min(LARGEST_STICK, (int) ((Math.min(width, height) - 2 * Theme.STEP) / (1 + TeleopPainter.KNOB_SHARE))));
   }
 
   /** The row of a figure. */

@@ -20,7 +20,8 @@ final class TeleopPainter {
   private static final int NUMBERS = 61;
   private static final int NUMBER = 52;
   private static final int ROOM_FOR_MEASURED = 250;
-  private static final double KNOB_SHARE = 0.2;
+  /** The knob is drawn around its point, so that the disc needs as much room around it. */
+  static final double KNOB_SHARE = 0.2;
   private static final int OPAQUE = 255;
   private static final int FADED = 90;
 

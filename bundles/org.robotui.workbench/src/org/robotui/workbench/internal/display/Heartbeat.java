@@ -14,6 +14,7 @@ public final class Heartbeat implements AutoCloseable {
   private final Runnable beat = this::beat;
   private final Listener activation = e -> later();
   private boolean focused;
+  private boolean begun;
   private boolean closed;
 
   /** Makes a heart that does not beat yet. */
@@ -24,9 +25,12 @@ public final class Heartbeat implements AutoCloseable {
     display.addFilter(SWT.Deactivate, activation);
   }
 
-  /** Starts beating: not before the window stands, for making it is long and holds nothing up that moves. */
+  /** Starts beating, once: not before the window stands, for making it is long and holds nothing up that moves. */
   public void begin() {
-    beat();
+    if (!begun) {
+      begun = true;
+      beat();
+    }
   }
 
   @Override

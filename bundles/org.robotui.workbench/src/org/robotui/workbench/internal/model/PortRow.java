@@ -76,18 +76,18 @@ public record PortRow(String name, Health health, String figure, String age, Str
       return "waiting";
     }
     if (port.stale()) {
-      return "stale " + Figures.age(port.ageSeconds());
+      return "stale " + Figures.ageOfValue(port.ageSeconds());
     }
     return port.rateHz() > 0 ? Figures.rate(port.rateHz()) : "event";
   }
 
   private static String age(PortStatus port) {
-    return health(port) == Health.OK && port.rateHz() > 0 ? Figures.age(port.ageSeconds()) : "";
+    return health(port) == Health.OK && port.rateHz() > 0 ? Figures.ageOfValue(port.ageSeconds()) : "";
   }
 
   private static String hint(PortStatus port) {
     String head = port.port() + " (" + port.typeName() + ")";
-    String figures = Figures.rate(port.rateHz()) + ", age " + Figures.age(port.ageSeconds())
+    String figures = Figures.rate(port.rateHz()) + ", age " + Figures.ageOfValue(port.ageSeconds())
         + ", " + port.count() + " values, " + port.dropped() + " dropped";
     String said = port.problem().isEmpty() ? port.value() : port.problem();
     return head + "\n" + figures + (said.isEmpty() ? "" : "\n" + said);

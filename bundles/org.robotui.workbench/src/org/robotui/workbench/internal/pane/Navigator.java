@@ -43,6 +43,7 @@ public final class Navigator extends Composite {
   }
 
   private static final int HEADING = 36;
+  private static final int LOWEST_SCROLLER = 60;
 
   private final Theme theme;
   private final Actions actions;
@@ -51,6 +52,7 @@ public final class Navigator extends Composite {
   private final PortList ports;
   private final ScrolledComposite scroller;
   private String selected = "";
+  private int shownHeight;
 
   /** Makes an empty navigator. */
   public Navigator(Composite parent, Theme theme, Actions actions) {
@@ -81,10 +83,10 @@ public final class Navigator extends Composite {
     Optional<RuicSnapshot> chosen = ruics.stream().filter(r -> r.name().equals(selected)).findFirst();
     portsHeading.show(Role.DIM, chosen.map(r -> r.name().toUpperCase(Locale.ROOT) + " \u00b7 PORTS").orElse(""));
     ports.show(chosen.map(PortRow::of).orElse(List.of()));
-    int height = ports.computeSize(SWT.DEFAULT, SWT.DEFAULT).y;
-    if (scroller.getMinHeight() != height) {
-      scroller.setMinHeight(height);
+    if (portsHeight() != shownHeight) {
+      shownHeight = portsHeight();
       layout(true);
+      fitScroller();
     }
   }
 
@@ -124,14 +126,24 @@ public final class Navigator extends Composite {
     scroller.setExpandHorizontal(true);
     scroller.setExpandVertical(true);
     scroller.setContent(ports);
+    scroller.addListener(SWT.Resize, e -> fitScroller());
     addListener(SWT.Resize, e -> layout(true));
     limitPorts();
+  }
+
+  /** Without a height there is nothing to scroll, and no room for a scroll bar. */
+  private void fitScroller() {
+    scroller.setMinHeight(scroller.getSize().y < LOWEST_SCROLLER ? 0 : portsHeight());
+  }
+
+  private int portsHeight() {
+    return ports.computeSize(SWT.DEFAULT, SWT.DEFAULT).y;
   }
 
   /** At most half of the navigator. */
   private void limitPorts() {
     GridData data = (GridData) scroller.getLayoutData();
-    int wanted = ports.computeSize(SWT.DEFAULT, SWT.DEFAULT).y + 2 * Theme.STEP;
+    int wanted = portsHeight() + 2 * Theme.STEP;
     data.heightHint = Math.min(wanted, Math.max(0, getSize().y / 2));
   }
 

@@ -2,6 +2,7 @@ package org.robotui.workbench.internal.rcp;
 
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
 import org.eclipse.ui.application.WorkbenchWindowAdvisor;
@@ -36,6 +37,18 @@ final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
     Trim.add(getWindowConfigurer().getWindow());
     // The platform has restored the theme of the product by now; ours is the user's.
     session.look().apply();
+  }
+
+  @Override
+  public void postWindowOpen() {
+    IWorkbenchWindow window = getWindowConfigurer().getWindow();
+    Shell shell = window.getShell();
+    // What the platform makes late comes after this call.
+    shell.getDisplay().asyncExec(() -> {
+      if (!shell.isDisposed()) {
+        Trim.tidy(window);
+      }
+    });
   }
 
   @Override

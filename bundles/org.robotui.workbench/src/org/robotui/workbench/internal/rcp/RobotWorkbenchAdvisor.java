@@ -30,7 +30,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   private final Session session;
   private final Runnable started;
 
-  /** For a session; {@code started} runs when the window stands. */
+  /** For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again. */
   public RobotWorkbenchAdvisor(Session session, Runnable started) {
     this.session = session;
     this.started = started;
@@ -61,8 +61,7 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
     if (session.arguments().isAttended()) {
       new Suspects(session.state().folder()).judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
     }
-    started.run();
-    session.arguments().configurations().forEach(session.configurations()::load);
+    begin();
     session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
     session.arguments().limit().ifPresent(limit -> after(limit, RobotWorkbenchAdvisor::close));
     session.hub().add(new HostHub.Client() {
@@ -71,6 +70,15 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
         ILog.of(RobotWorkbenchAdvisor.class).warn(ruic.isEmpty() ? message : ruic + ": " + message);
       }
     });
+  }
+
+  /** Views that are made for the first time take long, and nothing moves before they are there. */
+  private void begin() {
+    if (session.arguments().configurations().isEmpty()) {
+      started.run();
+    }
+    session.onLoaded(started);
+    session.arguments().configurations().forEach(session.configurations()::load);
   }
 
   /** A view that throws while it paints or takes input is taken out; the workbench goes on. */

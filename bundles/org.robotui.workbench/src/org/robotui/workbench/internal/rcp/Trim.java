@@ -6,6 +6,8 @@ import org.eclipse.e4.ui.model.application.ui.basic.MTrimElement;
 import org.eclipse.e4.ui.model.application.ui.basic.MTrimmedWindow;
 import org.eclipse.e4.ui.model.application.ui.menu.MToolControl;
 import org.eclipse.e4.ui.workbench.modeling.EModelService;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
 import org.eclipse.ui.IWorkbenchWindow;
 
 /** Puts our bar at the top of a window and our line at its bottom; the 3.x API has no place for a whole bar of our own. */
@@ -36,6 +38,22 @@ final class Trim {
     bar.getChildren().add(0, control);
     bar.setToBeRendered(true);
     bar.setVisible(true);
+  }
+
+  /** Takes away what the platform has made all the same while the window opened, such as its own status line. */
+  static void tidy(IWorkbenchWindow window) {
+    MTrimmedWindow model = (MTrimmedWindow) window.getService(MTrimmedWindow.class);
+    model.getTrimBars().stream().flatMap(bar -> bar.getChildren().stream())
+        .filter(element -> !element.isToBeRendered() && element.getWidget() instanceof Control)
+        .map(element -> (Control) element.getWidget())
+        .filter(control -> !control.isDisposed())
+        .forEach(Trim::remove);
+  }
+
+  private static void remove(Control control) {
+    Composite bar = control.getParent();
+    control.dispose();
+    bar.requestLayout();
   }
 
   /** What the platform keeps there, such as spacers, would take its share of the line. */
