@@ -46,9 +46,10 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
 
   private void run(I made) {
     instance = Optional.of(made);
-    health = Health.RUNNING;
+    health = Health.ADDED;
     try {
       made.start();
+      health = Health.RUNNING;
     } catch (Guarded.GuardException e) {
       giveUp(e.getMessage() + " (" + made.origin() + ")");
     } catch (InterruptedException e) {
