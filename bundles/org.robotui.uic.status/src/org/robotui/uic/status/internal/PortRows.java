@@ -13,10 +13,13 @@ final class PortRows {
   static Row of(PortStatus port, boolean several) {
     String name = several ? port.port().toString() : port.port().port();
     return new Row.Item("port " + port.kind() + " " + port.port(), health(port), name, word(port), age(port), dropped(port),
-        port.problem().isEmpty() ? port.value() : port.problem(), details(port));
+        health(port) == Health.BAD ? port.problem() : port.value(), details(port));
   }
 
   static Health health(PortStatus port) {
+    if (port.stale()) {
+      return Health.STALE;
+    }
     if (!port.problem().isEmpty()) {
       return Health.BAD;
     }
@@ -26,7 +29,7 @@ final class PortRows {
     if (port.count() == 0) {
       return port.wanted() ? Health.WAITING : Health.NONE;
     }
-    return port.stale() ? Health.STALE : Health.OK;
+    return Health.OK;
   }
 
   private static String word(PortStatus port) {

@@ -4,8 +4,10 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
+import org.robotui.api.port.InputState;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;
+import org.robotui.ui.Health;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
@@ -44,7 +46,7 @@ final class TeleopPainter {
       gc.setAlpha(OPAQUE);
       states.paint(gc, at.stick(), look.output());
     } else {
-      states.paint(gc, new Rectangle(0, 0, at.footer().width, at.footer().y), look.output());
+      reason(gc, new Rectangle(0, 0, at.footer().width, at.footer().y), look.output());
     }
   }
 
@@ -59,6 +61,15 @@ final class TeleopPainter {
     gc.setFont(theme.font(Face.BODY));
     String text = TextFit.shorten(gc, footer.text(), room - left);
     gc.drawText(text, left, middle - gc.textExtent(text).y / 2, true);
+  }
+
+  /** Why there is nothing to drive: what gives commands does not wait for data. */
+  private void reason(GC gc, Rectangle area, InputState output) {
+    if (output instanceof InputState.Waiting) {
+      states.message(gc, area, Health.WAITING, "No link", output.explanation());
+    } else {
+      states.paint(gc, area, output);
+    }
   }
 
   private static boolean drivable(Look look) {

@@ -50,7 +50,7 @@ public record PortRow(String name, Health health, String figure, String age, Str
 
   private static PortRow missing(Match match) {
     String word = switch (match.state()) {
-      case PENDING -> "not offered yet";
+      case PENDING -> "not yet";
       case AMBIGUOUS -> "choose one";
       case REFUSED, CONNECTED -> "not offered";
     };
@@ -59,24 +59,24 @@ public record PortRow(String name, Health health, String figure, String age, Str
   }
 
   private static Health health(PortStatus port) {
-    if (!port.problem().isEmpty()) {
-      return Health.BAD;
-    }
     if (port.stale()) {
       return Health.STALE;
+    }
+    if (!port.problem().isEmpty()) {
+      return Health.BAD;
     }
     return port.count() == 0 ? Health.WAITING : Health.OK;
   }
 
   private static String figure(PortStatus port) {
+    if (port.stale()) {
+      return "stale " + Figures.ageOfValue(port.ageSeconds());
+    }
     if (!port.problem().isEmpty()) {
       return "failed";
     }
     if (port.count() == 0) {
       return "waiting";
-    }
-    if (port.stale()) {
-      return "stale " + Figures.ageOfValue(port.ageSeconds());
     }
     return port.rateHz() > 0 ? Figures.rate(port.rateHz()) : "event";
   }

@@ -95,6 +95,8 @@ public final class ConnectionsDialog {
           match.reason()});
       item.setForeground(0, theme.color(role(match.state())));
     }
+    // The reasons are sentences: as wide as the longest, to be scrolled to, rather than cut.
+    table.getColumn(TITLES.length - 1).pack();
   }
 
   private void contextMenu() {

@@ -18,7 +18,7 @@ public final class StatusControl {
   @PostConstruct
   void create(Composite parent, MWindow model) {
     IWorkbenchWindow window = model.getContext().get(IWorkbenchWindow.class);
-    new Rebuilt<>(parent, session, StatusBar::new, bar -> show(bar, session.model(window)));
+    new Rebuilt<>(Trim.place(parent), session, StatusBar::new, bar -> show(bar, session.model(window)));
   }
 
   private void show(StatusBar bar, WindowModel model) {

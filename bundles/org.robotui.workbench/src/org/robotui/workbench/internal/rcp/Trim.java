@@ -6,6 +6,8 @@ import org.eclipse.e4.ui.model.application.ui.basic.MTrimElement;
 import org.eclipse.e4.ui.model.application.ui.basic.MTrimmedWindow;
 import org.eclipse.e4.ui.model.application.ui.menu.MToolControl;
 import org.eclipse.e4.ui.workbench.modeling.EModelService;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.ui.IWorkbenchWindow;
@@ -38,6 +40,13 @@ final class Trim {
     bar.getChildren().add(0, control);
     bar.setToBeRendered(true);
     bar.setVisible(true);
+  }
+
+  /** The control that the platform places: it stays when what is in it is made anew. */
+  static Composite place(Composite bar) {
+    Composite place = new Composite(bar, SWT.NONE);
+    place.setLayout(new FillLayout());
+    return place;
   }
 
   /** Takes away what the platform has made all the same while the window opened, such as its own status line. */

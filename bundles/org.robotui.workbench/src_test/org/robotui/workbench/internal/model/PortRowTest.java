@@ -27,7 +27,7 @@ class PortRowTest {
 
   @Test
   void statesDifferInWordAndDot() {
-    ruic.offering(port("a", true, 10, 0.012, false, ""), port("b", true, 10, 2.1, true, ""),
+    ruic.offering(port("a", true, 10, 0.012, false, ""), port("b", true, 10, 2.1, true, "no new value"),
         port("c", true, 0, Double.NaN, false, ""), port("d", true, 10, 0.1, false, "wrong type"));
 
     assertEquals(List.of("10.0\u00a0Hz", "stale 2.1\u00a0s", "waiting", "failed"),
