@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.core.runtime.FileLocator;
@@ -31,15 +30,8 @@ final class Bundles {
   }
 
   static Bundle find(String name) {
-    return lookUp(name).orElseGet(() -> Assertions.fail("bundle " + name + " is not installed"));
-  }
-
-  static boolean isInstalled(String name) {
-    return lookUp(name).isPresent();
-  }
-
-  private static Optional<Bundle> lookUp(String name) {
-    return Arrays.stream(context().getBundles()).filter(b -> name.equals(b.getSymbolicName())).findFirst();
+    return Arrays.stream(context().getBundles()).filter(b -> name.equals(b.getSymbolicName())).findFirst()
+        .orElseGet(() -> Assertions.fail("bundle " + name + " is not installed"));
   }
 
   /** Starts it as the products do. */
