@@ -46,7 +46,7 @@ class DisplayWatchdogTest {
   }
 
   @Test
-  void oneSilenceIsReportedOnceAndTheNextAgain() throws IOException {
+  void oneSilenceIsReportedOnceAndTheNextAgain() {
     display.alive();
     silent(1900);
     assertEquals(0, alerts.size());
@@ -58,6 +58,15 @@ class DisplayWatchdogTest {
     silent(10);
     silent(3000);
     assertEquals(2, alerts.size());
+  }
+
+  @Test
+  void onlyASilenceThatNoBusyMachineExplainsMakesASuspect() throws IOException {
+    display.alive();
+    silent(9900);
+    assertEquals(List.of(), suspects.all());
+    silent(200);
+    silent(5000);
     assertEquals(List.of("org.robotui.uic.map"), suspects.all(), "remembered once");
   }
 
@@ -65,7 +74,7 @@ class DisplayWatchdogTest {
   void bundlesThatAreNeededAreNamedButNotOfferedToBeLeftOut() throws IOException {
     watchdog = watching("org.robotui.workbench");
     display.alive();
-    silent(2100);
+    silent(12_000);
     assertTrue(alerts.getFirst().contains("bundle org.robotui.workbench holds it up at "), alerts.getFirst());
     assertEquals(List.of(), suspects.all());
   }

@@ -47,6 +47,7 @@ import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.StandardServices;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
@@ -162,6 +163,19 @@ class RosRficTest {
     rfic.start();
     await(() -> context.streams.containsKey("value"));
     assertEquals(2, context.streams.size(), () -> context.streams.keySet().toString());
+  }
+
+  @Test
+  void doesNotTakeOrdersOfOthersForNewsOfTheRobot() throws IOException {
+    robot.subscriber("/initialpose", PoseWithCovarianceStamped.CODEC, SubscriberOptions.standard(), (m, r) -> { });
+    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (m, r) -> { });
+    RosNode other = node("other_workbench");
+    other.publisher("/initialpose", PoseWithCovarianceStamped.CODEC, PublisherOptions.standard());
+    other.publisher("/cmd_vel", Twist.CODEC, PublisherOptions.standard());
+    rfic.start();
+    await(() -> context.commands.containsKey("initialpose") && context.streams.containsKey("cmd_vel"));
+    assertFalse(context.streams.containsKey("initialpose"));
+    other.close();
   }
 
   @Test

@@ -6,8 +6,10 @@ import java.util.Iterator;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.robotui.api.RficContext;
+import org.robotui.data.Motion;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.Adapters;
 import org.robotui.rfic.ros.internal.convert.CommandType;
@@ -46,8 +48,9 @@ final class Offers implements AutoCloseable {
     if (closed) {
       return;
     }
-    followStreams(graph.published());
-    followCommands(commandTopics(graph.subscribed()));
+    Map<String, String> taken = commandTopics(graph.subscribed());
+    followStreams(withoutOrders(graph.published(), taken));
+    followCommands(taken);
   }
 
   /** Subscribes to what is wanted, and to nothing else. */
@@ -66,6 +69,17 @@ final class Offers implements AutoCloseable {
 
   synchronized boolean flowing() {
     return streams.values().stream().anyMatch(TopicStream::flowing);
+  }
+
+  /**
+   * Goals and initial poses that others give are no news of the robot: a view would take them for where it is. Velocities that
+   * others command stay visible.
+   */
+  private static Map<String, String> withoutOrders(Map<String, String> published, Map<String, String> taken) {
+    Map<String, String> news = new TreeMap<>(published);
+    news.keySet().removeIf(t -> taken.containsKey(t)
+        && CommandType.of(published.get(t)).filter(c -> !Motion.class.isAssignableFrom(c.data())).isPresent());
+    return news;
   }
 
   /** A topic that somebody looks at stays when its publisher goes: it is missing, and may return. */
