@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.api.port.InputState;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.TestDisplay;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class LookSwtTest {

@@ -20,6 +20,7 @@ import org.robotui.data.GridMap;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;

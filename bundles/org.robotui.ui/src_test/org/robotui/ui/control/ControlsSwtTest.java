@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.testkit.Displays;
-import org.robotui.ui.TestDisplay;
+import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.api.port.InputState;
 import org.robotui.data.NavigationGoal;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;

@@ -1,4 +1,4 @@
-package org.robotui.entity.gridmap;
+package org.robotui.testkit;
 
 import java.util.Optional;
 import org.eclipse.swt.graphics.DeviceData;
@@ -8,6 +8,11 @@ import org.eclipse.swt.widgets.Display;
 public final class TestDisplay {
   private TestDisplay() {}
 
+  /**
+   * The display of this thread.
+   *
+   * @return the one that is there, else a new one
+   */
   public static Display get() {
     return Optional.ofNullable(Display.getCurrent()).orElseGet(TestDisplay::open);
   }
