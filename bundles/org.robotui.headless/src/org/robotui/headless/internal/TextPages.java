@@ -36,11 +36,11 @@ final class TextPages {
     List<String> lines = new ArrayList<>();
     if (views.isEmpty()) {
       lines.addAll(Summary.lines(snapshot));
+      snapshot.components().stream().filter(c -> !c.reason().isEmpty()).map(Summary::failure).forEach(lines::add);
     }
     for (TextView view : views) {
       lines.addAll(view.lines(columns, Math.max(1, rows / views.size())));
     }
-    snapshot.components().stream().filter(c -> !c.reason().isEmpty()).map(Summary::failure).forEach(lines::add);
     return lines.stream().limit(rows);
   }
 

@@ -41,9 +41,13 @@ record Report(RuicSnapshot ruic, Standing standing, boolean unused, boolean type
     if (ruic.state() == RuicState.FAILED) {
       lines.add("failed: " + Columns.safe(ruic.reason()));
     }
-    ruic.components().stream().flatMap(Report::component).forEach(lines::add);
+    ruic.components().stream().filter(c -> !isView(c)).flatMap(Report::component).forEach(lines::add);
     lines.add("");
     return lines;
+  }
+
+  private static boolean isView(ComponentStatus component) {
+    return component.kind() == ComponentStatus.Kind.UIC;
   }
 
   private static Stream<String> component(ComponentStatus component) {
@@ -69,9 +73,10 @@ record Report(RuicSnapshot ruic, Standing standing, boolean unused, boolean type
   }
 
   private List<String> troubles() {
-    return ruic.matches().stream()
-        .filter(match -> match.state() != MatchState.CONNECTED)
-        .map(Report::trouble)
+    // Views for windows do not run here: that is said last, after what the robot offers.
+    return Stream.concat(
+            ruic.matches().stream().filter(match -> match.state() != MatchState.CONNECTED).map(Report::trouble),
+            ruic.components().stream().filter(Report::isView).flatMap(Report::component))
         .toList();
   }
 
