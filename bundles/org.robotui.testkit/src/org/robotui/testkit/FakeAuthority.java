@@ -3,6 +3,7 @@ package org.robotui.testkit;
 import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
+import org.robotui.data.MotionLimits;
 
 /** An authority with the rules of the real one: one holder, takeover only when confirmed, a stop that stays. */
 public final class FakeAuthority implements Authority {
@@ -15,6 +16,7 @@ public final class FakeAuthority implements Authority {
   private final String robot;
   private Optional<Principal> holder = Optional.empty();
   private Optional<Principal> stopper = Optional.empty();
+  private MotionLimits limits = MotionLimits.NONE;
 
   /**
    * Nobody drives, nothing is stopped.
@@ -62,5 +64,19 @@ public final class FakeAuthority implements Authority {
   @Override
   public synchronized Optional<Principal> stoppedBy() {
     return stopper;
+  }
+
+  @Override
+  public synchronized MotionLimits limits() {
+    return limits;
+  }
+
+  /**
+   * Limits the robot.
+   *
+   * @param to the limits from now on
+   */
+  public synchronized void limit(MotionLimits to) {
+    limits = to;
   }
 }

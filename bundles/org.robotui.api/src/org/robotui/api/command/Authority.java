@@ -1,6 +1,7 @@
 package org.robotui.api.command;
 
 import java.util.Optional;
+import org.robotui.data.MotionLimits;
 
 /** Who may command one robot, and its stop. Safe for all threads; never blocks. */
 public interface Authority {
@@ -48,6 +49,13 @@ public interface Authority {
    * @param by who releases
    */
   void releaseStop(Principal by);
+
+  /**
+   * How fast the robot may be commanded to move, whoever commands: faster commands are scaled down.
+   *
+   * @return the strictest limits of its configurations
+   */
+  MotionLimits limits();
 
   /**
    * Whether the stop is latched.

@@ -23,6 +23,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
+import org.robotui.testkit.FakeAuthority;
 
 /** A RUIC whose state a test sets, and which notes down what is asked of it. Safe for all threads. */
 public final class FakeRuic implements Ruic {

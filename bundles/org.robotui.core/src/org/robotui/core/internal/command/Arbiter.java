@@ -139,7 +139,8 @@ public final class Arbiter implements Authority {
     return command instanceof Motion<?> motion ? (T) motion.within(limits()) : command;
   }
 
-  private MotionLimits limits() {
+  @Override
+  public MotionLimits limits() {
     return ports.stream().map(p -> p.safety().limits()).reduce(MotionLimits.NONE, MotionLimits::and);
   }
 

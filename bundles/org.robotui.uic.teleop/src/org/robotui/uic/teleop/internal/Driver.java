@@ -175,7 +175,7 @@ final class Driver {
   }
 
   private Limits limits() {
-    return Limits.of(settings.current());
+    return Limits.of(settings.current()).within(authority().limits());
   }
 
   private Authority authority() {

@@ -1,6 +1,7 @@
 package org.robotui.uic.teleop.internal;
 
 import org.robotui.api.config.Settings;
+import org.robotui.data.MotionLimits;
 
 /**
  * How fast and how suddenly the user wants to drive.
@@ -14,6 +15,11 @@ record Limits(double linear, double angular, double linearAcceleration, double a
   static Limits of(Settings settings) {
     return new Limits(settings.number(TeleopType.MAX_LINEAR), settings.number(TeleopType.MAX_ANGULAR),
         settings.number(TeleopType.ACCELERATION_LINEAR), settings.number(TeleopType.ACCELERATION_ANGULAR));
+  }
+
+  /** What is left of them where the robot may not be commanded as fast. */
+  Limits within(MotionLimits robot) {
+    return new Limits(Math.min(linear, robot.linear()), Math.min(angular, robot.angular()), linearAcceleration, angularAcceleration);
   }
 
   Speed at(Stick stick) {

@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.robotui.data.MotionLimits;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
 import org.robotui.data.VelocityCommand;
@@ -216,5 +217,13 @@ class DriverTest {
     assertEquals("lease: free \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
     driver.take();
     assertEquals("lease: you \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
+  }
+
+  @Test
+  void neverPromisesMoreThanTheRobotMayBeCommanded() {
+    authority.limit(new MotionLimits(0.1, 0.2));
+    Look look = driver.look(0);
+    assertEquals(0.1, look.limits().linear());
+    assertEquals(0.2, look.limits().angular());
   }
 }
