@@ -102,7 +102,14 @@ final class RuicReader {
     } else {
       Place at = section.get("type").map(YamlValue::place).orElse(section.place());
       problems.add(at.warning("no RUIC type '" + type + "' is installed" + NearestWord.hint(type, types.ruicIds())));
+      section.without(OWN).entries().forEach(this::slip);
     }
+  }
+
+  /** What the missing type can be told is not known; a word next to one of ours is a slip all the same. */
+  private void slip(YamlValue.Entry entry) {
+    NearestWord.of(entry.key(), OWN).ifPresent(near -> problems.add(entry.place().warning(
+        "'" + entry.key() + "' is no word of a RUIC; did you mean '" + near + "'?")));
   }
 
   private void uniqueIds(List<ComponentConfig> rfics, List<ComponentConfig> uics) {

@@ -82,6 +82,13 @@ class YamlConfigSourceTest {
   }
 
   @Test
+  void findsSlipsAlsoWhereTheTypeIsNotInstalled() throws IOException {
+    String text = GOOD.replace("type: base", "type: bsae").replace("connect:", "conect:");
+    assertProblem(text, 3, 11, "no RUIC type 'bsae' is installed; did you mean 'base'?");
+    assertProblem(text, 9, 5, "did you mean 'connect'?");
+  }
+
+  @Test
   void saysWhichVariableIsNotSet() throws IOException {
     assertProblem(GOOD.replace("${MASTER}", "${NOWHERE}"), 5, 32, "NOWHERE is not set");
     assertEquals(List.of(), read(GOOD.replace("${MASTER}", "${NOWHERE:-http://here:1}")).problems());
