@@ -5,11 +5,11 @@ import java.util.function.BooleanSupplier;
 
 /** Waits for conditions. */
 public final class Await {
-  private static final long LIMIT_NANOS = 10_000_000_000L;
+  private static final long LIMIT_NANOS = 20_000_000_000L;
 
   private Await() {}
 
-  /** Waits until it holds; fails after ten seconds. */
+  /** Waits until it holds; fails after twenty seconds. */
   public static void until(String what, BooleanSupplier condition) {
     long end = System.nanoTime() + LIMIT_NANOS;
     while (!condition.getAsBoolean()) {
