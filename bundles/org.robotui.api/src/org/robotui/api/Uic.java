@@ -12,7 +12,10 @@ public interface Uic extends AutoCloseable {
    */
   boolean tick(long nowNanos);
 
-  /** Releases what it holds. Called once on a core worker, after the last tick and after its surface has gone. */
+  /**
+   * Releases what it holds. Called once on a core worker, after the last tick. Its surface may still be seen for a moment,
+   * until the application has heard of the end, and must bear that.
+   */
   @Override
   void close();
 }
