@@ -24,7 +24,7 @@ import org.slf4j.LoggerFactory;
 /** The workbench. Exit codes: 0 fine, 3 wrong arguments, 4 the core did not start. */
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
-  private static final Duration CLOSE_LIMIT = Duration.ofMillis(1500);
+  private static final Duration CLOSE_LIMIT = Duration.ofMillis(1200);
   private static final Duration CORE_LIMIT = Duration.ofSeconds(10);
   private static final int WRONG_ARGUMENTS = 3;
   private static final int NO_CORE = 4;
