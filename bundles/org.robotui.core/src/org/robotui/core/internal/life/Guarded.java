@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
@@ -37,6 +38,12 @@ final class Guarded {
       task.cancel(true);
       throw new GuardException("did not return from " + what + " within " + seconds(limit), e);
     }
+  }
+
+  /** The same for work without a result. */
+  static void run(String what, ThreadFactory threads, Duration limit, Runnable work)
+      throws GuardException, InterruptedException {
+    call(what, threads, limit, Executors.callable(work));
   }
 
   /** Runs several pieces of work at once and waits for all of them; they have limits of their own. */

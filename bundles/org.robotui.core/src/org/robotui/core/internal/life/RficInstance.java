@@ -64,10 +64,7 @@ final class RficInstance implements RficContext, Instance {
     Rfic made = Guarded.call("create", threads, LIMIT, () -> type.create(this, settings));
     rfic = Optional.of(made);
     ruic.services().watch().add(watched);
-    Guarded.call("start", threads, LIMIT, () -> {
-      made.start();
-      return made;
-    });
+    Guarded.run("start", threads, LIMIT, made::start);
   }
 
   private void died(Thread thread, Throwable error) {
@@ -101,7 +98,7 @@ final class RficInstance implements RficContext, Instance {
     String hung = "";
     try {
       if (rfic.isPresent()) {
-        Guarded.call("close", threads, limit, () -> closeInstance(rfic.get()));
+        Guarded.run("close", threads, limit, rfic.get()::close);
       }
     } catch (Guarded.GuardException e) {
       hung = " " + e.getMessage();
@@ -111,11 +108,6 @@ final class RficInstance implements RficContext, Instance {
     sender.close();
     ruic.clock().forget(clock);
     return left(hung);
-  }
-
-  private static Rfic closeInstance(Rfic instance) {
-    instance.close();
-    return instance;
   }
 
   private void stopOurs() throws InterruptedException {
@@ -132,10 +124,8 @@ final class RficInstance implements RficContext, Instance {
     if (hung.isEmpty() && threads.awaitNone(GRACE)) {
       return Optional.empty();
     }
-    threads.interruptAll();
-    boolean ended = threads.awaitNone(GRACE);
-    String left = ended ? "" : "; threads left: " + String.join(", ", threads.alive());
-    return hung.isEmpty() && ended
+    String left = threads.endAll(GRACE);
+    return hung.isEmpty() && left.isEmpty()
         ? Optional.empty()
         : Optional.of(config.id() + hung + left + " (" + origin() + ")");
   }

@@ -38,6 +38,12 @@ public final class TrackedThreads implements ThreadFactory {
     return thread;
   }
 
+  /** Interrupts all and waits for their end; says which of them are left then, or nothing. */
+  String endAll(Duration limit) throws InterruptedException {
+    interruptAll();
+    return awaitNone(limit) ? "" : "; threads left: " + String.join(", ", alive());
+  }
+
   /** The names of those that live. */
   public List<String> alive() {
     return living().stream().map(Thread::getName).sorted().toList();

@@ -29,6 +29,7 @@ import org.slf4j.LoggerFactory;
 final class UicInstance implements UicContext, Instance {
   private static final Logger LOG = LoggerFactory.getLogger(UicInstance.class);
   private static final Duration LIMIT = Duration.ofSeconds(2);
+  private static final Duration GRACE = Duration.ofMillis(200);
 
   private final ComponentConfig config;
   private final UicType type;
@@ -103,10 +104,8 @@ final class UicInstance implements UicContext, Instance {
     ends.close();
     boolean idle = ticker.isEmpty() || ticker.get().awaitEnd(limit.toMillis() / 2);
     Optional<String> problem = idle ? closeInstance(limit.dividedBy(2)) : Optional.of("hangs in tick");
-    threads.interruptAll();
-    boolean ended = threads.awaitNone(Duration.ofMillis(200));
-    String left = ended ? "" : "; threads left: " + String.join(", ", threads.alive());
-    return problem.isPresent() || !ended
+    String left = threads.endAll(GRACE);
+    return problem.isPresent() || !left.isEmpty()
         ? Optional.of(config.id() + " " + problem.orElse("has ended") + left + " (" + origin() + ")")
         : Optional.empty();
   }
@@ -114,17 +113,12 @@ final class UicInstance implements UicContext, Instance {
   private Optional<String> closeInstance(Duration limit) throws InterruptedException {
     try {
       if (uic.isPresent()) {
-        Guarded.call("close", threads, limit, () -> closed(uic.get()));
+        Guarded.run("close", threads, limit, uic.get()::close);
       }
       return Optional.empty();
     } catch (Guarded.GuardException e) {
       return Optional.of(e.getMessage());
     }
-  }
-
-  private static Uic closed(Uic instance) {
-    instance.close();
-    return instance;
   }
 
   @Override
