@@ -1,0 +1,20 @@
+# MuJoCo, where it is wanted: the target mujoco::mujoco. It is optional, since it is by far the largest part.
+set(RT_MUJOCO AUTO CACHE STRING "simulation and models with MuJoCo: ON, OFF, or AUTO (where it is found)")
+set(MUJOCO_ROOT "" CACHE PATH "folder with include/mujoco and libmujoco.so.3.3.0, such as the unpacked Python package mujoco 3.3.0")
+set(RT_MUJOCO_VERSION 3.3.0)
+
+if(RT_MUJOCO)
+  find_path(MUJOCO_INCLUDE mujoco/mujoco.h HINTS ${MUJOCO_ROOT}/include ${MUJOCO_ROOT})
+  find_library(MUJOCO_LIBRARY NAMES libmujoco.so.${RT_MUJOCO_VERSION} HINTS ${MUJOCO_ROOT} ${MUJOCO_ROOT}/lib)
+  mark_as_advanced(MUJOCO_INCLUDE MUJOCO_LIBRARY)
+  if(MUJOCO_INCLUDE AND MUJOCO_LIBRARY)
+    add_library(mujoco::mujoco SHARED IMPORTED GLOBAL)
+    set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_LOCATION ${MUJOCO_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${MUJOCO_INCLUDE})
+    message(STATUS "MuJoCo: ${MUJOCO_LIBRARY}")
+  elseif(RT_MUJOCO STREQUAL "AUTO")
+    message(STATUS "MuJoCo: not found, so there is no HAL 'mujoco' and no model 'MUJOCO' (give -DMUJOCO_ROOT=FOLDER)")
+  else()
+    message(FATAL_ERROR "MuJoCo ${RT_MUJOCO_VERSION} is wanted (RT_MUJOCO=${RT_MUJOCO}) but was not found: give -DMUJOCO_ROOT=FOLDER with "
+                        "include/mujoco/mujoco.h and libmujoco.so.${RT_MUJOCO_VERSION}; fetch_mujoco of tools/mujoco.sh gets them")
+  endif()
+endif()

@@ -1,0 +1,10 @@
+# What our libraries stand on: wanted where they are built, and where a plugin is linked with them.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(yaml-cpp REQUIRED)
+find_package(urdfdom REQUIRED)
+find_package(orocos_kdl REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,22 @@
+// The blocks of the configuration, each read by itself.
+#pragma once
+
+#include "robotui/rt/config/reader.h"
+
+namespace robotui::rt::config {
+
+HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std::string>& warnings);
+
+// `xbotcore_threads`; without it one thread of the HAL's period, named as XBot users know it.
+std::vector<ThreadConfig> readThreads(const Reader& top, const HalConfig& hal, const Overrides& overrides, std::vector<std::string>& warnings);
+
+// `xbotcore_plugins`, `XBotRTPlugins` and `NRTPlugins` into the lists of `into`, whose threads are known.
+void readPlugins(const Reader& top, RtConfig& into);
+
+// What only all together can tell: sizes, priorities, cores.
+void checkLimits(const Reader& top, const RtConfig& config);
+
+// The core of a `core_id`: one on which this process may run.
+std::optional<int> readCore(const Reader& block);
+
+}  // namespace robotui::rt::config

@@ -1,0 +1,21 @@
+// Where the three files of a robot were asked for, for errors.
+#pragma once
+
+#include "robotui/rt/config/config.h"
+
+namespace robotui::rt::config {
+
+struct RobotFile {
+  std::filesystem::path file;  // empty where there is none
+  Place wanted;
+};
+
+struct RobotFiles {
+  RobotFile urdf;
+  RobotFile srdf;
+  RobotFile joint_map;
+};
+
+RobotDescription describe(const RobotFiles& files, bool floating_base, std::vector<std::string>& warnings);
+
+}  // namespace robotui::rt::config

@@ -1,0 +1,64 @@
+// The robot's hardware, or what stands for it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "robotui/rt/config/config.h"
+#include "robotui/rt/link/layout.h"
+
+namespace robotui::rt::hal {
+
+enum class Status : std::uint32_t {
+  kOk = 0,
+  kTimeout = 1,  // nothing came in time: what was sensed is the last there was
+  kFault = 2     // the hardware says that it cannot go on
+};
+
+// What was measured. Sizes do not change after open().
+struct Measurements {
+  std::span<link::JointState> joints;  // a Hal writes the measured fields, temperatures, fault; nothing else
+  std::span<link::ImuState> imus;
+  std::span<link::ForceTorqueState> force_torques;
+};
+
+// What one joint is to do: within its limits, a mode always set.
+struct Reference {
+  double position;
+  double velocity;
+  double effort;
+  double stiffness;
+  double damping;
+  std::uint8_t mode;
+};
+
+// One robot. open() and close() are called on an ordinary thread and may block and allocate; sense() and move() are called in
+// turn on the real-time thread, once a cycle: they must not allocate, throw, or block longer than a fraction of the period.
+class Hal {
+ public:
+  virtual ~Hal() = default;
+
+  // Throws config::ConfigError or std::runtime_error with a sentence for the user. `period_ns` is the time between two senses.
+  virtual void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) = 0;
+
+  virtual Status sense(Measurements& into) noexcept = 0;
+
+  virtual Status move(std::span<const Reference> references) noexcept = 0;
+
+  virtual void close() noexcept = 0;
+};
+
+// What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
+inline constexpr std::uint32_t kHalAbi = 1;
+
+}  // namespace robotui::rt::hal
+
+#define ROBOTUI_RT_HAL(Class)                                                                              \
+  extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_hal_abi() {                   \
+    return robotui::rt::hal::kHalAbi;                                                                      \
+  }                                                                                                        \
+  extern "C" __attribute__((visibility("default"))) robotui::rt::hal::Hal* robotui_rt_hal_create() {       \
+    return new Class();                                                                                    \
+  }

@@ -1,0 +1,74 @@
+// One cycle of control: sense, publish, wake the plugins, take their commands, check them, move.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "command_inbox.h"
+#include "joint_control.h"
+#include "robotui/rt/config/config.h"
+#include "robotui/rt/hal/hal.h"
+#include "robotui/rt/link/board.h"
+#include "robotui/rt/link/state.h"
+#include "safe_torque.h"
+
+namespace robotui::rt::hal {
+
+struct CycleSettings {
+  std::int64_t period_ns = 1'000'000;
+  double deadline = 0.8;               // fraction of the period
+  double safe_damping = 5;             // N m s/rad
+  std::uint32_t misses_before_safe = 2;
+};
+
+class Cycle {
+ public:
+  // All that is given lives as long as the cycle.
+  Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal, const link::BoardSegment& board, CommandInbox& inbox,
+        SafeTorque& torque, link::StateSegment& state);
+
+  // Its cycle numbers rise by one from 1; `start_ns` is the point of the grid from which the deadline counts. Real time.
+  void run(std::uint64_t cycle, std::int64_t start_ns) noexcept;
+
+  // From any thread: nobody commands any more, all joints become safe.
+  void end() noexcept { ending_.store(true, std::memory_order_relaxed); }
+
+  // Whether after end() nothing is left that moves by a reference.
+  bool isAtRest() const noexcept { return at_rest_.load(std::memory_order_relaxed); }
+
+  link::LoopStatistics& statistics() noexcept { return writer_.loop(); }
+
+ private:
+  void sense() noexcept;
+  bool areNumbers() noexcept;
+  void keepOld() noexcept;
+  void publish(std::uint64_t cycle) noexcept;
+  void assign() noexcept;
+  void apply() noexcept;
+  bool obey(std::uint32_t joint) noexcept;
+  double safeEffort(std::uint32_t joint) const noexcept;
+  void holdRest() noexcept;
+  void move() noexcept;
+
+  CycleSettings settings_;
+  Hal* hal_;
+  link::BoardReader board_;
+  CommandInbox* inbox_;
+  SafeTorque* torque_;
+  link::StateWriter writer_;
+  link::FrameData frame_{};
+  link::FrameData last_good_{};
+  Measurements measured_;
+  std::vector<JointControl> joints_;
+  std::vector<Reference> references_;
+  std::vector<double> torques_;
+  std::vector<bool> held_;
+  std::uint32_t silent_ = 0;   // cycles in turn without measurements
+  bool sensed_ = false;        // ever
+  bool away_ = false;          // the hardware was silent so long that all joints were made safe
+  std::atomic<bool> ending_{false};
+  std::atomic<bool> at_rest_{false};
+};
+
+}  // namespace robotui::rt::hal

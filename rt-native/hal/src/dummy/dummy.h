@@ -1,0 +1,30 @@
+// A robot that follows its commands and has no weight: XBotCore -D.
+#pragma once
+
+#include <vector>
+
+#include "joint_motion.h"
+#include "robotui/rt/hal/hal.h"
+
+namespace robotui::rt::hal {
+
+// Parameter: `posture`, a group_state of the SRDF to begin in (else zero, or the limit that is nearest to it).
+class Dummy : public Hal {
+ public:
+  void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;
+  Status sense(Measurements& into) noexcept override;
+  Status move(std::span<const Reference> references) noexcept override;
+  void close() noexcept override {}
+
+ private:
+  std::vector<JointMotion> joints_;
+  double period_s_ = 0;
+};
+
+// The joints at the beginning, in a named posture or at zero. Throws config::ConfigError where the posture is not there.
+std::vector<JointMotion> motionsOf(const config::RobotDescription& robot, const std::string& posture, const config::Place& place);
+
+// A base at rest and sensors that feel nothing but the weight of the IMU.
+void measureRest(Measurements& into) noexcept;
+
+}  // namespace robotui::rt::hal

@@ -1,0 +1,54 @@
+// Who moves a joint, and what goes to its hardware: owner, hold per mode, safe state, limits.
+#pragma once
+
+#include "joint_limits.h"
+#include "robotui/rt/link/layout.h"
+
+namespace robotui::rt::hal {
+
+class JointControl {
+ public:
+  JointControl(const config::JointDescription& joint, double period_s) noexcept : limits_(joint, period_s) {}
+
+  // The position reference is what is measured, from which all goes on: at the first sense, and after the hardware was away.
+  void anchor(const link::JointState& measured) noexcept;
+
+  // Once a cycle, before anything below. True where it was granted anew: that ends its safe state.
+  bool belongs(std::uint16_t owner, std::uint32_t grant, const link::JointState& measured) noexcept;
+
+  // Safe from now on, until it is granted anew.
+  void makeSafe() noexcept { safe_ = true; }
+
+  bool isSafe() const noexcept { return safe_; }
+  std::uint16_t owner() const noexcept { return owner_; }
+
+  // What its plugin wants in this cycle: false where that is nothing, or no command that may be obeyed, and the joint is to hold.
+  bool command(const link::JointCommand& command) noexcept;
+
+  // Whether hold() needs the effort of the safe law.
+  bool holdsByEffort() const noexcept { return (reference_.mode & link::kEffort) != 0; }
+
+  // Positions hold, velocities go to zero, efforts follow the safe law.
+  void hold(link::Control why, double safe_effort) noexcept;
+
+  const Reference& reference() const noexcept { return reference_; }
+  bool isAtRest() const noexcept;
+
+  // References, owner, counters.
+  void describe(link::JointState& into) const noexcept;
+
+ private:
+  void send(Reference wanted) noexcept;
+
+  Limits limits_;
+  Reference reference_{0, 0, 0, 0, 0, link::kPosition};
+  std::uint32_t grant_ = 0;
+  std::uint32_t clamped_ = 0;
+  std::uint32_t rejected_ = 0;
+  std::uint16_t owner_ = link::kNobody;
+  link::Control control_ = link::Control::kFree;
+  bool safe_ = false;
+  bool known_ = false;  // whether grant_ was ever read
+};
+
+}  // namespace robotui::rt::hal

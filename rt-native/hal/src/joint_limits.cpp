@@ -1,0 +1,59 @@
+#include "joint_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace robotui::rt::hal {
+
+namespace {
+
+// A velocity reference reaches the joint's limit from rest in this time, not sooner: URDF has no limit of acceleration.
+constexpr double kTimeToFullVelocity = 0.1;
+
+constexpr std::uint8_t kKnownModes = link::kPosition | link::kVelocity | link::kEffort | link::kImpedance;
+
+bool has(std::uint8_t mode, link::Mode bit) noexcept { return (mode & bit) != 0; }
+
+bool isGain(double value) noexcept { return std::isfinite(value) && value >= 0; }
+
+bool cut(double& value, double lower, double upper) noexcept {
+  const double within = std::min(std::max(value, lower), upper);
+  const bool different = within != value;
+  value = within;
+  return different;
+}
+
+}  // namespace
+
+bool isSound(const link::JointCommand& command) noexcept {
+  const std::uint8_t mode = command.mode;
+  return (mode & ~kKnownModes) == 0 && (!has(mode, link::kPosition) || std::isfinite(command.position)) &&
+         (!has(mode, link::kVelocity) || std::isfinite(command.velocity)) && (!has(mode, link::kEffort) || std::isfinite(command.effort)) &&
+         (!has(mode, link::kStiffness) || isGain(command.stiffness)) && (!has(mode, link::kDamping) || isGain(command.damping));
+}
+
+Limits::Limits(const config::JointDescription& joint, double period_s) noexcept
+    : lower_(joint.lower),
+      upper_(joint.upper),
+      velocity_(joint.velocity),
+      effort_(joint.effort),
+      position_step_(joint.velocity * period_s),
+      velocity_step_(joint.velocity * period_s / kTimeToFullVelocity) {}
+
+// The step comes last: a joint that stands outside its limits goes in slowly. Infinite limits cut nothing.
+bool Limits::apply(Reference& wanted, const Reference& last) const noexcept {
+  bool different = false;
+  if (has(wanted.mode, link::kPosition)) {
+    different |= cut(wanted.position, lower_, upper_);
+    different |= cut(wanted.position, last.position - position_step_, last.position + position_step_);
+  }
+  if (has(wanted.mode, link::kVelocity)) {
+    different |= cut(wanted.velocity, -velocity_, velocity_);
+    const bool leads = !has(wanted.mode, link::kPosition);  // else it is the derivative that comes with a position
+    if (leads) different |= cut(wanted.velocity, last.velocity - velocity_step_, last.velocity + velocity_step_);
+  }
+  if (has(wanted.mode, link::kEffort)) different |= cut(wanted.effort, -effort_, effort_);
+  return different;
+}
+
+}  // namespace robotui::rt::hal

@@ -1,0 +1,32 @@
+// What a joint may be told, whatever asks for it.
+#pragma once
+
+#include "robotui/rt/config/config.h"
+#include "robotui/rt/hal/hal.h"
+#include "robotui/rt/link/layout.h"
+
+namespace robotui::rt::hal {
+
+// Whether all that the command means is a number, and nothing in it is unknown: else it is rejected whole.
+bool isSound(const link::JointCommand& command) noexcept;
+
+// Of one joint. Keeps no state: `last` is what went to the hardware before.
+class Limits {
+ public:
+  Limits(const config::JointDescription& joint, double period_s) noexcept;
+
+  // Cuts what is wanted, in place; true where something was cut.
+  bool apply(Reference& wanted, const Reference& last) const noexcept;
+
+  double effort() const noexcept { return effort_; }
+
+ private:
+  double lower_;
+  double upper_;
+  double velocity_;
+  double effort_;
+  double position_step_;  // in one period
+  double velocity_step_;
+};
+
+}  // namespace robotui::rt::hal

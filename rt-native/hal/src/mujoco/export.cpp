@@ -1,0 +1,3 @@
+#include "mujoco_hal.h"
+
+ROBOTUI_RT_HAL(robotui::rt::hal::MujocoHal)

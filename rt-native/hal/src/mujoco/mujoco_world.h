@@ -1,0 +1,31 @@
+// A robot with drives and sensors on a floor, as MuJoCo sees it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mujoco_settings.h"
+#include "robotui/rt/robot/mujoco_tree.h"
+
+namespace robotui::rt::hal {
+
+struct MujocoJoint {
+  int position;  // in qpos
+  int dof;       // in qvel
+  int actuator;
+  double stiffness;  // of the drive
+  double damping;
+};
+
+struct MujocoWorld {
+  MujocoModelPtr model;
+  MujocoDataPtr data;
+  std::vector<MujocoJoint> joints;    // by index of the robot
+  std::vector<int> imus;              // in sensordata: orientation, angular velocity, acceleration
+  std::vector<int> force_torques;     // in sensordata: force, torque
+};
+
+// In its posture, at rest, standing on the floor. Throws std::runtime_error.
+MujocoWorld buildMujocoWorld(const config::RobotDescription& robot, const MujocoSettings& settings, double period);
+
+}  // namespace robotui::rt::hal

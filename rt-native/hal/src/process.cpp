@@ -1,0 +1,98 @@
+#include "process.h"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "robotui/rt/hal/kinds.h"
+
+namespace robotui::rt::hal {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLook{100};
+
+std::uint32_t generationOf(const link::BoardSegment& board) {
+  auto data = std::make_unique<link::BoardData>();
+  link::BoardReader(board).read(*data);
+  return data->hal_respawns + 1;
+}
+
+// A robot without a model that can be computed still has damping: better than none that moves.
+std::unique_ptr<SafeTorque> torqueOf(const config::RtConfig& config, std::vector<std::string>& warnings) {
+  if (config.hal.safe_law == config::SafeLaw::kDamping) return std::make_unique<NoTorque>();
+  try {
+    return makeGravityTorque(std::make_shared<config::RobotDescription>(config.robot), config.model_type);
+  } catch (const std::runtime_error& error) {
+    warnings.push_back(std::string("The safe law is damping instead of gravity: ") + error.what());
+    return std::make_unique<NoTorque>();
+  }
+}
+
+CycleSettings cycleSettings(const config::HalConfig& hal) {
+  return {.period_ns = std::chrono::nanoseconds(hal.period).count(),
+          .deadline = hal.deadline,
+          .safe_damping = hal.safe_damping,
+          .misses_before_safe = static_cast<std::uint32_t>(hal.misses_before_safe)};
+}
+
+}  // namespace
+
+Process::Process(const ProcessOptions& options, link::Packet begin) {
+  if (begin.descriptors.empty()) throw std::runtime_error("The supervisor gave no board.");
+  const config::RtConfig config = config::load(options.config, options.overrides);
+  board_ = link::Segment<const link::BoardSegment>::open(std::move(begin.descriptors.front()));
+  const CycleSettings settings = cycleSettings(config.hal);
+  inbox_ = std::make_unique<CommandInbox>(commandPlan(config::plan(config, options.communication), std::chrono::nanoseconds(settings.period_ns)),
+                                          static_cast<std::uint32_t>(config.robot.joints.size()), settings.misses_before_safe, waiting_);
+  hosts(begin);
+  torque_ = torqueOf(config, warnings_);
+  hal_ = create(config.hal);
+  hal_->open(config.robot, config.hal, settings.period_ns);
+  state_ = link::Segment<link::StateSegment>::create(generationOf(*board_));
+  state_.sealAgainstWriters();
+  cycle_ = std::make_unique<Cycle>(config.robot, settings, *hal_, *board_, *inbox_, *torque_, *state_);
+  loop_ = std::make_unique<Loop>(*cycle_, LoopSettings{.period_ns = settings.period_ns,
+                                                       .priority = options.nrt ? 0 : config.hal.priority,
+                                                       .core = config.hal.core,
+                                                       .allow_non_rt = options.allow_non_rt});
+  for (std::string& refusal : loop_->start()) warnings_.push_back(std::move(refusal));
+  if (cycle_->statistics().priority > 0) stayAwake(config.hal.wake_latency_us);
+}
+
+void Process::stayAwake(int most_us) {
+  wake_latency_ = std::make_unique<WakeLatency>(most_us);
+  if (wake_latency_->refusal()) warnings_.push_back(*wake_latency_->refusal());
+}
+
+Process::~Process() {
+  loop_.reset();
+  if (hal_) hal_->close();
+}
+
+void Process::hosts(link::Packet& begin) {
+  for (std::size_t i = 1; i < begin.descriptors.size(); ++i) {
+    inbox_->offer(static_cast<std::uint32_t>(i - 1), CommandInbox::HostView::open(std::move(begin.descriptors[i])));
+  }
+}
+
+bool Process::replaceHost(link::Packet& packet) {
+  std::uint32_t host = link::kMaxHosts;
+  const std::string_view index = packet.rest();
+  std::from_chars(index.data(), index.data() + index.size(), host);
+  if (host >= link::kMaxHosts || packet.descriptors.empty()) return false;
+  inbox_->offer(host, CommandInbox::HostView::open(std::move(packet.descriptors.front())));
+  return true;
+}
+
+void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ended) {
+  link::Packet packet;
+  while (!ended) {
+    const link::Received received = supervisor.receive(packet, kLook);
+    if (received == link::Received::kTimeout) continue;
+    if (received == link::Received::kClosed || packet.verb() == "end") break;
+    if (packet.verb() != "host" || !replaceHost(packet)) supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
+  }
+  loop_->stop();
+}
+
+}  // namespace robotui::rt::hal

@@ -1,0 +1,62 @@
+// The tip of a chain goes to a pose with limited speed, the joints within their limits.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "robotui/rt/plugin/control_plugin.h"
+
+namespace robotui::rt::plugins {
+
+// Parameters: `chain` (needed where the robot has several), `linear_speed` (m/s, default 0.1), `angular_speed` (rad/s, default 0.5), `damping`
+// (of the least squares, default 0.02), `pose` ([x, y, z, roll, pitch, yaw] in m and rad in the frame of the chain's base link, to go to at the start).
+// Commands: `pose X Y Z [ROLL PITCH YAW]`, `move DX DY DZ [DROLL DPITCH DYAW]` from where the tip is to go now, `stop`.
+class CartesianMotion final : public ControlPlugin {
+ public:
+  bool init_control_plugin(Setup& setup) override;
+  void on_start(double time) override;
+  void control_loop(double time, double period) override;
+  void on_stop(double time) override;
+  bool on_command(std::string_view words) override;
+  std::string_view status() const noexcept override { return status_; }
+
+ private:
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+  struct Moved {
+    Joint* joint;
+    int in_model;
+    double position;  // of the reference
+    double velocity;
+    bool held;  // at its limit, in this cycle
+  };
+
+  bool findChain(Setup& setup);
+  void updateModel() noexcept;
+  Eigen::Isometry3d tip() const noexcept;
+  Vector6 advance(double period) noexcept;
+  bool solve(const Vector6& twist) noexcept;
+  bool holdAtLimits(double period) noexcept;
+  void limitVelocities() noexcept;
+  void integrate(double period) noexcept;
+  bool setTarget(const double* numbers, int count) noexcept;
+  bool moveTarget(const double* numbers, int count) noexcept;
+
+  std::unique_ptr<ModelInterface> model_;
+  LinkId base_;
+  LinkId tip_;
+  std::vector<Moved> joints_;
+  Eigen::VectorXd positions_;   // of the model
+  Eigen::MatrixXd jacobian_;    // of the model
+  Eigen::Matrix<double, 6, Eigen::Dynamic> reduced_;  // of the chain, in the axes of its base
+  double linear_speed_ = 0.1;
+  double angular_speed_ = 0.5;
+  double damping_ = 0.02;
+  std::vector<double> first_pose_;
+  Eigen::Isometry3d target_ = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d path_ = Eigen::Isometry3d::Identity();  // where the tip should be now, on the way to the target
+  Eigen::Isometry3d at_ = Eigen::Isometry3d::Identity();
+  std::string_view status_ = "stopped";
+};
+
+}  // namespace robotui::rt::plugins

@@ -1,0 +1,36 @@
+// Moves the robot to a posture of its SRDF, smoothly and within its velocity limits.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "robotui/rt/plugin/control_plugin.h"
+
+namespace robotui::rt::plugins {
+
+// Parameters: `posture` (default home), `joints` or `chains` (default: all joints of the posture), `speed` (fraction of the velocity limits,
+// default 0.3), `time` (seconds; never shorter than the limits allow).
+class Homing final : public ControlPlugin {
+ public:
+  bool init_control_plugin(Setup& setup) override;
+  void on_start(double time) override;
+  void control_loop(double time, double period) override;
+  std::string_view status() const noexcept override { return status_; }
+
+ private:
+  struct Way {
+    Joint* joint;
+    double from;
+    double to;
+  };
+
+  std::vector<Way> ways_;
+  double speed_ = 0.3;
+  double least_seconds_ = 0;
+  double seconds_ = 0;
+  double begun_ = 0;
+  std::string_view status_ = "stopped";
+};
+
+}  // namespace robotui::rt::plugins

@@ -1,0 +1,4 @@
+#include "joint_impedance.h"
+
+using robotui::rt::plugins::JointImpedance;
+ROBOTUI_RT_PLUGIN(JointImpedance)

@@ -1,0 +1,81 @@
+#include "plugin_ports.h"
+
+#include "conversions.h"
+#include "robotui/rt/link/clock.h"
+
+namespace robotui::rt::ros_face {
+namespace {
+
+constexpr std::int64_t kLookEvery = 100 * link::kMillisecond;
+
+std::unique_ptr<ChannelDirectory> directoryOf(ChannelSegment* own, std::vector<const ChannelSegment*> hosts) {
+  if (own == nullptr) return nullptr;
+  hosts.push_back(own);
+  return std::make_unique<ChannelDirectory>(*own, std::move(hosts));
+}
+
+}  // namespace
+
+std::string PortPlace::topic(const std::string& name) const {
+  if (name.starts_with('/')) return name;
+  return "/xbotcore/" + rosName(plugin) + (name.empty() ? "" : "/" + name);
+}
+
+PluginPorts::PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, Say say)
+    : channels_(directoryOf(own, std::move(hosts))), queue_(queue), say_(std::move(say)) {
+  for (const auto& each : plan.plugins) plugins_[each.plugin.name];
+}
+
+void PluginPorts::turn() {
+  if (channels_ == nullptr) return;
+  if (const std::int64_t now = link::now(); now - looked_ns_ > kLookEvery) {
+    looked_ns_ = now;
+    look();
+  }
+  for (auto& [plugin, places] : plugins_) {
+    for (Place& place : places) {
+      if (place.port != nullptr) place.port->turn();
+    }
+  }
+}
+
+// Ports are announced from 0 on without a gap.
+void PluginPorts::look() {
+  for (auto& [plugin, places] : plugins_) {
+    std::size_t index = 0;
+    while (index < ros::kMostPorts && look(plugin, places, index)) ++index;
+    if (index < places.size()) places.resize(index);
+  }
+}
+
+bool PluginPorts::look(const std::string& plugin, std::vector<Place>& places, std::size_t index) {
+  if (index == places.size()) {
+    Reader reader(*channels_, ros::announcementName(plugin, index));
+    if (!reader.isConnected()) return false;
+    places.push_back({std::move(reader), 0, nullptr});
+  }
+  Place& place = places[index];
+  if (!place.reader.latest(*packet_)) return place.reader.isConnected();
+  try {
+    const ros::Announcement announcement = ros::readAnnouncement(packet_->bytes());
+    if (announcement.generation != place.generation) offer(plugin, place, index, announcement);
+  } catch (const std::exception& e) {
+    if (place.generation != 1) say_("warn", "the plugin " + plugin + " announced something that is no topic: " + e.what());
+    place.generation = 1;
+    place.port.reset();
+  }
+  return true;
+}
+
+void PluginPorts::offer(const std::string& plugin, Place& place, std::size_t index, const ros::Announcement& announcement) {
+  place.port.reset();
+  place.generation = announcement.generation;
+  const PortPlace where{*channels_, plugin, index, queue_, say_};
+  try {
+    place.port = makePort(announcement, where);
+  } catch (const std::exception& e) {
+    say_("error", "the plugin " + plugin + " cannot have " + where.topic(announcement.name) + ": " + e.what());
+  }
+}
+
+}  // namespace robotui::rt::ros_face

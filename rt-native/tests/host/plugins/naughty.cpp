@@ -1,0 +1,73 @@
+// A plugin that holds a joint, and does what it is told: whatever a bad plugin can do to its host.
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "robotui/rt/plugin/control_plugin.h"
+
+namespace {
+
+using namespace robotui::rt;
+
+class Naughty final : public ControlPlugin {
+ public:
+  bool init_control_plugin(Setup& setup) override {
+    const auto at_init = setup.params()["init"].as<std::string>("");
+    if (at_init == "throw") throw std::runtime_error("it was told to throw");
+    if (at_init == "crash") crash();
+    if (at_init == "refuse") setup.fail("it was told to refuse");
+    for (const auto& name : setup.params()["joints"]) joint_ = setup.robot().findJoint(name.as<std::string>());
+    return at_init != "refuse";
+  }
+  void on_start(double /*time*/) override { held_ = joint_ == nullptr ? 0 : joint_->getJointPosition(); }
+  void control_loop(double /*time*/, double /*period*/) override {
+    if (joint_ != nullptr) joint_->setPositionReference(held_);
+    misbehave();
+  }
+  bool on_command(std::string_view words) override {
+    todo_ = words;
+    return words != "nonsense";
+  }
+  std::string_view status() const noexcept override { return todo_.empty() ? "well" : "told"; }
+
+ private:
+  // Without the handler of a sanitizer, which would make an exit of it.
+  static void crash() {
+    std::signal(SIGSEGV, SIG_DFL);
+    std::raise(SIGSEGV);
+  }
+  // Everything that its process has mapped writable from the link: its own segments.
+  static void scribble() {
+    std::FILE* maps = std::fopen("/proc/self/maps", "r");
+    std::array<char, 512> line{};
+    while (std::fgets(line.data(), static_cast<int>(line.size()), maps) != nullptr) {
+      unsigned long begin = 0;
+      unsigned long end = 0;
+      std::array<char, 5> rights{};
+      const bool is_map = std::sscanf(line.data(), "%lx-%lx %4s", &begin, &end, rights.data()) == 3;
+      if (is_map && rights[1] == 'w' && std::strstr(line.data(), "/memfd:") != nullptr) {
+        std::memset(reinterpret_cast<void*>(begin), 0xff, end - begin);
+      }
+    }
+    std::fclose(maps);
+  }
+  void misbehave() {
+    if (todo_ == "crash") crash();
+    if (todo_ == "exit") std::_Exit(3);
+    if (todo_ == "throw") throw std::runtime_error("it was told to throw");
+    if (todo_ == "scribble") scribble();
+    while (todo_ == "spin") spun_ = spun_ + 1;
+  }
+
+  Joint* joint_ = nullptr;
+  double held_ = 0;
+  std::string todo_;
+  volatile std::uint64_t spun_ = 0;
+};
+
+}  // namespace
+
+ROBOTUI_RT_PLUGIN(Naughty)

@@ -1,0 +1,83 @@
+// A plugin without a host: its robot is memory, and does at once what it is told.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "robotui/rt/link/allocations.h"
+#include "robotui/rt/plugin/control_plugin.h"
+#include "robots.h"
+
+namespace robotui::rt::plugins {
+
+class FakeRobot final : public RobotInterface {
+ public:
+  using RobotInterface::RobotInterface;
+  bool sense() noexcept override { return true; }
+  bool move() noexcept override { return true; }
+  link::JointState& state(const std::string& name) { return states()[static_cast<std::size_t>(findJoint(name)->index())]; }
+  link::ImuState& imu() { return imuStates()[0]; }
+  void take(const std::string& posture) {
+    for (const auto& there : description().postures) {
+      if (there.name != posture) continue;
+      for (const auto& [name, angle] : there.joints) state(name).link_position = angle;
+    }
+  }
+  // References of positions are reached in the same cycle.
+  void follow() {
+    for (int i = 0; i < getJointNum(); ++i) {
+      if ((joint(i).command().mode & link::kPosition) == 0) continue;
+      states()[static_cast<std::size_t>(i)].link_position = joint(i).command().position;
+    }
+  }
+};
+
+class FakeLog final : public RtLog {
+ public:
+  void info(std::string_view /*line*/) noexcept override {}
+  void warn(std::string_view /*line*/) noexcept override {}
+  void error(std::string_view /*line*/) noexcept override {}
+};
+
+class FakeSetup final : public Setup {
+ public:
+  FakeSetup(RobotPtr of, const std::string& params) : described_(std::move(of)), params_(YAML::Load(params)), robot_(described_) { robot_.take("home"); }
+
+  const std::string& name() const override { return name_; }
+  const YAML::Node& params() const override { return params_; }
+  double period() const override { return 0.001; }
+  FakeRobot& robot() override { return robot_; }
+  RtLog& log() override { return log_; }
+  ChannelDirectory& channels() override { throw std::logic_error("these plugins have no channels"); }
+  std::unique_ptr<ModelInterface> createModel() override { return ModelInterface::create("KDL", described_); }
+  const link::MasterSegment& master() override { throw std::logic_error("these plugins have no master"); }
+  void claim(const std::vector<std::string>& joints) override { claimed = joints; }
+  void fail(const std::string& why) override { failure = why; }
+
+  std::vector<std::string> claimed;
+  std::string failure;
+
+ private:
+  RobotPtr described_;
+  std::string name_ = "plugin";
+  YAML::Node params_;
+  FakeRobot robot_;
+  FakeLog log_;
+};
+
+// Cycles of a millisecond; none may allocate.
+inline void run(ControlPlugin& plugin, FakeSetup& setup, int cycles) {
+  const auto before = link::allocationCount().calls;
+  {
+    const link::CountAllocations counting;
+    for (int i = 0; i < cycles; ++i) {
+      plugin.control_loop(0.001 * i, 0.001);
+      setup.robot().follow();
+    }
+  }
+  EXPECT_EQ(link::allocationCount().calls, before) << "allocations in the cycle";
+}
+
+}  // namespace robotui::rt::plugins
