@@ -5,16 +5,18 @@
 readonly BENCHES=$ROOT/tests/bench
 
 cmd_bench() {
-  [[ $# -le 1 ]] || usage_error "bench takes one name at most"
   local names name results failed=()
   names=$(bench_names "${1:-}")
   [[ -n $names ]] || no_bench "${1:-}"
+  [[ $# -le 1 || $1 == rt ]] || usage_error "the benchmark $1 takes no options"
+  [[ ${2:-} != --help ]] || exec "$BENCHES/$1/run" --help
+  [[ $# -eq 0 ]] || shift
   need_packages "The benchmarks" "${PEER_PACKAGES[@]}" || true
   need_product
   results=$(mktemp)
   for name in $names; do
     say "Measuring $name"
-    run_bench "$name" >>"$results" || failed+=("$name")
+    run_bench "$name" "$@" >>"$results" || failed+=("$name")
   done
   [[ ! -s $results ]] || /usr/bin/python3 "$ROOT/tools/bench_table.py" <"$results" || failed+=(table)
   rm -f "$results"
@@ -36,9 +38,12 @@ no_bench() {
   exit 2
 }
 
-# One that prints no figure has not measured.
+# NAME [OPTION...], the options being the run's own. One that prints no figure has not measured.
 run_bench() {
-  local figures
-  figures=$(cd "$BENCHES/$1" && ROBOTUI_ROOT=$ROOT ROBOTUI_PLUGINS=$HEADLESS_PRODUCT/plugins ./run </dev/null) || return 1
+  local figures name=$1
+  shift
+  [[ $name != rt ]] || need_native_benches || return 1
+  figures=$(cd "$BENCHES/$name" && ROBOTUI_ROOT=$ROOT ROBOTUI_PLUGINS=$HEADLESS_PRODUCT/plugins ROBOTUI_NATIVE=$NATIVE_BUILD \
+    ROBOTUI_WINDOW_PRODUCT=$WINDOW_PRODUCT ROBOTUI_SIMULATOR_PATH=$(simulator_classpath) ./run "$@" </dev/null) || return 1
   [[ -n $figures ]] && printf '%s\n' "$figures"
 }

@@ -25,7 +25,8 @@ boot_maven() {
   rm -rf "$away"
 }
 
-# maven LOG ARGUMENT...: one line a module on stderr, everything in LOG, the relevant errors at the end.
+# maven LOG ARGUMENT...: one line a module and a class of tests on stderr, two a failed test, everything in LOG, the relevant
+# errors at the end.
 maven() {
   local log=$1 rc=0
   shift
@@ -46,12 +47,19 @@ maven_progress() {
     /Tests run:.* -- in / {
       mark = /FAILURE|ERROR/ ? "FAILED " : ""
       name = $0; sub(/.* -- in /, "", name); run = $0; sub(/.*Tests run: /, "", run); sub(/,.*/, "", run)
-      printf "           %s%s: %s\n", mark, name, run; fflush()
-    }'
+      printf "           %s%s: %s\n", mark, name, run; fflush(); next
+    }
+    /-- Time elapsed: .* <<< (FAILURE|ERROR)!$/ {
+      name = $0; sub(/^\[ERROR\] /, "", name); sub(/ -- Time elapsed.*/, "", name)
+      printf "             %s\n", name; fflush(); why = 1; next
+    }
+    # A reason of many lines begins on the line after the name of the exception.
+    why && /^(\tat |$|\[)/ { why = 0 }
+    why { printf "               %s\n", substr($0, 1, 1500); fflush(); if (++why > 12 || why == 2 && !/: $/) why = 0 }'
 }
 
 maven_errors() {
   say ""
-  grep -E '^\[ERROR\]' "$1" | sed -e 's/^\[ERROR\] *//' -e "s,$ROOT/,," -e '/\[Help 1\]$/q' | grep -v '^$' | head -n 40 >&2 || true
+  grep -aE '^\[ERROR\]' "$1" | sed -e 's/^\[ERROR\] *//' -e "s,$ROOT/,," -e '/\[Help 1\]$/q' | grep -v '^$' | head -n 40 >&2 || true
   say "The whole log: $1"
 }

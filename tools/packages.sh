@@ -3,13 +3,15 @@
 
 readonly WINDOW_PACKAGES=("libgtk-3-0t64|libgtk-3-0" fonts-dejavu-core adwaita-icon-theme)
 readonly BUILD_PACKAGES=(maven)
-readonly DISPLAY_PACKAGES=(xvfb openbox dbus-x11 xdotool imagemagick x11-utils)
+readonly DISPLAY_PACKAGES=(xvfb libgl1 libgl1-mesa-dri openbox dbus-x11 xdotool imagemagick x11-utils)
 readonly PEER_PACKAGES=(
   python3-pytest python3-yaml python3-numpy
   python3-roslaunch python3-rostopic python3-rosbag python3-rosservice python3-rosnode python3-rosparam
   python3-sensor-msgs python3-nav-msgs python3-tf2-msgs python3-std-srvs python3-diagnostic-msgs
-  libroscpp-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev g++ pkg-config
+  python3-actionlib python3-dynamic-reconfigure python3-move-base-msgs
+  libroscpp-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libnav-msgs-dev libtf2-msgs-dev g++ pkg-config
 )
+readonly RT_BENCH_PACKAGES=(rt-tests stress-ng libbenchmark-dev)
 
 # need_packages PURPOSE PACKAGE...: fails when something is missing and cannot be installed.
 need_packages() {

@@ -20,7 +20,8 @@ cmd_run() {
   esac
   need_product
   trap end_everything EXIT
-  wants_simulator "${configs[@]}" && start_simulator "$stay"
+  ! wants_simulator "${configs[@]}" || start_simulator "$stay"
+  start_controls "${configs[@]}"
   run_application "$mode" -config "${configs[@]}" "${options[@]}"
 }
 
@@ -33,6 +34,11 @@ parse_run_options() {
       --stay) stay=yes ;;
       --for) require_seconds "$1" "${2:-}"; options+=(-for "$2"); shift ;;
       --after) require_seconds "$1" "${2:-}"; window_options+=(-after "$2"); shift ;;
+      --measure)
+        [[ -n ${2:-} ]] || usage_error "--measure needs a file"
+        window_options+=(-measure "$(realpath -m "$2")")
+        shift
+        ;;
       --theme) [[ ${2:-} =~ ^(light|dark)$ ]] || usage_error "--theme is light or dark"; window_options+=(-theme "$2"); shift ;;
       --screenshot)
         [[ -n ${2:-} ]] || usage_error "--screenshot needs a file"
@@ -177,6 +183,7 @@ end_everything() {
     end_process "$simulator"
     rm -rf "$simulator_dir"
   fi
+  end_controls
 }
 
 # Politely, and after five seconds not.

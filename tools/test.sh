@@ -7,8 +7,8 @@ cmd_test() {
   while [[ $# -gt 0 ]]; do
     case $1 in
       --long) export ROBOTUI_LONG=1 ;;
-      all | unit | architecture | osgi | e2e) part=$1 ;;
-      *) usage_error "test knows the parts unit, architecture, osgi and e2e, not '$1'" ;;
+      all | unit | architecture | osgi | native | lint | e2e) part=$1 ;;
+      *) usage_error "test knows the parts unit, architecture, osgi, native, lint and e2e, not '$1'" ;;
     esac
     shift
   done
@@ -17,15 +17,20 @@ cmd_test() {
   prepare_tests "$part"
   trap end_display EXIT
   broken=''
-  [[ $part == e2e ]] || test_with_maven "$part"
+  [[ $part == e2e || $part == native || $part == lint ]] || test_with_maven "$part"
+  [[ $part != lint ]] || test_lint
+  [[ $part != native && $part != all ]] || test_native
   [[ $part != e2e && $part != all ]] || test_end_to_end
   close_tests
 }
 
 prepare_tests() {
+  [[ $1 != all && $1 != native ]] || fetch_mujoco || say "  MuJoCo could not be fetched: its tests will say that they were skipped."
+  [[ $1 != native && $1 != lint ]] || return 0
   need_jdk
   need_maven
   [[ $1 == architecture ]] && return 0
+  need_link
   need_packages "Tests against real ROS tools" "${PEER_PACKAGES[@]}" \
     || say "  Tests that need them will say that they were skipped."
   [[ $1 == unit ]] && return 0
@@ -39,6 +44,7 @@ prepare_tests() {
 test_with_maven() {
   local arguments=(-Dmaven.test.failure.ignore=true)
   clear_reports
+  clear_classes
   clear_test_classes
   case $1 in
     all)          arguments+=(-Dskip.archive=true) ;;
@@ -108,13 +114,13 @@ end_display() {
 
 # ---- the sum --------------------------------------------------------------------------------------------------------
 
-reports() { find "$ROOT"/bundles "$ROOT"/tests -path '*/target/*' -name 'TEST-*.xml' 2>/dev/null; }
+reports() { find "$ROOT"/bundles "$ROOT"/tests "$ROOT"/rt-native -path '*/target/*' -name 'TEST-*.xml'; }
 
 clear_reports() { reports | xargs -r rm -f; }
 
-# Sums one attribute over the <testsuite> elements of all reports.
+# Sums one attribute over the <testsuite> elements of all reports; some runners leave out what is zero.
 sum_of() {
-  reports | xargs -r grep -ho '<testsuite [^>]*>' | grep -o " $1=\"[0-9]*\"" | tr -dc '0-9\n' | awk '{ n += $1 } END { print n + 0 }'
+  reports | xargs -r grep -ho '<testsuite [^>]*>' | { grep -o " $1=\"[0-9]*\"" || true; } | tr -dc '0-9\n' | awk '{ n += $1 } END { print n + 0 }'
 }
 
 close_tests() {

@@ -7,14 +7,21 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import time
 
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "shared"))
+
+from ports import free_port  # noqa: E402
+
 SHARED = pathlib.Path(os.environ.get("ROBOTUI_SHARED", ROOT.parent / "shared"))
 ROS_TOOLS = ("roscore", "rostopic", "rosbag", "rosservice", "rosnode", "rosparam")
 NO_DISPLAY = ("DISPLAY", "WAYLAND_DISPLAY")
+RT_BIN = ROOT / "rt-native/target/release/bin"
+needs_rt = pytest.mark.skipif(not (RT_BIN / "robotui-rt").exists(), reason="rt-native is not built: ./robotui rt-ctl --help builds it")
 
 
 def wait_for(condition, seconds=30, what="it"):
@@ -28,10 +35,17 @@ def wait_for(condition, seconds=30, what="it"):
     raise AssertionError(f"waited {seconds} s for {what}")
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+def processes_of(program, *words):
+    """The ids of all processes of a program that have all these words among their arguments."""
+    found = []
+    for each in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            arguments = (each / "cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue
+        if arguments[0].endswith(b"/" + program.encode()) and all(str(word).encode() in arguments for word in words):
+            found.append(int(each.name))
+    return found
 
 
 class Processes:
@@ -67,6 +81,22 @@ def end(process, how=signal.SIGINT, patience=10):
         break
     with contextlib.suppress(ProcessLookupError):
         os.killpg(process.pid, signal.SIGKILL)
+
+
+def below(pid):
+    """The children of a process and theirs, in whatever session they are: roscore gives its master one of its own."""
+    children = pathlib.Path(f"/proc/{pid}/task/{pid}/children")
+    found = [int(child) for child in children.read_text(encoding="ascii").split()] if children.exists() else []
+    return found + [deeper for child in found for deeper in below(child)]
+
+
+def kill_all_of(process):
+    """Ends a program and all that it started at once, as the end of their machine does."""
+    started = below(process.pid)
+    end(process, how=signal.SIGKILL)
+    for pid in started:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
 
 
 class Robot:

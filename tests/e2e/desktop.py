@@ -11,7 +11,7 @@ from conftest import Robot, start_robotui, wait_for
 
 TOOLS = ("xdotool", "import", "convert")
 DARK = {"ground": 0x1b1f24, "panel": 0x22272e, "text": 0xd7dde4, "accent": 0x4da3ff, "good": 0x3fb68b, "bad": 0xe5534b,
-        "laser": 0xff8a65, "robot": 0x448bd8}
+        "warning": 0xe0a93b, "laser": 0xff8a65, "robot": 0x448bd8}
 LIGHT = {"ground": 0xf2f4f7, "panel": 0xffffff, "text": 0x1f2730, "accent": 0x0b63c4, "good": 0x0a7350, "bad": 0xc4302b,
          "laser": 0xd1491c}
 TOP_BAR = 44
@@ -70,7 +70,7 @@ class Window:
     def __init__(self, process):
         self.process = process
         self._stick = None
-        self.id = wait_for(self._find, seconds=40, what="the window")
+        self.id = wait_for(self._find, seconds=120, what="the window")
 
     @staticmethod
     def open(robot, *arguments, name="window"):
@@ -114,6 +114,12 @@ class Window:
 
     def _dot(self, role):
         return self.picture().count(DARK[role], 12, 80, 28, 112)
+
+    def is_yours(self):
+        """Whether the dot of the lease, left of the stop, is full and green: the robot is driven from this window."""
+        picture = self.picture()
+        stop = self._left_of_stop(picture)
+        return picture.count(DARK["good"], stop - LEASE - 20, 0, stop, TOP_BAR) > 40
 
     def stop_button(self):
         picture = self.picture()

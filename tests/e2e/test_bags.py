@@ -14,7 +14,7 @@ BAGS = {
                       "turtle1/cmd_vel": "VelocityCommand", "tf": "TransformSet"}),
     "turtlesim_bz2": (2, {"turtle2/pose": "DynamicRecord"}),
     "turtlesim_lz4": (2, {"turtle2/pose": "DynamicRecord"}),
-    "marker_cube": (0.01, {"marker_in_parent_frame": "DynamicRecord", "tf": "TransformSet"}),
+    "marker_cube": (0.01, {"marker_in_parent_frame": "MarkerSet", "tf": "TransformSet"}),
 }
 
 

@@ -4,7 +4,7 @@ import signal
 
 import pytest
 
-from conftest import Robot, end, free_port, last_of, listening, start_robotui, wait_for
+from conftest import Robot, end, free_port, kill_all_of, last_of, listening, start_robotui, wait_for
 
 SCRIPT = pathlib.Path(__file__).parent / "peers" / "rospy_robot.py"
 
@@ -49,7 +49,8 @@ def test_master_and_robot_that_were_killed_are_taken_up_again_in_any_order(graph
     comes_alive(robotui)
 
     for part in parts:
-        end(part, how=signal.SIGKILL)
+        kill_all_of(part)
+    wait_for(lambda: not listening(graph.port), what="the master's end")
     goes(robotui)
     for start in order:
         start(graph, f"{start.__name__}2")

@@ -1,6 +1,8 @@
 """From the rounds of all subscribers to figures: medians, with the quartiles as their interval."""
 import statistics
 
+from spread import interval
+
 OURS = "robotui"
 
 # What a round's result is turned into, by figure: (kind of round, function of its result).
@@ -20,23 +22,16 @@ GOALS = {
 }
 
 
-def interval(values):
-    """The quartiles, which noise of single rounds does not move."""
-    if len(values) < 2:
-        return [round(value, 3) for value in (*values, *values)]
-    low, _, high = statistics.quantiles(values, n=4, method="inclusive")
-    return [round(low, 3), round(high, 3)]
-
-
 def compared(figure, ours, peer, peer_name, goal):
-    ratio = statistics.median(ours) / statistics.median(peer)
+    ratios = [a / b for a, b in zip(ours, peer)]                # of neighbours in time, that the machine treats more alike
+    ratio = statistics.median(ratios)
     bound, more = goal or (None, None)
     text = goal and (f">= {bound}" if more else f"<= {bound} (lower is better)")
     return {"bench": "ros", "figure": figure, "ours": round(statistics.median(ours), 3), "peer": round(statistics.median(peer), 3),
             "peer_name": peer_name, "ratio": round(ratio, 3), "goal": text,
             "holds": goal and (ratio >= bound if more else ratio <= bound),
             "ours_quartiles": interval(ours), "peer_quartiles": interval(peer),
-            "ratio_quartiles": interval([a / b for a, b in zip(ours, peer)]), "rounds": len(ours)}
+            "ratio_quartiles": interval(ratios), "rounds": len(ours)}
 
 
 def lost(kind, what, ours, peer, peer_name):

@@ -10,37 +10,54 @@ import org.robotui.api.port.Port;
  */
 public interface ComponentType {
   /**
-   * The word used in configurations, for example {@code ros} or {@code map}; unique among types of its kind.
+   * All that is to be known of the type.
    *
-   * @return the id
+   * @return always the same
    */
-  String id();
+  Descriptor descriptor();
+
+  /**
+   * The word used in configurations.
+   *
+   * @return {@link Descriptor#id()}
+   */
+  default String id() {
+    return descriptor().id();
+  }
 
   /**
    * The name that users read.
    *
-   * @return the label
+   * @return {@link Descriptor#label()}
    */
-  String label();
+  default String label() {
+    return descriptor().label();
+  }
 
   /**
    * A sentence for users.
    *
-   * @return what it is for
+   * @return {@link Descriptor#help()}
    */
-  String help();
+  default String help() {
+    return descriptor().help();
+  }
 
   /**
    * What it can be configured with.
    *
-   * @return the schema
+   * @return {@link Descriptor#schema()}
    */
-  Schema schema();
+  default Schema schema() {
+    return descriptor().schema();
+  }
 
   /**
-   * The ports that it always has. A robot interface may offer more while it runs.
+   * The ports that it always has.
    *
-   * @return the ports
+   * @return {@link Descriptor#ports()}
    */
-  List<Port> ports();
+  default List<Port> ports() {
+    return descriptor().ports();
+  }
 }

@@ -1,5 +1,6 @@
 package org.robotui.api;
 
+import java.nio.file.Path;
 import java.util.concurrent.ThreadFactory;
 import org.robotui.api.frame.FrameSink;
 import org.robotui.api.link.LinkReporter;
@@ -57,4 +58,11 @@ public interface RficContext {
    * @return the sink
    */
   FrameSink frames();
+
+  /**
+   * Where the instance may keep files from one start to the next, for example what to tidy up after a crash.
+   *
+   * @return a folder that all instances of its type share; it may not exist yet
+   */
+  Path stateFolder();
 }

@@ -5,7 +5,7 @@ public interface Uic extends AutoCloseable {
   /**
    * Takes the newest data from the inputs and prepares what is to be shown. Called on this instance's own worker thread, at
    * most at the rate of its type, only while its RUIC is selected. One that throws or does not return within two seconds is
-   * fenced: the instance fails, the others go on.
+   * fenced: the instance fails, the others go on. The first one has ten seconds, since its classes may have to be loaded.
    *
    * @param nowNanos {@link System#nanoTime()}
    * @return true where there is something new to show

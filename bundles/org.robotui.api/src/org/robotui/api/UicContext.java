@@ -1,5 +1,8 @@
 package org.robotui.api;
 
+import java.util.List;
+import java.util.concurrent.Executor;
+import org.robotui.api.alert.AlertSource;
 import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.SettingsStore;
@@ -87,6 +90,35 @@ public interface UicContext {
    * @return the frames
    */
   Frames frames();
+
+  /**
+   * All RUICs of the workbench, that of this view among them.
+   *
+   * @return the RUICs in the order in which they were added
+   */
+  List<RuicView> ruics();
+
+  /**
+   * Runs what may block: asking a robot, reading or writing a file. The tasks of one view run in order, on a thread that core owns;
+   * they are interrupted, and what waits is forgotten, when the view ends.
+   *
+   * @return takes tasks from any thread; one that throws is logged
+   */
+  Executor background();
+
+  /**
+   * Tells the user of something that cannot wait until the view is looked at. Shown by the application, whatever it shows.
+   *
+   * @param message a sentence; the name of the RUIC is put before it
+   */
+  void alert(String message);
+
+  /**
+   * Where this view keeps users informed of what lasts, so that they can list, mute and acknowledge it.
+   *
+   * @return where to say it, always the same
+   */
+  AlertSource alerts();
 
   /**
    * The settings of this view, for changing them.

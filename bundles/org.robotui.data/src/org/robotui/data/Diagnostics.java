@@ -59,4 +59,14 @@ public record Diagnostics(List<Item> items) implements Keyed<Diagnostics> {
   public Diagnostics over(Diagnostics older) {
     return new Diagnostics(Merge.byKey(older.items, items, Item::name));
   }
+
+  @Override
+  public int keys() {
+    return items.size();
+  }
+
+  @Override
+  public Diagnostics last(int most) {
+    return new Diagnostics(Merge.last(items, most));
+  }
 }

@@ -32,4 +32,14 @@ public record JointState(List<Joint> joints) implements Keyed<JointState> {
   public JointState over(JointState older) {
     return new JointState(Merge.byKey(older.joints, joints, Joint::name));
   }
+
+  @Override
+  public int keys() {
+    return joints.size();
+  }
+
+  @Override
+  public JointState last(int most) {
+    return new JointState(Merge.last(joints, most));
+  }
 }

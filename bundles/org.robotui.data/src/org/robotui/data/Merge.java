@@ -15,4 +15,8 @@ final class Merge {
     newer.forEach(v -> merged.put(key.apply(v), v));
     return List.copyOf(merged.values());
   }
+
+  static <V> List<V> last(List<V> values, int most) {
+    return values.subList(Math.max(0, values.size() - most), values.size());
+  }
 }

@@ -22,4 +22,14 @@ public record RangeReadings(List<RangeReading> readings) implements Keyed<RangeR
   public RangeReadings over(RangeReadings older) {
     return new RangeReadings(Merge.byKey(older.readings, readings, RangeReading::frame));
   }
+
+  @Override
+  public int keys() {
+    return readings.size();
+  }
+
+  @Override
+  public RangeReadings last(int most) {
+    return new RangeReadings(Merge.last(readings, most));
+  }
 }

@@ -24,4 +24,14 @@ public record TransformSet(List<FrameTransform> transforms) implements Keyed<Tra
   public TransformSet over(TransformSet older) {
     return new TransformSet(Merge.byKey(older.transforms, transforms, t -> new Edge(t.parent(), t.child())));
   }
+
+  @Override
+  public int keys() {
+    return transforms.size();
+  }
+
+  @Override
+  public TransformSet last(int most) {
+    return new TransformSet(Merge.last(transforms, most));
+  }
 }

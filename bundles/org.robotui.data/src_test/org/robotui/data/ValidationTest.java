@@ -32,6 +32,8 @@ class ValidationTest {
     assertRefused("latitude", () -> new GpsFix(FRAME, GpsFix.Quality.FIX, 42, 0, 0, 0));
     assertRefused("linear", () -> VelocityCommand.planar(Double.NaN, 0));
     assertRefused("robot", () -> new FrameId(" ", "base_link"));
+    assertRefused("robot", () -> new RobotDescription("", "/robot_description", "<robot/>", "", List.of()));
+    assertRefused("urdf", () -> new RobotDescription("robby", "/robot_description", " ", "", List.of()));
   }
 
   @Test

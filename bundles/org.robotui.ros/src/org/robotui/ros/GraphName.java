@@ -4,8 +4,9 @@ import java.util.Objects;
 
 /**
  * A name in the ROS graph: global ({@code /a/b}), relative ({@code a/b}) or private ({@code ~a}). It holds letters,
- * digits, underscores and slashes and starts with a letter, {@code /} or {@code ~}. Repeated and trailing slashes are
- * removed.
+ * digits, underscores and slashes and starts with a letter, {@code /} or {@code ~}. Global names are those that a master
+ * hands out, and some nodes register names that ROS only warns of: a global name may hold all visible ASCII characters but
+ * {@code ~}. Repeated and trailing slashes are removed.
  *
  * @param text the name as it is written
  */
@@ -121,14 +122,19 @@ public record GraphName(String text) implements Comparable<GraphName> {
         if (!isLetter(text.charAt(0)) && text.charAt(0) != '/' && text.charAt(0) != '~') {
             throw new InvalidNameException(text, "it must start with a letter, '/' or '~'");
         }
+        boolean global = text.charAt(0) == '/';
         for (int i = 1; i < text.length(); i++) {
-            checkFollowing(text, i);
+            checkFollowing(text, i, global);
         }
     }
 
-    private static void checkFollowing(String text, int index) {
+    private static void checkFollowing(String text, int index, boolean global) {
         char c = text.charAt(index);
-        if (!isLetter(c) && !(c >= '0' && c <= '9') && c != '_' && c != '/') {
+        if (global && (c <= ' ' || c >= '~')) {
+            throw new InvalidNameException(text, "'" + c + "' at position " + (index + 1)
+                    + "; only visible ASCII characters other than '~' may follow");
+        }
+        if (!global && !isLetter(c) && !(c >= '0' && c <= '9') && c != '_' && c != '/') {
             throw new InvalidNameException(text, "'" + c + "' at position " + (index + 1)
                     + "; only letters, digits, '_' and '/' may follow");
         }

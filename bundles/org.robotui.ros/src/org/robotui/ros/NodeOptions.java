@@ -1,7 +1,9 @@
 package org.robotui.ros;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
 
 /**
@@ -15,14 +17,16 @@ import java.util.concurrent.ThreadFactory;
  * @param masterCheck      how often the node checks that the master still knows it
  * @param minBackoff       the pause after the first failed attempt to reach a peer; doubles with each further one
  * @param maxBackoff       the longest pause between attempts
+ * @param records          a folder where the node keeps a note of itself while it is registered, see {@link Leftovers}; none if empty
  */
 public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMessageBytes, int maxHeaderBytes,
-        Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff) {
+        Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records) {
 
     /** Checks the bounds. */
     public NodeOptions {
         Objects.requireNonNull(threads, "threads");
         Objects.requireNonNull(links, "links");
+        Objects.requireNonNull(records, "records");
         if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || maxHeaderBytes < 64) {
             throw new IllegalArgumentException("messages of " + maxMessageBytes + " and headers of " + maxHeaderBytes + " bytes");
         }
@@ -39,7 +43,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
      */
     public static NodeOptions standard(ThreadFactory threads) {
         return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5), Duration.ofSeconds(2),
-                Duration.ofMillis(100), Duration.ofSeconds(5));
+                Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty());
     }
 
     /**
@@ -50,7 +54,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
      */
     public NodeOptions withLinks(LinkListener listener) {
         return new NodeOptions(threads, listener, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
-                maxBackoff);
+                maxBackoff, records);
     }
 
     /**
@@ -60,7 +64,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
      * @return the changed options
      */
     public NodeOptions withMaxMessageBytes(long bytes) {
-        return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff);
+        return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records);
     }
 
     /**
@@ -72,6 +76,18 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
      * @return the changed options
      */
     public NodeOptions withTimes(Duration handshake, Duration check, Duration longestWait) {
-        return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait);
+        return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait, records);
+    }
+
+    /**
+     * The same options with a folder for notes.
+     *
+     * @param folder where the node keeps a note of itself, so that {@link Leftovers} can clear up after a kill; made if
+     *               it is not there
+     * @return the changed options
+     */
+    public NodeOptions withRecords(Path folder) {
+        return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff,
+                Optional.of(folder));
     }
 }

@@ -1,5 +1,7 @@
 package org.robotui.ros;
 
+import java.util.Set;
+
 /**
  * Sends messages of one topic to all its subscribers. Any thread may use it.
  *
@@ -16,6 +18,13 @@ public interface Publisher<T> extends AutoCloseable {
     void publish(T message);
 
     /**
+     * Sends a message next, and drops those that still wait: a stop comes right behind what is on its way already.
+     *
+     * @param message the message
+     */
+    void publishUrgently(T message);
+
+    /**
      * The topic.
      *
      * @return its global name
@@ -28,6 +37,13 @@ public interface Publisher<T> extends AutoCloseable {
      * @return the number of links
      */
     int numSubscribers();
+
+    /**
+     * Who is connected.
+     *
+     * @return the node names the subscribers announced
+     */
+    Set<String> subscribers();
 
     /**
      * How many messages were dropped because a subscriber was too slow, over all subscribers so far.

@@ -6,8 +6,9 @@ package org.robotui.ros;
  * @param latch         whether the last message is kept and sent to each new subscriber
  * @param queueMessages how many messages wait per subscriber before the oldest are dropped
  * @param queueBytes    how many bytes wait per subscriber before the oldest messages are dropped; one always may wait
+ * @param prompt        whether as little as possible is entrusted to a network that stalls, because what comes late does harm
  */
-public record PublisherOptions(boolean latch, int queueMessages, long queueBytes) {
+public record PublisherOptions(boolean latch, int queueMessages, long queueBytes, boolean prompt) {
 
     /** Checks the bounds. */
     public PublisherOptions {
@@ -22,7 +23,7 @@ public record PublisherOptions(boolean latch, int queueMessages, long queueBytes
      * @return the default
      */
     public static PublisherOptions standard() {
-        return new PublisherOptions(false, 1000, 64L << 20);
+        return new PublisherOptions(false, 1000, 64L << 20, false);
     }
 
     /**
@@ -31,7 +32,7 @@ public record PublisherOptions(boolean latch, int queueMessages, long queueBytes
      * @return the options
      */
     public static PublisherOptions latched() {
-        return new PublisherOptions(true, 1000, 64L << 20);
+        return new PublisherOptions(true, 1000, 64L << 20, false);
     }
 
     /**
@@ -41,6 +42,16 @@ public record PublisherOptions(boolean latch, int queueMessages, long queueBytes
      * @return the changed options
      */
     public PublisherOptions withQueue(int messages) {
-        return new PublisherOptions(latch, messages, queueBytes);
+        return new PublisherOptions(latch, messages, queueBytes, prompt);
+    }
+
+    /**
+     * For commands: only the newest message waits, and a network that stalls holds the few that were on their way and
+     * no more, where it would else hold all that a long outage makes, and hand it out at its end.
+     *
+     * @return the options
+     */
+    public static PublisherOptions commands() {
+        return new PublisherOptions(false, 1, 64L << 20, true);
     }
 }

@@ -1,5 +1,7 @@
 package org.robotui.ros;
 
+import java.util.Set;
+
 /** Receives the messages of one topic from all its publishers. Any thread may use it. */
 public interface Subscriber extends AutoCloseable {
 
@@ -16,6 +18,13 @@ public interface Subscriber extends AutoCloseable {
      * @return the number of links that exchanged their headers
      */
     int numPublishers();
+
+    /**
+     * Who is connected.
+     *
+     * @return the node names the publishers announced
+     */
+    Set<String> publishers();
 
     /**
      * How many messages came in.

@@ -23,10 +23,16 @@ class GraphNameTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "1a", "_a", "a b", "a-b", "a~", "ä", "a:b", " a"})
+    @ValueSource(strings = {"", "1a", "_a", "a b", "a-b", "a~", "ä", "a:b", " a", "/a b", "/a~b", "/\u00e4", "/a\n", "~a-b"})
     void otherTextsAreRefusedWithTheReason(String text) {
         String message = assertThrows(InvalidNameException.class, () -> GraphName.of(text)).getMessage();
         assertTrue(message.contains("'" + text + "'"), message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"/front-left/scan", "/1a", "/camera.rgb/image", "/a:b", "/_a"})
+    void globalNamesAreTakenAsMastersHandThemOut(String text) {
+        assertEquals(text, NameResolver.of(GraphName.of("/n"), GraphName.ROOT, Map.of()).resolve(text).text());
     }
 
     @ParameterizedTest

@@ -6,10 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.ros.LinkEvent.Kind;
+import org.robotui.ros.internal.tcpros.ConnectionHeader;
+import org.robotui.ros.message.MessageInfo;
 import org.robotui.ros.message.MessageWriter;
 
 /** Publishers that lie, cut off or say nothing: each costs its own link, with a reason, and nothing else. */
@@ -97,6 +100,54 @@ class HostilePublisherTest {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    @Test
+    void aHeaderThatDrips() throws Exception {
+        CountDownLatch end = new CountDownLatch(1);
+        try (FakePublisher liar = new FakePublisher(graph, "/liar", out -> {
+            out.write(new MessageWriter().i32(10_000).toByteArray());
+            while (end.getCount() > 0) {
+                out.write('x');
+                LockSupport.parkNanos(50_000_000);
+            }
+        })) {
+            links.awaitReason(Kind.SUBSCRIPTION, "/chatter", "http://127.0.0.1:", "no answer within 2000 ms");
+        } finally {
+            end.countDown();
+        }
+    }
+
+    @Test
+    void anotherMd5Sum() throws Exception {
+        byte[] other = ConnectionHeader.of("/liar").with(new MessageInfo("std_msgs/Int32", "da5909fbe378aeaf85e547e830cc1bb7", "int32 data\n")).encode();
+        expect(out -> out.write(other), "/liar", "std_msgs/Int32 with MD5 sum da5909fbe378aeaf85e547e830cc1bb7", "expected std_msgs/String");
+    }
+
+    @Test
+    void aMessageThatDripsHoldsUpNoOther() throws Exception {
+        CountDownLatch end = new CountDownLatch(1);
+        try (FakePublisher liar = new FakePublisher(graph, "/liar", out -> {
+            out.write(FakePublisher.goodHeader());
+            out.write(new MessageWriter().i32(9_000_000).toByteArray());
+            while (end.getCount() > 0) {
+                out.write('x');
+                LockSupport.parkNanos(50_000_000);
+            }
+        })) {
+            Eventually.await("the link of the one that drips", () -> links.connected(Kind.SUBSCRIPTION) >= 2);
+            honest.publish("meanwhile");
+            Eventually.await("the honest publisher's message", () -> heard.contains("meanwhile"));
+        } finally {
+            end.countDown();
+        }
+    }
+
+    @Test
+    void namesAndReasonsWithoutEndAreCutToWhatCanBeRead() throws Exception {
+        byte[] book = ConnectionHeader.error("/liar" + "r".repeat(100_000), "no\n".repeat(100_000)).encode();
+        expect(out -> out.write(book), "/liarrr");
+        assertTrue(links.reasons(Kind.SUBSCRIPTION).stream().allMatch(reason -> reason.length() < 600 && reason.indexOf('\n') < 0));
     }
 
     @Test

@@ -92,10 +92,20 @@ class DemoTest {
     assertEquals("map", map.header().frameId());
     assertEquals("keira/laser", await(scans, any -> true).header().frameId());
     await(sonars, range -> range.header().frameId().equals("keira/sonar_15"));
-    assertEquals(20, fixed.transforms().size());
+    assertEquals(22, fixed.transforms().size());
     CompressedImage picture = await(pictures, any -> true);
     assertEquals((byte) 0xff, picture.data().get(0));
     assertEquals((byte) 0xd8, picture.data().get(1));
+  }
+
+  @Test
+  void itSaysWhatItIsMadeOfWithLinksNamedAsItsFrames() throws InterruptedException {
+    XmlRpcValue told = observer.parameters().get("/keira/robot_description").toOptional().orElseThrow();
+    String urdf = ((XmlRpcValue.Text) told).value();
+    TFMessage moving = await(listen("/tf", TFMessage.CODEC), message -> message.transforms().size() > 2);
+    List<String> frames = moving.transforms().stream().map(transform -> transform.childFrameId()).filter(name -> !name.endsWith("odom")).toList();
+    assertTrue(frames.contains("keira/left_wheel_link"), frames.toString());
+    frames.forEach(frame -> assertTrue(urdf.contains("<link name=\"" + frame + "\">"), frame));
   }
 
   @Test

@@ -5,10 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
@@ -24,7 +26,9 @@ public final class FakeInput<T extends Data> implements Input<T> {
   private final List<Envelope<T>> queue = new ArrayList<>();
   private Optional<Envelope<T>> last = Optional.empty();
   private InputState state = new InputState.Unconnected("nothing there offers such a port");
-  private long sequence;
+  private List<Candidate> candidates = List.of();
+  private Set<SourceId> chosen = Set.of();
+  private final Map<SourceId, Long> sequences = new LinkedHashMap<>();
   private long dropped;
 
   /**
@@ -48,6 +52,24 @@ public final class FakeInput<T extends Data> implements Input<T> {
   }
 
   /**
+   * Sets what could be chosen.
+   *
+   * @param fitting the candidates
+   */
+  public synchronized void candidates(List<Candidate> fitting) {
+    candidates = List.copyOf(fitting);
+  }
+
+  /**
+   * What the view has chosen last.
+   *
+   * @return the sources
+   */
+  public synchronized Set<SourceId> chosen() {
+    return chosen;
+  }
+
+  /**
    * Puts a value in; the input is live at 10 Hz by that.
    *
    * @param source where it comes from; connected by that
@@ -56,12 +78,37 @@ public final class FakeInput<T extends Data> implements Input<T> {
    * @param stamp when it was measured
    */
   public synchronized void put(SourceId source, T value, long receivedNanos, Optional<Stamp> stamp) {
-    Envelope<T> envelope = new Envelope<>(value, source, sequence++, stamp, receivedNanos, Optional.empty());
+    put(source, value, receivedNanos, stamp, Optional.empty());
+  }
+
+  /**
+   * Puts a value in together with the message that it came in; the input is live at 10 Hz by that.
+   *
+   * @param source where it comes from; connected by that
+   * @param value the value
+   * @param receivedNanos when it was received
+   * @param stamp when it was measured
+   * @param raw the message
+   */
+  public synchronized void put(
+      SourceId source, T value, long receivedNanos, Optional<Stamp> stamp, Optional<RawMessage> raw) {
+    Envelope<T> envelope = new Envelope<>(value, source, sequences.merge(source, 0L, (n, first) -> n + 1), stamp, receivedNanos, raw);
     newest.put(source, envelope);
     last = Optional.of(envelope);
     queue.add(envelope);
     state = new InputState.Live(10, 0);
     states.put(source, state);
+  }
+
+  /**
+   * Loses values on the way: the next of the source has a sequence number that much higher.
+   *
+   * @param source the source
+   * @param count how many are lost
+   */
+  public synchronized void skip(SourceId source, long count) {
+    sequences.merge(source, count - 1, (n, first) -> n + count);
+    dropped += count;
   }
 
   /**
@@ -100,6 +147,16 @@ public final class FakeInput<T extends Data> implements Input<T> {
   @Override
   public synchronized List<SourceId> sources() {
     return List.copyOf(states.keySet());
+  }
+
+  @Override
+  public synchronized List<Candidate> candidates() {
+    return candidates;
+  }
+
+  @Override
+  public synchronized void choose(Set<SourceId> sources) {
+    chosen = Set.copyOf(sources);
   }
 
   @Override

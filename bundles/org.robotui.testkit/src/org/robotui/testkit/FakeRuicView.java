@@ -2,6 +2,7 @@ package org.robotui.testkit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
@@ -21,6 +22,7 @@ public final class FakeRuicView implements RuicView {
   public record Connect(SourceId port, SourceId peer) {}
 
   private final FakeAuthority authority;
+  private final FakeAlerts alerts = new FakeAlerts();
   private final List<Connect> connects = new ArrayList<>();
   private RuicSnapshot snapshot;
 
@@ -66,6 +68,16 @@ public final class FakeRuicView implements RuicView {
   @Override
   public List<Authority> authorities() {
     return List.of(authority);
+  }
+
+  @Override
+  public Optional<Authority> authority(String component) {
+    return Optional.of(authority);
+  }
+
+  @Override
+  public FakeAlerts alerts() {
+    return alerts;
   }
 
   @Override

@@ -3,17 +3,17 @@ package org.robotui.testkit;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
 import org.robotui.api.UicContext;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.frame.Frames;
+import org.robotui.api.host.RuicView;
 import org.robotui.api.port.BrowseInput;
 import org.robotui.api.port.BrowsePort;
-import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.CallPort;
 import org.robotui.api.port.Caller;
 import org.robotui.api.port.CommandPort;
@@ -29,6 +29,11 @@ public final class FakeUicContext implements UicContext {
   private final FakeSettings settings;
   private final Map<String, FakeInput<?>> inputs = new ConcurrentHashMap<>();
   private final Map<String, FakeOutput<?>> outputs = new ConcurrentHashMap<>();
+  private final List<String> told = new CopyOnWriteArrayList<>();
+  private final Map<String, Caller<?, ?>> callers = new ConcurrentHashMap<>();
+  private volatile List<BrowseInput.Robot> robots = List.of();
+  private volatile List<RuicView> ruics;
+  private volatile Executor background = Runnable::run;
   private volatile Optional<Frames> frames = Optional.empty();
 
   /**
@@ -41,6 +46,7 @@ public final class FakeUicContext implements UicContext {
     this.instance = instance;
     this.authority = new FakeAuthority("Keira");
     this.ruic = new FakeRuicView(authority);
+    this.ruics = List.of(ruic);
     this.settings = new FakeSettings(schema);
   }
 
@@ -84,14 +90,64 @@ public final class FakeUicContext implements UicContext {
     return (FakeOutput<T>) outputs.computeIfAbsent(port.name(), name -> new FakeOutput<T>(authority));
   }
 
+  /**
+   * Connects a call port.
+   *
+   * @param <Q> the type of requests
+   * @param <R> the type of replies
+   * @param port the port
+   * @param answers answers the calls
+   */
+  public <Q, R> void caller(CallPort<Q, R> port, Caller<Q, R> answers) {
+    callers.put(port.name(), answers);
+  }
+
   @Override
+  @SuppressWarnings("unchecked") // one port name has one type, as in a real component
   public <Q, R> Caller<Q, R> caller(CallPort<Q, R> port) {
-    return (request, timeout, progress) -> new FailedCall<>("nothing is connected to '" + port.name() + "'");
+    return (Caller<Q, R>) callers.getOrDefault(port.name(), new FakeCaller<Q, R>());
+  }
+
+  /**
+   * Sets who can be browsed, on all browse ports.
+   *
+   * @param now the robots
+   */
+  public void robots(List<BrowseInput.Robot> now) {
+    robots = List.copyOf(now);
   }
 
   @Override
   public BrowseInput browse(BrowsePort port) {
-    return List::of;
+    return () -> robots;
+  }
+
+  /**
+   * Sets the RUICs of the workbench; without, there is that of this view alone.
+   *
+   * @param all the RUICs
+   */
+  public void ruics(List<RuicView> all) {
+    ruics = List.copyOf(all);
+  }
+
+  @Override
+  public List<RuicView> ruics() {
+    return ruics;
+  }
+
+  /**
+   * Sets how background tasks run; without, at once on the thread of the caller.
+   *
+   * @param executor runs them
+   */
+  public void background(Executor executor) {
+    background = executor;
+  }
+
+  @Override
+  public Executor background() {
+    return task -> background.execute(task);
   }
 
   @Override
@@ -109,20 +165,27 @@ public final class FakeUicContext implements UicContext {
     return frames.orElseThrow(() -> new IllegalStateException("the test gave no frames"));
   }
 
+  /**
+   * What the user was told.
+   *
+   * @return the sentences in order
+   */
+  public List<String> told() {
+    return List.copyOf(told);
+  }
+
+  @Override
+  public FakeAlerts alerts() {
+    return ruic.alerts();
+  }
+
+  @Override
+  public void alert(String message) {
+    told.add(message);
+  }
+
   @Override
   public SettingsStore settings() {
     return settings;
-  }
-
-  private record FailedCall<R>(String reason) implements Caller.Call<R> {
-    @Override
-    public CompletionStage<CallOutcome<R>> outcome() {
-      return CompletableFuture.completedFuture(new CallOutcome.Failed<>(reason));
-    }
-
-    @Override
-    public void cancel() {
-      // It has ended already.
-    }
   }
 }

@@ -37,6 +37,8 @@ public enum Icon {
   /** Begin anew. */
   RESTART("M 13.5 8 C 13.5 11 11 13.5 8 13.5 C 5 13.5 2.5 11 2.5 8 C 2.5 5 5 2.5 8 2.5 C 10 2.5 11.7 3.5 12.8 5 "
       + "M 13 1.8 L 13 5.2 L 9.6 5.2"),
+  /** As it was before. */
+  UNDO("M 5.5 2.5 L 2.5 5.5 L 5.5 8.5 M 2.5 5.5 L 9.5 5.5 C 15 5.5 15 13.5 9.5 13.5 L 6 13.5"),
   /** A camera or its picture. */
   CAMERA("M 1.5 5 L 5 5 L 6.2 3 L 9.8 3 L 11 5 L 14.5 5 L 14.5 13 L 1.5 13 Z O 8 8.8 2.4"),
   /** Copy. */
@@ -55,6 +57,10 @@ public enum Icon {
   STEER("O 8 8 6.3 O 8 8 1.8 M 1.9 7 L 6.2 7.6 M 14.1 7 L 9.8 7.6 M 8 9.8 L 8 14.3"),
   /** Connect. */
   LINK("M 6.5 9.5 L 9.5 6.5 M 7 4.5 L 9 2.5 C 11 0.5 15.5 5 13.5 7 L 11.5 9 M 9 11.5 L 7 13.5 C 5 15.5 0.5 11 2.5 9 L 4.5 7"),
+  /** What is within is seen. */
+  OPEN("M 3.5 6 L 8 10.5 L 12.5 6"),
+  /** What is within is not seen. */
+  CLOSED("M 6 3.5 L 10.5 8 L 6 12.5"),
   /** Words of a robot. */
   TEXT("M 2 4 L 14 4 M 2 8 L 14 8 M 2 12 L 9 12");
 

@@ -64,7 +64,7 @@ public final class PaintedCanvas extends Canvas {
     this.ground = ground;
     this.display = getDisplay();
     setBackground(theme.color(ground));
-    setForeground(theme.color(Role.TEXT));
+    // Each paint sets its own foreground: one of the control would be read back from a style sheet, as text, before every paint.
     setFont(theme.font(Face.BODY));
     addPaintListener(this::paint);
     addDisposeListener(e -> atEnd.forEach(Runnable::run));

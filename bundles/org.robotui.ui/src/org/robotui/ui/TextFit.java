@@ -1,10 +1,14 @@
 package org.robotui.ui;
 
+import java.util.stream.IntStream;
 import org.eclipse.swt.graphics.GC;
 
 /** Makes texts fit. Display thread only. */
 public final class TextFit {
   private static final String ELLIPSIS = "\u2026";
+
+  /** More cannot be seen, and measuring a text of megabytes takes long. */
+  private static final int CHARACTERS_PER_PIXEL = 2;
 
   private TextFit() {}
 
@@ -17,11 +21,12 @@ public final class TextFit {
    * @return the text, or its longest beginning that fits with an ellipsis; empty where not even that fits
    */
   public static String shorten(GC gc, String text, int width) {
-    if (gc.textExtent(text).x <= width) {
+    int visible = Math.min(text.length(), CHARACTERS_PER_PIXEL * Math.max(1, width));
+    if (visible == text.length() && gc.textExtent(text).x <= width) {
       return text;
     }
     int fits = 0;
-    int over = text.length();
+    int over = visible;
     while (over - fits > 1) {
       int middle = (fits + over) / 2;
       if (gc.textExtent(cut(text, middle)).x <= width) {
@@ -31,6 +36,28 @@ public final class TextFit {
       }
     }
     return fits == 0 ? "" : cut(text, fits);
+  }
+
+  /**
+   * Takes the middle out of a text that is too long: names of the same root differ by their ends.
+   *
+   * @param gc gives the font
+   * @param text the text, without line breaks
+   * @param width the room, pixels
+   * @return the text, or its beginning and its end with an ellipsis between; empty where not even that fits
+   */
+  public static String inTheMiddle(GC gc, String text, int width) {
+    int visible = CHARACTERS_PER_PIXEL * Math.max(1, width);
+    if (text.length() <= visible && gc.textExtent(text).x <= width) {
+      return text;
+    }
+    return IntStream.iterate(Math.min(text.length() - 1, visible), length -> length > 0, length -> length - 1)
+        .mapToObj(length -> ends(text, length)).filter(cut -> gc.textExtent(cut).x <= width).findFirst().orElse("");
+  }
+
+  private static String ends(String text, int length) {
+    int end = (length + 1) / 2;
+    return text.substring(0, length - end) + ELLIPSIS + text.substring(text.length() - end);
   }
 
   private static String cut(String text, int length) {

@@ -74,6 +74,20 @@ class LookSwtTest {
   }
 
   @Test
+  void namesKeepBeginningAndEnd() {
+    Image image = new Image(TestDisplay.get(), 10, 10);
+    GC gc = new GC(image);
+    String name = "camera/depth/image_raw";
+    int whole = gc.textExtent(name).x;
+    assertEquals(name, TextFit.inTheMiddle(gc, name, whole));
+    String cut = TextFit.inTheMiddle(gc, name, whole / 2);
+    assertTrue(cut.startsWith("cam") && cut.endsWith("raw") && gc.textExtent(cut).x <= whole / 2, cut);
+    assertEquals("", TextFit.inTheMiddle(gc, name, 0));
+    gc.dispose();
+    image.dispose();
+  }
+
+  @Test
   void fontsHaveFractionsOfPoints() {
     assertEquals(9.375f, theme.font(Face.BODY).getFontData()[0].height, 0.01);
   }

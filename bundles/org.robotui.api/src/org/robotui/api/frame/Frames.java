@@ -32,4 +32,22 @@ public interface Frames {
    * @return its parent, or none where it is a root or unknown
    */
   Optional<FrameId> parent(FrameId frame);
+
+  /**
+   * The transforms that are held now, one for each frame that has a parent.
+   *
+   * @return what is known of them, in no order; empty where that is not kept
+   */
+  default List<FrameLink> links() {
+    return List.of();
+  }
+
+  /**
+   * The transforms that were not taken lately, the newest first; one entry for each reason, and at most a few.
+   *
+   * @return the refusals; empty where that is not kept
+   */
+  default List<FrameRefusal> refusals() {
+    return List.of();
+  }
 }

@@ -22,10 +22,19 @@ public interface HostListener {
   default void frameReady(String ruic, String uic) {}
 
   /**
-   * Something went wrong that the user should know: a component was fenced, the display was silent.
+   * Something went wrong that the user should know: a component was fenced, the memory is used up.
    *
    * @param ruic name of the RUIC, empty where it concerns all
    * @param message names the bundle and the cause
    */
   default void alert(String ruic, String message) {}
+
+  /**
+   * Something concerned the application itself and soon is over, such as a display that does not answer: worth a look now, not later.
+   *
+   * @param message what it was
+   */
+  default void notice(String message) {
+    alert("", message);
+  }
 }

@@ -1,6 +1,8 @@
 package org.robotui.api.host;
 
 import java.util.List;
+import java.util.Optional;
+import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
 import org.robotui.api.time.RobotClock;
 
@@ -26,6 +28,21 @@ public interface RuicView {
    * @return an authority per robot
    */
   List<Authority> authorities();
+
+  /**
+   * Who may command the robot that a robot interface speaks to.
+   *
+   * @param component id of a robot interface, as in the sources and targets of ports
+   * @return the authority, or none where there is no such robot interface
+   */
+  Optional<Authority> authority(String component);
+
+  /**
+   * What its views noticed that somebody should see.
+   *
+   * @return always the same board
+   */
+  AlertBoard alerts();
 
   /**
    * Its clock.

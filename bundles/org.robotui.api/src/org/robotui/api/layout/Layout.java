@@ -4,6 +4,19 @@ import java.util.List;
 
 /** Which views lie where, as a tree. */
 public sealed interface Layout {
+  /**
+   * The views that have a place.
+   *
+   * @return their ids, in the order in which they are laid out
+   */
+  default List<String> views() {
+    return switch (this) {
+      case View view -> List.of(view.uic());
+      case Tabs tabs -> tabs.uics();
+      case Split split -> split.parts().stream().flatMap(part -> part.views().stream()).toList();
+    };
+  }
+
   /** How a split lies its parts out. */
   enum Direction {
     /** Side by side, left to right. */

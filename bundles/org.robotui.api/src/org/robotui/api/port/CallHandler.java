@@ -1,5 +1,7 @@
 package org.robotui.api.port;
 
+import org.robotui.data.DynamicRecord;
+
 /**
  * Answers requests.
  *
@@ -46,5 +48,12 @@ public interface CallHandler<Q, R> {
      * @param message a sentence
      */
     void progress(double fraction, String message);
+
+    /**
+     * Tells the caller what the robot says on its way.
+     *
+     * @param record for example the feedback of an action
+     */
+    void feedback(DynamicRecord record);
   }
 }

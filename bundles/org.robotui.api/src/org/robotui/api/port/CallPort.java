@@ -10,9 +10,23 @@ package org.robotui.api.port;
  * @param reply what is answered
  * @param arity how many connections a view takes
  * @param help a sentence for users
+ * @param guarded true where calls command the robot: they need the lease, are refused while stopped, and a stop cancels them
  */
-public record CallPort<Q, R>(String name, Class<Q> request, Class<R> reply, Arity arity, String help)
-    implements Port {
+public record CallPort<Q, R>(
+    String name, Class<Q> request, Class<R> reply, Arity arity, String help, boolean guarded) implements Port {
+  /**
+   * A port whose calls need no lease.
+   *
+   * @param name unique within the component
+   * @param request what is asked
+   * @param reply what is answered
+   * @param arity how many connections a view takes
+   * @param help a sentence for users
+   */
+  public CallPort(String name, Class<Q> request, Class<R> reply, Arity arity, String help) {
+    this(name, request, reply, arity, help, false);
+  }
+
   @Override
   public PortKind kind() {
     return PortKind.CALL;

@@ -1,7 +1,9 @@
 package org.robotui.api.port;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.CompletionStage;
+import org.robotui.data.DynamicRecord;
 
 /**
  * The view's end of a call port.
@@ -20,6 +22,24 @@ public interface Caller<Q, R> {
    */
   Call<R> call(Q request, Duration timeout, Progress progress);
 
+  /**
+   * Who can be asked.
+   *
+   * @return the connected ports, in the order of matching; {@link #call(Object, Duration, Progress)} asks the first
+   */
+  List<SourceId> targets();
+
+  /**
+   * Asks one of several.
+   *
+   * @param target one of {@link #targets()}
+   * @param request the request
+   * @param timeout how long to wait
+   * @param progress is told how far it is, on a core thread
+   * @return the call under way
+   */
+  Call<R> call(SourceId target, Q request, Duration timeout, Progress progress);
+
   /** Is told how far a call is. */
   @FunctionalInterface
   interface Progress {
@@ -33,6 +53,13 @@ public interface Caller<Q, R> {
      * @param message a sentence
      */
     void at(double fraction, String message);
+
+    /**
+     * What the robot says on its way.
+     *
+     * @param record for example the feedback of an action
+     */
+    default void feedback(DynamicRecord record) {}
   }
 
   /**

@@ -2,6 +2,8 @@ package org.robotui.api.port;
 
 import java.util.Optional;
 import org.robotui.data.Data;
+import org.robotui.data.DataRecord;
+import org.robotui.data.DynamicRecord;
 import org.robotui.data.Stamp;
 
 /**
@@ -17,6 +19,15 @@ import org.robotui.data.Stamp;
  */
 public record Envelope<T extends Data>(
     T value, SourceId source, long sequence, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
+  /**
+   * The value with the names that the robot gives, decoded when asked.
+   *
+   * @return the fields of the message as it came, or of the value where the robot interface does not keep messages
+   */
+  public DynamicRecord record() {
+    return raw.flatMap(RawMessage::record).orElseGet(() -> DataRecord.of(value));
+  }
+
   /**
    * How old the value is.
    *

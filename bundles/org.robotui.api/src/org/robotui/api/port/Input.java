@@ -2,6 +2,7 @@ package org.robotui.api.port;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.robotui.data.Data;
 
@@ -20,11 +21,35 @@ public interface Input<T extends Data> {
   InputState state();
 
   /**
-   * The sources now connected, in a stable order.
+   * The sources now connected, in a stable order; of a port with {@link Intake#CHOSEN} the chosen ones that are there.
    *
    * @return the sources
    */
   List<SourceId> sources();
+
+  /**
+   * A stream that fits the port.
+   *
+   * @param id where it comes from
+   * @param typeName its data type, for example {@code LaserScan}
+   */
+  record Candidate(SourceId id, String typeName) {}
+
+  /**
+   * What the port fits: of {@link Intake#CHOSEN} all that could be chosen, else what is connected.
+   *
+   * @return the streams, in a stable order; may be thousands
+   */
+  List<Candidate> candidates();
+
+  /**
+   * Chooses what is taken, in place of what was chosen before. Streams that go on being chosen lose nothing. Called from any
+   * thread.
+   *
+   * @param sources what to take; those that are not there yet are taken when they come
+   * @throws IllegalStateException where the port is not {@link Intake#CHOSEN}
+   */
+  void choose(Set<SourceId> sources);
 
   /**
    * What one source gives.
@@ -51,7 +76,7 @@ public interface Input<T extends Data> {
 
   /**
    * Takes what came since the last call, in the order of arrival: of samples the newest per source, of keyed types what
-   * changed, merged, of events all. One thread at a time may drain.
+   * changed, merged, of events and of chosen sources all. One thread at a time may drain.
    *
    * @param consumer is called on this thread
    * @return how many values were taken
@@ -59,7 +84,8 @@ public interface Input<T extends Data> {
   int drain(Consumer<? super Envelope<T>> consumer);
 
   /**
-   * Values lost to full queues since the connection was made. Values that conflation replaced do not count.
+   * Values lost to full queues since the connection was made, and keys given up where a keyed type had too many
+   * ({@link org.robotui.data.Keyed#most()}). Values that conflation replaced do not count.
    *
    * @return the count
    */

@@ -39,9 +39,9 @@ public interface Publication<T extends Data> extends Offer {
   void lost(long count, String reason);
 
   /**
-   * Says that the source as such does not work although the link may; cleared by the next value.
+   * Says that the source as such does not work although the link may; cleared by the next value, or by an empty reason.
    *
-   * @param reason a sentence for users
+   * @param reason a sentence for users; empty where it works again
    */
   void failed(String reason);
 }

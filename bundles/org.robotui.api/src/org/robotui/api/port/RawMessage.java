@@ -1,6 +1,8 @@
 package org.robotui.api.port;
 
+import java.util.Optional;
 import org.robotui.data.Bytes;
+import org.robotui.data.DynamicRecord;
 
 /**
  * A message as it came, for bridges and recorders, so that nothing unknown is lost.
@@ -8,5 +10,30 @@ import org.robotui.data.Bytes;
  * @param schema the robot's name of the type
  * @param encoding how the bytes are to be read, for example {@code ros1}
  * @param bytes the bytes
+ * @param reader reads the bytes
  */
-public record RawMessage(String schema, String encoding, Bytes bytes) {}
+public record RawMessage(String schema, String encoding, Bytes bytes, Reader reader) {
+  /** Reads messages of one type; safe for all threads. */
+  @FunctionalInterface
+  public interface Reader {
+    /** Of messages that nobody can read. */
+    Reader NONE = bytes -> Optional.empty();
+
+    /**
+     * Reads a message.
+     *
+     * @param bytes the bytes
+     * @return its fields with the robot's names, or none where they cannot be read
+     */
+    Optional<DynamicRecord> read(Bytes bytes);
+  }
+
+  /**
+   * The message with the robot's names.
+   *
+   * @return its fields, or none where they cannot be read
+   */
+  public Optional<DynamicRecord> record() {
+    return reader.read(bytes);
+  }
+}

@@ -11,8 +11,22 @@ import org.robotui.data.DataType;
  * @param type what is produced, or at least accepted
  * @param arity how many connections a view takes
  * @param help a sentence for users
+ * @param intake what a view takes of the streams that fit
  */
-public record StreamPort<T extends Data>(String name, Class<T> type, Arity arity, String help) implements Port {
+public record StreamPort<T extends Data>(String name, Class<T> type, Arity arity, String help, Intake intake)
+    implements Port {
+  /**
+   * A port that takes all that matching connects.
+   *
+   * @param name unique within the component
+   * @param type what is produced, or at least accepted
+   * @param arity how many connections a view takes
+   * @param help a sentence for users
+   */
+  public StreamPort(String name, Class<T> type, Arity arity, String help) {
+    this(name, type, arity, help, Intake.MATCHED);
+  }
+
   @Override
   public PortKind kind() {
     return PortKind.STREAM;

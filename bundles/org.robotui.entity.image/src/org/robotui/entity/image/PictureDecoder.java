@@ -4,39 +4,40 @@ import org.robotui.data.CompressedImage;
 import org.robotui.data.Image;
 import org.robotui.data.RawImage;
 import org.robotui.entity.image.internal.CompressedPictures;
+import org.robotui.entity.image.internal.Levels;
+import org.robotui.entity.image.internal.Limits;
 import org.robotui.entity.image.internal.RawPictures;
 
-/** Decodes pictures. Safe for all threads; meant for a view's worker, never the display thread. */
+/**
+ * Decodes the pictures of one camera, one after the other, and keeps from picture to picture what must not flicker: the range
+ * of depth that the colours span. For one thread at a time; meant for a view's worker, never the display thread.
+ */
 public final class PictureDecoder {
-  private static final int LONGEST_EDGE = 16_384;
-  private static final long MOST_PIXELS = 64L << 20;
+  private final Levels levels = new Levels();
 
-  private PictureDecoder() {}
+  /** For a camera of which nothing was seen yet. */
+  public PictureDecoder() {
+    // Ranges come with pictures.
+  }
 
   /**
-   * Decodes a picture, raw or compressed (JPEG, PNG, and PNG depth with the header of ROS). Depth is shown as grey from the
-   * nearest (dark) to the farthest (light) in the picture; what was not measured is black.
+   * Decodes a picture: raw in any encoding of ROS, JPEG, PNG, and depth as compressed by ROS (PNG and RVL).
    *
    * @param image the picture
+   * @param rendering how numbers become colours
    * @return the decoded picture, or why it cannot be: nothing is thrown whatever the bytes are
    */
-  public static Decoding decode(Image image) {
-    return switch (image) {
-      case RawImage raw -> fits(raw.width(), raw.height())
-          ? RawPictures.decode(raw)
-          : new Decoding.Undecodable(refusal(raw.width(), raw.height()));
-      case CompressedImage compressed -> CompressedPictures.decode(compressed, PictureDecoder::fits, PictureDecoder::refusal);
-    };
-  }
-
-  private static boolean fits(int width, int height) {
-    return width > 0 && height > 0 && width <= LONGEST_EDGE && height <= LONGEST_EDGE && (long) width * height <= MOST_PIXELS;
-  }
-
-  private static String refusal(int width, int height) {
-    return width <= 0 || height <= 0
-        ? "the picture is empty (" + width + "\u00d7" + height + ")"
-        : "the picture is too large (" + width + "\u00d7" + height + "); at most " + LONGEST_EDGE + " pixels an edge and "
-            + (MOST_PIXELS >> 20) + " million in all are shown";
+  public Decoding decode(Image image, Rendering rendering) {
+    try {
+      return switch (image) {
+        case RawImage raw -> Limits.refusal(raw.width(), raw.height())
+            .<Decoding>map(Decoding.Undecodable::new)
+            .orElseGet(() -> new Decoding.Decoded(RawPictures.decode(raw, rendering, levels)));
+        case CompressedImage compressed -> CompressedPictures.decode(compressed, rendering, levels);
+      };
+    } catch (OutOfMemoryError e) {
+      // A single large request that failed: what was there before is untouched.
+      return new Decoding.Undecodable("the picture needs more memory than there is");
+    }
   }
 }

@@ -48,15 +48,13 @@ class PictureDecoderTest {
     RawImage raw = new RawImage(FRAME, 2, 2, encoding, false, step, Bytes.of(bytes));
     for (int i = 1; i < 4; i++) {
       assertEquals(pixel(raw, 0, 0), pixel(raw, i % 2, i / 2), "the padding is no pixel");
-      assertEquals(decoded(raw).values().at(0, 0), decoded(raw).values().at(i % 2, i / 2));
+      assertEquals(numbers(raw, 0, 0), numbers(raw, i % 2, i / 2));
     }
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"BAYER_RGGB8", "BAYER_BGGR8", "BAYER_GBRG8", "BAYER_GRBG8"})
-  void anEvenColourBehindABayerFilterIsThatColourEverywhere(String name) {
-    PixelEncoding encoding = PixelEncoding.valueOf(name);
-    String pattern = name.substring("BAYER_".length(), name.length() - 1);
+  @ValueSource(strings = {"RGGB", "BGGR", "GBRG", "GRBG"})
+  void anEvenColourBehindABayerFilterIsThatColourEverywhere(String pattern) {
     byte[] bytes = new byte[25];
     for (int i = 0; i < bytes.length; i++) {
       int x = i % 5;
@@ -67,9 +65,34 @@ class PictureDecoderTest {
         default -> (byte) 50;
       };
     }
-    RawImage raw = Pictures.raw(encoding, 5, 5, bytes);
+    RawImage eight = Pictures.raw(PixelEncoding.valueOf("BAYER_" + pattern + "8"), 5, 5, bytes);
+    RawImage sixteen = Pictures.raw(PixelEncoding.valueOf("BAYER_" + pattern + "16"), 5, 5, widened(bytes, 256));
+    RawImage twelve = Pictures.raw(PixelEncoding.valueOf("BAYER_" + pattern + "16"), 5, 5, widened(bytes, 16));
     for (int i = 0; i < bytes.length; i++) {
-      assertEquals(new RGB(200, 100, 50), pixel(raw, i % 5, i / 5), "pixel " + i);
+      assertEquals(new RGB(200, 100, 50), pixel(eight, i % 5, i / 5), "pixel " + i);
+      assertEquals(new RGB(200, 100, 50), pixel(sixteen, i % 5, i / 5), "pixel " + i);
+      assertEquals(new RGB(200, 100, 50), pixel(twelve, i % 5, i / 5), "a sensor of 12 bits is not dark: pixel " + i);
+    }
+    assertEquals(pattern.charAt(1) + " " + (bytes[1] & 0xff), decoded(eight).values().at(1, 0));
+  }
+
+  private static byte[] widened(byte[] bytes, int factor) {
+    ByteBuffer wide = ByteBuffer.allocate(2 * bytes.length).order(ByteOrder.LITTLE_ENDIAN);
+    for (byte b : bytes) {
+      wide.putShort((short) ((b & 0xff) * factor));
+    }
+    return wide.array();
+  }
+
+  @Test
+  void aRampBehindABayerFilterStaysARamp() {
+    byte[] bytes = new byte[16 * 8];
+    for (int i = 0; i < bytes.length; i++) {
+      bytes[i] = (byte) (10 * (i % 16));
+    }
+    RawImage raw = Pictures.raw(PixelEncoding.BAYER_RGGB8, 16, 8, bytes);
+    for (int x = 1; x < 15; x++) {
+      assertEquals(new RGB(10 * x, 10 * x, 10 * x), pixel(raw, x, 4), "column " + x);
     }
   }
 
@@ -88,23 +111,54 @@ class PictureDecoderTest {
   }
 
   @Test
-  void depthRunsFromDarkToLightAndTheUnmeasuredIsBlack() {
-    ByteBuffer bytes = ByteBuffer.allocate(16).order(ByteOrder.LITTLE_ENDIAN);
-    bytes.putFloat(1).putFloat(3).putFloat(Float.NaN).putFloat(Float.POSITIVE_INFINITY);
-    RawImage raw = Pictures.raw(PixelEncoding.F32C1, 4, 1, bytes.array());
-    assertEquals(new RGB(24, 24, 24), pixel(raw, 0, 0));
-    assertEquals(new RGB(255, 255, 255), pixel(raw, 1, 0));
-    assertEquals(new RGB(0, 0, 0), pixel(raw, 2, 0));
-    assertEquals(new RGB(0, 0, 0), pixel(raw, 3, 0));
-    assertEquals("3.000\u00a0m", decoded(raw).values().at(1, 0));
+  void sixteenBitsOfEitherByteOrderAreRead() {
+    RawImage big = new RawImage(FRAME, 2, 1, PixelEncoding.U16C1, true, 4, Bytes.of(b(4, 210, 0, 0)));
+    assertEquals("1234 = 1.234\u00a0m", decoded(big).values().at(0, 0));
+    assertEquals("0 = no depth", decoded(big).values().at(1, 0));
+    assertEquals("1234", decoded(Pictures.raw(PixelEncoding.MONO16, 1, 1, b(210, 4))).values().at(0, 0));
   }
 
   @Test
-  void sixteenBitsOfEitherByteOrderAreRead() {
-    RawImage big = new RawImage(FRAME, 2, 1, PixelEncoding.U16C1, true, 4, Bytes.of(b(4, 210, 0, 0)));
-    assertEquals("1234", decoded(big).values().at(0, 0));
-    assertEquals("\u2014", decoded(big).values().at(1, 0));
-    assertEquals("1234", decoded(Pictures.raw(PixelEncoding.MONO16, 1, 1, b(210, 4))).values().at(0, 0));
+  void wideColoursAndThoseWithoutANameAreShown() {
+    ByteBuffer rgb = ByteBuffer.allocate(6).order(ByteOrder.LITTLE_ENDIAN);
+    rgb.putShort((short) 51200).putShort((short) 25600).putShort((short) 12800);
+    assertEquals(new RGB(200, 100, 50), pixel(Pictures.raw(PixelEncoding.RGB16, 1, 1, rgb.array()), 0, 0));
+    assertEquals(new RGB(50, 100, 200), pixel(Pictures.raw(PixelEncoding.U16C3, 1, 1, rgb.array()), 0, 0));
+    assertEquals(new RGB(50, 100, 200), pixel(Pictures.raw(PixelEncoding.U8C3, 1, 1, b(200, 100, 50)), 0, 0));
+    ByteBuffer floats = ByteBuffer.allocate(24).order(ByteOrder.LITTLE_ENDIAN);
+    floats.putFloat(0).putFloat(0).putFloat(0).putFloat(0.5f).putFloat(1).putFloat(0);
+    RawImage real = Pictures.raw(PixelEncoding.F32C3, 2, 1, floats.array());
+    assertEquals(new RGB(0, 255, 128), pixel(real, 1, 0));
+    assertEquals("0.50000 1.0000 0.0000", decoded(real).values().at(1, 0));
+  }
+
+  @Test
+  void greyThatCameThroughABayerFilterIsColouredAgain() throws IOException {
+    BufferedImage mosaic = new BufferedImage(6, 6, BufferedImage.TYPE_BYTE_GRAY);
+    for (int i = 0; i < 36; i++) {
+      mosaic.getRaster().setSample(i % 6, i / 6, 0, (i % 6 + i / 6) % 2 == 1 ? 100 : i / 6 % 2 == 0 ? 200 : 50);
+    }
+    CompressedImage image = new CompressedImage(FRAME, "bayer_rggb8; png compressed ", Bytes.of(file(mosaic, "png")));
+    assertEquals(new RGB(200, 100, 50), decoded(image).color(2, 3));
+    assertEquals("bayer_rggb8 png", decoded(image).encoding());
+  }
+
+  @Test
+  void fromAfarBlocksBecomeTheirMean() {
+    Picture picture = decoded(Pictures.raw(PixelEncoding.MONO8, 5, 2, b(0, 10, 20, 30, 70, 0, 10, 20, 30, 70)));
+    assertEquals(2, picture.shrunk(2).width);
+    assertEquals(5, picture.shrunk(2).getPixel(0, 0));
+    assertEquals(40, picture.shrunk(2).getPixel(1, 0));
+    assertEquals(1, picture.shrunk(9).width);
+    assertEquals(picture.pixels(), picture.shrunk(1));
+  }
+
+  @Test
+  void picturesAreKeptAsTheyAreSeen() throws IOException {
+    Picture picture = decoded(Pictures.room(8, 6));
+    Picture again = decoded(new CompressedImage(FRAME, "png", Bytes.of(PicturePng.seen(picture))));
+    assertEquals(picture.color(7, 5), again.color(7, 5));
+    assertTrue(PicturePng.numbers(picture).isEmpty());
   }
 
   @Test
@@ -132,17 +186,6 @@ class PictureDecoderTest {
   }
 
   @Test
-  void compressedDepthOfRosIsDecodedBehindItsHeader() throws IOException {
-    BufferedImage depth = new BufferedImage(2, 1, BufferedImage.TYPE_USHORT_GRAY);
-    depth.getRaster().setSample(1, 0, 0, 1500);
-    byte[] png = file(depth, "png");
-    byte[] withHeader = new byte[png.length + 12];
-    System.arraycopy(png, 0, withHeader, 12, png.length);
-    Picture picture = decoded(new CompressedImage(FRAME, "16UC1; compressedDepth png", Bytes.of(withHeader)));
-    assertEquals("1500", picture.values().at(1, 0));
-  }
-
-  @Test
   void aSizeInTheHeaderThatIsTooLargeIsRefusedBeforeMemoryIsTaken() throws IOException {
     byte[] png = file(new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB), "png");
     ByteBuffer.wrap(png).putInt(16, 60_000).putInt(20, 60_000);
@@ -158,7 +201,7 @@ class PictureDecoderTest {
   @Test
   void otherFormatsAreNamed() {
     String reason = refused(new CompressedImage(FRAME, "tiff", Bytes.of(b('I', 'I', 42, 0, 8, 0, 0, 0))));
-    assertEquals("the picture (format 'tiff', 8 bytes) is neither JPEG nor PNG", reason);
+    assertEquals("the picture (format 'tiff', 8 bytes) cannot be decoded: it is neither JPEG nor PNG", reason);
     refused(new CompressedImage(FRAME, "jpeg", Bytes.EMPTY));
     refused(new CompressedImage(FRAME, "16UC1; compressedDepth png", Bytes.of(b(1, 2, 3))));
   }
@@ -173,7 +216,7 @@ class PictureDecoderTest {
       for (int k = 0; k < 4 && bytes.length > 0; k++) {
         bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();
       }
-      assertInstanceOf(Decoding.class, PictureDecoder.decode(new CompressedImage(FRAME, format, Bytes.of(bytes))));
+      assertInstanceOf(Decoding.class, new PictureDecoder().decode(new CompressedImage(FRAME, format, Bytes.of(bytes)), Rendering.USUAL));
     }
     assertTrue(refused(new CompressedImage(FRAME, format, Bytes.of(Arrays.copyOf(good, 30)))).contains("'" + format + "'"));
   }
@@ -196,17 +239,22 @@ class PictureDecoderTest {
     return out.toByteArray();
   }
 
+  /** Without the letters that name a channel. */
+  private static String numbers(RawImage raw, int x, int y) {
+    return decoded(raw).values().at(x, y).replaceAll("[A-Z]", "");
+  }
+
   private static RGB pixel(RawImage raw, int x, int y) {
     Picture picture = decoded(raw);
     return picture.pixels().palette.getRGB(picture.pixels().getPixel(x, y));
   }
 
   private static Picture decoded(Image image) {
-    return assertInstanceOf(Decoding.Decoded.class, PictureDecoder.decode(image)).picture();
+    return assertInstanceOf(Decoding.Decoded.class, new PictureDecoder().decode(image, Rendering.USUAL)).picture();
   }
 
   private static String refused(Image image) {
-    return assertInstanceOf(Decoding.Undecodable.class, PictureDecoder.decode(image)).reason();
+    return assertInstanceOf(Decoding.Undecodable.class, new PictureDecoder().decode(image, Rendering.USUAL)).reason();
   }
 
   private static byte[] b(int... values) {

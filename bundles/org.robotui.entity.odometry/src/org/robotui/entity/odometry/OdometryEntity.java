@@ -25,7 +25,7 @@ public final class OdometryEntity implements Entity {
   private static final int XY = 1;
   private static final int YY = 7;
 
-  private record Prepared(double[] way, Optional<double[]> uncertainty, Odometry newest) {}
+  private record Prepared(double[] way, Bounds bounds, Optional<double[]> uncertainty, Odometry newest) {}
 
   private final int trace;
   private final Trail trail = new Trail(CAPACITY);
@@ -58,7 +58,8 @@ public final class OdometryEntity implements Entity {
     trail.add(at.x(), at.y());
     trail.cut(length);
     Optional<double[]> uncertainty = uncertainty(odometry, fixedFromFrame);
-    prepared = Optional.of(new Prepared(way(fixedFromFrame, at), uncertainty, odometry));
+    double[] way = way(fixedFromFrame, at);
+    prepared = Optional.of(new Prepared(way, bounds(way), uncertainty, odometry));
   }
 
   /** Forgets the way, for example when the clock has jumped back. Worker thread. */
@@ -91,7 +92,7 @@ public final class OdometryEntity implements Entity {
 
   @Override
   public Optional<Bounds> bounds() {
-    return prepared.map(p -> bounds(p.way()));
+    return prepared.map(Prepared::bounds);
   }
 
   @Override
@@ -143,11 +144,17 @@ public final class OdometryEntity implements Entity {
   }
 
   private static Bounds bounds(double[] way) {
-    Bounds bounds = Bounds.around(way[0], way[1], 0);
-    for (int i = 1; i < way.length / 2; i++) {
-      bounds = bounds.union(Bounds.around(way[2 * i], way[2 * i + 1], 0));
+    double minX = way[0];
+    double minY = way[1];
+    double maxX = minX;
+    double maxY = minY;
+    for (int i = 2; i < way.length; i += 2) {
+      minX = Math.min(minX, way[i]);
+      maxX = Math.max(maxX, way[i]);
+      minY = Math.min(minY, way[i + 1]);
+      maxY = Math.max(maxY, way[i + 1]);
     }
-    return bounds;
+    return new Bounds(minX, minY, maxX, maxY);
   }
 
   private static void put(double[] xy, int index, Vector3 point) {

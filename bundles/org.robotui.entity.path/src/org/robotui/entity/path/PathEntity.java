@@ -63,7 +63,7 @@ public final class PathEntity implements Entity {
     painter.opacity(1).stroke(Role.PLAN).fill(Role.PLAN).width(WIDTH).polyline(line.xy(), line.count());
     painter.circle(line.endX(), line.endY(), RING);
     painter.disc(line.endX(), line.endY(), CORE);
-    painter.text(p.label(), line.endX(), line.endY(), LABEL_GAP, 0, Face.BODY);
+    painter.label(p.label(), line.endX(), line.endY(), LABEL_GAP, 0, Face.BODY);
   }
 
   private static String label(Line line, Optional<Vector3> robot, double speed) {

@@ -37,8 +37,12 @@ final class Summary {
     return port.problem().isEmpty() ? port.value() : port.problem();
   }
 
+  /** Why a component is not there; a view for a window that is not even installed where there is none has not failed. */
   static String failure(ComponentStatus component) {
-    return "  " + component.id() + " (" + component.type() + ") "
-        + component.state().name().toLowerCase(Locale.ROOT) + ": " + component.reason();
+    String name = "  " + component.id() + " (" + component.type() + ") ";
+    boolean windowed = component.kind() == ComponentStatus.Kind.UIC
+        && component.reason().startsWith("type '" + component.type() + "' is not installed");
+    return name + (windowed ? "is not shown in a terminal: it needs a window"
+        : component.state().name().toLowerCase(Locale.ROOT) + ": " + component.reason());
   }
 }

@@ -69,7 +69,7 @@ final class TextPages {
     List<String> lines(int columns, int rows) {
       try {
         return uic.lines(columns, rows);
-      } catch (RuntimeException | LinkageError e) {
+      } catch (RuntimeException | Error e) {
         LOG.warn("view {} of {} failed", id, ruic.name(), e);
         ruic.surfaceFailed(id, "its text could not be made: " + e);
         return List.of();

@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.TextUic;
+import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.PortStatus;
+import org.robotui.api.host.RuicState;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.testkit.host.FakeHost;
@@ -59,6 +62,18 @@ class TextPagesTest {
   }
 
   @Test
+  void aViewForAWindowIsNoFailure() {
+    assertEquals("  plan (map) is not shown in a terminal: it needs a window",
+        Summary.failure(failed("plan", "map", "type 'map' is not installed; installed are text")));
+    assertEquals("  log (text) failed: fenced: did not return within 2 s",
+        Summary.failure(failed("log", "text", "fenced: did not return within 2 s")));
+  }
+
+  private static ComponentStatus failed(String id, String type, String reason) {
+    return new ComponentStatus(id, type, ComponentStatus.Kind.UIC, RuicState.FAILED, reason, Optional.empty());
+  }
+
+  @Test
   void aViewThatThrowsFailsAlone() {
     FakeRuic broken = new FakeRuic("a").view("text", new Lines(() -> {
       throw new IllegalStateException("no font");
@@ -69,6 +84,20 @@ class TextPagesTest {
 
     assertEquals(List.of("surfaceFailed text"), broken.calls());
     assertTrue(pages.lines(200, 24).stream().anyMatch(l -> l.contains("no font")), "the reason is shown");
+  }
+
+  @Test
+  void aStackOverflowFailsItsViewAlone() {
+    FakeRuic broken = new FakeRuic("a").view("text", new Lines(TextPagesTest::endless));
+    host.add(broken).add(new FakeRuic("b").view("text", lines("fine")));
+
+    assertTrue(pages.lines(80, 24).contains("fine"));
+
+    assertEquals(List.of("surfaceFailed text"), broken.calls());
+  }
+
+  private static List<String> endless() {
+    return endless();
   }
 
   private static TextUic lines(String... lines) {

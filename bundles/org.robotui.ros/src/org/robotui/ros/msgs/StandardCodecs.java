@@ -9,6 +9,15 @@ import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticStatus;
 import org.robotui.ros.msgs.diagnostic_msgs.KeyValue;
+import org.robotui.ros.msgs.dynamic_reconfigure.BoolParameter;
+import org.robotui.ros.msgs.dynamic_reconfigure.Config;
+import org.robotui.ros.msgs.dynamic_reconfigure.ConfigDescription;
+import org.robotui.ros.msgs.dynamic_reconfigure.DoubleParameter;
+import org.robotui.ros.msgs.dynamic_reconfigure.Group;
+import org.robotui.ros.msgs.dynamic_reconfigure.GroupState;
+import org.robotui.ros.msgs.dynamic_reconfigure.IntParameter;
+import org.robotui.ros.msgs.dynamic_reconfigure.ParamDescription;
+import org.robotui.ros.msgs.dynamic_reconfigure.StrParameter;
 import org.robotui.ros.msgs.geometry_msgs.Accel;
 import org.robotui.ros.msgs.geometry_msgs.AccelStamped;
 import org.robotui.ros.msgs.geometry_msgs.Point32;
@@ -34,6 +43,12 @@ import org.robotui.ros.msgs.geometry_msgs.Vector3;
 import org.robotui.ros.msgs.geometry_msgs.Vector3Stamped;
 import org.robotui.ros.msgs.geometry_msgs.Wrench;
 import org.robotui.ros.msgs.geometry_msgs.WrenchStamped;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionFeedback;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionGoal;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseFeedback;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseGoal;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseResult;
 import org.robotui.ros.msgs.nav_msgs.GridCells;
 import org.robotui.ros.msgs.nav_msgs.MapMetaData;
 import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
@@ -98,6 +113,17 @@ import org.robotui.ros.msgs.std_msgs.UInt64MultiArray;
 import org.robotui.ros.msgs.std_msgs.UInt8MultiArray;
 import org.robotui.ros.msgs.tf.TfMessage;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.ros.msgs.trajectory_msgs.JointTrajectory;
+import org.robotui.ros.msgs.trajectory_msgs.JointTrajectoryPoint;
+import org.robotui.ros.msgs.visualization_msgs.InteractiveMarker;
+import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerControl;
+import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
+import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
+import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerPose;
+import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
+import org.robotui.ros.msgs.visualization_msgs.Marker;
+import org.robotui.ros.msgs.visualization_msgs.MarkerArray;
+import org.robotui.ros.msgs.visualization_msgs.MenuEntry;
 
 /** Finds the compiled codec of a standard type. */
 public final class StandardCodecs {
@@ -122,7 +148,9 @@ public final class StandardCodecs {
         return switch (packageName) {
             case "actionlib_msgs" -> actionlibMsgs(name);
             case "diagnostic_msgs" -> diagnosticMsgs(name);
+            case "dynamic_reconfigure" -> dynamicReconfigure(name);
             case "geometry_msgs" -> geometryMsgs(name);
+            case "move_base_msgs" -> moveBaseMsgs(name);
             case "nav_msgs" -> navMsgs(name);
             case "roscpp" -> roscpp(name);
             case "rosgraph_msgs" -> rosgraphMsgs(name);
@@ -130,6 +158,8 @@ public final class StandardCodecs {
             case "std_msgs" -> stdMsgs(name);
             case "tf" -> tf(name);
             case "tf2_msgs" -> tf2Msgs(name);
+            case "trajectory_msgs" -> trajectoryMsgs(name);
+            case "visualization_msgs" -> visualizationMsgs(name);
             default -> null;
         };
     }
@@ -148,6 +178,21 @@ public final class StandardCodecs {
             case "KeyValue" -> KeyValue.CODEC;
             case "DiagnosticStatus" -> DiagnosticStatus.CODEC;
             case "DiagnosticArray" -> DiagnosticArray.CODEC;
+            default -> null;
+        };
+    }
+
+    private static RecordCodec<?> dynamicReconfigure(String name) {
+        return switch (name) {
+            case "BoolParameter" -> BoolParameter.CODEC;
+            case "Config" -> Config.CODEC;
+            case "ConfigDescription" -> ConfigDescription.CODEC;
+            case "DoubleParameter" -> DoubleParameter.CODEC;
+            case "Group" -> Group.CODEC;
+            case "GroupState" -> GroupState.CODEC;
+            case "IntParameter" -> IntParameter.CODEC;
+            case "ParamDescription" -> ParamDescription.CODEC;
+            case "StrParameter" -> StrParameter.CODEC;
             default -> null;
         };
     }
@@ -179,6 +224,18 @@ public final class StandardCodecs {
             case "WrenchStamped" -> WrenchStamped.CODEC;
             case "Accel" -> Accel.CODEC;
             case "AccelStamped" -> AccelStamped.CODEC;
+            default -> null;
+        };
+    }
+
+    private static RecordCodec<?> moveBaseMsgs(String name) {
+        return switch (name) {
+            case "MoveBaseActionFeedback" -> MoveBaseActionFeedback.CODEC;
+            case "MoveBaseActionGoal" -> MoveBaseActionGoal.CODEC;
+            case "MoveBaseActionResult" -> MoveBaseActionResult.CODEC;
+            case "MoveBaseFeedback" -> MoveBaseFeedback.CODEC;
+            case "MoveBaseGoal" -> MoveBaseGoal.CODEC;
+            case "MoveBaseResult" -> MoveBaseResult.CODEC;
             default -> null;
         };
     }
@@ -285,6 +342,29 @@ public final class StandardCodecs {
     private static RecordCodec<?> tf2Msgs(String name) {
         return switch (name) {
             case "TFMessage" -> TFMessage.CODEC;
+            default -> null;
+        };
+    }
+
+    private static RecordCodec<?> trajectoryMsgs(String name) {
+        return switch (name) {
+            case "JointTrajectory" -> JointTrajectory.CODEC;
+            case "JointTrajectoryPoint" -> JointTrajectoryPoint.CODEC;
+            default -> null;
+        };
+    }
+
+    private static RecordCodec<?> visualizationMsgs(String name) {
+        return switch (name) {
+            case "Marker" -> Marker.CODEC;
+            case "MarkerArray" -> MarkerArray.CODEC;
+            case "MenuEntry" -> MenuEntry.CODEC;
+            case "InteractiveMarker" -> InteractiveMarker.CODEC;
+            case "InteractiveMarkerControl" -> InteractiveMarkerControl.CODEC;
+            case "InteractiveMarkerFeedback" -> InteractiveMarkerFeedback.CODEC;
+            case "InteractiveMarkerInit" -> InteractiveMarkerInit.CODEC;
+            case "InteractiveMarkerPose" -> InteractiveMarkerPose.CODEC;
+            case "InteractiveMarkerUpdate" -> InteractiveMarkerUpdate.CODEC;
             default -> null;
         };
     }

@@ -2,6 +2,8 @@ package org.robotui.ros.msgs;
 
 import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.ServiceCodec;
+import org.robotui.ros.msgs.dynamic_reconfigure.ReconfigureRequest;
+import org.robotui.ros.msgs.dynamic_reconfigure.ReconfigureResponse;
 import org.robotui.ros.msgs.nav_msgs.GetMapRequest;
 import org.robotui.ros.msgs.nav_msgs.GetMapResponse;
 import org.robotui.ros.msgs.roscpp.GetLoggersRequest;
@@ -42,6 +44,9 @@ public final class StandardServices {
     public static final ServiceCodec<SetLoggerLevelRequest, SetLoggerLevelResponse> SET_LOGGER_LEVEL =
             RecordCodec.service(
                     "roscpp/SetLoggerLevel", SetLoggerLevelRequest.CODEC, SetLoggerLevelResponse.CODEC);
+    /** Changes parameters of a running node. */
+    public static final ServiceCodec<ReconfigureRequest, ReconfigureResponse> RECONFIGURE = RecordCodec.service(
+            "dynamic_reconfigure/Reconfigure", ReconfigureRequest.CODEC, ReconfigureResponse.CODEC);
 
     private StandardServices() {
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robotui.ros.Effort;
 import org.robotui.ros.message.DefinitionException;
 import org.robotui.ros.message.DynamicCodec;
 import org.robotui.ros.message.DynamicMessage;
@@ -24,25 +24,28 @@ import org.robotui.ros.message.MessageSchema;
 import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.RosValue;
 import org.robotui.ros.msgs.StandardCodecs;
+import org.robotui.testkit.Effort;
 
 /** Damaged bytes and definitions lead to the declared exceptions only, quickly and without large allocations. */
 class MutatedMessagesTest {
 
-    private static final int ROUNDS = Effort.rounds(300);
+    private static final int ROUNDS = 300;
+    /** Of one message in a long run; the four recordings hold about thirty types. */
+    private static final Duration LONG = Duration.ofSeconds(30);
     private static final int[] EVIL = {-1, Integer.MAX_VALUE, Integer.MIN_VALUE, 1 << 28, 1 << 16, 0};
 
     private final SplittableRandom random = new SplittableRandom(2026);
 
     @ParameterizedTest
     @ValueSource(strings = {"sena_loop.bag", "turtlesim.bag", "stereo_jpeg.bag", "marker_cube.bag"})
-    @Timeout(120)
+    @Timeout(1_200)
     void damagedMessagesAreRefusedOrDecoded(String bag) throws Exception {
         for (BagReader.Recorded each : oneOfEachType(bag)) {
             DynamicCodec dynamic =
                     new DynamicCodec(MessageSchema.parse(each.info().type(), each.info().definition()));
             Optional<RecordCodec<?>> compiled = StandardCodecs.forType(each.info().type());
             int refused = 0;
-            for (int round = 0; round < ROUNDS; round++) {
+            for (Effort effort = Effort.of(ROUNDS, LONG); effort.goesOn();) {
                 byte[] damaged = damage(each.bytes());
                 boolean accepted = tryDecode(dynamic, damaged);
                 if (compiled.isPresent()) {
@@ -120,12 +123,12 @@ class MutatedMessagesTest {
     }
 
     @Test
-    @Timeout(60)
+    @Timeout(1_200)
     void damagedDefinitionsAreRefusedOrRead() throws Exception {
         int refused = 0;
         for (BagReader.Recorded each : oneOfEachType("sena_loop.bag")) {
             String text = each.info().definition();
-            for (int round = 0; round < ROUNDS; round++) {
+            for (Effort effort = Effort.of(ROUNDS, LONG); effort.goesOn();) {
                 refused += reads(each.info().type(), damage(text)) ? 0 : 1;
             }
         }

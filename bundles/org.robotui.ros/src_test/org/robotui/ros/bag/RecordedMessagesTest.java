@@ -30,6 +30,9 @@ import org.robotui.ros.msgs.sensor_msgs.LaserScan;
 /** Real recordings: every message is decoded by both codecs, and the values are those the data set's page names. */
 class RecordedMessagesTest {
 
+    /** The markers of marker_cube.bag are of an early version, which only the definition that came with them can read. */
+    private static final String OLDER = "18326976df9d29249efc939e00342cde";
+
     private final AnyCodec any = new AnyCodec(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
 
     private static List<BagReader.Recorded> on(String topic, List<BagReader.Recorded> messages) {
@@ -42,7 +45,7 @@ class RecordedMessagesTest {
             DynamicMessage dynamic = any.decode(each.bytes().duplicate(), each.info());
             assertEquals(each.info().type(), dynamic.type());
             Optional<RecordCodec<?>> compiled = StandardCodecs.forType(each.info().type());
-            if (compiled.isPresent()) {
+            if (compiled.isPresent() && !OLDER.equals(each.info().md5())) {
                 assertEquals(each.info().md5(), compiled.get().info().md5());
                 assertArrayEquals(array(each.bytes()), reencode(compiled.get(), each.bytes()));
             }

@@ -25,7 +25,7 @@ class CodecAgreementTest {
                 .map(StandardCodecs::forType).flatMap(Optional::stream);
         Stream<RecordCodec<?>> services = Stream.of(StandardServices.EMPTY, StandardServices.SET_BOOL,
                 StandardServices.TRIGGER, StandardServices.GET_MAP, StandardServices.SET_CAMERA_INFO,
-                StandardServices.GET_LOGGERS, StandardServices.SET_LOGGER_LEVEL)
+                StandardServices.GET_LOGGERS, StandardServices.SET_LOGGER_LEVEL, StandardServices.RECONFIGURE)
                 .flatMap(s -> Stream.of((RecordCodec<?>) s.request(), (RecordCodec<?>) s.response()));
         return Stream.concat(messages, services);
     }

@@ -55,7 +55,7 @@ class WellKnownSumsTest {
                 assertEquals(each.getValue(), codec.get().info().md5());
             }
         }
-        assertEquals(95, compiled);
+        assertEquals(121, compiled);
     }
 
     @Test

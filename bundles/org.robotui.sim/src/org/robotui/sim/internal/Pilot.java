@@ -62,6 +62,17 @@ final class Pilot {
     report(Severity.INFO, "base", text);
   }
 
+  /** Gives up a goal, unless it is not the present one. */
+  void cancel(String id) {
+    if (status.id().equals(id)) {
+      preempt("goal cancelled");
+    }
+  }
+
+  void cruise(Speed cruise) {
+    navigator.cruise(cruise);
+  }
+
   private void preempt(String text) {
     if (navigator.goal().isPresent()) {
       navigator.cancel();
@@ -70,10 +81,10 @@ final class Pilot {
   }
 
   /** Takes a goal in place of the one before. */
-  void goTo(Pose2 goal, Pose2 estimate) {
+  void goTo(String id, Pose2 goal, Pose2 estimate) {
     preempt("goal replaced");
     gate.clear();
-    status = new GoalStatus(status.number() + 1, Phase.ACTIVE, "on the way");
+    status = new GoalStatus(status.number() + 1, id, Phase.ACTIVE, "on the way");
     switch (navigator.start(goal, estimate)) {
       case Plan.Found found -> report(Severity.INFO, "navigation",
           String.format(Locale.ROOT, "goal accepted: %.2f, %.2f", goal.x(), goal.y()));
@@ -84,7 +95,7 @@ final class Pilot {
 
   /** Goes on with the goal, if there is one, from where localisation believes to be now. */
   void relocalised(Pose2 estimate) {
-    navigator.goal().ifPresent(goal -> goTo(goal, estimate));
+    navigator.goal().ifPresent(goal -> goTo(status.id(), goal, estimate));
   }
 
   /**
@@ -104,7 +115,7 @@ final class Pilot {
 
   private void end(Phase phase, Severity severity, String text) {
     navigation = Speed.ZERO;
-    status = new GoalStatus(status.number(), phase, text);
+    status = new GoalStatus(status.number(), status.id(), phase, text);
     report(severity, "navigation", text);
   }
 

@@ -22,6 +22,8 @@ import org.robotui.sim.internal.world.Pose2;
  * @param goal where it drives to
  * @param path the way there, in the map
  * @param goalStatus what became of the last goal
+ * @param tuning how it drives
+ * @param person where somebody walks, in the map; empty if nobody does
  * @param resets how often it was put back to the start
  */
 public record RobotState(
@@ -39,6 +41,8 @@ public record RobotState(
     Optional<Pose2> goal,
     List<Pose2> path,
     GoalStatus goalStatus,
+    Tuning tuning,
+    Optional<Pose2> person,
     int resets) {
   public Pose2 estimate() {
     return mapFromOdometry.times(odometry);

@@ -1,6 +1,7 @@
 package org.robotui.sim.internal;
 
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.Random;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -20,6 +21,7 @@ import org.robotui.sim.internal.robot.WheelOdometry;
 import org.robotui.sim.internal.sensor.Imu;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.Pose2;
+import org.robotui.sim.internal.world.Walker;
 import org.robotui.sim.internal.world.World;
 
 /**
@@ -46,6 +48,9 @@ public final class Simulation {
   private final Imu imu;
   private final Pilot pilot;
   private final FrontGuard guard;
+  private final Optional<Walker> walker;
+  private World present;
+  private Tuning tuning;
   private long steps;
   private boolean motorsOn = true;
   private boolean bumped;
@@ -58,15 +63,18 @@ public final class Simulation {
     this.world = world;
     this.settings = settings;
     this.events = events;
+    present = world;
+    walker = world.walk().isEmpty() ? Optional.empty() : Optional.of(new Walker(world.walk()));
+    walker.ifPresent(person -> present = world.with(Walker.body(person.place())));
     drive = new DriveTrain(settings.limits());
-    body = new Body(world, world.start());
+    body = new Body(this::present, world.start());
     odometry = new WheelOdometry(settings.odometryErrors(), random(1));
     localisation = new Localisation(random(2), world.start());
     battery = new Battery(settings.batteryLevel());
     imu = new Imu(random(3));
-    Speed cruise = new Speed(0.8 * settings.limits().linear(), 0.7 * settings.limits().angular());
-    pilot = new Pilot(new Navigator(new Planner(new Clearance(map), PLANNING_RADIUS), cruise), events);
-    guard = new FrontGuard(world, Body.RADIUS, settings.laser().height());
+    tuning = Tuning.of(settings.limits());
+    pilot = new Pilot(new Navigator(new Planner(new Clearance(map), PLANNING_RADIUS), tuning.cruise()), events);
+    guard = new FrontGuard(this::present, Body.RADIUS, settings.laser().height());
     state = capture();
   }
 
@@ -77,6 +85,11 @@ public final class Simulation {
 
   public World world() {
     return world;
+  }
+
+  /** The building with everybody in it at this moment. For the stepping thread only. */
+  public World present() {
+    return present;
   }
 
   public Settings settings() {
@@ -104,6 +117,7 @@ public final class Simulation {
       apply(command);
     }
     pilot.expire(now());
+    walker.filter(person -> tuning.personWalks()).ifPresent(this::walk);
     if (steps % NAVIGATION_STEPS == 0) {
       navigate();
     }
@@ -113,6 +127,11 @@ public final class Simulation {
       localisation.update(body.pose(), odometry.pose(), STEP * LOCALISATION_STEPS, moving);
     }
     state = capture();
+  }
+
+  private void walk(Walker person) {
+    person.step(body.pose(), STEP);
+    present = world.with(Walker.body(person.place()));
   }
 
   private double now() {
@@ -162,7 +181,9 @@ public final class Simulation {
   private void apply(Command command) {
     switch (command) {
       case Command.Drive wish -> pilot.drive(wish.speed(), now());
-      case Command.Goal goal -> pilot.goTo(goal.pose(), estimate());
+      case Command.Goal goal -> pilot.goTo(goal.id(), goal.pose(), estimate());
+      case Command.Cancel cancel -> pilot.cancel(cancel.id());
+      case Command.Tune tune -> tune(tune.tuning());
       case Command.InitialPose initial -> believe(initial.pose());
       case Command.Motors motors -> switchMotors(motors.on());
       case Command.Stop stop -> pilot.stop("stopped");
@@ -175,6 +196,14 @@ public final class Simulation {
     report(Severity.INFO, "localisation",
         String.format(Locale.ROOT, "initial pose set: %.2f, %.2f", pose.x(), pose.y()));
     pilot.relocalised(pose);
+  }
+
+  private void tune(Tuning wish) {
+    tuning = wish;
+    drive.limit(wish.limits());
+    pilot.cruise(wish.cruise());
+    report(Severity.INFO, "base", String.format(Locale.ROOT, "limits set to %.2f m/s and %.2f rad/s, driving %s",
+        wish.limits().linear(), wish.limits().angular(), wish.style().name().toLowerCase(Locale.ROOT)));
   }
 
   private void switchMotors(boolean on) {
@@ -204,6 +233,6 @@ public final class Simulation {
     return new RobotState(
         now(), body.pose(), odometry.pose(), localisation.mapFromOdometry(), drive.speed(),
         odometry.leftAngle(), odometry.rightAngle(), reading, motorsOn, localisation.isLost(), bumped,
-        pilot.goal(), pilot.path(), pilot.status(), resets);
+        pilot.goal(), pilot.path(), pilot.status(), tuning, walker.map(Walker::place), resets);
   }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.robotui.sim.internal.robot.DriveLimits;
 import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.world.MapRasterizer;
 import org.robotui.sim.internal.world.Pose2;
@@ -64,7 +65,7 @@ class SimulationTest {
   void odometryDriftsFromTheTruthButTheEstimateDoesNot() {
     World world = World.demo();
     Simulation simulation = in(world, 4);
-    simulation.submit(new Command.Goal(new Pose2(12.3, 2.6, 0)));
+    simulation.submit(new Command.Goal("g", new Pose2(12.3, 2.6, 0)));
     run(simulation, 60);
     RobotState state = simulation.state();
     Pose2 reckoned = world.start().times(state.odometry());
@@ -82,7 +83,7 @@ class SimulationTest {
     Simulation simulation = in(World.demo(), 2);
     for (Pose2 goal : tour) {
       events.clear();
-      simulation.submit(new Command.Goal(goal));
+      simulation.submit(new Command.Goal("g", goal));
       runUntilGoalEnds(simulation, 90);
       assertTrue(hasEvent("goal reached"), goal + ": " + events);
       assertFalse(hasEvent("bumped"), events.toString());
@@ -94,7 +95,7 @@ class SimulationTest {
   @Test
   void aCommandEndsNavigation() {
     Simulation simulation = in(World.demo(), 1);
-    simulation.submit(new Command.Goal(new Pose2(7, 5, 0)));
+    simulation.submit(new Command.Goal("g", new Pose2(7, 5, 0)));
     run(simulation, 2);
     assertTrue(simulation.state().path().size() > 10);
     simulation.submit(new Command.Drive(new Speed(0, 0.3)));
@@ -109,7 +110,7 @@ class SimulationTest {
   @Test
   void aGoalInAWallIsRefused() {
     Simulation simulation = in(World.demo(), 1);
-    simulation.submit(new Command.Goal(new Pose2(5, 2, 0)));
+    simulation.submit(new Command.Goal("g", new Pose2(5, 2, 0)));
     run(simulation, 1);
     assertTrue(hasEvent("goal refused"));
     assertEquals(GoalStatus.Phase.REJECTED, simulation.state().goalStatus().phase());
@@ -121,7 +122,7 @@ class SimulationTest {
     Simulation simulation = in(World.demo(), 1);
     simulation.submit(new Command.InitialPose(new Pose2(7, 5, 0)));
     run(simulation, 0.5);
-    simulation.submit(new Command.Goal(new Pose2(13, 5, 0)));
+    simulation.submit(new Command.Goal("g", new Pose2(13, 5, 0)));
     runUntilGoalEnds(simulation, 60);
     assertTrue(simulation.state().lost());
     assertTrue(hasEvent("goal aborted: the way is blocked"), events.toString());
@@ -135,6 +136,46 @@ class SimulationTest {
     driveFor(simulation, new Speed(0.5, 0.5), 1);
     assertEquals(5, simulation.state().truth().x());
     assertFalse(simulation.state().motorsOn());
+  }
+
+  @Test
+  void onlyTheGoalThatIsMeantIsCancelled() {
+    Simulation simulation = in(World.demo(), 1);
+    simulation.submit(new Command.Goal("mine", new Pose2(7, 5, 0)));
+    simulation.submit(new Command.Cancel("another"));
+    run(simulation, 1);
+    assertTrue(simulation.state().goal().isPresent());
+    simulation.submit(new Command.Cancel("mine"));
+    run(simulation, 0.1);
+    assertEquals(Optional.empty(), simulation.state().goal());
+    assertEquals("mine", simulation.state().goalStatus().id());
+    assertEquals(GoalStatus.Phase.PREEMPTED, simulation.state().goalStatus().phase());
+  }
+
+  @Test
+  void limitsHoldFromTheMomentTheyAreSet() {
+    Simulation simulation = in(TestWorlds.room(), 1);
+    driveFor(simulation, new Speed(0.7, 0), 1);
+    Tuning slow = new Tuning(new DriveLimits(0.2, 0.5, 1, 1), Tuning.Style.CAREFUL, true);
+    simulation.submit(new Command.Tune(slow));
+    driveFor(simulation, new Speed(0.7, 0), 1);
+    assertEquals(0.2, simulation.state().speed().linear(), 1e-9);
+    assertEquals(slow, simulation.state().tuning());
+  }
+
+  @Test
+  void somebodyWalksAndIsSeenByTheLaserUnlessToldNotTo() {
+    Simulation simulation = in(World.demo(), 1);
+    Pose2 before = simulation.state().person().orElseThrow();
+    run(simulation, 2);
+    Pose2 after = simulation.state().person().orElseThrow();
+    assertEquals(1.2, before.distanceTo(after), 0.02);
+    assertEquals(1 - 0.18, simulation.present().range(after.x() - 1, after.y(), 0, 0.3, 5), 0.01);
+    assertTrue(simulation.world().range(after.x() - 1, after.y(), 0, 0.3, 5) > 1);
+    simulation.submit(new Command.Tune(new Tuning(DriveLimits.DEMO, Tuning.Style.NORMAL, false)));
+    run(simulation, 1);
+    assertEquals(after, simulation.state().person().orElseThrow());
+    assertEquals(Optional.empty(), in(TestWorlds.room(), 1).state().person());
   }
 
   @Test
@@ -159,7 +200,7 @@ class SimulationTest {
 
   private RobotState endOfRun(long seed) {
     Simulation simulation = in(World.demo(), seed);
-    simulation.submit(new Command.Goal(new Pose2(7, 5, 0)));
+    simulation.submit(new Command.Goal("g", new Pose2(7, 5, 0)));
     run(simulation, 10);
     return simulation.state();
   }

@@ -23,6 +23,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
+import org.robotui.testkit.FakeAlerts;
 import org.robotui.testkit.FakeAuthority;
 
 /** A RUIC whose state a test sets, and which notes down what is asked of it. Safe for all threads. */
@@ -31,6 +32,7 @@ public final class FakeRuic implements Ruic {
   private final FakeAuthority authority;
   private final Map<String, Uic> uics = new ConcurrentHashMap<>();
   private final Map<String, String> titles = new ConcurrentHashMap<>();
+  private final FakeAlerts alerts = new FakeAlerts();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final List<String> windows = new CopyOnWriteArrayList<>();
   private volatile Layout layout = new Layout.View("none");
@@ -198,6 +200,16 @@ public final class FakeRuic implements Ruic {
   @Override
   public List<Authority> authorities() {
     return List.of(authority);
+  }
+
+  @Override
+  public Optional<Authority> authority(String component) {
+    return authorities().stream().findFirst();
+  }
+
+  @Override
+  public FakeAlerts alerts() {
+    return alerts;
   }
 
   @Override

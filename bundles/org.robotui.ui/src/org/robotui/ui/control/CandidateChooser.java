@@ -16,6 +16,7 @@ import org.robotui.ui.HealthDot;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Icons;
 import org.robotui.ui.Role;
+import org.robotui.ui.SpaceKey;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
@@ -49,6 +50,7 @@ public final class CandidateChooser extends Canvas {
     this.chosen = chosen;
     setBackground(theme.color(Role.PANEL));
     addPaintListener(e -> paint(e.gc, getClientArea()));
+    SpaceKey.claim(this);
     addListener(SWT.MouseMove, e -> hover(e.y));
     addListener(SWT.MouseUp, this::click);
     addListener(SWT.MouseVerticalWheel, e -> mark(marked - Integer.signum(e.count)));

@@ -20,6 +20,8 @@ import org.robotui.ui.Theme;
 public final class Painter {
   private static final int OPAQUE = 255;
   private static final int FULL_TURN = 360;
+  private static final int LONG_LINE = 100;
+  private static final double CLOSE_PIXELS = 1.5;
   private static final double GROUND_OPACITY = 0.85;
 
   private final GC gc;
@@ -333,13 +335,27 @@ public final class Painter {
     transform.dispose();
   }
 
+  /** Of long lines, points that lie too close together to be told apart are left out, but for the ends. */
   private Path path(double[] xy, int count) {
     Path path = new Path(gc.getDevice());
-    path.moveTo((float) viewport.pixelX(xy[0]), (float) viewport.pixelY(xy[1]));
+    double least = count > LONG_LINE ? CLOSE_PIXELS * CLOSE_PIXELS : 0;
+    double lastX = viewport.pixelX(xy[0]);
+    double lastY = viewport.pixelY(xy[1]);
+    path.moveTo((float) lastX, (float) lastY);
     for (int i = 1; i < count; i++) {
-      path.lineTo((float) viewport.pixelX(xy[2 * i]), (float) viewport.pixelY(xy[2 * i + 1]));
+      double x = viewport.pixelX(xy[2 * i]);
+      double y = viewport.pixelY(xy[2 * i + 1]);
+      if (i == count - 1 || square(x - lastX) + square(y - lastY) >= least) {
+        path.lineTo((float) x, (float) y);
+        lastX = x;
+        lastY = y;
+      }
     }
     return path;
+  }
+
+  private static double square(double value) {
+    return value * value;
   }
 
   private Path circlePath(double x, double y, double radius) {

@@ -16,9 +16,10 @@ import org.robotui.ui.Themes;
  * @param screenshot where to save a picture of the window
  * @param after how long to wait with the picture
  * @param theme how to look, this time
+ * @param measure where to write how the window did
  */
 public record Arguments(List<Path> configurations, Optional<Duration> limit, Optional<Path> screenshot, Duration after,
-    Optional<String> theme) {
+    Optional<String> theme, Optional<Path> measure) {
   private static final Duration USUAL_AFTER = Duration.ofSeconds(3);
 
   /**
@@ -49,6 +50,7 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
     private Optional<Path> screenshot = Optional.empty();
     private Duration after = USUAL_AFTER;
     private Optional<String> theme = Optional.empty();
+    private Optional<Path> measure = Optional.empty();
     private int at;
 
     Parser(String... words) {
@@ -59,7 +61,7 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), limit, screenshot, after, theme);
+      return new Arguments(List.copyOf(configurations), limit, screenshot, after, theme, measure);
     }
 
     private void option(String word) {
@@ -68,6 +70,7 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
         case "-for" -> limit = Optional.of(seconds(word));
         case "-after" -> after = seconds(word);
         case "-screenshot" -> screenshot = Optional.of(Path.of(value(word)));
+        case "-measure" -> measure = Optional.of(Path.of(value(word)));
         case "-theme" -> theme = Optional.of(theme(value(word)));
         default -> { }
       }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
@@ -27,6 +28,7 @@ public final class Configurations implements AutoCloseable {
   private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
   private final ExecutorService worker = Executors.newSingleThreadExecutor(
       Thread.ofPlatform().daemon().name("robotui-load").factory());
+  private int reading;
 
   /**
    * Reads nothing yet.
@@ -34,19 +36,27 @@ public final class Configurations implements AutoCloseable {
    * @param host the core
    * @param display runs tasks on the display thread
    * @param loaded is told on the display thread after each file
+   * @param components what the first reading waits for: a type that is not known yet would be a problem
    */
-  public Configurations(Host host, Executor display, BiConsumer<Path, List<Problem>> loaded) {
+  public Configurations(Host host, Executor display, BiConsumer<Path, List<Problem>> loaded, CompletableFuture<?> components) {
     this.host = host;
     this.display = display;
     this.loaded = loaded;
+    worker.execute(components::join);
   }
 
   /** Reads a file and adds its RUICs. */
   public void load(Path file) {
+    reading++;
     worker.execute(() -> {
       List<Problem> found = read(file);
       display.execute(() -> done(file, found));
     });
+  }
+
+  /** Whether the display knows the outcome of all that was to be read. */
+  public boolean areRead() {
+    return reading == 0;
   }
 
   /** What is wrong, in the order of the files. */
@@ -92,6 +102,7 @@ public final class Configurations implements AutoCloseable {
   }
 
   private void done(Path file, List<Problem> found) {
+    reading--;
     if (found.isEmpty()) {
       problems.remove(file);
     } else {

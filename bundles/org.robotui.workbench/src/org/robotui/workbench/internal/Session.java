@@ -5,7 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Collectors;
 import org.eclipse.swt.widgets.Display;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
@@ -13,6 +15,9 @@ import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.display.HostHub;
+import org.robotui.workbench.internal.display.Overviewer;
+import org.robotui.workbench.internal.model.Alerts;
+import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.Windows;
 
@@ -27,13 +32,14 @@ public final class Session {
   private final UserState state;
   private final Look look;
   private final HostHub hub;
+  private final Overviewer overviewer;
   private final Windows windows;
   private final Map<Object, WindowModel> models = new HashMap<>();
   private final Map<String, Map<String, int[]>> shares = new HashMap<>();
   private final List<Runnable> refreshers = new CopyOnWriteArrayList<>();
   private final List<Runnable> loaders = new CopyOnWriteArrayList<>();
   private final Configurations configurations;
-  private String lastAlert = "";
+  private final Alerts alerts = new Alerts(System::nanoTime);
 
   /**
    * Starts to follow the core.
@@ -44,8 +50,9 @@ public final class Session {
    * @param arguments what the command line asks
    * @param state what was kept
    * @param look the theme
+   * @param components done when the types of components are known, without which no configuration is read
    */
-  public Session(Host host, Principal user, Display display, Arguments arguments, UserState state, Look look) {
+  public Session(Host host, Principal user, Display display, Arguments arguments, UserState state, Look look, CompletableFuture<?> components) {
     this.host = host;
     this.user = user;
     this.display = display;
@@ -54,7 +61,8 @@ public final class Session {
     this.look = look;
     windows = new Windows(host);
     hub = new HostHub(host, this::later);
-    configurations = new Configurations(host, this::later, this::loaded);
+    overviewer = new Overviewer(host, this::later, this::showAll);
+    configurations = new Configurations(host, this::later, this::loaded, components);
     hub.add(new HostHub.Client() {
       @Override
       public void ruicsChanged() {
@@ -64,7 +72,12 @@ public final class Session {
 
       @Override
       public void alert(String ruic, String message) {
-        lastAlert = ruic.isEmpty() ? message : ruic + ": " + message;
+        alerts.tell(ruic, message);
+      }
+
+      @Override
+      public void notice(String message) {
+        alerts.pass(message);
       }
     });
     display.timerExec(REFRESH_MILLIS, this::periodic);
@@ -115,9 +128,9 @@ public final class Session {
     return shares;
   }
 
-  /** What went wrong last, empty for nothing. */
-  public String lastAlert() {
-    return lastAlert;
+  /** What went wrong last. */
+  public Alerts alerts() {
+    return alerts;
   }
 
   /** What a window of the platform shows. */
@@ -146,9 +159,15 @@ public final class Session {
     loaders.add(task);
   }
 
-  /** Shows what is true now. */
+  /** Shows what is known, and soon what is true now. */
   public void refresh() {
-    refreshers.forEach(Runnable::run);
+    showAll();
+    survey();
+  }
+
+  /** How the robots were doing a moment ago. */
+  public Overview overview() {
+    return overviewer.last();
   }
 
   /** Stops all robots. */
@@ -171,6 +190,7 @@ public final class Session {
   /** Ends following the core. */
   public void close() {
     hub.close();
+    overviewer.close();
     configurations.close();
   }
 
@@ -191,8 +211,16 @@ public final class Session {
     }
   }
 
+  private void showAll() {
+    refreshers.forEach(Runnable::run);
+  }
+
+  private void survey() {
+    overviewer.request(models.values().stream().flatMap(m -> m.selected().stream()).map(Ruic::name).collect(Collectors.toSet()));
+  }
+
   private void periodic() {
-    refresh();
+    survey();
     display.timerExec(REFRESH_MILLIS, this::periodic);
   }
 }

@@ -26,6 +26,11 @@ public final class Suspects {
     file = folder.resolve(FILE);
   }
 
+  /** Whether there is anybody to ask about. */
+  public boolean exist() {
+    return Files.exists(file);
+  }
+
   /** Asks for each suspect once whether to leave it out, and forgets them. */
   public List<String> judge(Predicate<String> leaveOut) {
     List<String> out = read().stream().filter(bundle -> !NEEDED.contains(bundle)).filter(leaveOut).toList();

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.eclipse.core.runtime.ILog;
 import org.eclipse.equinox.app.IApplication;
 import org.eclipse.equinox.app.IApplicationContext;
 import org.eclipse.swt.widgets.Display;
@@ -16,6 +17,8 @@ import org.robotui.api.host.Host;
 import org.robotui.ui.Themes;
 import org.robotui.workbench.internal.display.Heartbeat;
 import org.robotui.workbench.internal.display.StopKeys;
+import org.robotui.workbench.internal.measure.Measurement;
+import org.robotui.workbench.internal.rcp.ErrorLog;
 import org.robotui.workbench.internal.rcp.PlatformTheme;
 import org.robotui.workbench.internal.rcp.RobotWorkbenchAdvisor;
 import org.slf4j.Logger;
@@ -25,11 +28,11 @@ import org.slf4j.LoggerFactory;
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
   private static final Duration CLOSE_LIMIT = Duration.ofMillis(1200);
+  /** How long core and the types of components may take to start. */
   private static final Duration CORE_LIMIT = Duration.ofSeconds(10);
   private static final int WRONG_ARGUMENTS = 3;
   private static final int NO_CORE = 4;
   private static final String THEME = "theme";
-  private static final Logger LOG = LoggerFactory.getLogger(WorkbenchApplication.class);
   private static final Principal USER = new Principal("workbench", "You", Principal.Kind.WINDOW);
 
   @Override
@@ -52,26 +55,27 @@ public final class WorkbenchApplication implements IApplication {
   }
 
   private static Object start(Arguments arguments) throws InterruptedException {
-    Optional<Host> host = WorkbenchServices.host(CORE_LIMIT);
-    if (host.isEmpty()) {
-      System.err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
-      return NO_CORE;
-    }
+    CompletableFuture<Void> components = WorkbenchServices.startLaterBundles(CORE_LIMIT);
     Display.setAppName("RobotUI");
     Display display = PlatformUI.createDisplay();
     try {
-      return run(host.get(), display, arguments);
+      Optional<Host> host = WorkbenchServices.host(CORE_LIMIT);
+      if (host.isEmpty()) {
+        System.err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
+        return NO_CORE;
+      }
+      return run(host.get(), display, arguments, components);
     } finally {
       display.dispose();
     }
   }
 
-  private static Object run(Host host, Display display, Arguments arguments) {
+  private static Object run(Host host, Display display, Arguments arguments, CompletableFuture<Void> components) {
     UserState state = new UserState(UserState.usualFolder());
     String theme = arguments.theme().or(() -> state.get(THEME)).orElse(Themes.DARK);
     host.open(Surface.WINDOW, USER);
     try (Look look = new Look(display, theme, new PlatformTheme(display)::set)) {
-      Session session = new Session(host, USER, display, arguments, state, look);
+      Session session = new Session(host, USER, display, arguments, state, look, components);
       look.onChange(() -> state.put(THEME, look.theme().id()));
       return run(session, display);
     }
@@ -79,16 +83,24 @@ public final class WorkbenchApplication implements IApplication {
 
   private static Object run(Session session, Display display) {
     Runnable withdraw = WorkbenchServices.publish(session);
+    Optional<Measurement> measurement =
+        session.arguments().measure().map(file -> new Measurement(session.host(), display, file));
     CountDownLatch ended = new CountDownLatch(1);
     Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(display, ended), "robotui-stop"));
+    Optional<ErrorLog> errors =
+        ErrorLog.open(LoggerFactory.getILoggerFactory(), ILog.of(WorkbenchApplication.class)::log);
     try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
         StopKeys keys = new StopKeys(display, session::stop)) {
-      int code = PlatformUI.createAndRunWorkbench(display, new RobotWorkbenchAdvisor(session, heartbeat::begin));
+      RobotWorkbenchAdvisor advisor = new RobotWorkbenchAdvisor(session, heartbeat::begin);
+      advisor.startRobots();
+      int code = PlatformUI.createAndRunWorkbench(display, advisor);
       return code == PlatformUI.RETURN_RESTART ? EXIT_RESTART : EXIT_OK;
     } finally {
+      measurement.ifPresent(Measurement::close);
       session.close();
       end(session.host(), display);
       withdraw.run();
+      errors.ifPresent(ErrorLog::close);
       ended.countDown();
     }
   }
@@ -96,7 +108,7 @@ public final class WorkbenchApplication implements IApplication {
   /** The windows have gone; what we drive is stopped on a worker while the display still serves those who wait for it. */
   private static void end(Host host, Display display) {
     CompletableFuture<Void> ended = CompletableFuture.runAsync(
-        () -> host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left)),
+        () -> host.close(CLOSE_LIMIT).forEach(left -> log().warn("not ended in time: {}", left)),
         task -> Thread.ofPlatform().daemon().name("robotui-close").start(task));
     ended.whenComplete((nothing, failure) -> wake(display));
     while (!ended.isDone()) {
@@ -105,8 +117,13 @@ public final class WorkbenchApplication implements IApplication {
       }
     }
     if (ended.isCompletedExceptionally()) {
-      LOG.error("the core could not be closed", ended.exceptionNow());
+      log().error("the core could not be closed", ended.exceptionNow());
     }
+  }
+
+  /** Not made with the class: the first logger of all takes a while, and core asks for one beside the start of the display. */
+  private static Logger log() {
+    return LoggerFactory.getLogger(WorkbenchApplication.class);
   }
 
   private static void wake(Display display) {

@@ -2,14 +2,16 @@ package org.robotui.workbench.internal;
 
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import org.eclipse.e4.ui.css.swt.theme.IThemeManager;
 import org.osgi.framework.Bundle;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.BundleException;
+import org.osgi.framework.Constants;
 import org.osgi.framework.FrameworkUtil;
+import org.osgi.framework.startlevel.FrameworkStartLevel;
 import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
-import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
@@ -18,8 +20,6 @@ import org.slf4j.LoggerFactory;
  */
 @SuppressWarnings("restriction") // the platform has no public way to set a theme
 public final class WorkbenchServices {
-  private static final Logger LOG = LoggerFactory.getLogger(WorkbenchServices.class);
-
   private WorkbenchServices() {}
 
   /** Waits for the core, which may start after the application. */
@@ -31,6 +31,11 @@ public final class WorkbenchServices {
     } finally {
       tracker.close();
     }
+  }
+
+  /** Starts the bundles that the window does not wait for; done when core and the components are there, or after the limit. */
+  static CompletableFuture<Void> startLaterBundles(Duration limit) {
+    return LaterBundles.start(context().getBundle(Constants.SYSTEM_BUNDLE_ID).adapt(FrameworkStartLevel.class), limit);
   }
 
   /** Makes the session of the running application known to parts and handlers. */
@@ -64,7 +69,7 @@ public final class WorkbenchServices {
         try {
           each.stop(Bundle.STOP_TRANSIENT);
         } catch (BundleException e) {
-          LOG.warn("{} could not be left out", bundle, e);
+          LoggerFactory.getLogger(WorkbenchServices.class).warn("{} could not be left out", bundle, e);
         }
       }
     }

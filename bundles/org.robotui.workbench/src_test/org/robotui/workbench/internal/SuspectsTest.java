@@ -1,6 +1,8 @@
 package org.robotui.workbench.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -33,6 +35,17 @@ class SuspectsTest {
 
   @Test
   void usuallyThereAreNone() {
+    assertFalse(new Suspects(folder).exist());
     assertEquals(List.of(), new Suspects(folder).judge(bundle -> true));
+  }
+
+  @Test
+  void theyExistUntilTheyWereJudged() throws Exception {
+    Files.writeString(folder.resolve("suspect-bundles.txt"), "org.a\n");
+    Suspects suspects = new Suspects(folder);
+
+    assertTrue(suspects.exist());
+    suspects.judge(bundle -> false);
+    assertFalse(suspects.exist());
   }
 }

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 final class ArchitectureDocumentRule implements Rule {
 
     private static final String FILE = "ARCHITECTURE.md";
-    private static final Pattern NAME = Pattern.compile("`(org\\.robotui(?:\\.[a-z0-9]+)+)`");
+    private static final Pattern NAME = Pattern.compile("`(org\\.robotui(?:\\.[a-z0-9_]+)+)`");
 
     @Override
     public String statement() {

@@ -22,7 +22,7 @@ final class LazyComponentsRule implements Rule {
                         "has components, but no \"Bundle-ActivationPolicy: lazy\": they would never be found"));
     }
 
-    private static boolean hasComponents(Bundle bundle) {
+    static boolean hasComponents(Bundle bundle) {
         return bundle.sources().stream().anyMatch(source -> COMPONENT.matcher(source.text()).find());
     }
 }

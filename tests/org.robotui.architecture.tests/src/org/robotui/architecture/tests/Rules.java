@@ -7,7 +7,7 @@ final class Rules {
 
     static final List<Rule> ALL = List.of(
             new LayerRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(), new NamingRule(),
-            new LazyComponentsRule(), new FeatureRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
+            new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
             new ForbiddenTextRule());
 
     private Rules() {

@@ -46,6 +46,33 @@ class ShippingRulesTest {
         assertEquals(1, fixture.violationsOf(new LazyComponentsRule()).size());
     }
 
+    @Test
+    void a_component_that_starts_beside_the_window_is_accepted() {
+        assertEquals(List.of(), fixtureWithLaterBundle("org.robotui.uic.map").bundle("org.robotui.data").violationsOf(new StartLevelRule()));
+    }
+
+    @Test
+    void a_component_that_the_window_would_wait_for_is_refused() {
+        assertEquals(List.of("org.robotui.uic.plot: has no startLevel=\"5\" in product/org.robotui.workbench.product: the window would wait for it"),
+                fixtureWithLaterBundle("org.robotui.uic.map").bundle("org.robotui.uic.plot").violationsOf(new StartLevelRule()));
+    }
+
+    @Test
+    void a_bundle_with_components_below_the_views_starts_beside_the_window_too() {
+        assertEquals(1, fixtureWithLaterBundle("org.robotui.uic.map").bundle("org.robotui.entity.scan", "Bundle-ActivationPolicy: lazy")
+                .source("org.robotui.entity.scan", "org.robotui.entity.scan.internal.Kind", COMPONENT).violationsOf(new StartLevelRule()).size());
+    }
+
+    @Test
+    void what_the_window_needs_must_not_start_beside_it() {
+        assertEquals(1, fixtureWithLaterBundle("org.robotui.ui").violationsOf(new StartLevelRule()).size());
+    }
+
+    private Fixture fixtureWithLaterBundle(String later) {
+        return new Fixture(folder).bundle(later).file("product/org.robotui.workbench.product",
+                "<configurations><plugin id=\"" + later + "\" autoStart=\"false\" startLevel=\"5\"/></configurations>");
+    }
+
     private Fixture fixtureWithFeatures(String... shipped) {
         Fixture fixture = new Fixture(folder).bundle("org.robotui.core");
         for (int i = 0; i < shipped.length; i++) {

@@ -8,12 +8,12 @@ import org.junit.jupiter.api.Assertions;
 
 /** Waits for what other threads do. */
 final class Eventually {
-  private static final Duration PATIENCE = Duration.ofSeconds(20);
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final long STEP_NANOS = 5_000_000;
 
   private Eventually() {}
 
-  /** Waits until it holds; fails after 20 seconds with what there is instead. */
+  /** Waits until it holds; fails after a minute with what there is instead. */
   static void await(String what, BooleanSupplier condition, Supplier<?> instead) {
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (!condition.getAsBoolean()) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
@@ -15,7 +16,6 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
-import org.robotui.api.port.Port;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Battery;
@@ -38,23 +38,9 @@ record FakeRobot(String id, List<String> peers, AtomicInteger closed) implements
   }
 
   @Override
-  public String label() {
-    return "Fake robot";
-  }
-
-  @Override
-  public String help() {
-    return "A robot of the tests.";
-  }
-
-  @Override
-  public Schema schema() {
-    return Schema.of(Setting.of("peer", new ValueType.Text(), "nowhere", "Whom it calls."));
-  }
-
-  @Override
-  public List<Port> ports() {
-    return List.of();
+  public Descriptor descriptor() {
+    return new Descriptor(id, "Fake robot", "A robot of the tests.",
+        Schema.of(Setting.of("peer", new ValueType.Text(), "nowhere", "Whom it calls.")), List.of());
   }
 
   @Override

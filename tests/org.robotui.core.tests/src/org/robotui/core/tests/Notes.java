@@ -3,6 +3,7 @@ package org.robotui.core.tests;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
@@ -11,7 +12,6 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Input;
-import org.robotui.api.port.Port;
 import org.robotui.data.Battery;
 
 /**
@@ -42,28 +42,9 @@ record Notes(List<UicContext> contexts, AtomicInteger received, AtomicInteger cl
   }
 
   @Override
-  public String id() {
-    return "notes";
-  }
-
-  @Override
-  public String label() {
-    return "Notes";
-  }
-
-  @Override
-  public String help() {
-    return "A view of the tests.";
-  }
-
-  @Override
-  public Schema schema() {
-    return Schema.of(Setting.of(ZOOM, new ValueType.Num(1, 100, ""), 10.0, "How near."));
-  }
-
-  @Override
-  public List<Port> ports() {
-    return List.of(FakeRobot.BATTERY);
+  public Descriptor descriptor() {
+    return new Descriptor("notes", "Notes", "A view of the tests.",
+        Schema.of(Setting.of(ZOOM, new ValueType.Num(1, 100, ""), 10.0, "How near.")), List.of(FakeRobot.BATTERY));
   }
 
   @Override

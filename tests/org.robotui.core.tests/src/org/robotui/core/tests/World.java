@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Assertions;
 import org.osgi.framework.BundleException;
@@ -44,6 +46,7 @@ final class World implements AutoCloseable {
   private final Path folder;
   private final Map<ComponentType, ServiceRegistration<?>> types = new IdentityHashMap<>();
   private final List<String> alerts = new CopyOnWriteArrayList<>();
+  private final Map<String, AtomicInteger> frames = new ConcurrentHashMap<>();
   private final Map<String, Installed> away = new TreeMap<>();
   private final Host host;
 
@@ -60,6 +63,11 @@ final class World implements AutoCloseable {
       @Override
       public void alert(String ruic, String message) {
         alerts.add(ruic + ": " + message);
+      }
+
+      @Override
+      public void frameReady(String ruic, String uic) {
+        frames.computeIfAbsent(ruic + "." + uic, key -> new AtomicInteger()).incrementAndGet();
       }
     });
   }
@@ -104,13 +112,18 @@ final class World implements AutoCloseable {
   Ruic load(String yaml) throws IOException {
     List<Problem> problems = host.load(Files.writeString(folder.resolve("robot.yaml"), yaml));
     Assertions.assertTrue(problems.stream().noneMatch(p -> p.severity() == Problem.Severity.ERROR), problems.toString());
-    Ruic ruic = host.ruics().getFirst();
+    Ruic ruic = keira();
     ruic.select("window");
     return ruic;
   }
 
+  /** The RUIC that was loaded; the last one, where there are others beside it. */
+  private Ruic keira() {
+    return host.ruics().getLast();
+  }
+
   private RuicSnapshot snapshot() {
-    return host.ruics().getFirst().snapshot();
+    return keira().snapshot();
   }
 
   void awaitRuic(RuicState state) {
@@ -156,9 +169,29 @@ final class World implements AutoCloseable {
     return text(view);
   }
 
+  /** Waits for a text with some word that is as it should be: before the first value it names what is waited for. */
+  void awaitText(String view, String word, Predicate<String> right) {
+    Eventually.await(view + " shows " + word, () -> text(view).contains(word) && right.test(text(view)), () -> text(view));
+  }
+
   private String text(String view) {
-    return host.ruics().getFirst().uic(view).map(TextUic.class::cast)
+    return keira().uic(view).map(TextUic.class::cast)
         .map(v -> String.join("\n", v.lines(160, 60))).orElse("");
+  }
+
+  /** What the user was told. */
+  List<String> alerts() {
+    return alerts;
+  }
+
+  /** Waits until a view, by RUIC and id, has had something new to show so many times more. */
+  void awaitFrames(String view, int more) {
+    int before = frames(view);
+    Eventually.await(view + " is shown", () -> frames(view) >= before + more, () -> frames);
+  }
+
+  private int frames(String view) {
+    return frames.getOrDefault(view, new AtomicInteger()).get();
   }
 
   void awaitAlert(String word) {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Assertions;
 /** Waits for conditions of other threads and processes. */
 final class Eventually {
 
-    private static final Duration TIME = Duration.ofSeconds(20);
+    private static final Duration TIME = Duration.ofSeconds(60);
 
     private Eventually() {
     }

@@ -59,6 +59,15 @@ class InteroperationTest {
     }
 
     @Test
+    void weHearTopicsWhoseNamesRosOnlyWarnsOf() throws Exception {
+        Set<String> heard = ConcurrentHashMap.newKeySet();
+        world.python("talker.py", "pythonist", "/front-left/chatter");
+        world.node("listener").subscriber("/front-left/chatter", StdString.CODEC, SubscriberOptions.standard(),
+                (text, reception) -> heard.add(reception.callerId()));
+        Eventually.await("the talker", () -> heard.contains("/pythonist"));
+    }
+
+    @Test
     void weGetLatchedMessagesOfRospy() throws Exception {
         List<String> heard = new CopyOnWriteArrayList<>();
         world.python("latcher.py", "latcher", "/map", "the map");

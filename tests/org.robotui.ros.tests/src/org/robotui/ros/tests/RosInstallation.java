@@ -23,6 +23,12 @@ final class RosInstallation {
                 "roscpp is not installed: needs g++ and the Debian packages libroscpp-dev libstd-msgs-dev libstd-srvs-dev");
     }
 
+    /** Skips the test if Python packages beyond the usual ones are missing. */
+    static void assumePython(String imports, String debianPackages) {
+        Assumptions.assumeTrue(succeeds("/usr/bin/python3", "-c", "import " + imports),
+                "not installed: the Debian packages " + debianPackages);
+    }
+
     private static boolean succeeds(String... command) {
         try {
             Process process = new ProcessBuilder(List.of(command)).redirectErrorStream(true)

@@ -2,6 +2,7 @@ package org.robotui.ros.tests;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.URI;
@@ -11,6 +12,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.concurrent.ThreadLocalRandom;
 import java.util.stream.Stream;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkListener;
@@ -30,9 +32,19 @@ final class RosWorld implements AutoCloseable {
 
     RosWorld() throws IOException {
         folder = Files.createTempDirectory("robotui-ros");
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
+        port = freePort();
+    }
+
+    /** Below the ports that the system hands out by itself: until a slow peer binds it, nobody else gets it by chance. */
+    private static int freePort() throws IOException {
+        for (int attempt = 0; attempt < 100; attempt++) {
+            try (ServerSocket free = new ServerSocket(ThreadLocalRandom.current().nextInt(15_000, 32_000), 1, InetAddress.getLoopbackAddress())) {
+                return free.getLocalPort();
+            } catch (BindException e) {
+                continue; // in use
+            }
         }
+        throw new IOException("no free port between 15000 and 32000");
     }
 
     URI masterUri() {

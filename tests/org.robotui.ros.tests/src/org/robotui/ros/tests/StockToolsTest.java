@@ -19,6 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.RosLog;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.msgs.StandardServices;
@@ -111,6 +112,26 @@ class StockToolsTest {
         Peer echo = world.start("rostopic", "echo", "/chatter").awaitLine("tick");
         expect(world.tool("rosnode", "info", "/robot"), "* /chatter [std_msgs/String]", "* /robot/switch", "transport: TCPROS",
                 "direction: outbound", "Pid: " + ProcessHandle.current().pid());
+        echo.kill();
+    }
+
+    @Test
+    void entriesOfOurLogReachTheLogOfAllNodes() throws Exception {
+        Peer echo = world.start("rostopic", "echo", "/rosout_agg");
+        try (RosLog log = RosLog.open(robot)) {
+            Eventually.await("the entry; rostopic printed " + echo.output(), () -> {
+                log.write(RosLog.Level.WARN, "motors", "too hot");
+                return echo.output().contains("msg: \"too hot\"") && echo.output().contains("level: 4") && echo.output().contains("name: \"/robot\"");
+            });
+        }
+    }
+
+    @Test
+    void statisticsOfLinksAreToldAsRospyReadsThem() throws Exception {
+        Peer echo = world.start("rostopic", "echo", "/chatter").awaitLine("tick");
+        String script = "import xmlrpc.client, sys; code, text, (pub, sub, srv) = xmlrpc.client.ServerProxy(sys.argv[1]).getBusStats('/me');"
+                + " print(code, [(t, n > 0, [(b > 0, m > 0, up) for i, b, m, up in links]) for t, n, links in pub])";
+        expect(world.tool("/usr/bin/python3", "-c", script, robot.uri()), "1 [('/chatter', True, [(True, True, True)])]");
         echo.kill();
     }
 

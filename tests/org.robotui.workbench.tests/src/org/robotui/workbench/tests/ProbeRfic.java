@@ -3,6 +3,7 @@ package org.robotui.workbench.tests;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
@@ -12,7 +13,6 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
-import org.robotui.api.port.Port;
 import org.robotui.data.VelocityCommand;
 
 /**
@@ -27,23 +27,8 @@ record ProbeRfic(String id, boolean hangs, AtomicInteger sent) implements RficTy
       new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.MANY, "Drives.");
 
   @Override
-  public String label() {
-    return "Probe";
-  }
-
-  @Override
-  public String help() {
-    return "A robot interface of the tests.";
-  }
-
-  @Override
-  public Schema schema() {
-    return Schema.EMPTY;
-  }
-
-  @Override
-  public List<Port> ports() {
-    return List.of(DRIVE);
+  public Descriptor descriptor() {
+    return new Descriptor(id, "Probe", "A robot interface of the tests.", Schema.EMPTY, List.of(DRIVE));
   }
 
   @Override

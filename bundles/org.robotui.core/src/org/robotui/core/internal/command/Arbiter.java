@@ -171,11 +171,12 @@ public final class Arbiter implements Authority {
   }
 
   /**
-   * Stops what we move on these ports, before they close. What we do not move is not touched.
+   * Stops what we move on these ports, before they close; they take no command after it. What we do not move is not touched.
    *
    * @return the ports on which something moved
    */
   public synchronized List<CommandTarget<?>> endNow(List<CommandTarget<?>> targets) {
+    targets.forEach(CommandTarget::takeNoMore);
     List<CommandTarget<?>> ours = targets.stream().filter(drives::containsKey).toList();
     ours.forEach(drives::remove);
     ours.forEach(CommandTarget::postZero);
@@ -199,7 +200,7 @@ public final class Arbiter implements Authority {
     for (Iterator<Drive> all = drives.values().iterator(); all.hasNext(); ) {
       Drive drive = all.next();
       if (drive.isMoving() && mustEnd(drive, now)) {
-        drive.end(now);
+        end(drive, now);
       }
       if (!drive.isMoving() && drive.zeroed(now)) {
         all.remove();
@@ -208,6 +209,13 @@ public final class Arbiter implements Authority {
       }
     }
     return next;
+  }
+
+  private void end(Drive drive, long now) {
+    drive.end(now);
+    if (drive.principal().kind() == Principal.Kind.WINDOW && display.isSilent()) {
+      display.stoppedSomething();
+    }
   }
 
   private boolean mustEnd(Drive drive, long now) {
@@ -285,6 +293,7 @@ public final class Arbiter implements Authority {
       drives.clear();
       ports.forEach(p -> p.commands().forEach(CommandTarget::clear));
     }
+    ports.forEach(RobotPorts::cancelCalls);
     ports.forEach(RobotPorts::callStop);
     changed();
   }

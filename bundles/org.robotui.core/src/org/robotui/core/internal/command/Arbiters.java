@@ -7,13 +7,19 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.locks.LockSupport;
 import org.robotui.api.command.Principal;
+import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.time.NanoClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The arbiters of all robots. The same robot in two RUICs has one arbiter; it is remembered when no RUIC has the robot any
  * more, so that a stop stays latched over a restart. Its thread lives only while a RUIC has the robot.
  */
 public final class Arbiters implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Arbiters.class);
+  private static final long RETRY_NANOS = 10_000_000L;
+
   private static final class Entry {
     private final Arbiter arbiter;
     private volatile Optional<Thread> thread = Optional.empty();
@@ -58,8 +64,18 @@ public final class Arbiters implements AutoCloseable {
   private void run(Entry entry) {
     Thread me = Thread.currentThread();
     while (entry.thread.filter(t -> t == me).isPresent()) {
-      long next = entry.arbiter.step();
+      long next = step(entry.arbiter);
       LockSupport.parkNanos(this, Math.max(0, next - clock.nanos()));
+    }
+  }
+
+  /** One that failed, for want of memory, is tried again soon: nobody else stops the robot. */
+  private long step(Arbiter arbiter) {
+    try {
+      return arbiter.step();
+    } catch (RuntimeException | Error e) {
+      Thrown.log(LOG, "Deciding about " + arbiter.robot() + " failed", e);
+      return clock.nanos() + RETRY_NANOS;
     }
   }
 

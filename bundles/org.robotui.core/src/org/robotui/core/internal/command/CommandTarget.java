@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
+import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.port.Fan;
 import org.robotui.core.internal.port.Link;
@@ -36,6 +37,7 @@ public final class CommandTarget<T extends Data> implements Offered {
   private final AtomicBoolean closed = new AtomicBoolean();
   private final AtomicBoolean warned = new AtomicBoolean();
   private volatile Optional<T> zero;
+  private volatile boolean ending;
   private volatile String problem = "";
   private volatile String fence = "";
 
@@ -145,8 +147,13 @@ public final class CommandTarget<T extends Data> implements Offered {
     return sent;
   }
 
+  /** Refuses commands from now on, so that the zero that is sent at the end is the last. */
+  void takeNoMore() {
+    ending = true;
+  }
+
   boolean isClosed() {
-    return closed.get();
+    return ending || closed.get();
   }
 
   @Override
@@ -160,9 +167,11 @@ public final class CommandTarget<T extends Data> implements Offered {
   }
 
   @Override
-  public PortStatus status(long now) {
-    double age = sent.last().map(e -> e.ageSeconds(now)).orElse(Double.NaN);
-    String value = sent.last().map(e -> ValueText.of(e.value())).orElse("");
+  public PortStatus status(NanoClock moment) {
+    Optional<Envelope<T>> last = sent.last();
+    long now = moment.nanos();
+    double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
+    String value = last.map(e -> ValueText.of(e.value())).orElse("");
     return new PortStatus(id, port.kind(), port.typeName(), arbiter.drives(this), sent.rate().count(),
         sent.rate().rateHz(now), age, false, sent.dropped(), problem(), value);
   }

@@ -2,6 +2,7 @@ package org.robotui.core.internal.command;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.core.internal.time.NanoClock;
 
 /** Knows whether the display thread lives and whether the user's attention is with our windows. */
@@ -12,8 +13,10 @@ public final class DisplayWatch {
   private record Beat(Thread thread, long nanos) {}
 
   private final NanoClock clock;
+  private final AtomicLong longest = new AtomicLong();
   private volatile Optional<Beat> last = Optional.empty();
   private volatile boolean focused = true;
+  private volatile boolean stopped;
 
   /** A watch for an application that may have no display. */
   public DisplayWatch(NanoClock clock) {
@@ -22,6 +25,7 @@ public final class DisplayWatch {
 
   /** The calling thread is the display thread, and it lives. */
   public void alive() {
+    longest.accumulateAndGet(silenceNanos(), Math::max);
     last = Optional.of(new Beat(Thread.currentThread(), clock.nanos()));
   }
 
@@ -38,6 +42,27 @@ public final class DisplayWatch {
   /** How long the display has been silent; 0 where there is none. */
   public long silenceNanos() {
     return last.map(b -> Math.max(0, clock.nanos() - b.nanos())).orElse(0L);
+  }
+
+  /** The longest silence that has ended since the last call: who looks now and then misses how long it was. For one caller. */
+  public long takeLongestSilenceNanos() {
+    return longest.getAndSet(0);
+  }
+
+  /** Something that a window moved has been stopped because the display is silent. */
+  public void stoppedSomething() {
+    stopped = true;
+  }
+
+  /** Whether that has happened since the last call. For one caller. */
+  public boolean takeStopped() {
+    boolean was = stopped;
+    stopped = false;
+    return was;
+  }
+
+  boolean isSilent() {
+    return silenceNanos() > SILENCE_NANOS;
   }
 
   /** Why a person at a window cannot be trusted to see what moves; nothing where all is well. */

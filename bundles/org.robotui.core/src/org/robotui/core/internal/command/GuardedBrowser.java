@@ -1,6 +1,7 @@
 package org.robotui.core.internal.command;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.command.CommandOutcome.Refused;
 import org.robotui.api.command.Principal;
@@ -26,10 +27,30 @@ public record GuardedBrowser(Browser browser, Arbiter arbiter, Principal princip
 
   @Override
   public void setParameter(String name, Object value) throws CallException {
+    check();
+    browser.setParameter(name, value);
+  }
+
+  @Override
+  public List<Tunable> tunables(Item item) throws CallException {
+    return browser.tunables(item);
+  }
+
+  @Override
+  public List<Tunable> setTunables(Item item, Map<String, Object> values) throws CallException {
+    check();
+    return browser.setTunables(item, values);
+  }
+
+  @Override
+  public List<Link> links() throws CallException {
+    return browser.links();
+  }
+
+  private void check() throws CallException {
     Optional<Refused> refused = arbiter.notAllowed(principal);
     if (refused.isPresent()) {
       throw new CallException(refused.get().explanation());
     }
-    browser.setParameter(name, value);
   }
 }

@@ -11,6 +11,9 @@ public interface RobotPorts {
   /** How the robot is kept safe. */
   SafetyConfig safety();
 
+  /** Cancels the calls under way that command the robot. Must not block. */
+  void cancelCalls();
+
   /** Starts the configured stop call, where there is one. Must not block. */
   void callStop();
 

@@ -5,14 +5,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.locks.LockSupport;
+import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The thread that sends the commands of one robot interface, so that one that hangs neither delays the arbiter nor the stop
  * of others. A port that hangs is fenced, and a new thread goes on with the others.
  */
 public final class Sender implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Sender.class);
+  private static final long RETRY_NANOS = 10_000_000L;
   private static final long HANGS_NANOS = Duration.ofSeconds(1).toNanos();
 
   private record Busy(CommandTarget<?> target, long since) {}
@@ -74,14 +80,25 @@ public final class Sender implements AutoCloseable {
   }
 
   private void run() {
+    boolean goesOn = true;
+    while (goesOn) {
+      goesOn = sendNext();
+    }
+  }
+
+  /** Where there is no memory even for this, it is tried again: nobody else sends the stop, which the arbiter repeats. */
+  private boolean sendNext() {
     try {
       Optional<CommandTarget<?>> next = next();
-      while (next.isPresent()) {
-        sendOne(next.get());
-        next = next();
-      }
+      next.ifPresent(this::sendOne);
+      return next.isPresent();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // it was fenced or closed; the thread ends
+      return false;
+    } catch (RuntimeException | Error e) {
+      Thrown.log(LOG, "Sending to " + name + " failed", e);
+      LockSupport.parkNanos(RETRY_NANOS);
+      return true;
     }
   }
 

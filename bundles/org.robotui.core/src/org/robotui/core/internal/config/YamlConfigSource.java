@@ -17,7 +17,7 @@ import org.robotui.core.internal.config.model.TypeLookup;
 
 /** Reads configuration files. */
 public final class YamlConfigSource implements ConfigSource {
-  private static final List<String> KEYS = List.of("simulator", "ruics");
+  private static final List<String> KEYS = List.of("simulator", "control", "ruics");
   private static final long MAX_BYTES = 1 << 20;
 
   private final Variables variables;

@@ -27,6 +27,7 @@ import org.robotui.core.internal.life.OverlayStore;
 import org.robotui.core.internal.life.RuicRuntime;
 import org.robotui.core.internal.life.Services;
 import org.robotui.core.internal.watch.DisplayWatchdog;
+import org.robotui.core.internal.watch.MemoryWatch;
 import org.robotui.core.internal.watch.SuspectFile;
 import org.robotui.core.internal.watch.Watch;
 
@@ -58,8 +59,11 @@ public final class Core implements Host {
     this.arbiters = new Arbiters(parts.clock(), display);
     this.watch = new Watch(parts.clock());
     this.services = new Services(parts.registry(), parts.check(), arbiters, events, watch, timer, parts.clock(),
-        parts.wall(), () -> stage);
+        parts.wall(), parts.state().interfaces(), () -> List.copyOf(ruics),
+        parts.bundles(), () -> stage);
     watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
+        events::notice));
+    watch.add(new MemoryWatch(MemoryWatch.heap(), () -> arbiters.stopAll(NO_STAGE.principal()),
         message -> events.alert("", message)));
     parts.registry().listen(this::typesChanged);
   }
@@ -69,8 +73,10 @@ public final class Core implements Host {
   }
 
   private static ScheduledThreadPoolExecutor executor(String name) {
-    ScheduledThreadPoolExecutor executor =
-        new ScheduledThreadPoolExecutor(1, work -> Thread.ofPlatform().daemon().name(name).unstarted(work));
+    // Its thread may come on that of a component, and must not count as one of its threads.
+    ThreadGroup group = Thread.currentThread().getThreadGroup();
+    ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(
+        1, work -> Thread.ofPlatform().group(group).daemon().name(name).unstarted(work));
     executor.setRemoveOnCancelPolicy(true);
     return executor;
   }

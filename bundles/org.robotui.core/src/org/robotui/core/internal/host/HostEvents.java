@@ -4,9 +4,13 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.robotui.core.internal.life.Events;
 import org.robotui.core.internal.life.RuicRuntime;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
-/** Passes on what happens to listeners. */
+/** Passes on what happens to listeners; what the user should know goes to the log as well. */
 final class HostEvents implements Events {
+  private static final Logger LOG = LoggerFactory.getLogger(HostEvents.class);
+
   private final Notifier notifier;
   private final Consumer<RuicRuntime> removed;
 
@@ -31,7 +35,14 @@ final class HostEvents implements Events {
 
   @Override
   public void alert(String ruic, String message) {
+    LOG.warn("{}{}", ruic.isEmpty() ? "" : ruic + ": ", message);
     notifier.post(List.of("alert", ruic, message), l -> l.alert(ruic, message));
+  }
+
+  /** Something about the application that soon is over. */
+  void notice(String message) {
+    LOG.warn("{}", message);
+    notifier.post(List.of("notice", message), l -> l.notice(message));
   }
 
   @Override

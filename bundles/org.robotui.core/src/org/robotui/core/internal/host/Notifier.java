@@ -8,6 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.robotui.api.host.Host.Subscription;
 import org.robotui.api.host.HostListener;
+import org.robotui.core.internal.fence.Thrown;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -61,8 +62,8 @@ final class Notifier implements AutoCloseable {
     for (HostListener listener : listeners) {
       try {
         event.accept(listener);
-      } catch (RuntimeException | LinkageError e) {
-        LOG.error("A listener failed", e);
+      } catch (RuntimeException | Error e) { // the others are to hear of it
+        Thrown.log(LOG, "A listener failed", e);
       }
     }
   }

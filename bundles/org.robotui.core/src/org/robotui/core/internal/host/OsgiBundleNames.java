@@ -2,14 +2,39 @@ package org.robotui.core.internal.host;
 
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import org.osgi.framework.Bundle;
 import org.osgi.framework.BundleContext;
 import org.robotui.core.internal.watch.BundleNames;
 
-/** Finds the bundle of a class: by its name, as bundles are named after their root package, else by its class file. */
+/**
+ * Finds the bundle of a class: by its name, as bundles are named after their root package, else by its class file. Looking for a file
+ * in all bundles takes long, and who asks may be the one that stops robots: so each class is looked for once, until bundles come or go.
+ */
 final class OsgiBundleNames implements BundleNames {
+  private static final List<String> PLATFORM = List.of("java.", "javax.", "jdk.", "sun.", "com.sun.");
+  private static final int MOST = 10_000;
+
   private final BundleContext context;
+  private volatile Known known = new Known(0, 0, Map.of());
+
+  /** What was found among as many bundles, the newest of them that one: another installation has another number. */
+  private record Known(int bundles, long newest, Map<String, Optional<String>> names) {
+    boolean isOf(Bundle[] all) {
+      return all.length == bundles && newestOf(all) == newest && names.size() < MOST;
+    }
+
+    static Known nothingOf(Bundle[] all) {
+      return new Known(all.length, newestOf(all), new ConcurrentHashMap<>());
+    }
+
+    private static long newestOf(Bundle[] all) {
+      return Arrays.stream(all).mapToLong(Bundle::getBundleId).max().orElse(0);
+    }
+  }
 
   OsgiBundleNames(BundleContext context) {
     this.context = context;
@@ -17,18 +42,31 @@ final class OsgiBundleNames implements BundleNames {
 
   @Override
   public Optional<String> bundleOf(String className) {
-    return byName(className).or(() -> byFile(className)).map(Bundle::getSymbolicName);
+    if (PLATFORM.stream().anyMatch(className::startsWith)) {
+      return Optional.empty();
+    }
+    Bundle[] all = context.getBundles();
+    Known now = known;
+    if (!now.isOf(all)) {
+      now = Known.nothingOf(all);
+      known = now;
+    }
+    return now.names().computeIfAbsent(className, name -> find(name, all));
   }
 
-  private Optional<Bundle> byName(String className) {
-    return Arrays.stream(context.getBundles())
+  private static Optional<String> find(String className, Bundle[] all) {
+    return byName(className, all).or(() -> byFile(className, all)).map(Bundle::getSymbolicName);
+  }
+
+  private static Optional<Bundle> byName(String className, Bundle[] all) {
+    return Arrays.stream(all)
         .filter(b -> b.getSymbolicName() instanceof String name && className.startsWith(name + "."))
         .max(Comparator.comparingInt(b -> b.getSymbolicName().length()));
   }
 
-  private Optional<Bundle> byFile(String className) {
+  private static Optional<Bundle> byFile(String className, Bundle[] all) {
     String file = className.replace('.', '/') + ".class";
-    return Arrays.stream(context.getBundles())
+    return Arrays.stream(all)
         .filter(b -> b.getBundleId() != 0 && b.getSymbolicName() instanceof String && b.getEntry(file) != null)
         .findFirst();
   }

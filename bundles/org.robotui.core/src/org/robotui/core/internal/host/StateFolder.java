@@ -31,6 +31,11 @@ public record StateFolder(Path path) {
     return path.resolve("overlays").resolve(name + "-" + Long.toHexString(sum.getValue()) + ".yaml");
   }
 
+  /** Where robot interfaces may keep files. */
+  Path interfaces() {
+    return path.resolve("interfaces");
+  }
+
   /** The file that names bundles which held the display up. */
   Path suspects() {
     return path.resolve("suspect-bundles.txt");

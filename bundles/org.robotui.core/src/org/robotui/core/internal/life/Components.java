@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.robotui.api.command.Authority;
 import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.port.CallTarget;
 
 /** All components of one RUIC. Changed on its worker only, read by all. */
 final class Components {
@@ -95,5 +96,12 @@ final class Components {
     return rfics.stream().filter(s -> s.config().robot().equals(robot))
         .flatMap(s -> s.instance().stream()).flatMap(i -> i.table().commands().stream())
         .<CommandTarget<?>>map(c -> c).toList();
+  }
+
+  /** The call ports of one robot. */
+  List<CallTarget<?, ?>> calls(String robot) {
+    return rfics.stream().filter(s -> s.config().robot().equals(robot))
+        .flatMap(s -> s.instance().stream()).flatMap(i -> i.table().calls().stream())
+        .<CallTarget<?, ?>>map(c -> c).toList();
   }
 }

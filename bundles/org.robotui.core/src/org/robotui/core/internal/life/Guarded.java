@@ -11,6 +11,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.robotui.core.internal.fence.Thrown;
 
 /** Calls foreign code with a time limit, on a thread of its own that is given up where it hangs. */
 final class Guarded {
@@ -33,7 +34,9 @@ final class Guarded {
     try {
       return task.get(limit.toNanos(), TimeUnit.NANOSECONDS);
     } catch (ExecutionException e) {
-      throw new GuardException("threw " + e.getCause() + " in " + what, e.getCause());
+      boolean settings = e.getCause() instanceof IllegalArgumentException && e.getCause().getMessage() != null;
+      throw new GuardException(settings ? "cannot " + what + ": " + e.getCause().getMessage()
+          : "threw " + Thrown.text(e.getCause()) + " in " + what, e.getCause());
     } catch (TimeoutException e) {
       task.cancel(true);
       throw new GuardException("did not return from " + what + " within " + seconds(limit), e);

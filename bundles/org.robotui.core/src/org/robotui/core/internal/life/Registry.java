@@ -70,8 +70,12 @@ public final class Registry implements TypeLookup {
 
   /** Names bundle and class of something made by a type, for messages. */
   public String origin(ComponentType type, Object instance) {
-    String bundle = rfics.bundle(type).or(() -> uics.bundle(type)).or(() -> ruics.bundle(type)).orElse("unknown");
-    return "bundle " + bundle + ", class " + instance.getClass().getName();
+    return "bundle " + bundle(type).orElse("unknown") + ", class " + instance.getClass().getName();
+  }
+
+  /** The bundle of a type, also of one that has gone. */
+  Optional<String> bundle(ComponentType type) {
+    return rfics.bundle(type).or(() -> uics.bundle(type)).or(() -> ruics.bundle(type));
   }
 
   /** Why there is no such type of robot interface. */

@@ -1,5 +1,6 @@
 package org.robotui.core.internal.life;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -16,13 +17,16 @@ import org.robotui.core.internal.command.Arbiter;
 import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.command.Sender;
 import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.port.CallPool;
 import org.robotui.core.internal.port.Link;
 import org.robotui.core.internal.watch.Watch.Watched;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** One running instance of a robot interface with all that it was given. */
 final class RficInstance implements RficContext, Instance {
-  private static final Duration LIMIT = Duration.ofSeconds(2);
+  private static final Logger LOG = LoggerFactory.getLogger(RficInstance.class);
   private static final Duration GRACE = Duration.ofMillis(300);
   private static final Duration FLUSH = Duration.ofMillis(100);
   private static final int ZEROS = 3;
@@ -37,10 +41,12 @@ final class RficInstance implements RficContext, Instance {
   private final Arbiter arbiter;
   private final Sender sender;
   private final CallPool calls;
+  private final CallPool tasks;
+  private final Background background;
   private final OfferTable offers;
   private final ClockSource clock;
   private final Watched watched = this::check;
-  private Optional<Rfic> rfic = Optional.empty();
+  private volatile Optional<Rfic> rfic = Optional.empty();
 
   RficInstance(ComponentConfig config, RficType type, Settings settings, RuicParts ruic) {
     Services services = ruic.services();
@@ -54,26 +60,32 @@ final class RficInstance implements RficContext, Instance {
     this.arbiter = services.arbiters().of(config.robot());
     this.sender = new Sender(name, threads, services.clock());
     this.calls = new CallPool(threads);
+    this.tasks = new CallPool(threads);
     this.clock = ruic.clock().source(config.id());
-    this.offers = new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, services.timer(), ruic.serial(),
-        services.clock(), ruic.wake()::rematch));
+    this.background = new Background(name, threads, what -> alert(config.id() + " " + what));
+    this.offers = new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, tasks, services.timer(), background,
+        services.clock(), ruic.wake()::rematch, this::origin));
   }
 
   @Override
   public void start() throws Guarded.GuardException, InterruptedException {
-    Rfic made = Guarded.call("create", threads, LIMIT, () -> type.create(this, settings));
+    Rfic made = Guarded.call("create", threads, Limits.FIRST, () -> type.create(this, settings));
     rfic = Optional.of(made);
     ruic.services().watch().add(watched);
-    Guarded.run("start", threads, LIMIT, made::start);
+    Guarded.run("start", threads, Limits.FIRST, made::start);
   }
 
   private void died(Thread thread, Throwable error) {
-    ruic.wake().failed(this, "its thread " + thread.getName() + " ended with " + error + " (" + origin() + ")");
+    Thrown.log(LOG, thread.getName() + " ended", error);
+    ruic.wake().failed(this, "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
   }
 
   private void check(long now) {
-    sender.check(now).ifPresent(
-        reason -> ruic.services().events().alert(ruic.config().name(), reason + " (" + origin() + ")"));
+    sender.check(now).ifPresent(this::alert);
+  }
+
+  private void alert(String what) {
+    ruic.services().events().alert(ruic.config().name(), what + " (" + origin() + ")");
   }
 
   @Override
@@ -105,6 +117,8 @@ final class RficInstance implements RficContext, Instance {
     }
     offers.close();
     calls.close();
+    tasks.close();
+    background.close();
     sender.close();
     ruic.clock().forget(clock);
     return left(hung);
@@ -121,10 +135,8 @@ final class RficInstance implements RficContext, Instance {
   }
 
   private Optional<String> left(String hung) throws InterruptedException {
-    if (hung.isEmpty() && threads.awaitNone(GRACE)) {
-      return Optional.empty();
-    }
-    String left = threads.endAll(GRACE);
+    boolean clean = hung.isEmpty() && threads.awaitNone(GRACE);
+    String left = (clean ? "" : threads.endAll(GRACE)) + ruic.strays(type);
     return hung.isEmpty() && left.isEmpty()
         ? Optional.empty()
         : Optional.of(config.id() + hung + left + " (" + origin() + ")");
@@ -170,6 +182,11 @@ final class RficInstance implements RficContext, Instance {
   @Override
   public ClockSource clock() {
     return clock;
+  }
+
+  @Override
+  public Path stateFolder() {
+    return ruic.services().stateFolder().resolve(type.id());
   }
 
   @Override

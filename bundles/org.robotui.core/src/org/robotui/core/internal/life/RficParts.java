@@ -2,6 +2,7 @@ package org.robotui.core.internal.life;
 
 import java.util.concurrent.Executor;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.function.Supplier;
 import org.robotui.core.internal.command.Arbiter;
 import org.robotui.core.internal.command.Sender;
 import org.robotui.core.internal.port.CallPool;
@@ -15,11 +16,13 @@ import org.robotui.core.internal.time.NanoClock;
  * @param link its link
  * @param arbiter of its robot
  * @param sender sends its commands
- * @param calls handles its calls
+ * @param calls handles its calls that are answered soon
+ * @param tasks handles its calls that command the robot and may take long
  * @param timer for time-outs
- * @param serial the worker of its RUIC
+ * @param background tells it of demand
  * @param clock monotonic
  * @param changed is told that the offers have changed
+ * @param origin names its bundle and class
  */
 record RficParts(
     String component,
@@ -27,7 +30,9 @@ record RficParts(
     Arbiter arbiter,
     Sender sender,
     CallPool calls,
+    CallPool tasks,
     ScheduledExecutorService timer,
-    Executor serial,
+    Executor background,
     NanoClock clock,
-    Runnable changed) {}
+    Runnable changed,
+    Supplier<String> origin) {}

@@ -1,6 +1,8 @@
 package org.robotui.core.internal.life;
 
+import java.util.List;
 import java.util.concurrent.Executor;
+import org.robotui.api.ComponentType;
 import org.robotui.api.host.RuicView;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.time.RuicClock;
@@ -16,6 +18,7 @@ import org.robotui.core.internal.time.RuicFrames;
  * @param threads in which foreign code is called with a limit
  * @param clock its clock
  * @param frames its frames
+ * @param alerts what its views noticed
  * @param overlay what the user changed
  * @param wake what to do when things change
  */
@@ -27,8 +30,16 @@ record RuicParts(
     TrackedThreads threads,
     RuicClock clock,
     RuicFrames frames,
+    RuicAlerts alerts,
     RuicOverlay overlay,
     Wake wake) {
+  /** Names the threads that a component started by itself on a thread that is not its own; empty where there are none. */
+  String strays(ComponentType type) {
+    List<String> names = services.registry().bundle(type)
+        .map(bundle -> Strays.of(bundle, services.bundles())).orElse(List.of()).stream().map(Thread::getName).sorted().toList();
+    return names.isEmpty() ? "" : "; threads left that no factory made: " + String.join(", ", names);
+  }
+
   /** What to do when things change. Methods never block. */
   interface Wake {
     /** Match again. */

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.port.CallOutcome;
-import org.robotui.api.port.Caller.Progress;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.core.internal.command.Arbiter;
@@ -49,6 +48,11 @@ final class RuicRobots {
     return robots.keySet().stream().<Authority>map(arbiters::of).toList();
   }
 
+  Optional<Authority> authority(String component) {
+    return config.rfics().stream().filter(c -> c.id().equals(component)).findFirst()
+        .map(c -> services.arbiters().of(c.robot()));
+  }
+
   /** The authority to show for outputs that lead nowhere. */
   Authority first() {
     return services.arbiters().of(robots.keySet().stream().findFirst().orElse(config.name()));
@@ -76,13 +80,18 @@ final class RuicRobots {
     }
 
     @Override
+    public void cancelCalls() {
+      components.calls(robot).forEach(CallTarget::cancelGuarded);
+    }
+
+    @Override
     public void callStop() {
       safety().stopCall().ifPresent(this::call);
     }
 
     private void call(StopCall stop) {
       find(stop).ifPresentOrElse(
-          target -> target.call(stop.request(), STOP_CALL_LIMIT, Progress.IGNORED).outcome().thenAccept(this::tell),
+          target -> target.urgentCall(stop.request(), STOP_CALL_LIMIT).outcome().thenAccept(this::tell),
           () -> alert("the stop call of " + robot + " cannot be made: " + stop.port() + " is not offered"));
     }
 

@@ -11,6 +11,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.robotui.api.RuicType;
 import org.robotui.api.Uic;
+import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
@@ -34,6 +35,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final SerialWorker worker;
   private final RuicFrames frames = new RuicFrames();
   private final RuicClock clock;
+  private final RuicAlerts alerts;
   private final RuicOverlay overlay;
   private final Components components;
   private final RuicRobots robots;
@@ -52,8 +54,9 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.services = services;
     this.worker = new SerialWorker("ruic-" + config.name());
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
+    this.alerts = new RuicAlerts(services.wall());
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
-    RuicParts parts = new RuicParts(config, this, services, worker, threads, clock, frames, overlay, this);
+    RuicParts parts = new RuicParts(config, this, services, worker, threads, clock, frames, alerts, overlay, this);
     this.components = new Components(parts);
     this.robots = new RuicRobots(config, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
@@ -141,7 +144,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     plannedWith = Optional.empty();
     try {
       List<String> left = components.close(limit);
-      left.forEach(l -> LOG.warn("RUIC {}: {}", config.name(), l));
       left.forEach(l -> services.events().alert(config.name(), l));
       return left;
     } catch (InterruptedException e) {
@@ -203,7 +205,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   public void surfaceFailed(String id, String reason) {
     onComponents(() -> {
       Optional<UicSlot> slot = components.uic(id);
-      slot.ifPresent(s -> s.giveUp(reason));
+      slot.ifPresent(s -> s.giveUp(reason + s.instance().map(i -> " (" + i.origin() + ")").orElse("")));
       return slot.isPresent();
     });
   }
@@ -259,12 +261,22 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public RuicSnapshot snapshot() {
-    return Snapshots.of(config.name(), health, components, wiring.matches(), services.clock().nanos());
+    return Snapshots.of(config.name(), health, components, wiring.matches(), services.clock());
   }
 
   @Override
   public List<Authority> authorities() {
     return robots.authorities();
+  }
+
+  @Override
+  public Optional<Authority> authority(String component) {
+    return robots.authority(component);
+  }
+
+  @Override
+  public AlertBoard alerts() {
+    return alerts;
   }
 
   @Override

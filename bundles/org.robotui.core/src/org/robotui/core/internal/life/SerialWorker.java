@@ -3,6 +3,7 @@ package org.robotui.core.internal.life;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
+import org.robotui.core.internal.fence.Thrown;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -41,8 +42,8 @@ final class SerialWorker implements Executor, AutoCloseable {
   private void runOne(Runnable task) {
     try {
       task.run();
-    } catch (RuntimeException | LinkageError e) {
-      LOG.error("A task of {} failed", thread.getName(), e);
+    } catch (RuntimeException | Error e) { // whatever it was, the RUIC must still be able to end
+      Thrown.log(LOG, "A task of " + thread.getName() + " failed", e);
     }
   }
 

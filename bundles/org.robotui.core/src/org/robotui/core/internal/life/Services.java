@@ -1,13 +1,17 @@
 package org.robotui.core.internal.life;
 
-import java.util.function.Supplier;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.function.Supplier;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.host.RuicView;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.config.model.SettingsCheck;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.core.internal.time.WallClock;
+import org.robotui.core.internal.watch.BundleNames;
 import org.robotui.core.internal.watch.Watch;
 
 /**
@@ -21,6 +25,9 @@ import org.robotui.core.internal.watch.Watch;
  * @param timer for time-outs; its tasks are short
  * @param clock monotonic
  * @param wall this machine's
+ * @param stateFolder where robot interfaces may keep files
+ * @param ruics all RUICs of the host
+ * @param bundles names bundles
  * @param stage where views can be shown, and as whom they command
  */
 public record Services(
@@ -32,6 +39,9 @@ public record Services(
     ScheduledExecutorService timer,
     NanoClock clock,
     WallClock wall,
+    Path stateFolder,
+    Supplier<List<RuicView>> ruics,
+    BundleNames bundles,
     Supplier<Stage> stage) {
   /**
    * What an application offers to views.

@@ -6,9 +6,13 @@ import org.robotui.api.ComponentType;
 import org.robotui.api.config.Settings;
 import org.robotui.core.internal.config.model.CheckedSettings;
 import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.fence.Thrown;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The place of one component in a RUIC, with or without an instance. Changed on the RUIC's worker only, read by all. */
 abstract class Slot<T extends ComponentType, I extends Instance> {
+  private static final Logger LOG = LoggerFactory.getLogger(Slot.class);
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
 
   private final ComponentConfig config;
@@ -31,10 +35,19 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
 
   /** Makes an instance, in place of any that is there. */
   final void start() {
-    close(CLOSE_LIMIT);
+    close(CLOSE_LIMIT).ifPresent(this::alert);
     type = find();
     waitsForType = type.isEmpty();
-    type.ifPresentOrElse(this::startOf, () -> health = Health.failed(missing()));
+    type.ifPresentOrElse(this::tryStart, () -> health = Health.failed(missing()));
+  }
+
+  private void tryStart(T found) {
+    try {
+      startOf(found);
+    } catch (RuntimeException | Error e) { // what a type says of itself is foreign code, too
+      Thrown.log(LOG, config.id() + " could not be started", e);
+      giveUp("threw " + Thrown.text(e) + " when it was started (" + ruic.services().registry().origin(found, found) + ")");
+    }
   }
 
   private void startOf(T found) {
@@ -62,7 +75,11 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
   final void giveUp(String reason) {
     health = Health.failed(reason);
     close(CLOSE_LIMIT).ifPresent(left -> health = Health.failed(reason + "; " + left));
-    ruic.services().events().alert(ruic.config().name(), config.id() + " failed: " + reason);
+    alert(config.id() + " failed: " + health.reason());
+  }
+
+  private void alert(String message) {
+    ruic.services().events().alert(ruic.config().name(), message);
   }
 
   /** Ends the instance, where there is one. Returns what could not be ended. */

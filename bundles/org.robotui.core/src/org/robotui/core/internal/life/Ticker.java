@@ -1,14 +1,18 @@
 package org.robotui.core.internal.life;
 
+import java.time.Duration;
 import java.util.concurrent.ThreadFactory;
 import java.util.function.Consumer;
 import org.robotui.api.Uic;
+import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.core.internal.watch.Watch.Watched;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Ticks one view on a thread of its own while it is selected. A tick that throws or hangs ends the ticking. */
 final class Ticker implements Watched, AutoCloseable {
-  private static final long HANGS_NANOS = 2_000_000_000L;
+  private static final Logger LOG = LoggerFactory.getLogger(Ticker.class);
   private static final double FASTEST_HZ = 1000;
   private static final double SLOWEST_HZ = 0.01;
   private static final long NOT_TICKING = Long.MIN_VALUE;
@@ -20,6 +24,7 @@ final class Ticker implements Watched, AutoCloseable {
   private final NanoClock clock;
   private final Thread thread;
   private volatile long tickSince = NOT_TICKING;
+  private volatile Duration limit = Limits.FIRST;
   private boolean selected;
   private boolean closed;
 
@@ -82,9 +87,11 @@ final class Ticker implements Watched, AutoCloseable {
         frameReady.run();
       }
     } catch (RuntimeException | Error e) { // foreign code may throw anything; it must not end more than this view
-      giveUp("threw " + e + " in tick");
+      Thrown.log(LOG, "A tick on " + thread.getName() + " failed", e);
+      giveUp("threw " + Thrown.text(e) + " in tick");
     } finally {
       tickSince = NOT_TICKING;
+      limit = Limits.TICK;
     }
   }
 
@@ -103,9 +110,10 @@ final class Ticker implements Watched, AutoCloseable {
 
   @Override
   public void check(long now) {
+    Duration most = limit; // before the time: the limit of a tick that has just ended is never the shorter one
     long since = tickSince;
-    if (since != NOT_TICKING && now - since > HANGS_NANOS) {
-      giveUp("did not return from tick within 2 s");
+    if (since != NOT_TICKING && now - since > most.toNanos()) {
+      giveUp("did not return from tick within " + most.toSeconds() + " s");
       thread.interrupt();
     }
   }

@@ -2,19 +2,21 @@ package org.robotui.core.internal.life;
 
 import java.lang.Thread.UncaughtExceptionHandler;
 import java.time.Duration;
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Makes the threads of one component and knows which of them live, so that no leak stays unseen. */
+/**
+ * Makes the threads of one component and knows which of them live, and which others they started, so that no leak stays unseen.
+ */
 public final class TrackedThreads implements ThreadFactory {
   private static final long POLL_MILLIS = 5;
 
   private final String name;
-  private final UncaughtExceptionHandler handler;
+  private final ComponentGroup group;
   private final AtomicInteger count = new AtomicInteger();
   private final Set<Thread> threads = ConcurrentHashMap.newKeySet();
 
@@ -26,13 +28,12 @@ public final class TrackedThreads implements ThreadFactory {
    */
   public TrackedThreads(String name, UncaughtExceptionHandler handler) {
     this.name = name;
-    this.handler = handler;
+    this.group = new ComponentGroup(name, handler);
   }
 
   @Override
   public Thread newThread(Runnable work) {
-    Thread thread = Thread.ofPlatform().daemon().name(name + "-" + count.incrementAndGet())
-        .uncaughtExceptionHandler(handler).unstarted(work);
+    Thread thread = Thread.ofPlatform().group(group).daemon().name(name + "-" + count.incrementAndGet()).unstarted(work);
     threads.removeIf(t -> t.getState() == Thread.State.TERMINATED);
     threads.add(thread);
     return thread;
@@ -49,8 +50,9 @@ public final class TrackedThreads implements ThreadFactory {
     return living().stream().map(Thread::getName).sorted().toList();
   }
 
-  private List<Thread> living() {
-    List<Thread> living = new ArrayList<>(threads);
+  private Set<Thread> living() {
+    Set<Thread> living = new LinkedHashSet<>(threads);
+    Strays.in(group).forEach(living::add);
     living.removeIf(t -> !t.isAlive() || t == Thread.currentThread());
     return living;
   }

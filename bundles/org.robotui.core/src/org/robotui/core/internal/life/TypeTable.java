@@ -1,11 +1,11 @@
 package org.robotui.core.internal.life;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.WeakHashMap;
 import org.robotui.api.ComponentType;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -16,9 +16,12 @@ final class TypeTable<T extends ComponentType> {
 
   private record Entry<T>(T type, String id, String bundle) {}
 
+  /** A type that may have gone. Compared by identity: what types say of their equality is foreign code, and may change. */
+  private record Known(WeakReference<ComponentType> type, String bundle) {}
+
   private final List<Entry<T>> entries = new ArrayList<>();
   private final Map<String, String> bundles = new HashMap<>();
-  private final Map<ComponentType, String> byType = new WeakHashMap<>();
+  private final List<Known> known = new ArrayList<>();
 
   synchronized void add(T type, String bundle) {
     String id = type.id();
@@ -26,7 +29,8 @@ final class TypeTable<T extends ComponentType> {
         LOG.warn("The type '{}' of bundle {} is not used: bundle {} has brought it already", id, bundle, first.bundle()));
     entries.add(new Entry<>(type, id, bundle));
     bundles.put(id, bundle);
-    byType.put(type, bundle);
+    known.removeIf(k -> k.type().refersTo(null));
+    known.add(new Known(new WeakReference<>(type), bundle));
   }
 
   synchronized void remove(ComponentType type) {
@@ -39,7 +43,7 @@ final class TypeTable<T extends ComponentType> {
 
   /** The bundle of a type, also of one that has just been taken away. */
   synchronized Optional<String> bundle(ComponentType type) {
-    return Optional.ofNullable(byType.get(type));
+    return known.stream().filter(k -> k.type().refersTo(type)).map(Known::bundle).findFirst();
   }
 
   /** The bundle that brought a type which may be gone by now. */

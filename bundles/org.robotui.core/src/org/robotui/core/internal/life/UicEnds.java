@@ -3,6 +3,7 @@ package org.robotui.core.internal.life;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Executor;
 import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
@@ -13,6 +14,7 @@ import org.robotui.api.port.CallPort;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.PortKind;
+import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.command.OutputEnd;
@@ -35,15 +37,15 @@ final class UicEnds {
   private final Map<Key, Port> ports = new HashMap<>();
   private final Principal principal;
 
-  UicEnds(List<Port> declared, Services services, Principal principal, Authority fallback) {
+  UicEnds(List<Port> declared, Services services, Principal principal, Authority fallback, Executor answers) {
     this.principal = principal;
     for (Port port : declared) {
       Key key = key(port);
       ports.put(key, port);
       switch (port) {
-        case StreamPort<?> s -> inputs.put(key, new InputEnd<>(services.clock()));
+        case StreamPort<?> s -> inputs.put(key, new InputEnd<>(s.intake(), services.clock()));
         case CommandPort<?> c -> outputs.put(key, new OutputEnd<>(principal, () -> fallback, services.clock()));
-        case CallPort<?, ?> c -> callers.put(key, new CallerEnd<>(services.timer()));
+        case CallPort<?, ?> c -> callers.put(key, new CallerEnd<>(principal, answers));
         case BrowsePort b -> browsers.put(key, new BrowseEnd());
       }
     }
@@ -106,14 +108,19 @@ final class UicEnds {
 
   @SuppressWarnings({"unchecked", "rawtypes"}) // matching has compared the types
   private static void connectCaller(CallerEnd end, List<Offered> peers, String reason) {
-    end.connect(peers.isEmpty() ? Optional.empty() : Optional.of((CallTarget) peers.getFirst()), reason);
+    end.connect(peers.stream().map(p -> (CallTarget) p).toList(), reason);
+  }
+
+  /** The sources that a stream port of the view takes from now. */
+  List<SourceId> sources(Match match) {
+    return Optional.ofNullable(inputs.get(new Key(match.kind(), match.port().port()))).map(InputEnd::sources).orElse(List.of());
   }
 
   /** Disconnects all; what the view moved is stopped. */
   void close() {
     outputs.values().forEach(o -> o.connect(List.of(), "the view has ended"));
     inputs.values().forEach(i -> i.connect(List.of(), "the view has ended"));
-    callers.values().forEach(c -> c.connect(Optional.empty(), "the view has ended"));
+    callers.values().forEach(c -> c.connect(List.of(), "the view has ended"));
     browsers.values().forEach(b -> b.connect(List.of()));
   }
 }

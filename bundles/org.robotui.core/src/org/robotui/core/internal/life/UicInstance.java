@@ -1,10 +1,14 @@
 package org.robotui.core.internal.life;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.alert.AlertSource;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
@@ -21,6 +25,7 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.StreamPort;
 import org.robotui.api.time.RobotClock;
 import org.robotui.core.internal.config.model.ComponentConfig;
+import org.robotui.core.internal.fence.Thrown;
 import org.robotui.data.Data;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -28,7 +33,6 @@ import org.slf4j.LoggerFactory;
 /** One running instance of a view with all that it was given. */
 final class UicInstance implements UicContext, Instance {
   private static final Logger LOG = LoggerFactory.getLogger(UicInstance.class);
-  private static final Duration LIMIT = Duration.ofSeconds(2);
   private static final Duration GRACE = Duration.ofMillis(200);
 
   private final ComponentConfig config;
@@ -38,6 +42,9 @@ final class UicInstance implements UicContext, Instance {
   private final Principal principal;
   private final UicEnds ends;
   private final UicSettings settings;
+  private final Background background;
+  private final Background answers;
+  private final AlertSource alerts;
   private Optional<Ticker> ticker = Optional.empty();
   private volatile Optional<Uic> uic = Optional.empty();
 
@@ -47,17 +54,29 @@ final class UicInstance implements UicContext, Instance {
     this.ruic = ruic;
     this.principal = ruic.services().stage().get().principal();
     String name = ruic.config().name() + "." + config.id();
-    this.threads = new TrackedThreads(name, (thread, error) -> LOG.error("{} ended", thread.getName(), error));
-    this.ends = new UicEnds(type.ports(), ruic.services(), principal, fallback);
+    this.threads = new TrackedThreads(name, (thread, error) -> died(thread, error));
+    this.background = new Background(name, threads, this::alertOf);
+    this.answers = new Background(name, threads, this::alertOf);
+    this.ends = new UicEnds(type.ports(), ruic.services(), principal, fallback, answers);
+    this.alerts = ruic.alerts().source(config.id());
     this.settings = new UicSettings(written, ruic.overlay().settings(config.id()), ruic.services().check(),
         (key, value) -> ruic.overlay().set(config.id(), key, value));
+  }
+
+  private void alertOf(String what) {
+    ruic.services().events().alert(ruic.config().name(), config.id() + " " + what + " (" + origin() + ")");
+  }
+
+  private void died(Thread thread, Throwable error) {
+    Thrown.log(LOG, thread.getName() + " ended", error);
+    ruic.wake().failed(this, "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
   }
 
   /** Creates the instance and gives it its ticker, at rest. */
   @Override
   public void start() throws Guarded.GuardException, InterruptedException {
     Services services = ruic.services();
-    Uic made = Guarded.call("create", threads, LIMIT, () -> type.create(this, settings.current()));
+    Uic made = Guarded.call("create", threads, Limits.FIRST, () -> type.create(this, settings.current()));
     Ticker ticks = new Ticker(made, type.rateHz(), threads,
         () -> services.events().frameReady(ruic.config().name(), config.id()),
         reason -> ruic.wake().failed(this, reason + " (" + origin() + ")"), services.clock());
@@ -65,10 +84,12 @@ final class UicInstance implements UicContext, Instance {
     ticker = Optional.of(ticks);
     services.watch().add(ticks);
     ticks.start();
+    select(false);
   }
 
+  /** What has no surface, such as an alert, works whether its RUIC is seen or not. */
   void select(boolean selected) {
-    ticker.ifPresent(t -> t.select(selected));
+    ticker.ifPresent(t -> t.select(selected || type.surface() == Surface.NONE));
   }
 
   @Override
@@ -102,9 +123,12 @@ final class UicInstance implements UicContext, Instance {
     ticker.ifPresent(t -> ruic.services().watch().remove(t));
     ticker.ifPresent(Ticker::close);
     ends.close();
+    background.close();
+    answers.close();
     boolean idle = ticker.isEmpty() || ticker.get().awaitEnd(limit.toMillis() / 2);
     Optional<String> problem = idle ? closeInstance(limit.dividedBy(2)) : Optional.of("hangs in tick");
-    String left = threads.endAll(GRACE);
+    ruic.alerts().forget(config.id());
+    String left = threads.endAll(GRACE) + ruic.strays(type);
     return problem.isPresent() || !left.isEmpty()
         ? Optional.of(config.id() + " " + problem.orElse("has ended") + left + " (" + origin() + ")")
         : Optional.empty();
@@ -167,6 +191,26 @@ final class UicInstance implements UicContext, Instance {
   @Override
   public Frames frames() {
     return ruic.frames();
+  }
+
+  @Override
+  public List<RuicView> ruics() {
+    return ruic.services().ruics().get();
+  }
+
+  @Override
+  public Executor background() {
+    return background;
+  }
+
+  @Override
+  public void alert(String message) {
+    ruic.services().events().alert(ruic.config().name(), message);
+  }
+
+  @Override
+  public AlertSource alerts() {
+    return alerts;
   }
 
   @Override

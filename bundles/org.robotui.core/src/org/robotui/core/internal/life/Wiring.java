@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.host.Match;
+import org.robotui.api.host.MatchState;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ConnectionConfig;
@@ -84,7 +85,8 @@ public final class Wiring {
     Map<Key, Offered> byId = new HashMap<>();
     offers.forEach(o -> byId.put(new Key(o.port().kind(), o.id()), o));
     for (Match match : result) {
-      List<Offered> peers = match.peers().stream().map(p -> byId.get(new Key(match.kind(), p))).toList();
+      List<SourceId> fitting = leavesTheChoice(match) ? match.candidates() : match.peers();
+      List<Offered> peers = fitting.stream().map(p -> byId.get(new Key(match.kind(), p))).toList();
       ends(match.port().component()).ifPresent(e -> e.connect(match, peers));
     }
   }
@@ -93,8 +95,22 @@ public final class Wiring {
     return components.uic(uic).flatMap(Slot::instance).map(UicInstance::ends);
   }
 
+  /** What matching says; the peers of ports whose views choose are what is chosen now. */
   List<Match> matches() {
-    return matches;
+    return matches.stream().map(this::withChosen).toList();
+  }
+
+  private Match withChosen(Match match) {
+    return leavesTheChoice(match) ? ends(match.port().component()).map(e -> withPeers(match, e.sources(match))).orElse(match) : match;
+  }
+
+  /** Whether all that fits is connected, and the view chooses among it. */
+  private static boolean leavesTheChoice(Match match) {
+    return match.state() == MatchState.CONNECTED && match.peers().isEmpty();
+  }
+
+  private static Match withPeers(Match m, List<SourceId> peers) {
+    return new Match(m.port(), m.kind(), m.typeName(), m.arity(), m.state(), peers, m.candidates(), m.reason());
   }
 
   void clear() {

@@ -14,6 +14,9 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
     if (fitting.isEmpty()) {
       return none();
     }
+    if (want.chooses()) {
+      return Matches.offered(want, ids(fitting), "the view chooses among " + fitting.size());
+    }
     if (want.port().arity() == Arity.MANY) {
       return Matches.connected(want, ids(fitting), "all that fit " + want.port().typeName());
     }

@@ -13,6 +13,11 @@ final class Matches {
     return of(want, MatchState.CONNECTED, peers, List.of(), reason);
   }
 
+  /** Of a port whose view chooses: what fits are candidates, and peers are only what the view has chosen. */
+  static Match offered(Want want, List<SourceId> candidates, String reason) {
+    return of(want, MatchState.CONNECTED, List.of(), candidates, reason);
+  }
+
   static Match without(Want want, MatchState state, String reason) {
     return of(want, state, List.of(), List.of(), reason);
   }

@@ -30,7 +30,8 @@ record NamedMatch(Want want, Choice choice, List<Have> haves, List<Supplier> sup
     List<String> reasons = new ArrayList<>(peers.stream().map(Peer::reason).filter(r -> !r.isEmpty()).toList());
     if (!connected.isEmpty()) {
       reasons.addFirst("named by " + choice.by());
-      return Matches.connected(want, connected, String.join("; ", reasons));
+      String reason = String.join("; ", reasons);
+      return want.chooses() ? Matches.offered(want, connected, reason) : Matches.connected(want, connected, reason);
     }
     boolean hope = peers.stream().anyMatch(p -> is(p, MatchState.PENDING));
     return Matches.without(want, hope ? MatchState.PENDING : MatchState.REFUSED, String.join("; ", reasons));

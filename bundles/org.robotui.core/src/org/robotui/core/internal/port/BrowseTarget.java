@@ -7,6 +7,7 @@ import org.robotui.api.host.PortStatus;
 import org.robotui.api.port.BrowsePort;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.time.NanoClock;
 
 /** A way to browse a robot, as offered. */
 public final class BrowseTarget implements Offered {
@@ -40,7 +41,7 @@ public final class BrowseTarget implements Offered {
   }
 
   @Override
-  public PortStatus status(long now) {
+  public PortStatus status(NanoClock clock) {
     return new PortStatus(id, port.kind(), port.typeName(), false, 0, 0, Double.NaN, false, 0, "", "");
   }
 

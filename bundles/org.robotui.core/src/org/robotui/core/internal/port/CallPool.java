@@ -2,6 +2,7 @@ package org.robotui.core.internal.port;
 
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -13,10 +14,12 @@ public final class CallPool implements AutoCloseable {
   private static final int WAITING = 32;
   private static final long IDLE_SECONDS = 5;
 
+  private final ThreadFactory threads;
   private final ThreadPoolExecutor workers;
 
   /** A pool without threads until the first call. */
   public CallPool(ThreadFactory threads) {
+    this.threads = threads;
     workers = new ThreadPoolExecutor(
         WORKERS, WORKERS, IDLE_SECONDS, TimeUnit.SECONDS, new ArrayBlockingQueue<>(WAITING), threads);
     workers.allowCoreThreadTimeOut(true);
@@ -29,6 +32,13 @@ public final class CallPool implements AutoCloseable {
    */
   Future<?> submit(Runnable call) {
     return workers.submit(call);
+  }
+
+  /** Runs a call at once, whatever else is under way. */
+  Future<?> urgent(Runnable call) {
+    FutureTask<Boolean> task = new FutureTask<>(call, true);
+    threads.newThread(task).start();
+    return task;
   }
 
   /** Interrupts all calls. */

@@ -1,8 +1,13 @@
 package org.robotui.core.internal.port;
 
 import java.time.Duration;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.function.Function;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.robotui.api.command.Principal;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CallPort;
@@ -13,14 +18,18 @@ import org.robotui.core.internal.time.NanoClock;
 
 /** A way to ask a robot, as offered. */
 public final class CallTarget<Q, R> implements Offered {
+  private static final Duration GRACE = Duration.ofSeconds(3);
+
   private final SourceId id;
   private final CallPort<Q, R> port;
   private final CallHandler<Q, R> handler;
   private final CallPool pool;
+  private final Function<Principal, Optional<String>> guard;
   private final ScheduledExecutorService timer;
   private final NanoClock clock;
   private final Withdrawal withdrawal;
   private final RateMeter rate;
+  private final Set<RunningCall<Q, R>> open = ConcurrentHashMap.newKeySet();
   private final AtomicBoolean closed = new AtomicBoolean();
   private volatile String problem = "";
 
@@ -30,6 +39,7 @@ public final class CallTarget<Q, R> implements Offered {
       CallPort<Q, R> port,
       CallHandler<Q, R> handler,
       CallPool pool,
+      Function<Principal, Optional<String>> guard,
       ScheduledExecutorService timer,
       NanoClock clock,
       Withdrawal withdrawal) {
@@ -37,19 +47,46 @@ public final class CallTarget<Q, R> implements Offered {
     this.port = port;
     this.handler = handler;
     this.pool = pool;
+    this.guard = guard;
     this.timer = timer;
     this.clock = clock;
     this.withdrawal = withdrawal;
     this.rate = new RateMeter(clock.nanos());
   }
 
-  /** Starts a call. */
-  public Call<R> call(Q request, Duration timeout, Progress progress) {
-    rate.mark(clock.nanos());
-    RunningCall<Q, R> call = new RunningCall<>(request, clock.nanos() + timeout.toNanos(), progress, timer,
-        outcome -> problem = RunningCall.problem(outcome));
-    call.start(handler, pool, timeout);
+  /** Starts a call of somebody who may have to be allowed to command the robot. */
+  public Call<R> call(Principal principal, Q request, Duration timeout, Progress progress) {
+    Optional<String> refused = port.guarded() ? guard.apply(principal) : Optional.empty();
+    return refused.<Call<R>>map(reason -> EndedCall.failed(reason, timer))
+        .orElseGet(() -> start(request, timeout, progress));
+  }
+
+  /** Starts a call that nothing may hold up: that of the stop. */
+  public Call<R> urgentCall(Q request, Duration timeout) {
+    RunningCall<Q, R> call = running(request, timeout, Progress.IGNORED);
+    call.start(handler, pool::urgent, timeout);
     return call;
+  }
+
+  /** Cancels what is under way and commands the robot. */
+  public void cancelGuarded() {
+    if (port.guarded()) {
+      open.forEach(RunningCall::cancel);
+    }
+  }
+
+  private Call<R> start(Q request, Duration timeout, Progress progress) {
+    RunningCall<Q, R> call = running(request, timeout, progress);
+    open.add(call);
+    call.outcome().thenAccept(o -> open.remove(call));
+    call.start(handler, pool::submit, timeout);
+    return call;
+  }
+
+  private RunningCall<Q, R> running(Q request, Duration timeout, Progress progress) {
+    rate.mark(clock.nanos());
+    return new RunningCall<>(request, clock.nanos() + timeout.toNanos(), progress, timer,
+        port.guarded() ? GRACE : Duration.ZERO, outcome -> problem = RunningCall.problem(outcome));
   }
 
   @Override
@@ -63,9 +100,9 @@ public final class CallTarget<Q, R> implements Offered {
   }
 
   @Override
-  public PortStatus status(long now) {
+  public PortStatus status(NanoClock moment) {
     return new PortStatus(
-        id, port.kind(), port.typeName(), false, rate.count(), rate.rateHz(now), Double.NaN, false, 0, problem, "");
+        id, port.kind(), port.typeName(), false, rate.count(), rate.rateHz(moment.nanos()), Double.NaN, false, 0, problem, "");
   }
 
   @Override

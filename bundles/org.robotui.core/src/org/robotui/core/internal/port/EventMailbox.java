@@ -9,20 +9,34 @@ import java.util.function.Consumer;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
 
-/** Each one counts: a bounded queue that drops the oldest, and counts what it drops. */
+/** Each one counts: a queue, bounded in number and in the size of the messages, that drops the oldest, and counts what it drops. */
 final class EventMailbox<T extends Data> implements Mailbox<T> {
   static final int CAPACITY = 1024;
+  static final long BYTES = 32L << 20;
 
   private final Queue<Envelope<T>> queue = new ConcurrentLinkedQueue<>();
   private final AtomicInteger size = new AtomicInteger();
+  private final AtomicLong bytes = new AtomicLong();
   private final AtomicLong dropped = new AtomicLong();
 
   @Override
   public void offer(Envelope<T> envelope) {
     queue.add(envelope);
-    if (size.incrementAndGet() > CAPACITY && poll().isPresent()) {
+    bytes.addAndGet(weight(envelope));
+    size.incrementAndGet();
+    while (isFull() && poll().isPresent()) {
       dropped.incrementAndGet();
     }
+  }
+
+  /** One value may always wait, however large it is. */
+  private boolean isFull() {
+    int count = size.get();
+    return count > CAPACITY || count > 1 && bytes.get() > BYTES;
+  }
+
+  private static long weight(Envelope<?> envelope) {
+    return envelope.raw().map(r -> (long) r.bytes().size()).orElse(0L);
   }
 
   @Override
@@ -40,7 +54,10 @@ final class EventMailbox<T extends Data> implements Mailbox<T> {
 
   private Optional<Envelope<T>> poll() {
     Optional<Envelope<T>> next = Optional.ofNullable(queue.poll());
-    next.ifPresent(e -> size.decrementAndGet());
+    next.ifPresent(e -> {
+      size.decrementAndGet();
+      bytes.addAndGet(-weight(e));
+    });
     return next;
   }
 

@@ -6,6 +6,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import org.robotui.api.port.Envelope;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Conflation;
@@ -22,7 +23,7 @@ public final class Fan<T extends Data> {
   private final SourceId source;
   private final DataType type;
   private final AtomicLong sequence = new AtomicLong();
-  private final AtomicReference<Envelope<T>> last = new AtomicReference<>();
+  private final AtomicReference<Merged<T>> last = new AtomicReference<>();
   private final List<Tap<T>> taps = new CopyOnWriteArrayList<>();
   private final RateMeter rate;
 
@@ -37,23 +38,30 @@ public final class Fan<T extends Data> {
   public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
     Envelope<T> envelope = new Envelope<>(value, source, sequence.getAndIncrement(), stamp, receivedNanos, raw);
     rate.mark(receivedNanos);
-    last.accumulateAndGet(envelope, this::conflate);
+    last.updateAndGet(held -> conflate(held, envelope));
     for (Tap<T> tap : taps) {
       tap.offer(envelope);
     }
   }
 
-  private Envelope<T> conflate(Envelope<T> held, Envelope<T> other) {
-    return type.conflation() == Conflation.KEYED ? Envelopes.merged(held, other) : Envelopes.newest(held, other);
+  private Merged<T> conflate(Merged<T> held, Envelope<T> other) {
+    boolean keyed = type.conflation() == Conflation.KEYED;
+    return keyed || held == null ? Merged.of(held, other) : new Merged<>(Envelopes.newest(held.envelope(), other), 0);
+  }
+
+  /** Adds a consumer of what conflation leaves; it is given at once what late consumers of the type get. */
+  public Tap<T> join() {
+    return join(Intake.MATCHED);
   }
 
   /** Adds a consumer; it is given at once what late consumers of the type get. */
-  public Tap<T> join() {
+  public Tap<T> join(Intake intake) {
+    Conflation conflation = intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation();
     boolean late = type.late() != Late.NONE;
-    Tap<T> tap = new Tap<>(this, mailbox(), late ? 0 : sequence.get());
+    Tap<T> tap = new Tap<>(this, mailbox(conflation), late ? 0 : sequence.get());
     // Conflating mailboxes are given the last value after joining, so that none is missed in between; it may come twice, which
     // they do not mind. A queue would show it twice, so it is filled before.
-    boolean queue = type.conflation() == Conflation.EVENT;
+    boolean queue = conflation == Conflation.EVENT;
     if (late && queue) {
       last().ifPresent(tap::offer);
     }
@@ -64,8 +72,8 @@ public final class Fan<T extends Data> {
     return tap;
   }
 
-  private Mailbox<T> mailbox() {
-    return switch (type.conflation()) {
+  private static <T extends Data> Mailbox<T> mailbox(Conflation conflation) {
+    return switch (conflation) {
       case SAMPLE -> new SampleMailbox<>();
       case KEYED -> new KeyedMailbox<>();
       case EVENT -> new EventMailbox<>();
@@ -78,7 +86,7 @@ public final class Fan<T extends Data> {
 
   /** The newest value, merged for keyed types. */
   public Optional<Envelope<T>> last() {
-    return Optional.ofNullable(last.get());
+    return Optional.ofNullable(last.get()).map(Merged::envelope);
   }
 
   /** Where the values come from. */
@@ -96,8 +104,9 @@ public final class Fan<T extends Data> {
     return rate;
   }
 
-  /** What the consumers there are now have lost. */
+  /** What the consumers there are now have lost, and the keys that are not remembered. */
   public long dropped() {
-    return taps.stream().mapToLong(Tap::dropped).sum();
+    long forgotten = Optional.ofNullable(last.get()).map(Merged::dropped).orElse(0L);
+    return forgotten + taps.stream().mapToLong(Tap::dropped).sum();
   }
 }

@@ -4,25 +4,31 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 
-/** A view's end of a stream. Matching changes its sources while it is used. */
+/** A view's end of a stream. Matching changes its sources while it is used, and so does the view's choice where it has one. */
 public final class InputEnd<T extends Data> implements Input<T> {
   private record Line<T extends Data>(StreamSource<T> source, Tap<T> tap) {}
 
-  private record Lines<T extends Data>(List<Line<T>> all, String reason) {}
+  private record Lines<T extends Data>(List<Line<T>> all, List<Candidate> candidates, String reason) {}
 
+  private final Intake intake;
   private final NanoClock clock;
-  private volatile Lines<T> lines = new Lines<>(List.of(), "not matched yet");
+  private List<StreamSource<T>> matched = List.of(); // under the lock
+  private Set<SourceId> chosen = Set.of(); // under the lock
+  private volatile Lines<T> lines = new Lines<>(List.of(), List.of(), "not matched yet");
 
   /** An end without sources. */
-  public InputEnd(NanoClock clock) {
+  public InputEnd(Intake intake, NanoClock clock) {
+    this.intake = intake;
     this.clock = clock;
   }
 
@@ -33,25 +39,53 @@ public final class InputEnd<T extends Data> implements Input<T> {
    * @param reason what matching says
    */
   public synchronized void connect(List<StreamSource<T>> sources, String reason) {
+    matched = List.copyOf(sources);
+    List<Candidate> candidates =
+        matched.stream().map(s -> new Candidate(s.id(), s.port().typeName())).toList();
+    draw(candidates, reason);
+  }
+
+  @Override
+  public synchronized void choose(Set<SourceId> sources) {
+    if (intake != Intake.CHOSEN) {
+      throw new IllegalStateException("a port takes what matching connects, unless it is declared as " + Intake.CHOSEN);
+    }
+    chosen = Set.copyOf(sources);
+    draw(lines.candidates(), lines.reason());
+  }
+
+  private void draw(List<Candidate> candidates, String reason) {
     List<Line<T>> before = lines.all();
     List<Line<T>> after = new ArrayList<>();
-    for (StreamSource<T> source : sources) {
-      after.add(before.stream().filter(l -> l.source() == source).findFirst()
-          .orElseGet(() -> new Line<>(source, source.join())));
+    for (StreamSource<T> source : matched) {
+      if (intake == Intake.MATCHED || chosen.contains(source.id())) {
+        after.add(before.stream().filter(l -> l.source() == source).findFirst()
+            .orElseGet(() -> new Line<>(source, source.join(intake))));
+      }
     }
-    lines = new Lines<>(List.copyOf(after), reason);
+    lines = new Lines<>(List.copyOf(after), candidates, reason);
     before.stream().filter(l -> !after.contains(l)).forEach(l -> l.source().leave(l.tap()));
+  }
+
+  @Override
+  public List<Candidate> candidates() {
+    return lines.candidates();
   }
 
   @Override
   public InputState state() {
     Lines<T> now = lines;
     return now.all().stream().map(this::state).min(Comparator.comparingInt(InputEnd::rank))
-        .orElseGet(() -> new InputState.Unconnected(now.reason()));
+        .orElseGet(() -> new InputState.Unconnected(nothing(now)));
+  }
+
+  private static String nothing(Lines<?> now) {
+    int fitting = now.candidates().size();
+    return fitting == 0 ? now.reason() : "nothing is chosen; " + fitting + (fitting == 1 ? " stream fits" : " streams fit");
   }
 
   private InputState state(Line<T> line) {
-    return line.source().state(line.tap(), clock.nanos());
+    return line.source().state(line.tap(), clock);
   }
 
   private static int rank(InputState state) {

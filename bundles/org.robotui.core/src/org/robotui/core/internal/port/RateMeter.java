@@ -50,6 +50,10 @@ public final class RateMeter {
 
   /** How many per second; 0 where that cannot be told. */
   public double rateHz(long now) {
+    return count.get() == 0 ? 0 : rateOf(now);
+  }
+
+  private double rateOf(long now) {
     long newest = slotId(now) - 1;
     long sum = 0;
     long oldest = newest;

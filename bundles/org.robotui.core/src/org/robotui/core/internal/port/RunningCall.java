@@ -9,11 +9,14 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.Caller.Call;
 import org.robotui.api.port.Caller.Progress;
+import org.robotui.core.internal.fence.Thrown;
+import org.robotui.data.DynamicRecord;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -28,21 +31,28 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
   private final Consumer<CallOutcome<R>> ending;
   private final CompletableFuture<CallOutcome<R>> outcome = new CompletableFuture<>();
   private final AtomicBoolean over = new AtomicBoolean();
+  private final Duration grace;
+  private volatile Runnable interrupt = () -> {};
 
-  /** A call that was not started yet; {@code ending} is told how it ends before its caller is. */
-  RunningCall(
-      Q request, long deadline, Progress progress, ScheduledExecutorService timer, Consumer<CallOutcome<R>> ending) {
+  /**
+   * A call that was not started yet; {@code ending} is told how it ends before its caller is. A call that is cancelled is given the
+   * grace to say how the robot took it.
+   */
+  RunningCall(Q request, long deadline, Progress progress, ScheduledExecutorService timer, Duration grace,
+      Consumer<CallOutcome<R>> ending) {
     this.ending = ending;
+    this.grace = grace;
     this.request = request;
     this.deadline = deadline;
     this.progress = progress;
     this.timer = timer;
   }
 
-  void start(CallHandler<Q, R> handler, CallPool pool, Duration timeout) {
+  void start(CallHandler<Q, R> handler, Function<Runnable, Future<?>> pool, Duration timeout) {
     try {
-      Future<?> work = pool.submit(() -> run(handler));
+      Future<?> work = pool.apply(() -> run(handler));
       Future<?> alarm = timer.schedule(() -> end(new CallOutcome.TimedOut<>()), timeout.toNanos(), TimeUnit.NANOSECONDS);
+      interrupt = () -> work.cancel(true);
       outcome.whenComplete((result, error) -> {
         work.cancel(true);
         alarm.cancel(false);
@@ -93,7 +103,12 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
 
   @Override
   public void cancel() {
-    endElsewhere(new CallOutcome.Cancelled<>());
+    if (grace.isZero()) {
+      endElsewhere(new CallOutcome.Cancelled<>());
+    } else {
+      interrupt.run();
+      timer.schedule(() -> end(new CallOutcome.Cancelled<>()), grace.toNanos(), TimeUnit.NANOSECONDS);
+    }
   }
 
   @Override
@@ -108,8 +123,22 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
 
   @Override
   public void progress(double fraction, String message) {
+    tell(() -> progress.at(fraction, message));
+  }
+
+  @Override
+  public void feedback(DynamicRecord record) {
+    tell(() -> progress.feedback(record));
+  }
+
+  /** The caller is told on the handler's thread: what it throws must not look like a failure of the robot interface. */
+  private void tell(Runnable news) {
     if (!over.get()) {
-      progress.at(fraction, message);
+      try {
+        news.run();
+      } catch (RuntimeException | Error e) {
+        Thrown.log(LOG, "The caller of a call failed when told of its progress", e);
+      }
     }
   }
 }

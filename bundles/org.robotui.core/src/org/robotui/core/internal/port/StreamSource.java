@@ -8,6 +8,7 @@ import org.robotui.api.host.PortStatus;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
@@ -63,9 +64,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   }
 
   /** Adds a consumer: a view, or anything that taps the port without the producer knowing. */
-  public Tap<T> join() {
+  public Tap<T> join(Intake intake) {
     demand.add(1);
-    return fan.join();
+    return fan.join(intake);
   }
 
   /** Ends a consumer. */
@@ -83,11 +84,11 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   }
 
   /** What a consumer of this source has. */
-  InputState state(Tap<T> tap, long now) {
+  InputState state(Tap<T> tap, NanoClock clock) {
     if (!failure.isEmpty()) {
       return new InputState.Failed(id + ": " + failure);
     }
-    return tap.latest().map(e -> aged(e, now)).orElseGet(this::waiting);
+    return tap.latest().map(e -> aged(e, clock.nanos())).orElseGet(this::waiting);
   }
 
   private InputState aged(Envelope<T> newest, long now) {
@@ -113,8 +114,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   }
 
   @Override
-  public PortStatus status(long now) {
+  public PortStatus status(NanoClock clock) {
     Optional<Envelope<T>> last = fan.last();
+    long now = clock.nanos();
     double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
     Optional<String> stale = last.flatMap(e -> Staleness.of(type, age, fan.rate().typicalPeriodSeconds(), link));
     String problem = !failure.isEmpty() ? failure : lost.get() > 0 ? lostReason : stale.orElse("");

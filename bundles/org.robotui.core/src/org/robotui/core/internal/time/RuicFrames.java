@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.LongSupplier;
+import org.robotui.api.frame.FrameLink;
+import org.robotui.api.frame.FrameRefusal;
 import org.robotui.api.frame.FrameSink;
 import org.robotui.api.frame.Frames;
 import org.robotui.data.FrameId;
@@ -23,7 +26,19 @@ public final class RuicFrames implements Frames, FrameSink {
   private static final int LOGGED = 20;
 
   private final AtomicReference<TransformBuffer<FrameId>> buffer = new AtomicReference<>(new TransformBuffer<>());
+  private final AtomicReference<FrameLedger> ledger = new AtomicReference<>();
   private final AtomicLong refused = new AtomicLong();
+  private final LongSupplier clock;
+
+  /** With the clock of this machine. */
+  public RuicFrames() {
+    this(System::nanoTime);
+  }
+
+  RuicFrames(LongSupplier clock) {
+    this.clock = clock;
+    ledger.set(new FrameLedger(clock));
+  }
 
   @Override
   public void add(TransformSet transforms, String authority) {
@@ -32,13 +47,15 @@ public final class RuicFrames implements Frames, FrameSink {
       TransformPut<FrameId> put = t.fixed()
           ? into.putStatic(t.parent(), t.child(), t.parentFromChild(), authority)
           : into.put(t.parent(), t.child(), t.stamp().nanos(), t.parentFromChild(), authority);
-      if (put instanceof TransformPut.Refused<FrameId> r) {
-        refuse(r.reason(), authority);
+      switch (put) {
+        case TransformPut.Refused<FrameId> r -> refuse(r.reason(), authority);
+        case TransformPut.Accepted<FrameId> a -> ledger.get().taken(t, authority);
       }
     }
   }
 
   private void refuse(String reason, String authority) {
+    ledger.get().refused(reason, authority);
     long count = refused.incrementAndGet();
     if (count <= LOGGED) {
       LOG.warn("Refused of {}: {}{}", authority, reason, count == LOGGED ? "; further ones are only counted" : "");
@@ -53,11 +70,13 @@ public final class RuicFrames implements Frames, FrameSink {
   /** The time has jumped back: what was known lies in the future now. Fixed transforms stay true. */
   public void clear() {
     buffer.get().clear();
+    ledger.get().clear();
   }
 
   /** Forgets really all: new instances will say it again. */
   public void reset() {
     buffer.set(new TransformBuffer<>());
+    ledger.set(new FrameLedger(clock));
   }
 
   @Override
@@ -75,5 +94,15 @@ public final class RuicFrames implements Frames, FrameSink {
   @Override
   public Optional<FrameId> parent(FrameId frame) {
     return buffer.get().parentOf(frame);
+  }
+
+  @Override
+  public List<FrameLink> links() {
+    return ledger.get().links(buffer.get().edges());
+  }
+
+  @Override
+  public List<FrameRefusal> refusals() {
+    return ledger.get().refusals();
   }
 }

@@ -3,6 +3,7 @@ package org.robotui.core.internal.watch;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Who holds a thread up.
@@ -16,12 +17,14 @@ record Blame(String bundle, String frame) {
       List.of("org.robotui.core", "org.robotui.workbench", "org.robotui.ui", "org.robotui.gl", "org.robotui.api",
           "org.robotui.data", "org.robotui.geometry", "org.eclipse.", "org.apache.", "java.");
 
-  /** The first bundle from the top that is no common caller; else the first of ours. */
+  /** The first bundle from the top that is no common caller; else the first of ours. Asks for no more names than it needs. */
   static Optional<Blame> of(StackTraceElement[] stack, BundleNames names) {
-    List<Blame> all = Arrays.stream(stack)
-        .flatMap(f -> names.bundleOf(f.getClassName()).map(b -> new Blame(b, f.toString())).stream()).toList();
-    return all.stream().filter(Blame::canBeLeftOut).findFirst()
-        .or(() -> all.stream().filter(b -> b.bundle().startsWith("org.robotui.")).findFirst());
+    return all(stack, names).filter(Blame::canBeLeftOut).findFirst()
+        .or(() -> all(stack, names).filter(b -> b.bundle().startsWith("org.robotui.")).findFirst());
+  }
+
+  private static Stream<Blame> all(StackTraceElement[] stack, BundleNames names) {
+    return Arrays.stream(stack).flatMap(f -> names.bundleOf(f.getClassName()).map(b -> new Blame(b, f.toString())).stream());
   }
 
   /** Whether RobotUI can run without the bundle: one that calls all views is needed, whatever it did. */

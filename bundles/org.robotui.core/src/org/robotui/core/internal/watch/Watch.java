@@ -3,6 +3,7 @@ package org.robotui.core.internal.watch;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
+import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.time.NanoClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -42,17 +43,25 @@ public final class Watch implements AutoCloseable {
 
   private void run() {
     while (!closed) {
+      look();
+      LockSupport.parkNanos(this, PERIOD_NANOS);
+    }
+  }
+
+  private void look() {
+    try {
       long now = clock.nanos();
       watched.forEach(w -> check(w, now));
-      LockSupport.parkNanos(this, PERIOD_NANOS);
+    } catch (RuntimeException | Error e) { // going through the list needs memory as well: what is left is looked at next time
+      Thrown.log(LOG, "Looking failed", e);
     }
   }
 
   private static void check(Watched what, long now) {
     try {
       what.check(now);
-    } catch (RuntimeException e) {
-      LOG.error("Looking after {} failed", what, e);
+    } catch (RuntimeException | Error e) { // who looks for what hangs must outlive what there is
+      Thrown.log(LOG, "Looking after something failed", e);
     }
   }
 

@@ -185,8 +185,10 @@ class ArbiterTest {
     assertEquals(robot.clock.nanos() + DisplayWatch.SILENCE_NANOS + 1, robot.arbiter.step(), "it is woken in time");
     robot.pass(200);
     assertEquals(0, robot.zeros());
+    assertFalse(robot.display.takeStopped());
     robot.pass(10);
     assertEquals(1, robot.zeros());
+    assertTrue(robot.display.takeStopped(), "the user is to be told");
     assertRefused(Why.DISPLAY_SILENT, output.send(Samples.forward(1), VALID));
     robot.display.alive();
     assertEquals(new Accepted(), output.send(Samples.forward(1), VALID));
@@ -290,11 +292,19 @@ class ArbiterTest {
   }
 
   @Test
-  void closingEndsOnlyWhatWeMove() {
+  void closingDoesNotTouchWhatWeDoNotMove() {
     assertEquals(List.of(), robot.arbiter.endNow(robot.targets));
+    robot.settle();
+    assertEquals(0, robot.zeros());
+  }
+
+  @Test
+  void afterTheZeroOfAnEndNoCommandOfThoseWhoStillDriveIsTaken() {
     drive();
     assertEquals(List.of(robot.velocity), robot.arbiter.endNow(robot.targets));
+    assertRefused(Why.NOT_CONNECTED, output.send(Samples.forward(1), VALID));
     robot.settle();
+    assertEquals(VelocityCommand.ZERO, robot.sent.getLast());
     assertEquals(1, robot.zeros());
   }
 
@@ -306,7 +316,7 @@ class ArbiterTest {
     output.send(Samples.forward(1), VALID);
     Await.until("it is reported", () -> robot.alerts.contains("base.cmd_vel: motors are off"));
     assertTrue(assertInstanceOf(InputState.Failed.class, output.state()).explanation().contains("motors are off"));
-    assertEquals("motors are off", deaf.status(robot.clock.nanos()).problem());
+    assertEquals("motors are off", deaf.status(robot.clock).problem());
   }
 
   @Test
@@ -332,7 +342,7 @@ class ArbiterTest {
     output.release();
     robot.pass(200);
     assertEquals(VelocityCommand.ZERO, tap.latest().map(e -> e.value()).orElse(Samples.forward(9)));
-    assertEquals(4, robot.velocity.status(robot.clock.nanos()).count());
+    assertEquals(4, robot.velocity.status(robot.clock).count());
     tap.close();
   }
 

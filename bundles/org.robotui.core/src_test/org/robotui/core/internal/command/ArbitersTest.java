@@ -29,6 +29,11 @@ class ArbitersTest {
     }
 
     @Override
+    public void cancelCalls() {
+      // there are none
+    }
+
+    @Override
     public void callStop() {
       // there is none
     }

@@ -28,6 +28,7 @@ final class RobotBench implements RobotPorts, AutoCloseable {
   final Sender sender = new Sender("base", Thread.ofPlatform().daemon().factory(), clock);
   final List<Data> sent = new CopyOnWriteArrayList<>();
   final List<String> alerts = new CopyOnWriteArrayList<>();
+  final AtomicInteger cancels = new AtomicInteger();
   final AtomicInteger stopCalls = new AtomicInteger();
   final CommandTarget<VelocityCommand> velocity = target(Samples.VELOCITY, this::out);
   final CommandTarget<NavigationGoal> goal = target(Samples.GOAL, this::out);
@@ -82,6 +83,11 @@ final class RobotBench implements RobotPorts, AutoCloseable {
   @Override
   public SafetyConfig safety() {
     return safety;
+  }
+
+  @Override
+  public void cancelCalls() {
+    cancels.incrementAndGet();
   }
 
   @Override

@@ -130,6 +130,17 @@ class SenderTest {
   }
 
   @Test
+  void afterAWantOfMemoryItGoesOnSending() {
+    CommandTarget<NavigationGoal> starved =
+        robot.target(new CommandPort<>("starved", NavigationGoal.class, Samples.GOAL.arity(), ""), goal -> {
+          throw new OutOfMemoryError("for a test");
+        });
+    starved.post(Samples.goal(0), Long.MAX_VALUE);
+    robot.velocity.postZero();
+    Await.until("the stop goes out", () -> robot.zeros() == 1);
+  }
+
+  @Test
   void tooManyWaitingGoalsAreRefused() throws InterruptedException {
     blockSender();
     robot.arbiter.take(Samples.YOU, false);

@@ -2,6 +2,7 @@ package org.robotui.core.internal.config;
 
 import java.util.List;
 import java.util.Optional;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
@@ -14,7 +15,6 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.layout.Layout;
-import org.robotui.api.port.Port;
 import org.robotui.core.internal.config.model.TypeLookup;
 
 /** The types ros, map, camera and base, readable only. */
@@ -54,28 +54,8 @@ final class FakeTypes implements TypeLookup {
 
   private record Ros() implements RficType {
     @Override
-    public String id() {
-      return "ros";
-    }
-
-    @Override
-    public String label() {
-      return "ROS";
-    }
-
-    @Override
-    public String help() {
-      return "";
-    }
-
-    @Override
-    public Schema schema() {
-      return ROS;
-    }
-
-    @Override
-    public List<Port> ports() {
-      return List.of();
+    public Descriptor descriptor() {
+      return new Descriptor("ros", "ROS", "", ROS, List.of());
     }
 
     @Override
@@ -86,18 +66,8 @@ final class FakeTypes implements TypeLookup {
 
   private record View(String id, Schema schema) implements UicType {
     @Override
-    public String label() {
-      return id;
-    }
-
-    @Override
-    public String help() {
-      return "";
-    }
-
-    @Override
-    public List<Port> ports() {
-      return List.of();
+    public Descriptor descriptor() {
+      return new Descriptor(id, id, "", schema, List.of());
     }
 
     @Override
@@ -118,23 +88,8 @@ final class FakeTypes implements TypeLookup {
 
   private record Base() implements RuicType {
     @Override
-    public String id() {
-      return "base";
-    }
-
-    @Override
-    public String label() {
-      return "Base";
-    }
-
-    @Override
-    public String help() {
-      return "";
-    }
-
-    @Override
-    public Schema schema() {
-      return Schema.EMPTY;
+    public Descriptor descriptor() {
+      return new Descriptor("base", "Base", "", Schema.EMPTY, List.of());
     }
 
     @Override

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.random.RandomGenerator;
@@ -16,6 +17,7 @@ import org.robotui.api.layout.Layout;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
+import org.robotui.testkit.Effort;
 
 class YamlConfigSourceTest {
   private static final String GOOD = """
@@ -130,8 +132,7 @@ class YamlConfigSourceTest {
   @Test
   void survivesAnyMutation() throws IOException {
     RandomGenerator random = RandomGenerator.of("L64X128MixRandom");
-    int rounds = "1".equals(System.getenv("ROBOTUI_LONG")) ? 200_000 : 2_000;
-    for (int round = 0; round < rounds; round++) {
+    for (Effort effort = Effort.of(2_000, Duration.ofMinutes(5)); effort.goesOn();) {
       StringBuilder text = new StringBuilder(GOOD);
       for (int edit = 0; edit < 3; edit++) {
         int at = random.nextInt(text.length());

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -20,8 +22,12 @@ import org.robotui.api.RficContext;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.CallOutcome;
+import org.robotui.api.port.Caller.Progress;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
+import org.robotui.api.port.ServiceReply;
+import org.robotui.api.port.ServiceRequest;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
@@ -130,7 +136,7 @@ class LifeCycleTest {
     running();
     bench.await("base", RuicState.FAILED);
     String reason = bench.status("base").reason();
-    assertTrue(reason.contains("did not return from start within 2.0 s"), reason);
+    assertTrue(reason.contains("did not return from start within 10.0 s"), reason);
     bench.await("second", RuicState.INITIALIZED);
     bench.await("map", RuicState.INITIALIZED);
     assertEquals(1, robot.closed.get(), "it is closed, also when its start failed");
@@ -174,7 +180,8 @@ class LifeCycleTest {
     Ruic ruic = running();
     ruic.surfaceFailed("map", "painting threw");
     bench.await("map", RuicState.FAILED);
-    assertEquals("painting threw", bench.status("map").reason());
+    String reason = bench.status("map").reason();
+    assertTrue(reason.startsWith("painting threw (bundle org.robotui.uic.map, class "), reason);
     assertTrue(ruic.uic("map").isEmpty());
   }
 
@@ -210,6 +217,33 @@ class LifeCycleTest {
     Await.until("closed", () -> robot.closed.get() == 1);
     context.offers().stream(Samples.SCAN, Demand.IGNORED);
     assertEquals(0, map.context().input(Samples.SCAN).sources().size());
+  }
+
+  @Test
+  void viewThatBlocksWhenItIsAnsweredHoldsUpNoTimeOutOfOthers() throws Exception {
+    FakeView other = new FakeView("other", Samples.CALL);
+    FakeView blocking = new FakeView("blocking", Samples.CALL);
+    bench.registry.add(other, "org.robotui.uic.other");
+    bench.registry.add(blocking, "org.robotui.uic.blocking");
+    robot.onStart(c -> c.offers().call(Samples.CALL, i -> {
+      new CountDownLatch(1).await();
+      throw new IllegalStateException("never");
+    }));
+    assertEquals(List.of(), bench.load(YAML.replace("map: {type: map}", "a: {type: blocking}\n      b: {type: other}")));
+    bench.await("b", RuicState.INITIALIZED);
+    CountDownLatch blocks = new CountDownLatch(1);
+    ask(blocking).thenAccept(outcome -> {
+      blocks.countDown();
+      hang();
+    });
+    assertTrue(blocks.await(5, TimeUnit.SECONDS), "it is answered, and blocks");
+    assertEquals(new CallOutcome.TimedOut<>(), ask(other).toCompletableFuture().get(5, TimeUnit.SECONDS));
+  }
+
+  private static CompletionStage<CallOutcome<ServiceReply>> ask(FakeView view) {
+    Await.until("it is connected", () -> !view.context().caller(Samples.CALL).targets().isEmpty());
+    return view.context().caller(Samples.CALL)
+        .call(new ServiceRequest("/ask", Map.of()), Duration.ofMillis(50), Progress.IGNORED).outcome();
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.Descriptor;
 import org.robotui.api.RuicType;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Settings;
@@ -40,23 +41,8 @@ class PlanTest {
     }
 
     @Override
-    public String id() {
-      return "base";
-    }
-
-    @Override
-    public String label() {
-      return "Base";
-    }
-
-    @Override
-    public String help() {
-      return "";
-    }
-
-    @Override
-    public Schema schema() {
-      return Schema.EMPTY;
+    public Descriptor descriptor() {
+      return new Descriptor("base", "Base", "", Schema.EMPTY, List.of());
     }
   }
 

@@ -17,6 +17,7 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.BrowsePort;
 import org.robotui.api.port.CallPort;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
@@ -265,5 +266,14 @@ class MatcherTest {
     assertEquals(List.of("map needs Odometry on 'odom'; the replacement has nothing that fits"),
         Exchange.missing(wants, matches, "base", enough.subList(0, 1)));
     assertEquals(List.of(), Exchange.missing(wants, matches, "other", List.of()));
+  }
+
+  @Test
+  void whereTheViewChoosesWhatFitsAreCandidatesAndNothingIsWantedYet() {
+    StreamPort<Pose> chosen = new StreamPort<>("values", Pose.class, Arity.MANY, "", Intake.CHOSEN);
+    Match match = offers("base.pose", Pose.class).offers("base.odom", Odometry.class).match(chosen);
+    assertConnected(match);
+    assertEquals(List.of(id("base.pose"), id("base.odom")), match.candidates());
+    assertTrue(match.reason().contains("chooses among 2"), match.reason());
   }
 }

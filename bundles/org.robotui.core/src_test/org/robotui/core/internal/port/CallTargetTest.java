@@ -23,15 +23,19 @@ import org.robotui.api.port.CallPort;
 import org.robotui.api.port.Caller.Call;
 import org.robotui.api.port.Caller.Progress;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.support.Samples;
 import org.robotui.core.internal.time.NanoClock;
 
 class CallTargetTest {
   private static final CallPort<String, Integer> PORT =
       new CallPort<>("length", String.class, Integer.class, Arity.ONE, "");
+  private static final CallPort<String, Integer> GUARDED =
+      new CallPort<>("length", String.class, Integer.class, Arity.ONE, "", true);
 
   private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor();
   private final CallPool pool = new CallPool(Thread.ofPlatform().daemon().factory());
-  private final CallerEnd<String, Integer> caller = new CallerEnd<>(timer);
+  private Optional<String> refusal = Optional.empty();
+  private final CallerEnd<String, Integer> caller = new CallerEnd<>(Samples.YOU, timer);
 
   @AfterEach
   void end() {
@@ -40,9 +44,13 @@ class CallTargetTest {
   }
 
   private CallTarget<String, Integer> target(CallHandler<String, Integer> handler) {
+    return target(PORT, handler);
+  }
+
+  private CallTarget<String, Integer> target(CallPort<String, Integer> port, CallHandler<String, Integer> handler) {
     CallTarget<String, Integer> target = new CallTarget<>(
-        new SourceId("base", "length"), PORT, handler, pool, timer, NanoClock.SYSTEM, o -> {});
-    caller.connect(Optional.of(target), "");
+        new SourceId("base", "length"), port, handler, pool, who -> refusal, timer, NanoClock.SYSTEM, o -> {});
+    caller.connect(List.of(target), "");
     return target;
   }
 
@@ -71,7 +79,7 @@ class CallTargetTest {
       throw new CallException("no such service");
     });
     assertEquals(new CallOutcome.Failed<>("no such service"), outcome(call(Duration.ofSeconds(5), Progress.IGNORED)));
-    assertEquals("no such service", target.status(0).problem());
+    assertEquals("no such service", target.status(NanoClock.SYSTEM).problem());
   }
 
   @Test
@@ -108,7 +116,7 @@ class CallTargetTest {
 
   @Test
   void unconnectedCallerSaysWhyOnACoreThread() throws Exception {
-    caller.connect(Optional.empty(), "nothing answers");
+    caller.connect(List.of(), "nothing answers");
     assertEquals(new CallOutcome.Failed<>("nothing answers"), outcome(call(Duration.ofSeconds(1), Progress.IGNORED)));
   }
 
@@ -133,5 +141,65 @@ class CallTargetTest {
       interrupted.countDown();
       throw e;
     }
+  }
+
+  @Test
+  void onlyGuardedCallsAreRefusedToThoseWhoMayNotCommand() throws Exception {
+    refusal = Optional.of("nobody has the control; take it first");
+    target(i -> 1);
+    assertEquals(new CallOutcome.Replied<>(1), outcome(call(Duration.ofSeconds(5), Progress.IGNORED)));
+    target(GUARDED, i -> 1);
+    assertEquals(new CallOutcome.Failed<>(refusal.get()), outcome(call(Duration.ofSeconds(5), Progress.IGNORED)));
+  }
+
+  @Test
+  void aStopCancelsGuardedCallsAlone() throws Exception {
+    CountDownLatch free = new CountDownLatch(1);
+    CallTarget<String, Integer> plain = target(i -> {
+      free.await();
+      return 1;
+    });
+    Call<Integer> asking = call(Duration.ofSeconds(5), Progress.IGNORED);
+    CallTarget<String, Integer> guarded = target(GUARDED, i -> {
+      new CountDownLatch(1).await();
+      return 2;
+    });
+    Call<Integer> moving = call(Duration.ofSeconds(5), Progress.IGNORED);
+    List.of(plain, guarded).forEach(CallTarget::cancelGuarded);
+    assertEquals(new CallOutcome.Cancelled<>(), outcome(moving));
+    free.countDown();
+    assertEquals(new CallOutcome.Replied<>(1), outcome(asking));
+  }
+
+  @Test
+  void anUrgentCallDoesNotWaitForOthers() throws Exception {
+    CallTarget<String, Integer> target = target(i -> {
+      if (i.request().equals("four")) {
+        new CountDownLatch(1).await();
+      }
+      return i.request().length();
+    });
+    for (int i = 0; i < 40; i++) {
+      call(Duration.ofSeconds(30), Progress.IGNORED);
+    }
+    assertEquals(new CallOutcome.Replied<>(3), outcome(target.urgentCall("now", Duration.ofSeconds(5))));
+  }
+
+  @Test
+  void aGuardedCallThatIsCancelledMaySayHowTheRobotTookIt() throws Exception {
+    CountDownLatch begun = new CountDownLatch(1);
+    target(GUARDED, i -> {
+      begun.countDown();
+      try {
+        new CountDownLatch(1).await();
+      } catch (InterruptedException e) {
+        return 7; // the robot has stopped in an orderly way
+      }
+      return 1;
+    });
+    Call<Integer> moving = call(Duration.ofSeconds(30), Progress.IGNORED);
+    assertTrue(begun.await(5, TimeUnit.SECONDS));
+    moving.cancel();
+    assertEquals(new CallOutcome.Replied<>(7), outcome(moving));
   }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
@@ -21,6 +22,7 @@ import org.robotui.data.DataType;
 import org.robotui.data.Delivery;
 import org.robotui.data.JointState;
 import org.robotui.data.JointState.Joint;
+import org.robotui.data.Keyed;
 import org.robotui.data.LaserScan;
 import org.robotui.data.Late;
 import org.robotui.data.LogEntry;
@@ -80,6 +82,35 @@ class FanTest {
     publish(fan, new JointState(List.of(joint("a", 1))));
     publish(fan, new JointState(List.of(joint("b", 2))));
     assertEquals(List.of(new JointState(List.of(joint("a", 1), joint("b", 2)))), drain(fan.join()));
+  }
+
+  @Test
+  void keysWithoutEndAreBoundedAndWhatIsGivenUpIsCounted() {
+    Fan<JointState> fan = fan(JointState.class);
+    Tap<JointState> tap = fan.join();
+    int many = 3 * Keyed.MOST_KEYS;
+    for (int i = 0; i < many; i++) {
+      publish(fan, new JointState(List.of(joint("steady", i), joint("joint " + i, i))));
+    }
+    JointState last = fan.last().orElseThrow().value();
+    List<Joint> taken = drain(tap).getFirst().joints();
+    assertTrue(taken.size() <= Keyed.MOST_KEYS, "keys: " + taken.size());
+    assertTrue(taken.contains(joint("steady", many - 1)) && taken.contains(joint("joint " + (many - 1), many - 1)));
+    assertEquals(many + 1, taken.size() + tap.dropped());
+    assertEquals(taken, last.joints());
+    assertEquals(2 * tap.dropped(), fan.dropped(), "of this consumer, and of what late ones get");
+    publish(fan, new JointState(List.of(joint("joint 0", 7))));
+    assertEquals(List.of(joint("joint 0", 7)), drain(tap).getFirst().joints(), "back with its next value");
+  }
+
+  @Test
+  void aSingleValueKeepsAllItsKeys() {
+    Fan<JointState> fan = fan(JointState.class);
+    Tap<JointState> tap = fan.join();
+    publish(fan, new JointState(List.of(joint("old", 1))));
+    publish(fan, new JointState(IntStream.range(0, Keyed.MOST_KEYS + 5).mapToObj(i -> joint("joint " + i, i)).toList()));
+    assertEquals(Keyed.MOST_KEYS + 5, drain(tap).getFirst().joints().size());
+    assertEquals(1, tap.dropped());
   }
 
   @Test

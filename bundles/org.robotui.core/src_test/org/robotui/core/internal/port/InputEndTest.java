@@ -14,10 +14,12 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
+import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Bytes;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
@@ -31,7 +33,7 @@ class InputEndTest {
   private final List<Boolean> demand = new ArrayList<>();
   private final StreamSource<LaserScan> front = source("front", LaserScan.class);
   private final StreamSource<LaserScan> rear = source("rear", LaserScan.class);
-  private final InputEnd<LaserScan> input = new InputEnd<>(clock);
+  private final InputEnd<LaserScan> input = new InputEnd<>(Intake.MATCHED, clock);
 
   private <T extends Data> StreamSource<T> source(String name, Class<T> type) {
     Demand told = demand::add;
@@ -77,6 +79,25 @@ class InputEndTest {
   }
 
   @Test
+  void aValueThatComesWhileItIsLookedAtIsNotFromAfterThatMoment() {
+    connected();
+    // A clock that takes its time, as when classes are loaded: meanwhile a value comes.
+    NanoClock slow = () -> {
+      long now = clock.nanos();
+      clock.advanceMillis(300);
+      publish(front, Samples.scan(1));
+      return now;
+    };
+    InputEnd<LaserScan> end = new InputEnd<>(Intake.MATCHED, slow);
+    end.connect(List.of(front), "");
+    publish(front, Samples.scan(0));
+    for (int i = 0; i < 3; i++) {
+      assertEquals(0, front.status(slow).ageSeconds(), 1e-9);
+      assertEquals(0, assertInstanceOf(InputState.Live.class, end.state()).ageSeconds(), 1e-9);
+    }
+  }
+
+  @Test
   void slowSourcesAreStaleAfterThreePeriods() {
     connected();
     input.connect(List.of(front), "");
@@ -94,7 +115,7 @@ class InputEndTest {
   void mapsDoNotExpireButALostLinkIsTold() {
     connected();
     StreamSource<GridMap> source = source("map", GridMap.class);
-    InputEnd<GridMap> end = new InputEnd<>(clock);
+    InputEnd<GridMap> end = new InputEnd<>(Intake.MATCHED, clock);
     end.connect(List.of(source), "");
     publish(source, new GridMap(new FrameId("r", "map"), 1, 1, 1, RigidTransform.IDENTITY, Bytes.of((byte) 0)));
     clock.advanceMillis(3_600_000);
@@ -119,8 +140,8 @@ class InputEndTest {
     input.connect(List.of(front), "");
     front.lost(3, "robot: truncated scan");
     assertTrue(input.state().explanation().contains("truncated scan"));
-    assertEquals(3, front.status(clock.nanos()).dropped());
-    assertEquals("robot: truncated scan", front.status(clock.nanos()).problem());
+    assertEquals(3, front.status(clock).dropped());
+    assertEquals("robot: truncated scan", front.status(clock).problem());
   }
 
   @Test
@@ -159,20 +180,20 @@ class InputEndTest {
 
   @Test
   void demandIsToldForTheFirstAndTheLastConsumer() {
-    InputEnd<LaserScan> second = new InputEnd<>(clock);
+    InputEnd<LaserScan> second = new InputEnd<>(Intake.MATCHED, clock);
     input.connect(List.of(front), "");
     second.connect(List.of(front), "");
-    assertTrue(front.status(clock.nanos()).wanted());
+    assertTrue(front.status(clock).wanted());
     input.connect(List.of(), "");
     second.connect(List.of(), "");
     assertEquals(List.of(true, false), demand);
-    assertFalse(front.status(clock.nanos()).wanted());
+    assertFalse(front.status(clock).wanted());
   }
 
   @Test
   void tapSeesWhatViewsSeeWithoutTheProducerKnowing() {
     input.connect(List.of(front), "");
-    Tap<LaserScan> tap = front.join();
+    Tap<LaserScan> tap = front.join(Intake.MATCHED);
     publish(front, Samples.scan(1));
     assertEquals(1, tap.drain(e -> {}));
     assertEquals(1, input.drain(e -> {}));

@@ -78,13 +78,16 @@ public final class CoreBench implements AutoCloseable {
 
   /** How a component is doing. */
   public ComponentStatus status(String id) {
-    return core.ruics().getFirst().snapshot().components().stream()
-        .filter(c -> c.id().equals(id)).findFirst().orElseThrow();
+    return known(id).orElseThrow();
+  }
+
+  private Optional<ComponentStatus> known(String id) {
+    return core.ruics().getFirst().snapshot().components().stream().filter(c -> c.id().equals(id)).findFirst();
   }
 
   /** Waits for a component's state. */
   public void await(String id, RuicState state) {
-    Await.until(id + " is " + state + ", not " + status(id), () -> status(id).state() == state);
+    Await.until(id + " is " + state, () -> known(id).filter(c -> c.state() == state).isPresent());
   }
 
   /** What matching says of a port. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
@@ -74,27 +75,7 @@ public final class FakeRobot implements RficType {
   }
 
   @Override
-  public String id() {
-    return id;
-  }
-
-  @Override
-  public String label() {
-    return "Fake robot";
-  }
-
-  @Override
-  public String help() {
-    return "";
-  }
-
-  @Override
-  public Schema schema() {
-    return Schema.of(Setting.of("peer", new ValueType.Text(), "nowhere", ""));
-  }
-
-  @Override
-  public List<Port> ports() {
-    return ports;
+  public Descriptor descriptor() {
+    return new Descriptor(id, "Fake robot", "", Schema.of(Setting.of("peer", new ValueType.Text(), "nowhere", "")), ports);
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
@@ -73,28 +74,9 @@ public final class FakeView implements UicType {
   }
 
   @Override
-  public String id() {
-    return id;
-  }
-
-  @Override
-  public String label() {
-    return "Fake view";
-  }
-
-  @Override
-  public String help() {
-    return "";
-  }
-
-  @Override
-  public Schema schema() {
-    return Schema.of(
-        Setting.of("follow", new ValueType.Flag(), false, ""), Setting.of("zoom", new ValueType.Num(1, 100, ""), 10.0, ""));
-  }
-
-  @Override
-  public List<Port> ports() {
-    return ports;
+  public Descriptor descriptor() {
+    return new Descriptor(id, "Fake view", "",
+        Schema.of(Setting.of("follow", new ValueType.Flag(), false, ""), Setting.of("zoom", new ValueType.Num(1, 100, ""), 10.0, "")),
+        ports);
   }
 }

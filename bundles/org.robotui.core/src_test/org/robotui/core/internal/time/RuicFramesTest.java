@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.robotui.api.frame.FrameLink;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
 import org.robotui.data.FrameTransform;
@@ -21,7 +22,8 @@ class RuicFramesTest {
   private static final FrameId LASER = new FrameId("one", "laser");
   private static final FrameId OTHER_BASE = new FrameId("two", "base_link");
 
-  private final RuicFrames frames = new RuicFrames();
+  private long now = 1_000_000_000L;
+  private final RuicFrames frames = new RuicFrames(() -> now);
 
   private static FrameTransform edge(FrameId parent, FrameId child, double x, long seconds, boolean fixed) {
     Stamp stamp = Stamp.of(seconds, 0, ClockKind.ROBOT);
@@ -66,5 +68,68 @@ class RuicFramesTest {
     assertEquals(2, frames.lookup(ODOM, BASE, Optional.empty()).transform().orElseThrow().translation().x(), 1e-9);
     frames.reset();
     assertEquals(List.of(), frames.all());
+  }
+
+  @Test
+  void saysWhoSendsATransformHowOftenAndHowOldItIs() {
+    for (int i = 0; i < 30; i++) {
+      add(edge(ODOM, BASE, i, 10 + i, false));
+      now += 100_000_000L;
+    }
+    add(edge(BASE, LASER, 0.5, 0, true));
+    FrameLink moving = link(BASE);
+    assertEquals(10, moving.rateHz(), 0.01);
+    assertEquals("test", moving.authority());
+    assertEquals(39, moving.newest().orElseThrow().seconds(), 1e-9);
+    assertEquals(10, moving.heldSeconds(), 1e-9);
+    assertEquals(100_000_000L, now - moving.receivedNanos());
+    assertEquals(List.of(), moving.rivals());
+    FrameLink fixed = link(LASER);
+    assertTrue(fixed.fixed());
+    assertEquals(Optional.empty(), fixed.newest());
+    now += 5_000_000_000L;
+    assertEquals(0, link(BASE).rateHz(), "it ceased");
+  }
+
+  @Test
+  void twoWhoSayItAreRivalsAndASuccessorIsNone() {
+    FrameId map = new FrameId("one", "map");
+    say(ODOM, "first");
+    say(ODOM, "second");
+    assertEquals(List.of(), link(BASE).rivals(), "one came after the other");
+    say(map, "first");
+    say(ODOM, "second");
+    assertEquals(List.of(new FrameLink.Rival("first", map)), link(BASE).rivals());
+    now += 11_000_000_000L;
+    say(ODOM, "second");
+    assertEquals(List.of(), link(BASE).rivals(), "long ago");
+  }
+
+  @Test
+  void refusalsAreListedOnceForEachReasonAndBounded() {
+    for (int i = 0; i < 3; i++) {
+      now++;
+      add(edge(ODOM, ODOM, 1, 10, false));
+    }
+    assertEquals(1, frames.refusals().size());
+    assertEquals(3, frames.refusals().getFirst().count());
+    for (int i = 0; i < 100; i++) {
+      now++;
+      FrameId one = new FrameId("one", "f" + i);
+      add(edge(one, one, 1, 10, false));
+    }
+    assertEquals(20, frames.refusals().size());
+    assertTrue(frames.refusals().getFirst().reason().contains("f99"));
+    frames.reset();
+    assertEquals(List.of(), frames.refusals());
+  }
+
+  private void say(FrameId parent, String authority) {
+    now += 10_000_000L;
+    frames.add(new TransformSet(List.of(edge(parent, BASE, 1, 10 + now / 1_000_000_000L, false))), authority);
+  }
+
+  private FrameLink link(FrameId child) {
+    return frames.links().stream().filter(l -> l.child().equals(child)).findFirst().orElseThrow();
   }
 }

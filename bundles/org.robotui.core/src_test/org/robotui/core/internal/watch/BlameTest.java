@@ -3,6 +3,8 @@ package org.robotui.core.internal.watch;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -35,5 +37,17 @@ class BlameTest {
   @Test
   void namesNobodyOnAForeignStack() {
     assertTrue(blamed("java.lang.Object", "org.eclipse.swt.Display").isEmpty());
+  }
+
+  @Test
+  void asksForNoNameBelowTheOneToBlame() {
+    StackTraceElement[] stack = {new StackTraceElement("org.robotui.uic.map.MapView", "run", "File.java", 1),
+        new StackTraceElement("java.lang.Thread", "run", "File.java", 1)};
+    List<String> asked = new ArrayList<>();
+    Blame.of(stack, name -> {
+      asked.add(name);
+      return NAMES.bundleOf(name);
+    });
+    assertEquals(List.of("org.robotui.uic.map.MapView"), asked);
   }
 }

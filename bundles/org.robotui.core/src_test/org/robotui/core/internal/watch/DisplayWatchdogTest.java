@@ -48,16 +48,65 @@ class DisplayWatchdogTest {
   @Test
   void oneSilenceIsReportedOnceAndTheNextAgain() {
     display.alive();
-    silent(1900);
+    silent(4900);
     assertEquals(0, alerts.size());
     silent(200);
-    silent(5000);
+    silent(2000);
     assertEquals(1, alerts.size());
-    assertTrue(alerts.getFirst().contains("2.1 s; bundle org.robotui.uic.map holds it up at "), alerts.getFirst());
+    assertTrue(alerts.getFirst().contains("5.1 s; bundle org.robotui.uic.map holds it up at "), alerts.getFirst());
     display.alive();
     silent(10);
-    silent(3000);
-    assertEquals(2, alerts.size());
+    assertEquals("the display answers again, after 7.1 s; bundle org.robotui.uic.map held it up", alerts.get(1));
+    silent(5100);
+    assertEquals(3, alerts.size());
+  }
+
+  @Test
+  void aSilenceThatStoppedSomethingIsReportedAtOnce() {
+    display.alive();
+    clock.advanceMillis(210);
+    display.stoppedSomething();
+    silent(90);
+    assertTrue(alerts.getFirst().matches("the display has not answered for 0.3 s; bundle org.robotui.uic.map holds it up at .*; "
+        + "what its windows moved is stopped"), alerts.getFirst());
+    display.alive();
+    silent(10);
+    silent(10);
+    assertEquals(List.of("the display answers again, after 0.3 s; bundle org.robotui.uic.map held it up"), alerts.subList(1, alerts.size()));
+  }
+
+  @Test
+  void theWholeSilenceIsToldThoughOnlyItsBeginningWasSeen() {
+    display.alive();
+    clock.advanceMillis(210);
+    display.stoppedSomething();
+    silent(10);
+    clock.advanceMillis(2680);
+    display.alive();
+    silent(10);
+    assertEquals("the display answers again, after 2.9 s; bundle org.robotui.uic.map held it up", alerts.getLast());
+  }
+
+  @Test
+  void theNextSilenceIsToldByItsOwnLength() {
+    display.alive();
+    silent(8000);
+    display.alive();
+    silent(10);
+    silent(5100);
+    display.alive();
+    silent(10);
+    assertTrue(alerts.getLast().startsWith("the display answers again, after 5.1 s"), alerts.getLast());
+  }
+
+  @Test
+  void aSilenceThatIsOverWhenItIsSeenIsNotBlamedOnAnybody() {
+    display.alive();
+    clock.advanceMillis(210);
+    display.stoppedSomething();
+    display.alive();
+    silent(10);
+    assertEquals(List.of("the display did not answer for a moment: what its windows moved was stopped"), alerts);
   }
 
   @Test

@@ -2,15 +2,8 @@ package org.robotui.entity.image.internal;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferByte;
-import java.awt.image.DataBufferUShort;
 import java.io.IOException;
-import java.util.Iterator;
-import java.util.Locale;
-import java.util.Set;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageReader;
-import javax.imageio.stream.ImageInputStream;
-import javax.imageio.stream.MemoryCacheImageInputStream;
+import java.util.Optional;
 import org.eclipse.swt.graphics.ImageData;
 import org.robotui.data.Bytes;
 import org.robotui.data.CompressedImage;
@@ -18,122 +11,94 @@ import org.robotui.data.PixelEncoding;
 import org.robotui.data.RawImage;
 import org.robotui.entity.image.Decoding;
 import org.robotui.entity.image.Picture;
+import org.robotui.entity.image.Rendering;
 
-/** Decodes JPEG and PNG; the header is read, and the size checked, before memory for the pixels is taken. */
+/** Decodes JPEG, PNG, and depth as compressed by ROS. */
 public final class CompressedPictures {
-  private static final Set<String> FORMATS = Set.of("jpeg", "png");
-  private static final String DEPTH = "compressedDepth";
-  private static final int DEPTH_HEADER = 12;
-  private static final int COLOR_DEPTH = 24;
-  private static final int COLOR_BYTES = 3;
-  private static final int GREY_DEPTH = 8;
+  private final CompressedImage image;
+  private final Format format;
+  private final Rendering rendering;
+  private final Levels levels;
 
-  private CompressedPictures() {}
+  private CompressedPictures(CompressedImage image, Rendering rendering, Levels levels) {
+    this.image = image;
+    this.format = Format.of(image.format());
+    this.rendering = rendering;
+    this.levels = levels;
+  }
 
   /**
    * Decodes.
    *
    * @param image the picture
-   * @param limit what is allowed
-   * @param refusal says why a size is not
+   * @param rendering how numbers become colours
+   * @param levels what is held from picture to picture
    * @return the picture, or why there is none
    */
-  public static Decoding decode(CompressedImage image, Limit limit, Refusal refusal) {
-    try (ImageInputStream stream = new MemoryCacheImageInputStream(file(image).stream())) {
-      Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
-      while (readers.hasNext()) {
-        ImageReader reader = readers.next();
-        if (FORMATS.contains(format(reader))) {
-          return decode(image, reader, stream, limit, refusal);
-        }
-      }
-      return new Decoding.Undecodable(what(image) + " is neither JPEG nor PNG");
+  public static Decoding decode(CompressedImage image, Rendering rendering, Levels levels) {
+    try {
+      return new Decoding.Decoded(new CompressedPictures(image, rendering, levels).picture());
+    } catch (TooLargeException e) {
+      return new Decoding.Undecodable(e.getMessage());
     } catch (IOException | RuntimeException e) {
       // The decoders of the platform answer hostile bytes with all kinds of runtime exceptions.
       return new Decoding.Undecodable(what(image) + " cannot be decoded: " + message(e));
     }
   }
 
-  private static Decoding decode(
-      CompressedImage image, ImageReader reader, ImageInputStream stream, Limit limit, Refusal refusal) throws IOException {
-    try {
-      reader.setInput(stream, true, true);
-      int width = reader.getWidth(0);
-      int height = reader.getHeight(0);
-      return limit.allows(width, height)
-          ? new Decoding.Decoded(picture(image, reader.read(0), format(reader)))
-          : new Decoding.Undecodable(refusal.of(width, height));
-    } finally {
-      reader.dispose();
+  private Picture picture() throws IOException {
+    if (format.depth()) {
+      return numbers(CompressedDepth.decode(image, format), format.rvl() ? "rvl" : "png");
     }
-  }
-
-  private static Picture picture(CompressedImage image, BufferedImage decoded, String format) {
-    if (decoded.getType() == BufferedImage.TYPE_USHORT_GRAY) {
-      RawImage depth = depth(image, decoded);
-      return new Picture(RawPictures.pixels(depth), format + " 16 bit", new RawValues(depth));
-    }
-    return new Picture(pixels(decoded), format, (x, y) -> values(decoded.getRGB(x, y)));
-  }
-
-  private static ImageData pixels(BufferedImage decoded) {
-    int width = decoded.getWidth();
-    int height = decoded.getHeight();
-    return switch (decoded.getType()) {
-      case BufferedImage.TYPE_3BYTE_BGR ->
-          new ImageData(width, height, COLOR_DEPTH, RawPictures.BGR, 1, bytes(decoded));
-      case BufferedImage.TYPE_BYTE_GRAY -> new ImageData(width, height, GREY_DEPTH, Greys.palette(), 1, bytes(decoded));
-      default -> converted(decoded);
+    ImageFiles.Decoded file = ImageFiles.read(image.data());
+    return switch (file.pixels().getType()) {
+      case BufferedImage.TYPE_USHORT_GRAY -> numbers(
+          ImageFiles.sixteen(image, file.pixels(), format.oneChannel(PixelEncoding.U16C1)), file.format());
+      case BufferedImage.TYPE_BYTE_GRAY -> grey(file);
+      default -> new Picture(color(file.pixels()), file.format(), (x, y) -> values(file.pixels().getRGB(x, y)),
+          Optional.empty(), Optional.empty());
     };
   }
 
-  private static byte[] bytes(BufferedImage decoded) {
-    return ((DataBufferByte) decoded.getRaster().getDataBuffer()).getData();
+  private Picture numbers(RawImage raw, String compression) {
+    return named(RawPictures.decode(raw, rendering, levels), raw.encoding().rosName() + " " + compression);
   }
 
-  private static ImageData converted(BufferedImage decoded) {
+  /** What came through a Bayer filter is compressed as it is, and only the format says so. */
+  private Picture grey(ImageFiles.Decoded file) {
+    BufferedImage pixels = file.pixels();
+    byte[] bytes = ((DataBufferByte) pixels.getRaster().getDataBuffer()).getData();
+    PixelEncoding encoding = format.oneChannel(PixelEncoding.MONO8);
+    RawImage raw = new RawImage(image.frame(), pixels.getWidth(), pixels.getHeight(), encoding, false, pixels.getWidth(),
+        Bytes.wrap(bytes, 0, bytes.length));
+    String name = encoding == PixelEncoding.MONO8 ? file.format() : encoding.rosName() + " " + file.format();
+    return named(RawPictures.decode(raw, rendering, levels), name);
+  }
+
+  private static Picture named(Picture picture, String encoding) {
+    return new Picture(picture.pixels(), encoding, picture.values(), picture.legend(), picture.numbers());
+  }
+
+  private static ImageData color(BufferedImage decoded) {
     int width = decoded.getWidth();
-    byte[] target = new byte[width * decoded.getHeight() * COLOR_BYTES];
+    int height = decoded.getHeight();
+    if (decoded.getType() == BufferedImage.TYPE_3BYTE_BGR) {
+      byte[] bytes = ((DataBufferByte) decoded.getRaster().getDataBuffer()).getData();
+      return new ImageData(width, height, Raster.DEPTH, Colors.bgr(), 1, bytes);
+    }
+    Raster raster = new Raster(width, height);
     int[] row = new int[width];
-    for (int y = 0, out = 0; y < decoded.getHeight(); y++) {
+    for (int y = 0; y < height; y++) {
       decoded.getRGB(0, y, width, 1, row, 0, width);
       for (int pixel : row) {
-        target[out++] = (byte) (pixel >> 16);
-        target[out++] = (byte) (pixel >> 8);
-        target[out++] = (byte) pixel;
+        raster.put(pixel);
       }
     }
-    return new ImageData(width, decoded.getHeight(), COLOR_DEPTH, RawPictures.RGB, 1, target);
-  }
-
-  private static RawImage depth(CompressedImage image, BufferedImage decoded) {
-    short[] values = ((DataBufferUShort) decoded.getRaster().getDataBuffer()).getData();
-    byte[] bytes = new byte[values.length * 2];
-    for (int i = 0; i < values.length; i++) {
-      bytes[2 * i] = (byte) values[i];
-      bytes[2 * i + 1] = (byte) (values[i] >> 8);
-    }
-    return new RawImage(image.frame(), decoded.getWidth(), decoded.getHeight(), PixelEncoding.U16C1, false,
-        2 * decoded.getWidth(), Bytes.wrap(bytes, 0, bytes.length));
+    return raster.data();
   }
 
   private static String values(int rgb) {
     return (rgb >> 16 & 0xff) + " " + (rgb >> 8 & 0xff) + " " + (rgb & 0xff);
-  }
-
-  /** ROS puts a header before the PNG of a depth picture, and the format says so. */
-  private static Bytes file(CompressedImage image) {
-    Bytes all = image.data();
-    if (!image.format().contains(DEPTH) || all.size() < DEPTH_HEADER) {
-      return all;
-    }
-    byte[] rest = new byte[all.size() - DEPTH_HEADER];
-    all.copyTo(DEPTH_HEADER, rest, 0, rest.length);
-    return Bytes.wrap(rest, 0, rest.length);
-  }
-
-  private static String format(ImageReader reader) throws IOException {
-    return reader.getFormatName().toLowerCase(Locale.ROOT);
   }
 
   private static String what(CompressedImage image) {
@@ -142,31 +107,5 @@ public final class CompressedPictures {
 
   private static String message(Exception e) {
     return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-  }
-
-  /** What sizes are allowed. */
-  @FunctionalInterface
-  public interface Limit {
-    /**
-     * Whether a size is allowed.
-     *
-     * @param width pixels
-     * @param height pixels
-     * @return true where it is
-     */
-    boolean allows(int width, int height);
-  }
-
-  /** Says why a size is not allowed. */
-  @FunctionalInterface
-  public interface Refusal {
-    /**
-     * The reason.
-     *
-     * @param width pixels
-     * @param height pixels
-     * @return a sentence
-     */
-    String of(int width, int height);
   }
 }

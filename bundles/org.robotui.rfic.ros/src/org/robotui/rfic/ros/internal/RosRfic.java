@@ -2,9 +2,12 @@ package org.robotui.rfic.ros.internal;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
+import org.robotui.api.RficWorker;
 import org.robotui.api.link.LinkState;
 import org.robotui.rfic.ros.internal.graph.Session;
 import org.robotui.ros.message.MessageRegistry;
@@ -22,65 +25,47 @@ final class RosRfic implements Rfic {
 
   private final RficContext context;
   private final RosSettings settings;
-  private final Thread worker;
+  private final RficWorker worker;
+  private final Tidying tidying;
   private final AtomicReference<Session> session = new AtomicReference<>();
-  private volatile boolean closed;
+  private Optional<MessageRegistry> registry = Optional.empty(); // only on the worker
 
   RosRfic(RficContext context, RosSettings settings) {
     this.context = context;
     this.settings = settings;
-    this.worker = context.threads().newThread(this::run);
+    this.worker = new RficWorker(context, RETRY, this::follow);
+    this.tidying = new Tidying(context);
   }
 
   @Override
   public void start() {
-    context.link().report(new LinkState.Connecting(settings.master().toString()));
-    worker.start();
+    worker.start(settings.master().toString());
+    tidying.start();
   }
 
-  private void run() {
-    MessageRegistry registry = MessageRegistry.fromEnvironment();
-    while (!closed) {
-      try (Session opened = new Session(context, settings, registry)) {
-        session.set(opened);
-        context.link().report(new LinkState.Failed(opened.follow(() -> closed), RETRY));
-      } catch (IOException e) {
-        context.link().report(new LinkState.Failed("no node can be opened here: " + e.getMessage(), RETRY));
-      } catch (InterruptedException e) {
-        LOG.debug("{} ends", context.instance());
-        return;
-      }
-      pause();
-    }
-  }
-
-  private void pause() {
-    try {
-      Thread.sleep(RETRY);
-    } catch (InterruptedException e) {
-      closed = true;
+  private String follow(BooleanSupplier over) throws InterruptedException {
+    MessageRegistry types = registry.orElseGet(MessageRegistry::fromEnvironment);
+    registry = Optional.of(types);
+    try (Session opened = new Session(context, settings, types)) {
+      session.set(opened);
+      return opened.follow(over);
+    } catch (IOException e) {
+      return "no node can be opened here: " + e.getMessage();
     }
   }
 
   @Override
   public void close() {
-    closed = true;
-    worker.interrupt();
+    worker.stop();
+    tidying.stop();
     Session opened = session.get();
     if (opened != null) {
       opened.close();
     }
-    join();
-    context.link().report(new LinkState.Disconnected());
-  }
-
-  private void join() {
-    try {
-      if (worker.isAlive() && !worker.join(END)) {
-        LOG.warn("{} did not end in {} ms", context.instance(), END.toMillis());
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+    if (!worker.join(END)) {
+      LOG.warn("{} did not end in {} ms", context.instance(), END.toMillis());
     }
+    tidying.close();
+    context.link().report(new LinkState.Disconnected());
   }
 }

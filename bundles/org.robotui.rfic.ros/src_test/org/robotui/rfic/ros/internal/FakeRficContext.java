@@ -1,5 +1,6 @@
 package org.robotui.rfic.ros.internal;
 
+import java.nio.file.Path;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
@@ -79,6 +80,11 @@ final class FakeRficContext implements RficContext, Offers, ClockSource {
   @Override
   public ClockSource clock() {
     return this;
+  }
+
+  @Override
+  public Path stateFolder() {
+    return Path.of(System.getProperty("java.io.tmpdir"), "robotui-test-" + ProcessHandle.current().pid());
   }
 
   @Override

@@ -12,6 +12,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.locks.LockSupport;
@@ -32,9 +33,13 @@ import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.ClockKind;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldPath;
+import org.robotui.data.FieldShape;
 import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
 import org.robotui.data.LaserScan;
+import org.robotui.data.MessageCommand;
+import org.robotui.data.RecordShape;
+import org.robotui.data.RobotDescription;
 import org.robotui.data.Stamp;
 import org.robotui.data.VelocityCommand;
 import org.robotui.ros.GraphName;
@@ -44,6 +49,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.StandardServices;
@@ -109,11 +115,26 @@ class RosRficTest {
     assertEquals(1.0, number(first("value")));
     driver.close();
     await(() -> context.complaints.get("value").contains("nobody publishes /value any more"));
-    assertInstanceOf(LinkState.Degraded.class, context.links.getLast());
+    await(() -> context.links.getLast() instanceof LinkState.Degraded);
     context.published.get("value").clear();
     driver = node("driver");
     driver.publisher("/value", StdFloat64.CODEC, PublisherOptions.latched()).publish(new StdFloat64(2));
     assertEquals(2.0, number(first("value")));
+    driver.close();
+  }
+
+  @Test
+  void takesItsComplaintBackWhenARareTopicIsThereAgainThoughItSaysNothingYet() throws IOException {
+    RosNode driver = node("driver");
+    driver.publisher("/rare", StdFloat64.CODEC, PublisherOptions.standard());
+    rfic.start();
+    await(() -> context.streams.containsKey("rare"));
+    context.demand("rare", true);
+    driver.close();
+    await(() -> context.complaints.get("rare").contains("nobody publishes /rare any more"));
+    driver = node("driver");
+    driver.publisher("/rare", StdFloat64.CODEC, PublisherOptions.standard());
+    await(() -> "".equals(context.complaints.get("rare").peekLast()));
     driver.close();
   }
 
@@ -204,10 +225,66 @@ class RosRficTest {
     Browser.Item item = new Browser.Item(Browser.Kind.TOPIC, "/value", "std_msgs/Float64");
     assertTrue(browser.list(Browser.Kind.TOPIC).contains(item));
     assertEquals("/robot", browser.describe(item).facts().get("publishers"));
+    assertTrue(browser.links().contains(new Browser.Link("/robot", "/value", true)));
     assertTrue(browser.list(Browser.Kind.NODE).stream().anyMatch(n -> n.name().equals("/robot")));
     browser.setParameter("/gains", Map.of("p", 1.5, "names", List.of("a", "b"), "count", 3L, "on", true));
     assertEquals(1.5, ((Map<?, ?>) browser.parameter("/gains").orElseThrow()).get("p"));
     assertTrue(browser.parameter("/none").isEmpty());
+  }
+
+  @Test
+  void saysAMessageOnceToAllWhoListenAndNeverOnTopicsThatMoveTheRobot() {
+    Deque<Double> first = new ConcurrentLinkedDeque<>();
+    Deque<Double> second = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> first.add(m.data()));
+    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> second.add(m.data()));
+    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    rfic.start();
+    await(() -> context.commands.containsKey("cmd_vel"));
+    await(() -> say("/gain", "std_msgs/Float64", Map.of("data", 2.5)) instanceof Sent.Out);
+    await(() -> first.size() == 1 && second.size() == 1);
+    assertEquals(2.5, first.getFirst());
+    assertInstanceOf(Sent.Out.class, say("/gain", "std_msgs/Float64", Map.of("data", 3)));
+    await(() -> first.size() == 2);
+    assertTrue(refusal(say("/gain", "std_msgs/String", Map.of())).contains("carries std_msgs/Float64"));
+    assertTrue(refusal(say("/gain", "std_msgs/Float64", Map.of("data", "much"))).contains("data"));
+    assertTrue(refusal(say("/nobody", "std_msgs/Float64", Map.of())).contains("nobody listens on /nobody"));
+    assertTrue(refusal(say("/cmd_vel", "geometry_msgs/Twist", Map.of())).contains("moves the robot"));
+  }
+
+  private static String refusal(Sent sent) {
+    return assertInstanceOf(Sent.Refused.class, sent).reason();
+  }
+
+  @SuppressWarnings("unchecked")
+  private Sent say(String topic, String type, Map<String, Object> fields) {
+    return ((CommandSink<MessageCommand>) context.sinks.get("publish")).send(new MessageCommand(topic, type, fields));
+  }
+
+  @Test
+  void keepsTheRobotsNamesBesideTheDataType() {
+    Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans = robot.publisher(
+        "/scan", org.robotui.ros.msgs.sensor_msgs.LaserScan.CODEC, PublisherOptions.latched());
+    scans.publish(scan(new float[] {1, 2}));
+    rfic.start();
+    await(() -> context.streams.containsKey("scan"));
+    context.demand("scan", true);
+    DynamicRecord message = first("scan").raw().orElseThrow().record().orElseThrow();
+    assertEquals("sensor_msgs/LaserScan", message.schema());
+    assertEquals(Optional.of(new FieldValue.Num(-1, "-1.0")), message.at(FieldPath.parse("angle_min")));
+    assertEquals(Optional.of(new FieldValue.Text("/laser")), message.at(FieldPath.parse("header.frame_id")));
+  }
+
+  @Test
+  void describesTheFormOfMessages() throws Exception {
+    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    rfic.start();
+    await(() -> context.commands.containsKey("cmd_vel"));
+    Browser browser = context.browsers.get("graph");
+    RecordShape twist = browser.describe(new Browser.Item(Browser.Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist"))
+        .shape().orElseThrow();
+    FieldShape.Nested linear = assertInstanceOf(FieldShape.Nested.class, twist.field("linear").orElseThrow().shape());
+    assertEquals(Optional.of(new FieldShape.Real(64)), linear.shape().field("x").map(RecordShape.Field::shape));
   }
 
   @Test
@@ -219,6 +296,21 @@ class RosRficTest {
     await(() -> context.links.getLast() instanceof LinkState.Failed);
     master = RosMaster.open(MasterOptions.standard(DAEMONS).withPort(port));
     await(() -> context.links.getLast() instanceof LinkState.Connected);
+  }
+
+  @Test
+  void saysWhatTheRobotIsMadeOfAndSaysItAgainWhenItChanges() {
+    rfic.start();
+    await(() -> context.streams.containsKey("tf"));
+    assertFalse(context.streams.containsKey("robot_description"));
+    robot.parameters().set("/robot_description", XmlRpcValue.of("<robot name='a'/>"));
+    RobotDescription first = (RobotDescription) first("robot_description").value();
+    assertEquals("<robot name='a'/>", first.urdf());
+    assertEquals("robby", first.robot());
+    robot.parameters().set("/robot_description_semantic", XmlRpcValue.of("<robot/>"));
+    await(() -> ((RobotDescription) context.published.get("robot_description").getLast().value()).srdf().equals("<robot/>"));
+    robot.parameters().delete("/robot_description");
+    await(() -> !context.streams.containsKey("robot_description"));
   }
 
   @Test
@@ -253,7 +345,7 @@ class RosRficTest {
   }
 
   private FakeRficContext.Published first(String port) {
-    await(() -> !context.published.get(port).isEmpty());
+    await(() -> context.published.containsKey(port) && !context.published.get(port).isEmpty());
     return context.published.get(port).getFirst();
   }
 
@@ -285,6 +377,11 @@ class RosRficTest {
       @Override
       public void progress(double fraction, String message) {
         // services have no progress
+      }
+
+      @Override
+      public void feedback(DynamicRecord record) {
+        // nor feedback
       }
     });
   }

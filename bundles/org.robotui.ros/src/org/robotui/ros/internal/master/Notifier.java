@@ -1,6 +1,7 @@
 package org.robotui.ros.internal.master;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,12 +18,21 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Calls nodes back. Each node has a queue, and a thread while there is something in it, so that a node that hangs holds
- * up nobody else. Of several updates of one topic or parameter that wait only the newest is sent.
+ * Calls nodes back. Each node has a queue; of several updates of one topic or parameter that wait only the newest is sent.
+ * Threads are few, however many nodes there are. A node that hangs holds one of them until the time-out, and from then on only
+ * one of those that are for nodes that have not answered yet: nodes that answer wait for no other.
  */
 final class Notifier {
 
+    /** Threads for nodes that answered the last time. */
+    static final int PROVEN_THREADS = 16;
+    /** Threads for all others. */
+    static final int OTHER_THREADS = 32;
+
     private static final Logger LOG = LoggerFactory.getLogger(Notifier.class);
+    private static final int MOST_PROVEN = 4_096;
+    /** For nodes that have not answered yet: so many of them can hang that none may take long. */
+    private static final Duration OTHER_TIMEOUT = Duration.ofSeconds(2);
 
     /** What a node is to be told, and what makes a newer message replace an older one. */
     record Message(String method, String subject, List<XmlRpcValue> arguments) {
@@ -32,12 +42,22 @@ final class Notifier {
         }
     }
 
-    private final Workers workers;
+    private final Lane provenLane;
+    private final Lane otherLane;
     private final Closeables open = new Closeables();
     private final Map<String, Map<String, Message>> waiting = new HashMap<>();
+    private final Map<String, Boolean> proven = new LinkedHashMap<>(16, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
+            return size() > MOST_PROVEN;
+        }
+    };
 
     Notifier(Workers workers) {
-        this.workers = workers;
+        provenLane = new Lane(workers, "ros master to nodes", PROVEN_THREADS);
+        otherLane = new Lane(workers, "ros master to new nodes", OTHER_THREADS);
     }
 
     void publisherUpdate(String uri, String topic, List<String> publishers) {
@@ -59,7 +79,7 @@ final class Notifier {
             Map<String, Message> fresh = new LinkedHashMap<>();
             replace(fresh, message);
             waiting.put(uri, fresh);
-            workers.start("ros master to " + uri, () -> drain(uri));
+            enqueue(uri);
         });
     }
 
@@ -69,16 +89,41 @@ final class Notifier {
         queue.put(message.key(), message);
     }
 
-    private void drain(String uri) {
-        try (XmlRpcClient client = new XmlRpcClient(HostPort.ofUri(uri, "http"), XmlRpcLimits.standard())) {
+    private void enqueue(String uri) {
+        boolean answers = proven.containsKey(uri);
+        (answers ? provenLane : otherLane).execute(() -> drain(uri, answers));
+    }
+
+    /** Tells a node what waits for it, as long as it answers as well as its lane demands. */
+    private void drain(String uri, boolean answers) {
+        XmlRpcLimits limits = answers ? XmlRpcLimits.standard() : XmlRpcLimits.standard().withMessage(OTHER_TIMEOUT);
+        try (XmlRpcClient client = new XmlRpcClient(HostPort.ofUri(uri, "http"), limits)) {
             open.add(client);
-            for (Optional<Message> next = poll(uri); next.isPresent(); next = poll(uri)) {
-                call(client, next.get());
+            boolean stays = true;
+            for (Optional<Message> next = poll(uri); next.isPresent(); next = stays ? poll(uri) : Optional.empty()) {
+                stays = call(client, next.get()) == answers;
             }
             open.forget(client);
+            if (!stays) {
+                change(uri, !answers);
+            }
         } catch (IllegalArgumentException e) {
             LOG.warn("cannot tell a node anything: {}", e.getMessage());
             forget(uri);
+        }
+    }
+
+    /** What still waits for the node waits in the other lane now. */
+    private synchronized void change(String uri, boolean answers) {
+        if (answers) {
+            proven.put(uri, true);
+        } else {
+            proven.remove(uri);
+        }
+        if (waiting.get(uri).isEmpty()) {
+            waiting.remove(uri);
+        } else {
+            enqueue(uri);
         }
     }
 
@@ -93,15 +138,23 @@ final class Notifier {
         waiting.remove(uri);
     }
 
-    private static void call(XmlRpcClient client, Message message) {
+    /** Whether it answered. */
+    private static boolean call(XmlRpcClient client, Message message) {
         try {
             client.call(message.method(), message.arguments());
-        } catch (IOException | XmlRpcFault e) {
+            return true;
+        } catch (XmlRpcFault e) {
+            LOG.debug("{} of {} was refused by {}: {}", message.method(), message.subject(), client.target(), e.getMessage());
+            return true;
+        } catch (IOException e) {
             LOG.debug("{} of {} did not reach {}: {}", message.method(), message.subject(), client.target(), e.getMessage());
+            return false;
         }
     }
 
     void close() {
+        provenLane.clear();
+        otherLane.clear();
         open.close();
     }
 }

@@ -5,11 +5,15 @@ import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.XmlRpcValue.Text;
 import org.robotui.ros.internal.xmlrpc.ApiMethods;
 import org.robotui.ros.internal.xmlrpc.ApiMethods.Arguments;
+import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 
 /** The parameter server's API. */
 final class ParameterApi {
 
     private static final XmlRpcValue NOTHING = XmlRpcValue.of(0);
+    /** Trees are walked recursively: no name may lead deeper than the stack. */
+    private static final int MAX_DEPTH = 64;
+    private static final int MAX_KEY = 4096;
 
     private final Registry registry;
     private ParameterTree tree = ParameterTree.empty();
@@ -34,11 +38,15 @@ final class ParameterApi {
         tree = tree.set(key, value);
     }
 
-    private static String key(Arguments call, int index) {
-        return MasterNames.resolve(call.caller(), call.text(index));
+    private static String key(Arguments call, int index) throws XmlRpcFault {
+        String key = MasterNames.resolve(call.caller(), call.text(index));
+        if (key.length() > MAX_KEY || key.chars().filter(c -> c == '/').count() > MAX_DEPTH) {
+            throw new XmlRpcFault(-32602, "a parameter's name of " + key.length() + " characters, or in more than " + MAX_DEPTH + " namespaces");
+        }
+        return key;
     }
 
-    private synchronized XmlRpcValue set(Arguments call) {
+    private synchronized XmlRpcValue set(Arguments call) throws XmlRpcFault {
         String key = key(call, 1);
         try {
             tree = tree.set(key, call.value(2));
@@ -49,7 +57,7 @@ final class ParameterApi {
         return ApiMethods.success("parameter " + key + " set", 0);
     }
 
-    private synchronized XmlRpcValue get(Arguments call) {
+    private synchronized XmlRpcValue get(Arguments call) throws XmlRpcFault {
         String key = key(call, 1);
         return tree.get(key).map(value -> ApiMethods.success("Parameter [" + key + "]", value)).orElseGet(() -> unset(key));
     }
@@ -58,7 +66,7 @@ final class ParameterApi {
         return ApiMethods.error("Parameter [" + key + "] is not set", NOTHING);
     }
 
-    private synchronized XmlRpcValue delete(Arguments call) {
+    private synchronized XmlRpcValue delete(Arguments call) throws XmlRpcFault {
         String key = key(call, 1);
         Optional<ParameterTree> without = tree.delete(key);
         if (without.isEmpty()) {
@@ -69,7 +77,7 @@ final class ParameterApi {
         return ApiMethods.success("parameter " + key + " deleted", 0);
     }
 
-    private synchronized XmlRpcValue has(Arguments call) {
+    private synchronized XmlRpcValue has(Arguments call) throws XmlRpcFault {
         String key = key(call, 1);
         return ApiMethods.success(key, XmlRpcValue.of(tree.get(key).isPresent()));
     }
@@ -88,13 +96,13 @@ final class ParameterApi {
         return ApiMethods.success("Parameter names", XmlRpcValue.ofTexts(tree.names()));
     }
 
-    private synchronized XmlRpcValue subscribe(Arguments call) {
+    private synchronized XmlRpcValue subscribe(Arguments call) throws XmlRpcFault {
         String key = key(call, 2);
         registry.addWatcher(MasterNames.resolve("/", call.caller()), call.text(1), key);
         return ApiMethods.success("Subscribed to parameter [" + key + "]", tree.get(key).orElse(ParameterTree.EMPTY));
     }
 
-    private XmlRpcValue unsubscribe(Arguments call) {
+    private XmlRpcValue unsubscribe(Arguments call) throws XmlRpcFault {
         String key = key(call, 2);
         boolean removed = registry.removeWatcher(MasterNames.resolve("/", call.caller()), call.text(1), key);
         return ApiMethods.success("Unsubscribed from parameter [" + key + "]", removed ? 1 : 0);

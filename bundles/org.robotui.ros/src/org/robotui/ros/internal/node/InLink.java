@@ -16,6 +16,7 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.io.Closeables;
 import org.robotui.ros.internal.io.HostPort;
+import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.tcpros.Backoff;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
@@ -36,6 +37,7 @@ final class InLink<T> {
     private final Closeables open = new Closeables();
     /** Ends a pause early. */
     private final Semaphore nudges = new Semaphore(0);
+    private final Traffic got = new Traffic();
     private final Backoff backoff;
     private volatile boolean closed;
     private volatile boolean orphan;
@@ -56,6 +58,16 @@ final class InLink<T> {
 
     boolean isConnected() {
         return connected;
+    }
+
+    /** What came in, also over connections before the present one. */
+    Traffic got() {
+        return got;
+    }
+
+    /** The publisher's node name, or its address before it said its name. */
+    String peer() {
+        return peer;
     }
 
     /** Whether no further attempt is to be made. */
@@ -108,6 +120,8 @@ final class InLink<T> {
             return describe("no answer within " + context.handshake().toMillis() + " ms");
         } catch (IOException | IllegalArgumentException e) {
             return describe(e.getMessage());
+        } catch (OutOfMemoryError e) {
+            return describe("no memory for its message: " + e.getMessage());
         } catch (MessageException e) {
             return describe("message that is no " + subscription.info().type() + ": " + e.getMessage());
         } finally {
@@ -165,7 +179,7 @@ final class InLink<T> {
         socket.getOutputStream().write(subscription.request().encode());
         FrameReader in = new FrameReader(stream, BUFFER);
         ConnectionHeader header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
-        header.field("callerid").ifPresent(name -> peer = name);
+        header.field("callerid").ifPresent(name -> peer = PeerText.name(name));
         MessageInfo theirs = accept(header);
         stream.withoutDeadline();
         connected = true;
@@ -192,6 +206,7 @@ final class InLink<T> {
         while (!closed) {
             byte[] frame = in.next(max, "message");
             long now = System.nanoTime();
+            got.count(1, frame.length + (long) Integer.BYTES);
             ByteBuffer raw = ByteBuffer.wrap(frame).asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
             T value = decode(ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN), theirs);
             subscription.deliver(value, new Reception(caller, now, raw, theirs, latching));
@@ -220,7 +235,8 @@ final class InLink<T> {
     }
 
     private String describe(String cause) {
-        String node = peer.equals(publisherUri) ? publisherUri : peer + " at " + publisherUri;
+        String uri = PeerText.name(publisherUri);
+        String node = peer.equals(publisherUri) ? uri : peer + " at " + uri;
         return "topic " + subscription.topic() + ": publisher " + node + ": " + cause;
     }
 

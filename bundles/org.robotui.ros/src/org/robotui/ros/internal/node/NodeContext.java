@@ -5,6 +5,7 @@ import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.NodeOptions;
+import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.io.Workers;
 import org.robotui.ros.internal.tcpros.Backoff;
 import org.slf4j.Logger;
@@ -26,13 +27,21 @@ record NodeContext(GraphName name, NodeOptions options, Workers workers) {
     /** Tells the owner; what its listener throws must not end a link. */
     void report(LinkEvent.Kind kind, String topic, String peer, LinkState state) {
         try {
-            options.links().onLink(new LinkEvent(kind, topic, peer, state));
+            options.links().onLink(new LinkEvent(kind, topic, PeerText.brief(peer), brief(state)));
         } catch (RuntimeException e) {
             LOG.error("link listener of {} failed", name, e);
         }
         if (state instanceof LinkState.Failed failed) {
-            LOG.debug("{}: {}", name, failed.reason());
+            LOG.debug("{}: {}", name, PeerText.brief(failed.reason()));
         }
+    }
+
+    private static LinkState brief(LinkState state) {
+        return switch (state) {
+            case LinkState.Failed failed -> new LinkState.Failed(PeerText.brief(failed.reason()), failed.retryAfter());
+            case LinkState.Closed closed -> new LinkState.Closed(PeerText.brief(closed.reason()));
+            default -> state;
+        };
     }
 
     Duration handshake() {

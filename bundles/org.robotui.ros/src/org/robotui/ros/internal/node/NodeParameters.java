@@ -16,13 +16,15 @@ final class NodeParameters implements Parameters {
     private final RosApi master;
     private final Registrar registrar;
     private final String uri;
+    private final RecordFile record;
     private final List<WatchedParameter> watched = new CopyOnWriteArrayList<>();
 
-    NodeParameters(NameResolver names, RosApi master, Registrar registrar, String uri) {
+    NodeParameters(NameResolver names, RosApi master, Registrar registrar, String uri, RecordFile record) {
         this.names = names;
         this.master = master;
         this.registrar = registrar;
         this.uri = uri;
+        this.record = record;
     }
 
     @Override
@@ -62,6 +64,7 @@ final class NodeParameters implements Parameters {
     @Override
     public AutoCloseable subscribe(String name, ParameterListener listener) {
         WatchedParameter parameter = new WatchedParameter(names.node(), names.resolve(name), uri, listener);
+        record.parameter(parameter.key().text());
         watched.add(parameter);
         registrar.add(parameter);
         return () -> unsubscribe(parameter);

@@ -52,6 +52,7 @@ public final class NodeRuntime implements RosNode {
     private final String uri;
     private final String rpcUri;
     private final NodeParts parts = new NodeParts();
+    private final RecordFile record;
     private final NodeParameters parameters;
     private final RosClock clock;
     private final SlaveApi slave;
@@ -72,7 +73,9 @@ public final class NodeRuntime implements RosNode {
         http = new XmlRpcServer(address.bind(), 0, XmlRpcLimits.standard(), context.workers(), "ros " + name);
         uri = address.uri("http", http.port()) + "/";
         rpcUri = address.uri("rosrpc", tcp.port());
-        parameters = new NodeParameters(names, master, registrar, uri);
+        NodeRecord note = new NodeRecord(name.text(), uri, rpcUri, environment.masterUri().toString(), Owner.current(), List.of());
+        record = new RecordFile(options.records(), note, http.port());
+        parameters = new NodeParameters(names, master, registrar, uri, record);
         clock = new RosClock(this::subscribeClock);
         slave = slave(environment, address);
     }
@@ -105,11 +108,12 @@ public final class NodeRuntime implements RosNode {
         environment.parameters().forEach((key, value) ->
                 registrar.add(new InitialParameter(name(), names.resolve("~" + key), value)));
         parameters.subscribe("/use_sim_time", clock::useSimTime);
+        record.write();
         registrar.start();
     }
 
     private Subscriber subscribeClock() {
-        return subscriber("/clock", new ClockCodec(), SubscriberOptions.standard(), (nanos, reception) -> clock.tick(nanos));
+        return subscriber("/clock", new ClockCodec(), SubscriberOptions.observing(), (nanos, reception) -> clock.tick(nanos));
     }
 
     @Override
@@ -152,14 +156,15 @@ public final class NodeRuntime implements RosNode {
         GraphName global = names.resolve(topic);
         Subscription<T> subscription = new Subscription<>(context, global, codec, options, listener, this::unsubscribe);
         synchronized (parts.topics()) {
-            SubscribedTopic subscribed = parts.topics().computeIfAbsent(global.text(), key -> register(global, codec.info()));
+            SubscribedTopic subscribed = parts.topics().computeIfAbsent(global.text(), key -> register(global, codec.info(), options));
             subscribed.add(subscription);
         }
         return subscription;
     }
 
-    private SubscribedTopic register(GraphName topic, MessageInfo info) {
-        SubscribedTopic subscribed = new SubscribedTopic(name(), topic, info.type(), uri);
+    private SubscribedTopic register(GraphName topic, MessageInfo info, SubscriberOptions options) {
+        String type = options.announcesType() ? info.type() : MessageInfo.ANY;
+        SubscribedTopic subscribed = new SubscribedTopic(name(), topic, type, uri);
         registrar.add(subscribed);
         return subscribed;
     }
@@ -249,8 +254,11 @@ public final class NodeRuntime implements RosNode {
         if (!closing.compareAndSet(false, true)) {
             return;
         }
-        new NodeShutdown(context, registrar.close(), masterAddress).run(List.of(parts::close, tcp::close, http::close, sockets::close),
-                master);
+        boolean forgotten = new NodeShutdown(context, registrar.close(), masterAddress)
+                .run(List.of(parts::close, tcp::close, http::close, sockets::close), master);
+        if (forgotten) {
+            record.delete();
+        }
         closed.complete(reason);
     }
 

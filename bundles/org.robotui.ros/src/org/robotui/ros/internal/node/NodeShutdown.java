@@ -8,6 +8,9 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.robotui.ros.Outcome;
+import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.io.Closeables;
 import org.robotui.ros.internal.io.HostPort;
 import org.slf4j.Logger;
@@ -21,10 +24,12 @@ record NodeShutdown(NodeContext context, List<Registration> registrations, HostP
     private static final Duration FOR_MASTER = Duration.ofMillis(500);
     private static final Duration FOR_ALL = Duration.ofMillis(900);
 
-    void run(List<Runnable> parts, RosApi used) {
+    /** Answers whether the master forgot all of it. */
+    boolean run(List<Runnable> parts, RosApi used) {
         long start = System.nanoTime();
         List<Closeable> clients = new ArrayList<>();
-        CountDownLatch told = unregister(clients);
+        AtomicInteger known = new AtomicInteger(registrations.size());
+        CountDownLatch told = unregister(clients, known);
         parts.forEach(Runnable::run);
         await(told, start + FOR_MASTER.toNanos());
         clients.forEach(Closeables::quietly);
@@ -32,24 +37,28 @@ record NodeShutdown(NodeContext context, List<Registration> registrations, HostP
         if (!context.workers().join(start + FOR_ALL.toNanos())) {
             LOG.warn("{}: threads still run after close", context.name());
         }
+        return known.get() == 0;
     }
 
-    private CountDownLatch unregister(List<Closeable> clients) {
+    private CountDownLatch unregister(List<Closeable> clients, AtomicInteger known) {
         Queue<Registration> queue = new ConcurrentLinkedQueue<>(registrations);
         int workers = Math.min(PARALLEL, queue.size());
         CountDownLatch done = new CountDownLatch(workers);
         for (int i = 0; i < workers; i++) {
             RosApi client = new RosApi(master, "master", FOR_MASTER);
             clients.add(client);
-            context.start("unregister", () -> drain(queue, client, done));
+            context.start("unregister", () -> drain(queue, client, known, done));
         }
         return done;
     }
 
-    private static void drain(Queue<Registration> queue, RosApi client, CountDownLatch done) {
+    private static void drain(Queue<Registration> queue, RosApi client, AtomicInteger known, CountDownLatch done) {
         try (client) {
             for (Registration next = queue.poll(); next != null; next = queue.poll()) {
-                next.unregister(client);
+                Outcome<XmlRpcValue> outcome = next.unregister(client);
+                if (outcome instanceof Outcome.Done || outcome instanceof Outcome.Refused) {
+                    known.decrementAndGet();
+                }
             }
         } finally {
             done.countDown();

@@ -15,7 +15,17 @@ import org.robotui.ros.internal.tcpros.OutQueue;
 import org.robotui.ros.message.MessageInfo;
 
 /** A link to one subscriber: one thread writes what waits in the queue, another one notices when the peer goes away. */
-record OutLink(NodeContext context, GraphName topic, String subscriber, MessageInfo theirs, Socket socket, OutQueue queue) {
+record OutLink(NodeContext context, GraphName topic, String subscriber, MessageInfo theirs, Socket socket, OutQueue queue,
+        Traffic sent) {
+
+    void offer(ByteBuffer frame) {
+        queue.offer(frame);
+    }
+
+    /** Puts a frame in the place of those that wait. */
+    void offerUrgently(ByteBuffer frame) {
+        queue.offerAlone(frame);
+    }
 
     /** Runs until the link ends; the calling thread is the one that listens for the peer's end. */
     void run(FrameReader in) throws IOException {
@@ -36,10 +46,13 @@ record OutLink(NodeContext context, GraphName topic, String subscriber, MessageI
         try {
             FrameWriter out = new FrameWriter(socket.getOutputStream());
             while (queue.take(batch)) {
+                long bytes = 0;
                 for (ByteBuffer frame : batch) {
+                    bytes += frame.remaining();
                     out.write(frame);
                 }
                 out.flush();
+                sent.count(batch.size(), bytes);
                 batch.clear();
             }
         } catch (IOException e) {

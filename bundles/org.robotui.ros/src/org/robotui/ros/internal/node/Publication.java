@@ -5,18 +5,23 @@ import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.OutQueue;
 import org.robotui.ros.internal.tcpros.ProtocolException;
+import org.robotui.ros.internal.tcpros.Sockets;
 import org.robotui.ros.message.MessageCodec;
 import org.robotui.ros.message.MessageInfo;
 import org.robotui.ros.message.MessageWriter;
@@ -30,6 +35,8 @@ final class Publication<T> implements Publisher<T> {
     private final PublisherOptions options;
     private final Consumer<Publication<?>> onClose;
     private final LongAdder dropped = new LongAdder();
+    /** Bytes over links that ended. */
+    private final LongAdder sentBefore = new LongAdder();
     private final List<OutLink> links = new CopyOnWriteArrayList<>();
     /** Orders messages against each other and against new links. */
     private final Object sending = new Object();
@@ -47,6 +54,15 @@ final class Publication<T> implements Publisher<T> {
 
     @Override
     public void publish(T message) {
+        send(message, OutLink::offer);
+    }
+
+    @Override
+    public void publishUrgently(T message) {
+        send(message, OutLink::offerUrgently);
+    }
+
+    private void send(T message, BiConsumer<OutLink, ByteBuffer> way) {
         if (closed || links.isEmpty() && !options.latch()) {
             return;
         }
@@ -54,7 +70,7 @@ final class Publication<T> implements Publisher<T> {
         synchronized (sending) {
             latched = options.latch() ? Optional.of(frame) : Optional.empty();
             for (OutLink link : links) {
-                link.queue().offer(frame);
+                way.accept(link, frame);
             }
         }
     }
@@ -69,7 +85,7 @@ final class Publication<T> implements Publisher<T> {
 
     /** Serves one subscriber on the calling thread until the link ends. */
     void serve(Socket socket, FrameReader in, ConnectionHeader request) throws IOException {
-        String subscriber = request.field("callerid").orElse("unnamed");
+        String subscriber = request.field("callerid").map(PeerText::name).orElse("unnamed");
         MessageInfo theirs = new MessageInfo(request.field("type").orElse(MessageInfo.ANY), request.require("md5sum"),
                 request.field("message_definition").orElse(""));
         if (!codec.info().accepts(theirs.md5())) {
@@ -80,11 +96,15 @@ final class Publication<T> implements Publisher<T> {
         }
         socket.getOutputStream().write(reply().encode());
         OutQueue queue = new OutQueue(options.queueMessages(), options.queueBytes(), dropped);
-        OutLink link = new OutLink(context, topic, subscriber, theirs, socket, queue);
+        if (options.prompt()) {
+            Sockets.entrustLittle(socket);
+        }
+        OutLink link = new OutLink(context, topic, subscriber, theirs, socket, queue, new Traffic());
         add(link);
         try {
             link.run(in);
         } finally {
+            sentBefore.add(link.sent().bytes());
             links.remove(link);
         }
     }
@@ -92,7 +112,7 @@ final class Publication<T> implements Publisher<T> {
     private void add(OutLink link) throws IOException {
         synchronized (sending) {
             links.add(link);
-            latched.ifPresent(link.queue()::offer);
+            latched.ifPresent(link::offer);
         }
         if (closed) {
             links.remove(link);
@@ -109,6 +129,11 @@ final class Publication<T> implements Publisher<T> {
         return codec.info();
     }
 
+    /** What all subscribers so far got. */
+    long sentBytes() {
+        return sentBefore.sum() + links.stream().mapToLong(link -> link.sent().bytes()).sum();
+    }
+
     List<OutLink> links() {
         return links;
     }
@@ -121,6 +146,11 @@ final class Publication<T> implements Publisher<T> {
     @Override
     public int numSubscribers() {
         return links.size();
+    }
+
+    @Override
+    public Set<String> subscribers() {
+        return links.stream().map(OutLink::subscriber).collect(Collectors.toUnmodifiableSet());
     }
 
     @Override

@@ -148,7 +148,11 @@ final class Registrar {
         }
         Outcome<SystemState> state = master.call("getSystemState", XmlRpcValue.of(context.name().text())).map(GraphCodec::state);
         state.toOptional().ifPresent(this::compare);
-        return state instanceof Outcome.Done<SystemState> ? Optional.empty() : Optional.of(state.reason());
+        return switch (state) {
+            case Outcome.Done<SystemState> done -> Optional.empty();
+            case Outcome.Refused<SystemState> refused -> Optional.of(masterName + " refused to tell its state: " + refused.reason());
+            default -> Optional.of(state.reason());
+        };
     }
 
     private void forgetAll() {

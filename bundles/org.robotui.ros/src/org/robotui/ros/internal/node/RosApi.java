@@ -8,6 +8,7 @@ import java.util.List;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.io.HostPort;
+import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
@@ -37,7 +38,7 @@ final class RosApi implements Closeable {
         } catch (SocketTimeoutException e) {
             return new Outcome.TimedOut<>(prefix + e.getMessage(), within);
         } catch (IOException | XmlRpcFault e) {
-            return new Outcome.Failed<>(prefix + e.getMessage());
+            return new Outcome.Failed<>(prefix + PeerText.brief(String.valueOf(e.getMessage())));
         }
     }
 
@@ -45,7 +46,7 @@ final class RosApi implements Closeable {
         if (value instanceof XmlRpcValue.Array array && array.items().size() >= 3
                 && array.items().get(0) instanceof XmlRpcValue.Int code
                 && array.items().get(1) instanceof XmlRpcValue.Text status) {
-            return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(status.value());
+            return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(PeerText.brief(status.value()));
         }
         return new Outcome.Failed<>(prefix + method + " did not answer [code, status, value]");
     }

@@ -13,6 +13,7 @@ import org.robotui.ros.ServiceException;
 import org.robotui.ros.ServiceHandler;
 import org.robotui.ros.ServiceServer;
 import org.robotui.ros.internal.io.Closeables;
+import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
 import org.robotui.ros.message.MessageException;
@@ -45,7 +46,7 @@ final class ServiceEndpoint<Q, R> implements ServiceServer {
     /** Serves one client on the calling thread until the connection ends. */
     void serve(TcpServer.Connection connection) throws IOException {
         ConnectionHeader request = connection.header();
-        String client = request.field("callerid").orElse("unnamed");
+        String client = request.field("callerid").map(PeerText::name).orElse("unnamed");
         String md5 = request.field("md5sum").orElse(MessageInfo.ANY);
         if (!new MessageInfo(codec.type(), codec.md5(), "").accepts(md5)) {
             String reason = "it is " + codec.type() + " with MD5 sum " + codec.md5() + ", but the client wants " + md5;

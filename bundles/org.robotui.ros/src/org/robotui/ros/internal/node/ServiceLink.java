@@ -9,6 +9,7 @@ import java.time.Duration;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.internal.io.Closeables;
 import org.robotui.ros.internal.io.HostPort;
+import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
@@ -46,7 +47,7 @@ final class ServiceLink implements Closeable {
         socket.getOutputStream().write(request.encode());
         header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
         if (header.field("error").isPresent()) {
-            throw new ProtocolException("the server refused: " + header.require("error"));
+            throw new ProtocolException("the server refused: " + PeerText.brief(header.require("error")));
         }
         lastUsed = System.nanoTime();
     }
@@ -69,7 +70,7 @@ final class ServiceLink implements Closeable {
         if (ok > 1) {
             throw new ProtocolException("answer that starts with " + ok + " instead of 0 or 1");
         }
-        return ok == 1 ? new Outcome.Done<>(answer) : new Outcome.Refused<>(new String(answer, StandardCharsets.UTF_8));
+        return ok == 1 ? new Outcome.Done<>(answer) : new Outcome.Refused<>(PeerText.brief(new String(answer, StandardCharsets.UTF_8)));
     }
 
     /** Whether the server closed an idle connection, so that the next call is not spent on finding out. */

@@ -19,19 +19,21 @@ final class SlaveApi {
     private final XmlRpcValue masterUri;
     private final Consumer<String> shutdown;
     private final XmlRpcValue endpoint;
+    private final Bus bus;
 
     SlaveApi(NodeParts parts, NodeParameters parameters, String masterUri, XmlRpcValue endpoint, Consumer<String> shutdown) {
         this.parts = parts;
         this.parameters = parameters;
         this.masterUri = XmlRpcValue.of(masterUri);
         this.endpoint = endpoint;
+        bus = new Bus(parts);
         this.shutdown = shutdown;
     }
 
     ApiMethods methods() {
         return new ApiMethods()
-                .add("getBusStats", this::busStats)
-                .add("getBusInfo", this::busInfo)
+                .add("getBusStats", call -> ApiMethods.success("bus stats", bus.stats()))
+                .add("getBusInfo", call -> ApiMethods.success("bus info", bus.info()))
                 .add("getMasterUri", call -> ApiMethods.success("", masterUri))
                 .add("getPid", call -> ApiMethods.success("", (int) ProcessHandle.current().pid()))
                 .add("getSubscriptions", call -> ApiMethods.success("subscriptions", subscriptions()))
@@ -83,26 +85,5 @@ final class SlaveApi {
         List<XmlRpcValue> all = new ArrayList<>();
         parts.subscriptions().forEach(s -> all.add(XmlRpcValue.ofTexts(List.of(s.topic().text(), s.info().type()))));
         return new Array(all);
-    }
-
-    /** The links; ROS tools read id, peer, direction, transport, topic and whether it is connected. */
-    private XmlRpcValue busInfo(Arguments call) {
-        List<XmlRpcValue> all = new ArrayList<>();
-        parts.publications().forEach(p -> p.links().forEach(link ->
-                all.add(link(all.size(), link.subscriber(), "o", p.topic(), true))));
-        parts.subscriptions().forEach(s -> s.links().forEach(link ->
-                all.add(link(all.size(), link.publisherUri(), "i", s.topic(), link.isConnected()))));
-        return ApiMethods.success("bus info", new Array(all));
-    }
-
-    private static XmlRpcValue link(int id, String peer, String direction, GraphName topic, boolean connected) {
-        return XmlRpcValue.of(XmlRpcValue.of(id), XmlRpcValue.of(peer), XmlRpcValue.of(direction), XmlRpcValue.of("TCPROS"),
-                XmlRpcValue.of(topic.text()), XmlRpcValue.of(connected), XmlRpcValue.of("TCPROS connection with " + peer));
-    }
-
-    /** Bytes are not counted per link: the lists are empty, which the API allows. */
-    private XmlRpcValue busStats(Arguments call) {
-        XmlRpcValue none = new Array(List.of());
-        return ApiMethods.success("bus stats", XmlRpcValue.of(none, none, none));
     }
 }

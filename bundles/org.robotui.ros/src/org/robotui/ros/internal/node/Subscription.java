@@ -8,7 +8,10 @@ import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.robotui.ros.GraphName;
+import org.robotui.ros.LinkEvent;
+import org.robotui.ros.LinkState;
 import org.robotui.ros.MessageListener;
 import org.robotui.ros.Reception;
 import org.robotui.ros.Subscriber;
@@ -23,6 +26,8 @@ import org.slf4j.LoggerFactory;
 final class Subscription<T> implements Subscriber {
 
     private static final Logger LOG = LoggerFactory.getLogger(Subscription.class);
+
+    private static final int MAX_LINKS = 1024;
 
     private final NodeContext context;
     private final GraphName topic;
@@ -58,8 +63,21 @@ final class Subscription<T> implements Subscriber {
         }
     }
 
+    /** Each link has a thread: a master that lists publishers without end must not make as many. */
+    private boolean isFull(String uri) {
+        boolean full = links.size() >= MAX_LINKS;
+        if (full) {
+            context.report(LinkEvent.Kind.SUBSCRIPTION, topic.text(), uri, new LinkState.Closed("topic " + topic + ": publisher " + uri
+                    + ": there are more than " + MAX_LINKS + " publishers"));
+        }
+        return full;
+    }
+
     private void publisher(String uri) {
         InLink<T> known = links.get(uri);
+        if (known == null && isFull(uri)) {
+            return;
+        }
         if (known == null) {
             InLink<T> link = new InLink<>(context, this, uri);
             links.put(uri, link);
@@ -127,6 +145,11 @@ final class Subscription<T> implements Subscriber {
     @Override
     public int numPublishers() {
         return (int) links().stream().filter(InLink::isConnected).count();
+    }
+
+    @Override
+    public Set<String> publishers() {
+        return links().stream().filter(InLink::isConnected).map(InLink::peer).collect(Collectors.toUnmodifiableSet());
     }
 
     @Override

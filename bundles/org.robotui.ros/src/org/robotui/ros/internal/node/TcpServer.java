@@ -8,6 +8,8 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.concurrent.locks.LockSupport;
 import org.robotui.ros.internal.io.Closeables;
+import org.robotui.ros.internal.io.PeerText;
+import org.robotui.ros.internal.io.Seldom;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
@@ -37,6 +39,8 @@ final class TcpServer {
     private final Dispatch dispatch;
     private final ServerSocket server = new ServerSocket();
     private final Closeables sockets = new Closeables();
+    private final Seldom tooMany = new Seldom();
+    private final Seldom refused = new Seldom();
 
     TcpServer(NodeContext context, InetAddress bind, Dispatch dispatch) throws IOException {
         this.context = context;
@@ -72,7 +76,9 @@ final class TcpServer {
 
     private void handle(Socket socket) {
         if (sockets.size() >= MAX_CONNECTIONS) {
-            LOG.warn("{}: more than {} connections, one refused", context.name(), MAX_CONNECTIONS);
+            if (tooMany.again()) {
+                LOG.warn("{}: more than {} connections, {} refused so far", context.name(), MAX_CONNECTIONS, tooMany.count());
+            }
             Closeables.quietly(socket);
         } else if (sockets.add(socket)) {
             context.start("in " + socket.getRemoteSocketAddress(), () -> serve(socket));
@@ -89,7 +95,10 @@ final class TcpServer {
             stream.withoutDeadline();
             dispatch.serve(new Connection(socket, stream, in, header));
         } catch (ProtocolException e) {
-            LOG.warn("{}: connection from {} refused: {}", context.name(), socket.getRemoteSocketAddress(), e.getMessage());
+            if (refused.again()) {
+                LOG.warn("{}: connection from {} refused: {} ({} so far)", context.name(), socket.getRemoteSocketAddress(),
+                        PeerText.brief(e.getMessage()), refused.count());
+            }
             refuse(socket, e.getMessage());
         } catch (EOFException e) {
             LOG.debug("{}: connection from {} ended", context.name(), socket.getRemoteSocketAddress());

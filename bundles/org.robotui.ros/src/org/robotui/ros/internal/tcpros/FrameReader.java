@@ -12,7 +12,7 @@ import java.util.Arrays;
  */
 public final class FrameReader {
 
-    private static final int FIRST_TRUST = 1 << 20;
+    private static final int FIRST_TRUST = 64 * 1024;
 
     private final InputStream in;
     private final byte[] buffer;

@@ -46,6 +46,19 @@ public final class OutQueue {
         }
     }
 
+    /** Adds a frame and drops, and counts, all that waited. */
+    public void offerAlone(ByteBuffer frame) {
+        lock.lock();
+        try {
+            dropped.add(frames.size());
+            frames.clear();
+            bytes = 0;
+            offer(frame);
+        } finally {
+            lock.unlock();
+        }
+    }
+
     /** Waits for frames and moves a batch of them into the list; answers false once closed. */
     public boolean take(List<ByteBuffer> batch) throws InterruptedException {
         lock.lock();

@@ -21,7 +21,7 @@ public final class ApiMethods implements XmlRpcHandler {
     @FunctionalInterface
     public interface Body {
 
-        XmlRpcValue answer(Arguments arguments);
+        XmlRpcValue answer(Arguments arguments) throws XmlRpcFault;
     }
 
     /** The arguments of one call, checked before. */

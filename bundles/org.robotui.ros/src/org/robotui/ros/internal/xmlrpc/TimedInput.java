@@ -10,7 +10,7 @@ import java.util.Arrays;
 /** Reads a socket against a deadline for the whole message, so that a peer that drips bytes gains nothing. */
 final class TimedInput {
 
-    private static final int FIRST_CHUNK = 64 * 1024;
+    private static final int FIRST_CHUNK = BodyBudget.FREE;
 
     private final Socket socket;
     private final InputStream in;
@@ -44,13 +44,21 @@ final class TimedInput {
         return limit < 0 ? -1 : buffer[position++] & 0xff;
     }
 
+    /** Is asked before more memory is taken. */
+    interface Growth {
+
+        void grow(int bytes) throws IOException;
+    }
+
     /** Reads exactly so many bytes; memory grows with what arrives, not with what was announced. */
-    byte[] readFully(int length) throws IOException {
+    byte[] readFully(int length, Growth growth) throws IOException {
         byte[] out = new byte[Math.min(length, FIRST_CHUNK)];
         int have = 0;
         while (have < length) {
             if (have == out.length) {
-                out = Arrays.copyOf(out, (int) Math.min(length, out.length * 2L));
+                int larger = (int) Math.min(length, out.length * 2L);
+                growth.grow(larger);
+                out = Arrays.copyOf(out, larger);
             }
             have += readInto(out, have);
         }

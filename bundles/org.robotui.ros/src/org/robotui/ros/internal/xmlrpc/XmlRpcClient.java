@@ -96,7 +96,7 @@ public final class XmlRpcClient implements Closeable {
             connection.in().within(timeout);
             send(body, connection.socket());
             HttpHead head = HttpHead.read(connection.in());
-            byte[] answer = connection.in().readFully(head.contentLength(limits.maxBody()));
+            byte[] answer = connection.in().readFully(head.contentLength(limits.maxBody()), bytes -> { });
             requireOk(head);
             done = head.keepsAlive();
             return answer;

@@ -102,7 +102,7 @@ public final class XmlRpcReader {
             case "base64" -> base64(leaf(type));
             case "array" -> array(depth);
             case "struct" -> struct(depth);
-            default -> throw xml.error("unknown type <" + type + ">");
+            default -> throw xml.error("unknown type <" + shorten(type) + ">");
         };
     }
 

@@ -11,6 +11,8 @@ import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.robotui.ros.internal.io.Closeables;
+import org.robotui.ros.internal.io.PeerText;
+import org.robotui.ros.internal.io.Seldom;
 import org.robotui.ros.internal.io.Workers;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,10 +26,15 @@ public final class XmlRpcServer implements Closeable {
     private final XmlRpcLimits limits;
     private final Workers workers;
     private final String name;
+    private final BodyBudget budget;
     private final Closeables connections = new Closeables();
+    private final Seldom refused = new Seldom();
+    private final Seldom malformed = new Seldom();
+    private final Seldom crowded = new Seldom();
 
     public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name) throws IOException {
         this.limits = limits;
+        budget = new BodyBudget(limits.maxBodies());
         this.workers = workers;
         this.name = name;
         server = new ServerSocket();
@@ -47,6 +54,11 @@ public final class XmlRpcServer implements Closeable {
 
     public int port() {
         return server.getLocalPort();
+    }
+
+    /** How much the large bodies take that are read or answered now. */
+    long bodies() {
+        return budget.taken();
     }
 
     private void accept(XmlRpcHandler handler) {
@@ -69,7 +81,9 @@ public final class XmlRpcServer implements Closeable {
 
     private void serve(Socket socket, XmlRpcHandler handler) {
         if (connections.size() >= limits.maxConnections()) {
-            LOG.warn("{}: more than {} connections, one refused", name, limits.maxConnections());
+            if (refused.again()) {
+                LOG.warn("{}: more than {} connections, {} refused so far", name, limits.maxConnections(), refused.count());
+            }
             Closeables.quietly(socket);
         } else if (connections.add(socket)) {
             workers.start(name + " http " + socket.getRemoteSocketAddress(), () -> converse(socket, handler));
@@ -87,7 +101,9 @@ public final class XmlRpcServer implements Closeable {
                 goOn = answerOne(in, socket, handler);
             }
         } catch (XmlRpcException e) {
-            refuse(socket, e);
+            refuse(socket, "400 Bad Request", e, malformed);
+        } catch (BodyBudget.SpentException e) {
+            refuse(socket, "503 Service Unavailable", e, crowded);
         } catch (EOFException | SocketTimeoutException e) {
             LOG.trace("{}: {} ended: {}", name, socket, e.getMessage());
         } catch (IOException e) {
@@ -103,15 +119,20 @@ public final class XmlRpcServer implements Closeable {
             reply(socket, "405 Method Not Allowed", new byte[0], false);
             return false;
         }
-        byte[] body = in.readFully(head.contentLength(limits.maxBody()));
-        reply(socket, "200 OK", answer(XmlRpcReader.call(body), handler), head.keepsAlive());
+        try (BodyBudget.Share share = budget.share()) {
+            byte[] body = in.readFully(head.contentLength(limits.maxBody()), share::grow);
+            reply(socket, "200 OK", answer(XmlRpcReader.call(body), handler), head.keepsAlive());
+        }
         return head.keepsAlive();
     }
 
-    private void refuse(Socket socket, XmlRpcException problem) {
-        LOG.warn("{}: bad request from {}: {}", name, socket.getRemoteSocketAddress(), problem.getMessage());
+    private void refuse(Socket socket, String status, IOException problem, Seldom alike) {
+        if (alike.again()) {
+            LOG.warn("{}: refused a request from {}: {} ({} so far)", name, socket.getRemoteSocketAddress(),
+                    PeerText.brief(problem.getMessage()), alike.count());
+        }
         try {
-            reply(socket, "400 Bad Request", problem.getMessage().getBytes(StandardCharsets.UTF_8), false);
+            reply(socket, status, PeerText.brief(problem.getMessage()).getBytes(StandardCharsets.UTF_8), false);
         } catch (IOException e) {
             LOG.debug("{}: telling {} why it is refused failed", name, socket, e);
         }

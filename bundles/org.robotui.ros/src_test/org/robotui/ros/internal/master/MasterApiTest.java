@@ -162,4 +162,25 @@ class MasterApiTest {
             assertTrue(System.nanoTime() - start < Duration.ofSeconds(5).toNanos());
         }
     }
+
+    @Test
+    void aCrowdOfNodesThatHangTakesFewThreadsAndHoldsUpNoneThatAnswers() throws Exception {
+        call("/s", "registerSubscriber", "/t", "a/T", api);
+        call("/first", "registerPublisher", "/t", "a/T", "http://first:1/");
+        awaitTold("publisherUpdate [/t, [http://first:1/]]");
+        try (java.net.ServerSocket silent = new java.net.ServerSocket(0, 400, InetAddress.getByName("127.0.0.1"))) {
+            for (int i = 0; i < 300; i++) {
+                call("/hangs" + i, "registerSubscriber", "/t", "a/T", "http://127.0.0.1:" + silent.getLocalPort() + "/" + i);
+            }
+            for (int i = 0; i < 20; i++) {
+                long start = System.nanoTime();
+                String publisher = "http://p" + i + ":1/";
+                call("/p" + i, "registerPublisher", "/t", "a/T", publisher);
+                Eventually.await("the update", () -> told.stream().anyMatch(message -> message.contains(publisher)));
+                assertTrue(System.nanoTime() - start < Duration.ofSeconds(1).toNanos(), "held up");
+                int most = Notifier.PROVEN_THREADS + Notifier.OTHER_THREADS;
+                assertTrue(threads.alive().stream().filter(name -> name.contains(" to ")).count() <= most, threads.alive().toString());
+            }
+        }
+    }
 }

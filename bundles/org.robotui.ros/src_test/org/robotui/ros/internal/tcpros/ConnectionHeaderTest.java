@@ -4,11 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.Effort;
 import org.robotui.ros.message.MessageInfo;
+import org.robotui.testkit.Effort;
 
 class ConnectionHeaderTest {
 
@@ -51,16 +52,16 @@ class ConnectionHeaderTest {
     @Test
     void mutatedHeadersAreReadOrRefusedButNeverCrash() {
         Random random = new Random(3);
-        int rounds = Effort.rounds(50_000);
+        Effort effort = Effort.of(50_000, Duration.ofMinutes(3));
         int refused = 0;
-        for (int i = 0; i < rounds; i++) {
+        while (effort.goesOn()) {
             byte[] bytes = body(HEADER);
             for (int n = 1 + random.nextInt(4); n > 0; n--) {
                 bytes[random.nextInt(bytes.length)] = (byte) (random.nextBoolean() ? random.nextInt(256) : -1);
             }
             refused += isRefused(Arrays.copyOf(bytes, bytes.length - random.nextInt(3))) ? 1 : 0;
         }
-        assertTrue(refused > rounds / 5 && refused < rounds, "refused " + refused);
+        assertTrue(refused > effort.rounds() / 5 && refused < effort.rounds(), "refused " + refused);
     }
 
     private static boolean isRefused(byte[] bytes) {

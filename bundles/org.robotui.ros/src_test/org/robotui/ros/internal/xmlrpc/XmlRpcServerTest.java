@@ -24,7 +24,7 @@ import org.robotui.ros.internal.io.Workers;
 class XmlRpcServerTest {
 
     private static final XmlRpcLimits LIMITS =
-            new XmlRpcLimits(Duration.ofSeconds(2), Duration.ofMillis(500), Duration.ofMillis(700), 100_000, 8);
+            new XmlRpcLimits(Duration.ofSeconds(2), Duration.ofMillis(500), Duration.ofMillis(700), 200_000, 300_000, 8);
 
     private final TestThreads threads = new TestThreads();
     private final CountDownLatch release = new CountDownLatch(1);
@@ -121,7 +121,7 @@ class XmlRpcServerTest {
         assertTrue(raw("GET / HTTP/1.1\r\n\r\n").startsWith("HTTP/1.1 405 "));
         assertTrue(raw("POST / HTTP/1.1\r\n\r\n").startsWith("HTTP/1.1 400 "));
         assertTrue(raw("POST / HTTP/1.1\r\nContent-Length: 5\r\n\r\n<a/>x").startsWith("HTTP/1.1 400 "));
-        assertTrue(raw("POST / HTTP/1.1\r\nContent-Length: 100001\r\n\r\n").contains("at most 100000"));
+        assertTrue(raw("POST / HTTP/1.1\r\nContent-Length: 200001\r\n\r\n").contains("at most 200000"));
         assertTrue(raw("POST / HTTP/1.1\r\nContent-Length: -1\r\n\r\n").contains("'-1'"));
         assertTrue(raw("POST / HTTP/1.1\r\nContent-Length: 99999999999999999999\r\n\r\n").startsWith("HTTP/1.1 400 "));
         assertTrue(raw("POST / HTTP/1.1\r\nno colon\r\n\r\n").startsWith("HTTP/1.1 400 "));
@@ -157,6 +157,26 @@ class XmlRpcServerTest {
         } catch (IOException e) {
             return false;
         }
+    }
+
+    @Test
+    void largeBodiesShareOneBudgetAndSmallOnesAreAlwaysAnswered() throws Exception {
+        try (Socket first = half(); Socket second = half()) {
+            Eventually.await("two halves of large bodies", () -> server.bodies() == 262_144);
+            String refused = raw("POST / HTTP/1.1\r\nContent-Length: 150000\r\n\r\n" + " ".repeat(65_537));
+            assertTrue(refused.startsWith("HTTP/1.1 503 "), refused);
+            assertTrue(refused.contains("no room for a body of 131072 bytes: the bodies of all connections may take 300000"), refused);
+            assertEquals(ApiMethods.success("", 5), client.call("echo", arguments(XmlRpcValue.of(5))));
+        }
+        Eventually.await("the memory is given back", () -> server.bodies() == 0);
+        XmlRpcValue large = XmlRpcValue.of("x".repeat(150_000));
+        assertEquals(ApiMethods.success("", large), client.call("echo", arguments(large)));
+    }
+
+    private Socket half() throws IOException {
+        Socket socket = new Socket("127.0.0.1", server.port());
+        socket.getOutputStream().write(("POST / HTTP/1.1\r\nContent-Length: 150000\r\n\r\n" + " ".repeat(70_000)).getBytes(StandardCharsets.UTF_8));
+        return socket;
     }
 
     @Test

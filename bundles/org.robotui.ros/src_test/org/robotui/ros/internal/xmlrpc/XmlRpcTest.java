@@ -5,17 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.Effort;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.testkit.Effort;
 
 class XmlRpcTest {
 
@@ -129,9 +130,9 @@ class XmlRpcTest {
     @Test
     void mutatedDocumentsAreReadOrRefusedButNeverCrash() {
         Random random = new Random(2);
-        int rounds = Effort.rounds(30_000);
+        Effort effort = Effort.of(30_000, Duration.ofMinutes(5));
         int refused = 0;
-        for (int i = 0; i < rounds; i++) {
+        while (effort.goesOn()) {
             byte[] document = mutate(XmlRpcWriter.call(new MethodCall("m", List.of(randomValue(random, 0)))), random);
             try {
                 XmlRpcReader.call(document);
@@ -139,7 +140,7 @@ class XmlRpcTest {
                 refused++;
             }
         }
-        assertTrue(refused > rounds / 3 && refused < rounds, "refused " + refused);
+        assertTrue(refused > effort.rounds() / 3 && refused < effort.rounds(), "refused " + refused);
     }
 
     private static byte[] mutate(byte[] document, Random random) {

@@ -2,51 +2,43 @@ package org.robotui.ruic.mobilebase.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
 import org.robotui.api.RuicType;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Settings;
-import org.robotui.api.layout.Layout;
 import org.robotui.api.layout.Layout.Direction;
 import org.robotui.api.layout.Layout.Split;
+import org.robotui.api.layout.Layout.Tabs;
 import org.robotui.api.layout.Layout.View;
+import org.robotui.api.layout.Layout;
 
 /**
- * The interface of a robot that drives: the map has most of the window, beside it what the robot sees, how it is driven and
- * how it is doing. The text view is for terminals and has no place in the window's layout.
+ * The interface of a robot that drives: the map has most of the window, beside it what the robot sees, how it is driven and how it is
+ * doing; below it what it measures and says. The scene in space and what one asks a robot less often lie behind the map. The text view is for terminals and
+ * has no place in the window's layout.
  */
 @Component(service = RuicType.class)
 public final class MobileBaseType implements RuicType {
-  private static final List<UicSpec> VIEWS = List.of(
-      new UicSpec("map", "map"),
-      new UicSpec("camera", "camera"),
-      new UicSpec("teleop", "teleop"),
-      new UicSpec("status", "status"),
-      new UicSpec("text", "text"));
+  private static final Tabs PLACES = new Tabs(List.of("map", "scene3d", "topics", "parameters", "services", "actions", "gps"));
+  private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "diagnostics", "joints", "alerts"));
+  private static final Tabs STATE = new Tabs(List.of("status", "connections"));
 
-  private static final Layout COLUMN = new Split(Direction.COLUMN,
-      List.of(new View("camera"), new View("teleop"), new View("status")), List.of(30.0, 33.0, 37.0));
+  private static final Layout MAIN = new Split(Direction.COLUMN, List.of(PLACES, RECORDS), List.of(66.0, 34.0));
 
-  private static final Layout LAYOUT =
-      new Split(Direction.ROW, List.of(new View("map"), COLUMN), List.of(64.0, 36.0));
+  private static final Layout SIDE = new Split(Direction.COLUMN,
+      List.of(new View("camera"), new View("teleop"), STATE), List.of(30.0, 33.0, 37.0));
 
-  @Override
-  public String id() {
-    return "mobilebase";
-  }
+  private static final Layout LAYOUT = new Split(Direction.ROW, List.of(MAIN, SIDE), List.of(64.0, 36.0));
 
-  @Override
-  public String label() {
-    return "Mobile base";
-  }
+  private static final List<UicSpec> VIEWS = UicSpec.of(LAYOUT, "sound", "text");
+
+  private static final Descriptor DESCRIPTOR = new Descriptor("mobilebase", "Mobile base",
+      "Map, camera, teleoperation and status of a robot that drives, with plots, log, diagnostics and all that it offers.",
+      Schema.EMPTY, List.of());
 
   @Override
-  public String help() {
-    return "Map, camera, teleoperation and status of a robot that drives.";
-  }
-
-  @Override
-  public Schema schema() {
-    return Schema.EMPTY;
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.robotui.ruic.single.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
 import org.robotui.api.RuicType;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
@@ -15,24 +16,13 @@ public final class SingleType implements RuicType {
   private static final Schema SCHEMA = Schema.of(Setting.of("view", new ValueType.Text(), "map",
       "The type of the view to show, for example map, camera or status; its id in the configuration is the same word."));
 
-  @Override
-  public String id() {
-    return "single";
-  }
+  private static final Descriptor DESCRIPTOR = new Descriptor("single", "Single view",
+      "One view that fills the window.",
+      SCHEMA, List.of());
 
   @Override
-  public String label() {
-    return "Single view";
-  }
-
-  @Override
-  public String help() {
-    return "One view that fills the window.";
-  }
-
-  @Override
-  public Schema schema() {
-    return SCHEMA;
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.Room;
 import org.robotui.sim.internal.world.Shapes;
 import org.robotui.sim.internal.world.Solid;
+import org.robotui.sim.internal.world.Walker;
 import org.robotui.sim.internal.world.World;
 
 /** Renders what the robot's camera sees, one column of the picture after the other. For one thread. */
@@ -38,11 +39,13 @@ public final class Renderer {
    *
    * @param robot where it stands
    * @param goal a place to be marked
+   * @param person where somebody stands
    * @return pixels of 0xrrggbb, row by row from the top; overwritten by the next call
    */
-  public int[] render(Pose2 robot, Optional<Pose2> goal) {
+  public int[] render(Pose2 robot, Optional<Pose2> goal, Optional<Pose2> person) {
     List<Solid> solids = new ArrayList<>(world.solids());
     goal.ifPresent(place -> addMarker(solids, place));
+    person.ifPresent(place -> solids.addAll(Walker.figure(place)));
     Pose2 eye = robot.times(new Pose2(lens.forward(), 0, 0));
     double cos = Math.cos(eye.yaw());
     double sin = Math.sin(eye.yaw());

@@ -1,5 +1,6 @@
 package org.robotui.sim.internal.nav;
 
+import java.util.function.Supplier;
 import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 
@@ -9,7 +10,7 @@ public final class FrontGuard {
   private static final int RAYS = 15;
   private static final double SPREAD = Math.toRadians(140);
 
-  private final World world;
+  private final Supplier<World> world;
   private final double radius;
   private final double height;
 
@@ -17,7 +18,7 @@ public final class FrontGuard {
    * @param radius of the robot, metres
    * @param height of the laser, metres
    */
-  public FrontGuard(World world, double radius, double height) {
+  public FrontGuard(Supplier<World> world, double radius, double height) {
     this.world = world;
     this.radius = radius;
     this.height = height;
@@ -28,7 +29,7 @@ public final class FrontGuard {
     double room = REACH;
     for (int i = 0; i < RAYS; i++) {
       double angle = -SPREAD / 2 + SPREAD * i / (RAYS - 1);
-      double range = world.range(robot.x(), robot.y(), robot.yaw() + angle, height, REACH);
+      double range = world.get().range(robot.x(), robot.y(), robot.yaw() + angle, height, REACH);
       double side = range * Math.sin(angle);
       if (range <= REACH && Math.abs(side) < radius) {
         room = Math.min(room, range * Math.cos(angle) - Math.sqrt(radius * radius - side * side));

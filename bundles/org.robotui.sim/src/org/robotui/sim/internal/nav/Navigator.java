@@ -12,7 +12,7 @@ public final class Navigator {
   private static final double GIVE_UP_AFTER = 8;
 
   private final Planner planner;
-  private final Speed cruise;
+  private Speed cruise;
   private Optional<Pose2> goal = Optional.empty();
   private List<Pose2> path = List.of();
   private PathFollower follower;
@@ -22,6 +22,14 @@ public final class Navigator {
     this.planner = planner;
     this.cruise = cruise;
     follower = new PathFollower(List.of(Pose2.ORIGIN), cruise);
+  }
+
+  /** Changes the speeds not to be exceeded, also of the drive under way. */
+  public void cruise(Speed speeds) {
+    cruise = speeds;
+    if (goal.isPresent()) {
+      follower = new PathFollower(path, cruise);
+    }
   }
 
   public Optional<Pose2> goal() {

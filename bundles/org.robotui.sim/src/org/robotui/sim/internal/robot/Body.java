@@ -1,5 +1,6 @@
 package org.robotui.sim.internal.robot;
 
+import java.util.function.Supplier;
 import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 
@@ -8,10 +9,10 @@ public final class Body {
   public static final double RADIUS = 0.25;
   public static final double HEIGHT = 0.65;
 
-  private final World world;
+  private final Supplier<World> world;
   private Pose2 pose;
 
-  public Body(World world, Pose2 start) {
+  public Body(Supplier<World> world, Pose2 start) {
     this.world = world;
     pose = start;
   }
@@ -31,7 +32,7 @@ public final class Body {
    */
   public boolean move(double distance, double turn) {
     Pose2 next = pose.advance(distance, turn);
-    if (distance == 0 || world.isFree(next.x(), next.y(), RADIUS, HEIGHT)) {
+    if (distance == 0 || world.get().isFree(next.x(), next.y(), RADIUS, HEIGHT)) {
       pose = next;
       return true;
     }

@@ -4,11 +4,16 @@ package org.robotui.sim.internal.robot;
 public final class DriveTrain {
   private static final double BRAKING = 2;
 
-  private final DriveLimits limits;
+  private DriveLimits limits;
   private Speed speed = Speed.ZERO;
 
   public DriveTrain(DriveLimits limits) {
     this.limits = limits;
+  }
+
+  /** Changes the limits from now on. */
+  public void limit(DriveLimits other) {
+    limits = other;
   }
 
   public Speed speed() {

@@ -2,9 +2,7 @@ package org.robotui.sim.internal.ros;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
+import org.robotui.geometry.RigidTransform;
 import org.robotui.ros.msgs.geometry_msgs.Point32;
 import org.robotui.ros.msgs.geometry_msgs.Polygon;
 import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
@@ -24,6 +22,7 @@ import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.robot.Battery;
 import org.robotui.sim.internal.robot.Body;
+import org.robotui.sim.internal.robot.Head;
 import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.robot.WheelOdometry;
 import org.robotui.sim.internal.world.Pose2;
@@ -56,13 +55,29 @@ final class BaseMessages {
     return covariance;
   }
 
-  /** The two moving edges of the tree: the map to odometry, and odometry to the base. */
+  /** The moving edges of the tree: the map to odometry, odometry to the base, and the base to the head and to the wheels. */
   TFMessage transforms(RobotState state, Stamp stamp) {
     Header map = stamp.header(Frames.MAP);
     Header odometry = stamp.header(frames.odometry());
+    Head head = Head.at(state.time());
     return new TFMessage(List.of(
         Poses.stamped(map, frames.odometry(), Poses.transform(state.mapFromOdometry(), 0)),
-        Poses.stamped(odometry, frames.base(), Poses.transform(state.odometry(), 0))));
+        Poses.stamped(odometry, frames.base(), Poses.transform(state.odometry(), 0)),
+        Poses.stamped(stamp.header(frames.base()), frames.pan(), turned(Head.HEIGHT, 0, head.pan())),
+        Poses.stamped(stamp.header(frames.pan()), frames.tilt(), turned(Head.NECK, head.tilt(), 0)),
+        Poses.stamped(stamp.header(frames.base()), frames.leftWheel(), wheel(1, state.leftWheel())),
+        Poses.stamped(stamp.header(frames.base()), frames.rightWheel(), wheel(-1, state.rightWheel()))));
+  }
+
+  private static RigidTransform wheel(int side, double angle) {
+    return new RigidTransform(
+        new org.robotui.geometry.Vector3(0, side * WheelOdometry.TRACK / 2, WheelOdometry.WHEEL_RADIUS),
+        new org.robotui.geometry.Quaternion(0, Math.sin(angle / 2), 0, Math.cos(angle / 2)));
+  }
+
+  private static RigidTransform turned(double height, double pitch, double yaw) {
+    return new RigidTransform(
+        new org.robotui.geometry.Vector3(0, 0, height), org.robotui.geometry.Quaternion.fromRollPitchYaw(0, pitch, yaw));
   }
 
   PoseWithCovarianceStamped estimate(RobotState state, Stamp stamp) {
@@ -74,25 +89,6 @@ final class BaseMessages {
   Path path(List<Pose2> path, Stamp stamp) {
     Header header = stamp.header(Frames.MAP);
     return new Path(header, path.stream().map(pose -> new PoseStamped(header, Poses.pose(pose))).toList());
-  }
-
-  /** As an action server reports it; empty before the first goal. */
-  GoalStatusArray goalStatus(RobotState state, Stamp stamp) {
-    org.robotui.sim.internal.GoalStatus last = state.goalStatus();
-    List<GoalStatus> list = last.number() == 0
-        ? List.of()
-        : List.of(new GoalStatus(new GoalID(0, "goal-" + last.number()), code(last.phase()), last.text()));
-    return new GoalStatusArray(stamp.header(""), list);
-  }
-
-  private static int code(org.robotui.sim.internal.GoalStatus.Phase phase) {
-    return switch (phase) {
-      case ACTIVE -> GoalStatus.ACTIVE;
-      case PREEMPTED -> GoalStatus.PREEMPTED;
-      case SUCCEEDED -> GoalStatus.SUCCEEDED;
-      case ABORTED -> GoalStatus.ABORTED;
-      case REJECTED -> GoalStatus.REJECTED;
-    };
   }
 
   PolygonStamped footprint(RobotState state, Stamp stamp) {
@@ -107,15 +103,16 @@ final class BaseMessages {
   }
 
   JointState joints(RobotState state, Stamp stamp) {
+    Head head = Head.at(state.time());
     Speed speed = state.speed();
     double half = speed.angular() * WheelOdometry.TRACK / 2;
     double left = (speed.linear() - half) / WheelOdometry.WHEEL_RADIUS;
     double right = (speed.linear() + half) / WheelOdometry.WHEEL_RADIUS;
     return new JointState(
         stamp.header(""),
-        List.of("left_wheel_joint", "right_wheel_joint"),
-        new double[] {state.leftWheel(), state.rightWheel()},
-        new double[] {left, right},
+        List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"),
+        new double[] {state.leftWheel(), state.rightWheel(), head.pan(), head.tilt()},
+        new double[] {left, right, head.panSpeed(), head.tiltSpeed()},
         new double[0]);
   }
 

@@ -1,6 +1,7 @@
 package org.robotui.sim.internal.ros;
 
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.ros.msgs.sensor_msgs.CompressedImage;
 import org.robotui.ros.msgs.sensor_msgs.Image;
@@ -27,6 +28,13 @@ final class CameraMessages {
     }
     return new Image(
         stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "rgb8", 0, 3L * lens.width(), ByteBuffer.wrap(bytes));
+  }
+
+  /** @param millimetres as unsigned numbers, zero where nothing was measured */
+  Image depth(short[] millimetres, Stamp stamp) {
+    ByteBuffer bytes = ByteBuffer.allocate(Short.BYTES * millimetres.length).order(ByteOrder.LITTLE_ENDIAN);
+    bytes.asShortBuffer().put(millimetres);
+    return new Image(stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "16UC1", 0, (long) Short.BYTES * lens.width(), bytes);
   }
 
   CompressedImage compressed(byte[] jpeg, Stamp stamp) {

@@ -22,8 +22,27 @@ final class Frames {
     return prefix + "laser";
   }
 
+  /** The spinning scanner. */
+  String lidar() {
+    return prefix + "base_lidar";
+  }
+
   String imu() {
     return prefix + "imu_link";
+  }
+
+  String satellites() {
+    return prefix + "gps_link";
+  }
+
+  /** The turning part of the head. */
+  String pan() {
+    return prefix + "pan_link";
+  }
+
+  /** The nodding part of the head. */
+  String tilt() {
+    return prefix + "tilt_link";
   }
 
   String camera() {
@@ -36,6 +55,19 @@ final class Frames {
   }
 
   String sonar(int index) {
-    return prefix + "sonar_" + index;
+    return sonars() + index;
+  }
+
+  /** What the names of all sonars begin with. */
+  String sonars() {
+    return prefix + "sonar_";
+  }
+
+  String leftWheel() {
+    return prefix + "left_wheel_link";
+  }
+
+  String rightWheel() {
+    return prefix + "right_wheel_link";
   }
 }

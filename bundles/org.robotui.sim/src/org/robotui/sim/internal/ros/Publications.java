@@ -2,7 +2,6 @@ package org.robotui.sim.internal.ros;
 
 import java.util.List;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
@@ -13,12 +12,15 @@ import org.robotui.ros.msgs.sensor_msgs.BatteryState;
 import org.robotui.ros.msgs.sensor_msgs.Imu;
 import org.robotui.ros.msgs.sensor_msgs.JointState;
 import org.robotui.ros.msgs.sensor_msgs.LaserScan;
+import org.robotui.ros.msgs.sensor_msgs.NavSatFix;
 import org.robotui.ros.msgs.sensor_msgs.Range;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.ros.msgs.visualization_msgs.MarkerArray;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.Simulation;
 import org.robotui.sim.internal.camera.Lens;
 import org.robotui.sim.internal.sensor.LaserScanner;
+import org.robotui.sim.internal.sensor.SatelliteReceiver;
 import org.robotui.sim.internal.sensor.SonarRing;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.Pose2;
@@ -29,6 +31,7 @@ final class Publications {
   private final Simulation simulation;
   private final LaserScanner laser;
   private final SonarRing sonars;
+  private final SatelliteReceiver satellites;
   private final BaseMessages base;
   private final SensorMessages sensors;
   private final DiagnosticMessages diagnostics;
@@ -43,14 +46,17 @@ final class Publications {
   private final Topic<PoseWithCovarianceStamped> estimate;
   private final Topic<DiagnosticArray> diagnostic;
   private final Topic<Path> plan;
-  private final Topic<GoalStatusArray> goalStatus;
+  private final Topic<NavSatFix> fix;
+  private final ObjectMarkers objects;
+  private final Topic<MarkerArray> objectMarkers;
   private List<Pose2> lastPath = List.of();
 
   Publications(RosNode node, Simulation simulation, Frames frames) {
     this.node = node;
     this.simulation = simulation;
-    laser = new LaserScanner(simulation.world(), simulation.settings().laser(), simulation.random(10));
-    sonars = new SonarRing(simulation.world(), simulation.random(11));
+    laser = new LaserScanner(simulation::present, simulation.settings().laser(), simulation.random(10));
+    sonars = new SonarRing(simulation::present, simulation.random(11));
+    satellites = new SatelliteReceiver(simulation.random(12));
     base = new BaseMessages(frames);
     sensors = new SensorMessages(frames);
     diagnostics = new DiagnosticMessages(node.name().text().substring(1));
@@ -65,7 +71,14 @@ final class Publications {
     estimate = Topic.latched(node, "amcl_pose", PoseWithCovarianceStamped.CODEC);
     diagnostic = Topic.plain(node, "/diagnostics", DiagnosticArray.CODEC);
     plan = Topic.latched(node, "plan", Path.CODEC);
-    goalStatus = Topic.plain(node, "move_base/status", GoalStatusArray.CODEC);
+    fix = Topic.plain(node, "fix", NavSatFix.CODEC);
+    objects = new ObjectMarkers(simulation.world());
+    objectMarkers = Topic.plain(node, "objects", MarkerArray.CODEC);
+  }
+
+  /** What the robot is made of. */
+  String description(Lens lens, Frames frames) {
+    return Description.of(frames, new StaticTransforms(frames).message(laser.spec(), lens, sonars, new Stamp(0, 0)));
   }
 
   /** Publishes what never changes. */
@@ -134,7 +147,12 @@ final class Publications {
     }
     if (Rate.ESTIMATE.isDue(step)) {
       estimate.publish(nanos, stamp -> base.estimate(state, stamp));
-      goalStatus.publish(nanos, stamp -> base.goalStatus(state, stamp));
+    }
+    if (Rate.FIX.isDue(step)) {
+      fix.publish(nanos, stamp -> sensors.fix(satellites.measure(state.truth()), stamp));
+    }
+    if (Rate.OBJECTS.isDue(step)) {
+      objectMarkers.publish(nanos, stamp -> objects.message(state, stamp));
     }
     if (Rate.BATTERY.isDue(step)) {
       battery.publish(nanos, stamp -> base.battery(state, stamp));

@@ -15,10 +15,16 @@ record Rate(double hertz) {
   static final Rate SONAR = new Rate(10);
   static final Rate JOINTS = new Rate(20);
   static final Rate CAMERA = new Rate(15);
+  static final Rate DEPTH = new Rate(10);
+  static final Rate LIDAR = new Rate(10);
+  static final Rate GOALS = new Rate(5);
+  static final Rate FIX = new Rate(5);
   static final Rate FOOTPRINT = new Rate(10);
   static final Rate ESTIMATE = new Rate(5);
   static final Rate BATTERY = new Rate(1);
   static final Rate DIAGNOSTICS = new Rate(1);
+  static final Rate OBJECTS = new Rate(2);
+  static final Rate SIGN_OF_LIFE = new Rate(2);
   static final Rate PLAN = new Rate(1);
 
   boolean isDue(long step) {

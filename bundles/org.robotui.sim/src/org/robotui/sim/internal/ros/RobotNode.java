@@ -10,6 +10,8 @@ import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.Settings;
 import org.robotui.sim.internal.Simulation;
 import org.robotui.sim.internal.camera.Lens;
+import org.robotui.sim.internal.sensor.Lidar;
+import org.robotui.sim.internal.sensor.LidarSpec;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.MapRasterizer;
 import org.robotui.sim.internal.world.World;
@@ -23,6 +25,10 @@ public final class RobotNode implements AutoCloseable {
   private final RobotClock clock;
   private final Publications publications;
   private final CameraPublisher camera;
+  private final DepthPublisher depth;
+  private final LidarPublisher lidar;
+  private final MoveBase moveBase;
+  private final Waypoint waypoint;
   private final Optional<Publisher<Clock>> simulatedTime;
   private long steps;
 
@@ -38,8 +44,15 @@ public final class RobotNode implements AutoCloseable {
     simulatedTime = simTime
         ? Optional.of(node.publisher("/clock", Clock.CODEC, PublisherOptions.standard()))
         : Optional.empty();
+    node.parameters().set("robot_description", XmlRpcValue.of(publications.description(Lens.DEMO, frames)));
     publications.publishOnce(map, Lens.DEMO, frames, stamp);
-    new Subscriptions(node, simulation, frames, events);
+    depth = new DepthPublisher(node, world, Lens.DEMO, frames);
+    lidar = new LidarPublisher(node, new Lidar(LidarSpec.DEMO, simulation.random(13)), frames);
+    Places places = new Places(frames, simulation::state);
+    new Subscriptions(node, simulation, places, events);
+    moveBase = new MoveBase(node, simulation, places, clock, events);
+    waypoint = new Waypoint(node, world, places, moveBase::drive, events);
+    new Tuner(node, simulation);
     new Services(node, simulation, new SensorMessages(frames).map(map, new Stamp(1, stamp)));
   }
 
@@ -70,7 +83,11 @@ public final class RobotNode implements AutoCloseable {
     RobotState state = simulation.state();
     simulatedTime.ifPresent(publisher -> publisher.publish(new Clock(stamp)));
     publications.publish(steps, state, stamp);
+    moveBase.publish(steps, state, stamp);
+    waypoint.publish(steps);
     camera.publish(steps, state, stamp);
+    depth.publish(steps, state, stamp);
+    lidar.publish(steps, simulation.present(), state, stamp);
   }
 
   /** The robot's state; for any thread. */
@@ -81,6 +98,8 @@ public final class RobotNode implements AutoCloseable {
   @Override
   public void close() {
     camera.close();
+    depth.close();
+    lidar.close();
     node.close();
   }
 }

@@ -4,8 +4,11 @@ import java.nio.ByteBuffer;
 import org.robotui.ros.msgs.nav_msgs.MapMetaData;
 import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
 import org.robotui.ros.msgs.sensor_msgs.LaserScan;
+import org.robotui.ros.msgs.sensor_msgs.NavSatFix;
+import org.robotui.ros.msgs.sensor_msgs.NavSatStatus;
 import org.robotui.ros.msgs.sensor_msgs.Range;
 import org.robotui.sim.internal.sensor.LaserSpec;
+import org.robotui.sim.internal.sensor.SatelliteReceiver;
 import org.robotui.sim.internal.sensor.SonarRing;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.Pose2;
@@ -29,6 +32,14 @@ final class SensorMessages {
     return new Range(
         stamp.header(frames.sonar(index)), Range.ULTRASOUND, (float) SonarRing.CONE,
         (float) SonarRing.RANGE_MIN, (float) SonarRing.RANGE_MAX, (float) range);
+  }
+
+  NavSatFix fix(SatelliteReceiver.Fix fix, Stamp stamp) {
+    double variance = SatelliteReceiver.ERROR * SatelliteReceiver.ERROR;
+    return new NavSatFix(
+        stamp.header(frames.satellites()), new NavSatStatus(NavSatStatus.STATUS_FIX, NavSatStatus.SERVICE_GPS),
+        fix.latitude(), fix.longitude(), fix.altitude(),
+        new double[] {variance, 0, 0, 0, variance, 0, 0, 0, 4 * variance}, NavSatFix.COVARIANCE_TYPE_DIAGONAL_KNOWN);
   }
 
   OccupancyGrid map(GridMap map, Stamp stamp) {

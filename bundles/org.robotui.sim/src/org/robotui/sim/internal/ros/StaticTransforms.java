@@ -10,6 +10,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 import org.robotui.sim.internal.camera.Lens;
 import org.robotui.sim.internal.sensor.LaserSpec;
+import org.robotui.sim.internal.sensor.LidarSpec;
 import org.robotui.sim.internal.sensor.SonarRing;
 import org.robotui.sim.internal.world.Pose2;
 
@@ -25,7 +26,9 @@ final class StaticTransforms {
     Header base = stamp.header(frames.base());
     List<TransformStamped> all = new ArrayList<>();
     all.add(Poses.stamped(base, frames.laser(), at(laser.forward(), laser.height())));
+    all.add(Poses.stamped(base, frames.lidar(), at(LidarSpec.DEMO.forward(), LidarSpec.DEMO.height())));
     all.add(Poses.stamped(base, frames.imu(), at(0, 0.15)));
+    all.add(Poses.stamped(base, frames.satellites(), at(-0.15, 0.7)));
     all.add(Poses.stamped(base, frames.camera(), at(lens.forward(), lens.above())));
     all.add(Poses.stamped(stamp.header(frames.camera()), frames.cameraOptical(), optical()));
     for (int i = 0; i < sonars.count(); i++) {

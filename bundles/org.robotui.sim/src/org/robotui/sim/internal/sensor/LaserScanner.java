@@ -1,16 +1,17 @@
 package org.robotui.sim.internal.sensor;
 
 import java.util.random.RandomGenerator;
+import java.util.function.Supplier;
 import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 
 /** Measures what a laser scanner would. For one thread. */
 public final class LaserScanner {
-  private final World world;
+  private final Supplier<World> world;
   private final LaserSpec spec;
   private final RandomGenerator random;
 
-  public LaserScanner(World world, LaserSpec spec, RandomGenerator random) {
+  public LaserScanner(Supplier<World> world, LaserSpec spec, RandomGenerator random) {
     this.world = world;
     this.spec = spec;
     this.random = random;
@@ -31,7 +32,7 @@ public final class LaserScanner {
   }
 
   private double measure(Pose2 eye, double angle) {
-    double range = world.range(eye.x(), eye.y(), angle, spec.height(), spec.rangeMax());
+    double range = world.get().range(eye.x(), eye.y(), angle, spec.height(), spec.rangeMax());
     double noisy = range + spec.noise() * random.nextGaussian();
     return noisy > spec.rangeMax() ? Double.POSITIVE_INFINITY : Math.max(spec.rangeMin(), noisy);
   }

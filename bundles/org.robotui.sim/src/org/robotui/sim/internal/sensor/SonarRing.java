@@ -3,6 +3,7 @@ package org.robotui.sim.internal.sensor;
 import java.util.List;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
+import java.util.function.Supplier;
 import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 
@@ -19,11 +20,11 @@ public final class SonarRing {
     90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90
   };
 
-  private final World world;
+  private final Supplier<World> world;
   private final RandomGenerator random;
   private final List<Pose2> mounts;
 
-  public SonarRing(World world, RandomGenerator random) {
+  public SonarRing(Supplier<World> world, RandomGenerator random) {
     this.world = world;
     this.random = random;
     mounts = IntStream.range(0, DEGREES.length).mapToObj(SonarRing::mount).toList();
@@ -51,7 +52,7 @@ public final class SonarRing {
     double nearest = Double.POSITIVE_INFINITY;
     for (int ray = 0; ray < RAYS; ray++) {
       double angle = eye.yaw() - CONE / 2 + CONE * ray / (RAYS - 1);
-      nearest = Math.min(nearest, world.range(eye.x(), eye.y(), angle, HEIGHT, RANGE_MAX));
+      nearest = Math.min(nearest, world.get().range(eye.x(), eye.y(), angle, HEIGHT, RANGE_MAX));
     }
     double noisy = nearest + NOISE * random.nextGaussian();
     return noisy > RANGE_MAX ? Double.POSITIVE_INFINITY : Math.max(RANGE_MIN, noisy);

@@ -22,6 +22,8 @@ public final class FloorPlanReader {
 
   private final List<Room> rooms = new ArrayList<>();
   private final List<Solid> solids = new ArrayList<>();
+  private final List<Thing> things = new ArrayList<>();
+  private final List<Pose2> walk = new ArrayList<>();
   private Optional<Pose2> start = Optional.empty();
 
   private FloorPlanReader() {}
@@ -52,7 +54,7 @@ public final class FloorPlanReader {
       reader.readLine(number, line.strip());
     }
     Pose2 start = reader.start.orElseThrow(() -> new IllegalArgumentException("floor plan: no 'start' line"));
-    return new FloorPlan(reader.rooms, reader.solids, start);
+    return new FloorPlan(reader.rooms, reader.solids, reader.things, reader.walk, start);
   }
 
   private void readLine(int number, String line) {
@@ -72,13 +74,13 @@ public final class FloorPlanReader {
       case "wall" -> wall(words);
       case "window" -> window(words.line());
       case "panel" -> panel(words);
-      case "box" -> solids.add(
-          Shapes.box(words.colour(), words.number(), words.number(), words.number(), words.number(), words.number()));
+      case "box" -> box(words);
       case "column" -> column(words);
+      case "walk" -> walk(words);
       case "start" -> start = Optional.of(
           new Pose2(words.number(), words.number(), Math.toRadians(words.number())));
       default -> throw new IllegalArgumentException(
-          "expected room, wall, window, panel, box, column or start");
+          "expected room, wall, window, panel, box, column, walk or start");
     }
   }
 
@@ -137,10 +139,34 @@ public final class FloorPlanReader {
     solids.add(Shapes.slab(Kind.OBJECT, colour, line, 0.05, bottom, top));
   }
 
+  private void walk(Words words) {
+    while (words.more()) {
+      walk.add(new Pose2(words.number(), words.number(), 0));
+    }
+  }
+
   private void column(Words words) {
     int colour = words.colour();
-    solids.add(
-        Shapes.column(Kind.OBJECT, colour, words.number(), words.number(), words.number(), 0, words.number()));
+    double x = words.number();
+    double y = words.number();
+    double width = 2 * words.number();
+    add(words, colour, x, y, width, width, true);
+  }
+
+  private void box(Words words) {
+    int colour = words.colour();
+    Line across = words.line();
+    add(words, colour, (across.x1() + across.x2()) / 2, (across.y1() + across.y2()) / 2, Math.abs(across.x2() - across.x1()),
+        Math.abs(across.y2() - across.y1()), false);
+  }
+
+  private void add(Words words, int colour, double x, double y, double width, double depth, boolean round) {
+    double height = words.number();
+    Thing thing = new Thing(words.more() ? words.text() : "", round, x, y, width, depth, height, colour);
+    solids.add(thing.solid());
+    if (!thing.name().isEmpty()) {
+      things.add(thing);
+    }
   }
 
   /** The words of one line, taken from left to right. */

@@ -1,5 +1,6 @@
 package org.robotui.sim.internal.world;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -9,8 +10,24 @@ public final class World {
   private final Solid[] solids;
 
   public World(FloorPlan plan) {
+    this(plan, plan.solids().toArray(Solid[]::new));
+  }
+
+  private World(FloorPlan plan, Solid[] solids) {
     this.plan = plan;
-    solids = plan.solids().toArray(Solid[]::new);
+    this.solids = solids;
+  }
+
+  /** The same building with something more in it. */
+  public World with(Solid visitor) {
+    Solid[] more = Arrays.copyOf(solids, solids.length + 1);
+    more[solids.length] = visitor;
+    return new World(plan, more);
+  }
+
+  /** The corners of the way that somebody walks; empty if nobody does. */
+  public List<Pose2> walk() {
+    return plan.walk();
   }
 
   public static World demo() {
@@ -19,6 +36,16 @@ public final class World {
 
   public List<Solid> solids() {
     return plan.solids();
+  }
+
+  /** The building's solids and those of its visitors. */
+  public List<Solid> present() {
+    return List.of(solids);
+  }
+
+  /** What has a name, visitors excepted. */
+  public List<Thing> things() {
+    return plan.things();
   }
 
   public List<Room> rooms() {

@@ -14,7 +14,7 @@ class RendererTest {
 
   @Test
   void theMiddleOfThePictureHasTheColourOfTheWall() {
-    int[] pixels = new Renderer(TestWorlds.room(), LENS).render(new Pose2(5, 3, 0), Optional.empty());
+    int[] pixels = new Renderer(TestWorlds.room(), LENS).render(new Pose2(5, 3, 0), Optional.empty(), Optional.empty());
     int middle = pixels[60 * 160 + 80];
     assertTrue(red(middle) > green(middle) + 40, Integer.toHexString(middle));
     assertEquals(green(middle), blue(middle), 12);
@@ -22,7 +22,7 @@ class RendererTest {
 
   @Test
   void theFloorBeginsWhereTheWallEnds() {
-    int[] pixels = new Renderer(TestWorlds.room(), LENS).render(new Pose2(5, 3, 0), Optional.empty());
+    int[] pixels = new Renderer(TestWorlds.room(), LENS).render(new Pose2(5, 3, 0), Optional.empty(), Optional.empty());
     double line = 60 + 0.6 * LENS.focalLength() / 4.9;
     assertTrue(isReddish(pixels[((int) line - 5) * 160 + 80]));
     assertTrue(!isReddish(pixels[((int) line + 3) * 160 + 80]));
@@ -37,7 +37,7 @@ class RendererTest {
         box 20c020 7 2 8 4 0.5
         start 5 3 0
         """);
-    int[] pixels = new Renderer(world, LENS).render(new Pose2(5, 3, 0), Optional.empty());
+    int[] pixels = new Renderer(world, LENS).render(new Pose2(5, 3, 0), Optional.empty(), Optional.empty());
     int below = pixels[75 * 160 + 80];
     assertTrue(green(below) > red(below) + 60, Integer.toHexString(below));
     assertTrue(isReddish(pixels[58 * 160 + 80]));
@@ -47,8 +47,8 @@ class RendererTest {
   void aGoalIsMarkedWhereItIs() {
     Renderer renderer = new Renderer(TestWorlds.room(), LENS);
     int line = (int) (60 - (0.9 - 0.6) * LENS.focalLength() / 2);
-    int without = renderer.render(new Pose2(5, 3, 0), Optional.empty())[line * 160 + 80];
-    int with = renderer.render(new Pose2(5, 3, 0), Optional.of(new Pose2(7, 3, 0)))[line * 160 + 80];
+    int without = renderer.render(new Pose2(5, 3, 0), Optional.empty(), Optional.empty())[line * 160 + 80];
+    int with = renderer.render(new Pose2(5, 3, 0), Optional.of(new Pose2(7, 3, 0)), Optional.empty())[line * 160 + 80];
     assertTrue(isReddish(without));
     assertTrue(green(with) > red(with) + 60, Integer.toHexString(with));
   }
@@ -57,7 +57,7 @@ class RendererTest {
   void everyPixelOfTheDemoIsPainted() {
     Renderer renderer = new Renderer(World.demo(), LENS);
     for (int turn = 0; turn < 8; turn++) {
-      for (int pixel : renderer.render(new Pose2(2.6, 2.3, turn * Math.PI / 4), Optional.empty())) {
+      for (int pixel : renderer.render(new Pose2(2.6, 2.3, turn * Math.PI / 4), Optional.empty(), Optional.empty())) {
         assertTrue(pixel > 0 && pixel <= 0xffffff, Integer.toHexString(pixel));
       }
     }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import javax.imageio.ImageIO;
@@ -13,6 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.ros.msgs.dynamic_reconfigure.Config;
+import org.robotui.ros.msgs.dynamic_reconfigure.DoubleParameter;
+import org.robotui.ros.msgs.dynamic_reconfigure.IntParameter;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
 import org.robotui.ros.msgs.nav_msgs.Odometry;
@@ -25,9 +29,11 @@ import org.robotui.sim.internal.Command;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.Settings;
 import org.robotui.sim.internal.Simulation;
+import org.robotui.sim.internal.Tuning;
 import org.robotui.sim.internal.camera.JpegEncoder;
 import org.robotui.sim.internal.camera.Lens;
 import org.robotui.sim.internal.camera.Renderer;
+import org.robotui.sim.internal.robot.DriveLimits;
 import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.sensor.LaserSpec;
 import org.robotui.sim.internal.sensor.SonarRing;
@@ -74,15 +80,48 @@ class MessagesTest {
 
   @Test
   void theCameraLooksForwardAlongItsOpticalAxis() {
-    SonarRing sonars = new SonarRing(world, new Random(1));
+    SonarRing sonars = new SonarRing(() -> world, new Random(1));
     TFMessage tf = new StaticTransforms(frames).message(LaserSpec.DEMO, Lens.DEMO, sonars, STAMP);
-    assertEquals(20, tf.transforms().size());
+    assertEquals(22, tf.transforms().size());
     TransformStamped optical = tf.transforms().stream()
         .filter(t -> t.childFrameId().equals("keira/camera_optical")).findFirst().orElseThrow();
     Vector3 ahead = transform(optical).apply(new Vector3(0, 0, 1));
     Vector3 right = transform(optical).apply(new Vector3(1, 0, 0));
     assertEquals(1, ahead.x(), 1e-9);
     assertEquals(-1, right.y(), 1e-9);
+  }
+
+  @Test
+  void theHeadTurnsAsItsJointsSay() {
+    RobotState state = drivenState();
+    TFMessage tf = new BaseMessages(frames).transforms(state, STAMP);
+    var joints = new BaseMessages(frames).joints(state, STAMP);
+    assertEquals("pan_joint", joints.name().get(2));
+    RigidTransform pan = transform(tf.transforms().get(2));
+    assertEquals(joints.position()[2], pan.rotation().yaw(), 1e-9);
+    Vector3 look = pan.times(transform(tf.transforms().get(3))).rotation().rotate(new Vector3(1, 0, 0));
+    assertEquals(-Math.sin(joints.position()[3]), look.z(), 1e-9);
+  }
+
+  @Test
+  void tuningSurvivesItsMessageAndStaysWithinItsBounds() {
+    Tuning tuning = new Tuning(new DriveLimits(0.5, 1.5, 0.6, 2), Tuning.Style.BRISK, false);
+    assertEquals(tuning, TuningMessages.merge(Tuning.of(DriveLimits.DEMO), TuningMessages.config(tuning)));
+    Config evil = new Config(List.of(), List.of(new IntParameter("driving_style", -7)), List.of(),
+        List.of(new DoubleParameter("max_linear_speed", 1e9), new DoubleParameter("max_angular_speed", Double.NaN),
+            new DoubleParameter("max_linear_acceleration", -1), new DoubleParameter("unknown", 1)), List.of());
+    Tuning kept = TuningMessages.merge(tuning, evil);
+    assertEquals(new Tuning(new DriveLimits(1.5, 1.5, 0.1, 2), Tuning.Style.CAREFUL, false), kept);
+  }
+
+  @Test
+  void depthsAreMillimetresInLittleEndian() {
+    short[] depths = new short[320 * 240];
+    depths[1] = (short) 40_000;
+    Image image = new CameraMessages(frames, Lens.DEMO).depth(depths, STAMP);
+    assertEquals("16UC1", image.encoding());
+    assertEquals(image.step() * image.height(), image.data().remaining());
+    assertEquals(40_000, (image.data().get(2) & 255) + 256 * (image.data().get(3) & 255));
   }
 
   @Test
@@ -119,7 +158,7 @@ class MessagesTest {
 
   @Test
   void rawAndCompressedPicturesShowTheSame() throws IOException {
-    int[] pixels = new Renderer(world, Lens.DEMO).render(new Pose2(1, 5, 0), Optional.empty());
+    int[] pixels = new Renderer(world, Lens.DEMO).render(new Pose2(1, 5, 0), Optional.empty(), Optional.empty());
     CameraMessages messages = new CameraMessages(frames, Lens.DEMO);
     Image raw = messages.raw(pixels, STAMP);
     assertEquals(raw.step() * raw.height(), raw.data().remaining());

@@ -2,6 +2,7 @@ package org.robotui.uic.camera.internal;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
@@ -14,37 +15,50 @@ import org.robotui.ui.ViewAction;
 
 /** The view: the tick decodes, the surface paints what was decoded last. */
 final class CameraUic implements SwtUic {
+  private static final long AGE_NANOS = 200_000_000L;
+
   private final UicContext context;
   private final SourceId port;
   private final CameraModel model;
-  private final Saver saver = new Saver();
+  private final Choices choices;
+  private final Saver saver;
+  private final AtomicInteger blocks = new AtomicInteger(1);
   private final List<ViewAction> actions;
+  private long told;
   private volatile Shot shot = Shot.NOTHING;
-  private Optional<CameraSurface> surface = Optional.empty();
+  private volatile Optional<CameraSurface> surface = Optional.empty();
 
   CameraUic(UicContext context) {
     this.context = context;
     this.port = new SourceId(context.instance(), CameraType.IMAGE.name());
     this.model = new CameraModel(
         context.input(CameraType.IMAGE), context.input(CameraType.CAMERA_INFO), context.ruic(), port);
+    this.choices = new Choices(context.settings());
+    this.saver = new Saver(context.background());
     this.actions = List.of(
-        action("fit", "Fit", Icon.FIT, CameraSurface::fit),
+        action("fit", "Show all (0)", Icon.FIT, s -> s.see(ZoomMode.FIT)),
         action("copy", "Copy picture", Icon.COPY, CameraSurface::copy),
-        action("save", "Save picture\u2026", Icon.SAVE, s -> s.save(saver)));
+        action("save", "Save picture\u2026", Icon.SAVE, s -> s.save(Saver.Part.COLORS)),
+        action("options", "What is shown", Icon.MORE, CameraSurface::openMenu));
   }
 
   @Override
   public boolean tick(long nowNanos) {
-    Shot looked = model.look();
-    Shot next = new Shot(looked.state(), looked.picture(), looked.info(), looked.candidates(), saver.tick(nowNanos));
-    boolean changed = next.differs(shot);
+    CameraOptions options = choices.options();
+    Shot next = model.look(options.rendering(), blocks.get()).with(saver.tick(nowNanos));
+    boolean aged = options.details() && nowNanos - told > AGE_NANOS;
+    boolean changed = next.differs(shot) || aged;
+    told = changed ? nowNanos : told;
+    boolean other = !next.seen().map(Shot.Shown::pixels).equals(shot.seen().map(Shot.Shown::pixels));
+    surface.filter(s -> other).ifPresent(s -> s.prepare(next));
     shot = next;
     return changed;
   }
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    CameraSurface made = new CameraSurface(parent, ui, context.settings(), peer -> context.ruic().connect(port, peer));
+    CameraSurface made = new CameraSurface(
+        parent, ui, choices, saver, peer -> context.ruic().connect(port, peer), blocks::set);
     surface = Optional.of(made);
     made.show(shot);
     return made.control();

@@ -7,34 +7,31 @@ import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Event;
-import org.robotui.entity.image.Picture;
 
 /**
- * Zoom and pan by mouse and keys: wheel at the pointer, middle drag (or left, once zoomed), double click fits, plus, minus,
- * arrows and 0. Display thread.
+ * Zoom and pan by mouse and keys: wheel at the pointer, drag with the middle or left button, double click back, plus, minus and
+ * arrows. Display thread.
  */
 final class Navigation {
   private static final double STEP = 1.25;
   private static final int KEY_POINTS = 32;
 
   private final Canvas canvas;
-  private final Supplier<Optional<Picture>> picture;
-  private PictureView view = PictureView.FIT;
+  private final Supplier<Optional<Stage>> stage;
+  private PictureView view;
   private Optional<Point> pointer = Optional.empty();
   private Optional<Point> grabbed = Optional.empty();
 
-  Navigation(Canvas canvas, Supplier<Optional<Picture>> picture) {
+  Navigation(Canvas canvas, ZoomMode mode, Supplier<Optional<Stage>> stage) {
     this.canvas = canvas;
-    this.picture = picture;
+    this.view = new PictureView(mode);
+    this.stage = stage;
   }
 
   void listen() {
-    canvas.addListener(SWT.MouseVerticalWheel, e -> zoom(e.count > 0 ? STEP : 1 / STEP, new Point(e.x, e.y)));
-    canvas.addListener(SWT.MouseDown, this::down);
     canvas.addListener(SWT.MouseMove, this::move);
     canvas.addListener(SWT.MouseUp, e -> grabbed = Optional.empty());
     canvas.addListener(SWT.MouseExit, e -> leave());
-    canvas.addListener(SWT.MouseDoubleClick, e -> fit());
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
@@ -48,8 +45,26 @@ final class Navigation {
     return pointer;
   }
 
-  void fit() {
-    see(PictureView.FIT);
+  /** As a mode says, without zoom. */
+  void see(ZoomMode mode) {
+    see(new PictureView(mode));
+  }
+
+  /** Takes another mode, where it is another. */
+  void follow(ZoomMode mode) {
+    if (view.mode() != mode) {
+      see(mode);
+    }
+  }
+
+  void wheel(Event event) {
+    zoom(event.count > 0 ? STEP : 1 / STEP, new Point(event.x, event.y));
+  }
+
+  void grab(Event event) {
+    if (event.button == 1 || event.button == 2) {
+      grabbed = Optional.of(new Point(event.x, event.y));
+    }
   }
 
   private void see(PictureView next) {
@@ -58,18 +73,11 @@ final class Navigation {
   }
 
   private void zoom(double factor, Point at) {
-    picture.get().ifPresent(p -> see(view.zoomed(factor, at, canvas.getClientArea(), p.width(), p.height())));
+    stage.get().ifPresent(s -> see(view.zoomed(factor, at, s)));
   }
 
   private void pan(int dx, int dy) {
-    picture.get().ifPresent(p -> see(view.moved(dx, dy, canvas.getClientArea(), p.width(), p.height())));
-  }
-
-  private void down(Event event) {
-    canvas.setFocus();
-    if (event.button == 1 || event.button == 2) {
-      grabbed = Optional.of(new Point(event.x, event.y));
-    }
+    stage.get().ifPresent(s -> see(view.moved(dx, dy, s)));
   }
 
   private void move(Event event) {
@@ -89,7 +97,6 @@ final class Navigation {
     switch (event.keyCode) {
       case '+', '=', SWT.KEYPAD_ADD -> zoom(STEP, middle());
       case '-', SWT.KEYPAD_SUBTRACT -> zoom(1 / STEP, middle());
-      case '0', SWT.KEYPAD_0, SWT.HOME -> fit();
       case SWT.ARROW_LEFT -> pan(KEY_POINTS, 0);
       case SWT.ARROW_RIGHT -> pan(-KEY_POINTS, 0);
       case SWT.ARROW_UP -> pan(0, KEY_POINTS);

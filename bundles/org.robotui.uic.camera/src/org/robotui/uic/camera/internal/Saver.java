@@ -1,46 +1,61 @@
 package org.robotui.uic.camera.internal;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.SWTException;
-import org.eclipse.swt.graphics.ImageData;
-import org.eclipse.swt.graphics.ImageLoader;
+import java.util.concurrent.Executor;
 import org.robotui.entity.image.Picture;
+import org.robotui.entity.image.PicturePng;
 
-/** Saves pictures as PNG: ordered on the display thread, written by the tick. */
+/** Saves pictures as PNG: ordered on the display thread, written in the background. */
 final class Saver {
   private static final long SHOWN_NANOS = 4_000_000_000L;
 
-  private final AtomicReference<Optional<Order>> order = new AtomicReference<>(Optional.empty());
-  private Optional<String> message = Optional.empty();
+  private final Executor background;
+  private volatile Optional<Told> told = Optional.empty();
+  private Optional<Told> seen = Optional.empty();
   private long since;
 
-  /** Has a picture saved by the next tick. */
-  void save(Picture picture, String file) {
-    order.set(Optional.of(new Order(picture, file)));
+  Saver(Executor background) {
+    this.background = background;
   }
 
-  /** Writes what was ordered, and says for a few seconds what became of it. */
+  /** What of a picture is kept. */
+  enum Part {
+    /** As it is seen. */
+    COLORS,
+    /** The numbers behind the colours, 16 bits. */
+    NUMBERS
+  }
+
+  private record Told(String words) {}
+
+  /** Has a picture saved. */
+  void save(Picture picture, Part part, String file) {
+    background.execute(() -> told = Optional.of(new Told(write(picture, part, file))));
+  }
+
+  /** Says for a few seconds what became of it. */
   Optional<String> tick(long now) {
-    order.getAndSet(Optional.empty()).ifPresent(o -> {
-      message = Optional.of(write(o));
+    Optional<Told> latest = told;
+    if (!latest.equals(seen) || latest.isPresent() && seen.isPresent() && latest.get() != seen.get()) {
+      seen = latest;
       since = now;
-    });
-    message = message.filter(m -> now - since < SHOWN_NANOS);
-    return message;
+    }
+    return seen.filter(m -> now - since < SHOWN_NANOS).map(Told::words);
   }
 
-  private static String write(Order order) {
+  private static String write(Picture picture, Part part, String file) {
     try {
-      ImageLoader loader = new ImageLoader();
-      loader.data = new ImageData[] {order.picture.pixels()};
-      loader.save(order.file, SWT.IMAGE_PNG);
-      return "saved " + order.file;
-    } catch (SWTException e) {
-      return "cannot save " + order.file + ": " + e.getMessage();
+      Optional<byte[]> bytes = part == Part.COLORS ? Optional.of(PicturePng.seen(picture)) : PicturePng.numbers(picture);
+      if (bytes.isEmpty()) {
+        return "cannot save " + file + ": the picture holds no numbers of 16 bits";
+      }
+      Files.write(Path.of(file), bytes.get());
+      return "saved " + file;
+    } catch (IOException | RuntimeException e) {
+      return "cannot save " + file + ": " + (e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage());
     }
   }
-
-  private record Order(Picture picture, String file) {}
 }

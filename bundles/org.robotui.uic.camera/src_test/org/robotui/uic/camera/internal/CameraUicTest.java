@@ -3,6 +3,7 @@ package org.robotui.uic.camera.internal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -23,8 +24,14 @@ import org.robotui.data.Bytes;
 import org.robotui.data.CompressedImage;
 import org.robotui.data.FrameId;
 import org.robotui.data.Image;
+import org.robotui.data.PixelEncoding;
+import org.robotui.data.RawImage;
+import org.robotui.entity.image.ColorMap;
 import org.robotui.entity.image.Decoding;
+import org.robotui.entity.image.Picture;
 import org.robotui.entity.image.PictureDecoder;
+import org.robotui.entity.image.Rendering;
+import org.robotui.entity.image.Span;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.Pictures;
@@ -37,12 +44,16 @@ class CameraUicTest {
   private final CameraModel model =
       new CameraModel(input, context.input(CameraType.CAMERA_INFO), context.ruic(), PORT);
 
+  private Shot look() {
+    return model.look(Rendering.USUAL, 1);
+  }
+
   @Test
   void aPictureIsDecodedOnceAndNamed() {
     input.put(Pictures.room(32, 24));
-    Shot first = model.look();
+    Shot first = look();
     assertEquals("32\u00d724 rgb8 10.0\u00a0Hz", first.note());
-    assertTrue(first.seen().orElseThrow() == model.look().seen().orElseThrow());
+    assertSame(first.seen().orElseThrow(), look().seen().orElseThrow());
   }
 
   @Test
@@ -60,44 +71,94 @@ class CameraUicTest {
   @Test
   void aStalePictureSaysItsAge() {
     input.put(Pictures.room(32, 24));
-    model.look();
+    look();
     input.state(new InputState.Stale(2.1, "the link is lost"));
-    assertEquals("32\u00d724 rgb8 stale 2.1\u00a0s", model.look().note());
+    assertEquals("32\u00d724 rgb8 stale 2.1\u00a0s", look().note());
   }
 
   @Test
   void aBrokenPictureIsAFailureThatNamesItsSource() {
     input.put(new CompressedImage(new FrameId("Keira", "camera"), "jpeg", Bytes.of(new byte[3])));
-    Shot shot = model.look();
+    Shot shot = look();
     assertInstanceOf(InputState.Failed.class, shot.state());
-    assertEquals("base.data: the picture (format 'jpeg', 3 bytes) is neither JPEG nor PNG", shot.state().explanation());
-    assertEquals(Optional.empty(), shot.seen());
+    assertEquals("base.data: the picture (format 'jpeg', 3 bytes) cannot be decoded: it is neither JPEG nor PNG", shot.state().explanation());
+    assertEquals(Optional.empty(), shot.shown());
     input.put(Pictures.room(8, 8));
-    assertInstanceOf(InputState.Live.class, model.look().state());
+    assertInstanceOf(InputState.Live.class, look().state());
   }
 
   @Test
   void severalCamerasAreOfferedForChoice() {
     List<SourceId> both = List.of(new SourceId("ros", "/left/image_raw"), new SourceId("ros", "/right/image_raw"));
     match(MatchState.AMBIGUOUS, both);
-    assertEquals(both, model.look().candidates());
+    assertEquals(both, look().candidates());
     match(MatchState.REFUSED, List.of());
-    assertEquals(List.of(), model.look().candidates());
+    assertEquals(List.of(), look().candidates());
   }
 
   @Test
-  void aPictureIsSavedByTheTick(@TempDir Path folder) throws IOException {
-    Decoding.Decoded room = (Decoding.Decoded) PictureDecoder.decode(Pictures.room(8, 6));
+  void otherColoursShowInTheSamePicture() {
+    input.put(depth());
+    Shot usual = look();
+    Rendering grey = new Rendering(Optional.of(ColorMap.GREY), false, Optional.empty(), true);
+    Shot chosen = model.look(grey, 1);
+    assertTrue(chosen.differs(usual));
+    assertEquals(ColorMap.GREY, chosen.shown().orElseThrow().picture().legend().orElseThrow().map());
+  }
+
+  @Test
+  void aPictureSeenFromAfarIsMadeSmallByTheTick() {
+    input.put(Pictures.room(32, 24));
+    assertEquals(32, look().shown().orElseThrow().pixels().width);
+    Shot small = model.look(Rendering.USUAL, 2);
+    assertEquals(16, small.shown().orElseThrow().pixels().width);
+    assertEquals(32, small.shown().orElseThrow().picture().width());
+  }
+
+  @Test
+  void whatWasChosenIsKept() {
+    Choices choices = new Choices(context.settings());
+    choices.range(Optional.of(new Span(0.5, 4)));
+    choices.nextMap(ColorMap.TURBO);
+    choices.zoom(ZoomMode.ACTUAL);
+    choices.toggle(CameraOptions.DETAILS);
+    CameraOptions options = CameraOptions.of(context.settings().current());
+    assertEquals(new Rendering(Optional.of(ColorMap.VIRIDIS), false, Optional.of(new Span(0.5, 4)), true), options.rendering());
+    assertEquals(ZoomMode.ACTUAL, options.zoom());
+    assertTrue(options.details());
+    choices.range(Optional.empty());
+    assertEquals(Optional.empty(), choices.options().rendering().range());
+  }
+
+  @Test
+  void aRangeThatIsNoneFollowsThePicture() {
+    context.settings().set(CameraOptions.RANGE, CameraOptions.FIXED);
+    context.settings().set(CameraOptions.RANGE_MIN, 20.0);
+    assertEquals(Optional.empty(), CameraOptions.of(context.settings().current()).rendering().range());
+  }
+
+  @Test
+  void aPictureIsSavedInTheBackground(@TempDir Path folder) throws IOException {
+    Picture room = decoded(Pictures.room(8, 6));
     Path file = folder.resolve("room.png");
-    Saver saver = new Saver();
-    saver.save(room.picture(), file.toString());
+    Saver saver = new Saver(Runnable::run);
+    saver.save(room, Saver.Part.COLORS, file.toString());
     assertEquals(Optional.of("saved " + file), saver.tick(0));
-    Decoding again = PictureDecoder.decode(
-        new CompressedImage(new FrameId("Keira", "camera"), "png", Bytes.of(Files.readAllBytes(file))));
-    assertEquals(room.picture().values().at(7, 5), assertInstanceOf(Decoding.Decoded.class, again).picture().values().at(7, 5));
+    Picture again = decoded(new CompressedImage(new FrameId("Keira", "camera"), "png", Bytes.of(Files.readAllBytes(file))));
+    assertEquals(room.values().at(7, 5), again.values().at(7, 5));
     assertEquals(Optional.empty(), saver.tick(5_000_000_000L));
-    saver.save(room.picture(), folder.resolve("none/room.png").toString());
+    saver.save(room, Saver.Part.COLORS, folder.resolve("none/room.png").toString());
     assertTrue(saver.tick(6_000_000_000L).orElseThrow().startsWith("cannot save "));
+    saver.save(room, Saver.Part.NUMBERS, file.toString());
+    assertTrue(saver.tick(7_000_000_000L).orElseThrow().endsWith("no numbers of 16 bits"));
+  }
+
+  private static Picture decoded(Image image) {
+    return assertInstanceOf(Decoding.Decoded.class, new PictureDecoder().decode(image, Rendering.USUAL)).picture();
+  }
+
+  private static RawImage depth() {
+    return Pictures.raw(PixelEncoding.U16C1, 2, 1, new byte[] {1, 4, 0, 8});
   }
 
   private void match(MatchState state, List<SourceId> candidates) {

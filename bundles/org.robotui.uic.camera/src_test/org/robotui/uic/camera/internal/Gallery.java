@@ -1,13 +1,16 @@
 package org.robotui.uic.camera.internal;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.layout.FillLayout;
-import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.graphics.ImageData;
+import org.eclipse.swt.graphics.ImageLoader;
 import org.eclipse.swt.widgets.Display;
-import org.eclipse.swt.widgets.Event;
-import org.eclipse.swt.widgets.Shell;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
 import org.robotui.api.host.RuicSnapshot;
@@ -18,62 +21,106 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.Bytes;
 import org.robotui.data.CompressedImage;
 import org.robotui.data.FrameId;
+import org.robotui.data.Image;
+import org.robotui.data.PixelEncoding;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.Pictures;
-import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
-import org.robotui.ui.UiContext;
 
-/** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light}. */
+/** Paints the view in all its states into files, for people to look at: {@code Gallery FOLDER [FILE.jpg]}. */
 final class Gallery {
-  private final Shell shell;
+  private final Display display;
   private final Theme theme;
+  private final Path folder;
 
-  private Gallery(Shell shell, Theme theme) {
-    this.shell = shell;
+  private Gallery(Display display, Theme theme, Path folder) {
+    this.display = display;
     this.theme = theme;
+    this.folder = folder;
   }
 
-  public static void main(String[] arguments) {
+  public static void main(String[] arguments) throws IOException {
     Display display = new Display();
-    Theme theme = Themes.of(display, arguments[0]);
-    Shell shell = new Shell(display, SWT.NO_TRIM);
-    shell.setBounds(0, 0, 1600, 1000);
-    shell.setBackground(theme.color(Role.LINE));
-    new Gallery(shell, theme).fill();
-    shell.open();
-    while (!shell.isDisposed()) {
-      if (!display.readAndDispatch()) {
-        display.sleep();
+    Files.createDirectories(Path.of(arguments[0]));
+    for (String id : Themes.ids()) {
+      Theme theme = Themes.of(display, id);
+      Gallery gallery = new Gallery(display, theme, Path.of(arguments[0]));
+      gallery.states();
+      gallery.depth();
+      if (arguments.length > 1) {
+        gallery.real(Files.readAllBytes(Path.of(arguments[1])));
       }
+      theme.dispose();
     }
+    display.dispose();
   }
 
-  private void fill() {
-    cell(0, 0, c -> c.input(CameraType.IMAGE).put(Pictures.room(320, 240)));
-    cell(534, 0, c -> {
-      c.input(CameraType.IMAGE).put(Pictures.room(320, 240));
+  private void states() throws IOException {
+    picture("live", 528, 328, c -> put(c, Pictures.room(320, 240)), s -> { });
+    picture("stale", 528, 328, c -> {
+      put(c, Pictures.room(320, 240));
       c.input(CameraType.IMAGE).state(new InputState.Stale(2.1, "the link is lost"));
+    }, s -> s.mouse(SWT.MouseMove, 300, 150));
+    picture("ambiguous", 528, 328, Gallery::ambiguous, s -> { });
+    picture("empty", 528, 328, c -> { }, s -> { });
+    picture("waiting", 528, 328, c -> c.input(CameraType.IMAGE).state(
+        new InputState.Waiting("/camera/image_raw has a publisher, no picture came yet")), s -> { });
+    picture("broken", 528, 328,
+        c -> put(c, new CompressedImage(new FrameId("Keira", "camera"), "jpeg", Bytes.of(new byte[3]))), s -> { });
+    picture("near", 528, 328, c -> put(c, Pictures.room(64, 48)), s -> {
+      for (int i = 0; i < 6; i++) {
+        s.wheel(3, 330, 90);
+      }
+      s.mouse(SWT.MouseMove, 330, 90);
     });
-    cell(1068, 0, Gallery::ambiguous);
-    cell(0, 334, c -> { });
-    cell(534, 334, c -> c.input(CameraType.IMAGE).state(new InputState.Waiting("/camera/image_raw has a publisher, no picture came yet")));
-    cell(1068, 334, c -> c.input(CameraType.IMAGE).put(
-        new CompressedImage(new FrameId("Keira", "camera"), "jpeg", Bytes.of(new byte[3]))));
-    Composite near = cell(0, 668, c -> c.input(CameraType.IMAGE).put(Pictures.room(64, 48)));
-    for (int i = 0; i < 5; i++) {
-      send(near, SWT.MouseVerticalWheel, 3);
-    }
-    send(near, SWT.MouseMove, 0);
+    picture("narrow", 260, 200, c -> put(c, Scenes.depth(PixelEncoding.U16C1, 320, 240)), s -> s.mouse(SWT.MouseMove, 130, 150));
   }
 
-  private static void send(Composite part, int type, int count) {
-    Event event = new Event();
-    event.x = 330;
-    event.y = 90;
-    event.count = count;
-    ((Composite) part.getChildren()[0]).getChildren()[0].notifyListeners(type, event);
+  private void depth() throws IOException {
+    picture("depth", 700, 440, c -> put(c, Scenes.depth(PixelEncoding.U16C1, 640, 400)), s -> s.mouse(SWT.MouseMove, 410, 270));
+    picture("viridis", 700, 440, c -> {
+      put(c, Scenes.depth(PixelEncoding.F32C1, 640, 400));
+      c.settings().set(CameraOptions.DETAILS, true);
+    }, s -> {
+      s.key('c');
+      s.key('r');
+      s.mouse(SWT.MouseMove, 640, 27);
+    });
+    picture("grey", 700, 440, c -> {
+      put(c, Scenes.depth(PixelEncoding.F32C1, 640, 400));
+      c.settings().set(CameraOptions.COLOR_MAP, "grey");
+      c.settings().set(CameraOptions.ZOOM, "actual");
+    }, s -> { });
+    CameraStage speed = new CameraStage(display, theme, 700, 440);
+    speed.open();
+    StringBuilder times = new StringBuilder();
+    for (int i = 0; i < 60; i++) {
+      put(speed.context, Scenes.depth(PixelEncoding.U16C1, 1280, 720));
+      long start = System.nanoTime();
+      speed.uic.tick(start);
+      double ticked = (System.nanoTime() - start) * 1e-6;
+      speed.show();
+      times.append(String.format(Locale.ROOT, "tick %.1f ms, paint %.1f ms%n", ticked, speed.canvas().paintNanos() * 1e-6));
+    }
+    Files.writeString(folder.resolve("timing-" + theme.id() + ".txt"), times);
+    speed.close();
+  }
+
+  private void real(byte[] file) throws IOException {
+    picture("jpeg", 800, 600, c -> put(c, new CompressedImage(new FrameId("Keira", "left_optical"), "jpeg", Bytes.of(file))),
+        s -> s.mouse(SWT.MouseMove, 400, 300));
+    picture("bayer", 800, 600, c -> put(c, Scenes.bayer(file)), s -> s.mouse(SWT.MouseMove, 400, 300));
+    picture("bayer-near", 800, 600, c -> put(c, Scenes.bayer(file)), s -> {
+      for (int i = 0; i < 11; i++) {
+        s.wheel(3, 400, 300);
+      }
+      s.mouse(SWT.MouseMove, 400, 300);
+    });
+  }
+
+  private static void put(FakeUicContext context, Image image) {
+    context.input(CameraType.IMAGE).put(image);
   }
 
   private static void ambiguous(FakeUicContext context) {
@@ -86,26 +133,18 @@ final class Gallery {
     context.input(CameraType.IMAGE).state(new InputState.Unconnected("camera needs one Image, three are offered"));
   }
 
-  private Composite cell(int x, int y, Consumer<FakeUicContext> prepare) {
-    FakeUicContext context = new FakeUicContext("camera", new CameraType().schema());
-    prepare.accept(context);
-    Composite part = new Composite(shell, SWT.NONE);
-    part.setBounds(x, y, 528, 328);
-    part.setLayout(new FillLayout());
-    CameraUic uic = new CameraUic(context);
-    uic.tick(System.nanoTime());
-    uic.createControl(part, new UiContext() {
-      @Override
-      public Theme theme() {
-        return theme;
-      }
-
-      @Override
-      public void note(String text) {
-        part.setData(text);
-      }
-    });
-    part.layout(true, true);
-    return part;
+  private void picture(String name, int width, int height, Consumer<FakeUicContext> prepare, Consumer<CameraStage> act)
+      throws IOException {
+    CameraStage stage = new CameraStage(display, theme, width, height);
+    prepare.accept(stage.context);
+    stage.open();
+    act.accept(stage);
+    stage.show();
+    stage.show();
+    Optional<ImageData> data = Optional.of(stage.picture());
+    ImageLoader loader = new ImageLoader();
+    loader.data = new ImageData[] {data.get()};
+    loader.save(folder.resolve(name + "-" + theme.id() + ".png").toString(), SWT.IMAGE_PNG);
+    stage.close();
   }
 }

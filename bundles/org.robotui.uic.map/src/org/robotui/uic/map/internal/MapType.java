@@ -1,44 +1,24 @@
 package org.robotui.uic.map.internal;
 
-import java.util.List;
 import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
-import org.robotui.api.config.Schema;
 import org.robotui.api.config.Settings;
-import org.robotui.api.port.Port;
 
 /** The map: what robots know of the floor around them, seen from above. */
 @Component(service = UicType.class)
 public final class MapType implements UicType {
   private static final double RATE_HZ = 30;
 
-  private final Schema schema = MapOptions.schema();
+  private static final Descriptor DESCRIPTOR = new Descriptor("map", "Map",
+      "Grid maps, scans, sonars, ways and robots from above; measures, and sends goals and initial poses.",
+      MapOptions.schema(), MapPorts.ALL);
 
   @Override
-  public String id() {
-    return "map";
-  }
-
-  @Override
-  public String label() {
-    return "Map";
-  }
-
-  @Override
-  public String help() {
-    return "Grid maps, scans, sonars, ways and robots from above; measures, and sends goals and initial poses.";
-  }
-
-  @Override
-  public Schema schema() {
-    return schema;
-  }
-
-  @Override
-  public List<Port> ports() {
-    return MapPorts.ALL;
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
   }
 
   @Override

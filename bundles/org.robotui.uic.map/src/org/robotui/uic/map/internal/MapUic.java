@@ -8,9 +8,9 @@ import org.robotui.api.UicContext;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.scene.Commander;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.view.Choices;
-import org.robotui.uic.map.internal.view.Commander;
 import org.robotui.uic.map.internal.view.MapActions;
 import org.robotui.uic.map.internal.view.MapCanvas;
 
@@ -25,7 +25,7 @@ final class MapUic implements SwtUic {
   MapUic(UicContext context) {
     model = new MapModel(context);
     choices = new Choices(context.settings());
-    commander = new Commander(context);
+    commander = new Commander(context, MapPorts.GOAL, MapPorts.INITIAL_POSE);
   }
 
   @Override

@@ -2,14 +2,12 @@ package org.robotui.uic.map.internal;
 
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.graphics.GC;
-import org.eclipse.swt.graphics.Image;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
-import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Shell;
+import org.robotui.testkit.CanvasHands;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.PaintedCanvas;
@@ -54,17 +52,7 @@ final class MapStage {
   }
 
   void open() {
-    control = Optional.of(uic.createControl(shell, new UiContext() {
-      @Override
-      public Theme theme() {
-        return theme;
-      }
-
-      @Override
-      public void note(String text) {
-        note = text;
-      }
-    }));
+    control = Optional.of(uic.createControl(shell, UiContext.of(theme, text -> note = text)));
     shell.open();
     settle();
   }
@@ -90,21 +78,11 @@ final class MapStage {
   }
 
   void mouse(int type, int button, int x, int y) {
-    Event event = new Event();
-    event.button = button;
-    event.x = x;
-    event.y = y;
-    canvas().notifyListeners(type, event);
-    settle();
+    hands().mouse(type, button, x, y);
   }
 
   void wheel(int count, int x, int y) {
-    Event event = new Event();
-    event.count = count;
-    event.x = x;
-    event.y = y;
-    canvas().notifyListeners(SWT.MouseVerticalWheel, event);
-    settle();
+    hands().wheel(count, x, y);
   }
 
   boolean checked(String id) {
@@ -114,36 +92,22 @@ final class MapStage {
   }
 
   void key(char character) {
-    Event event = new Event();
-    event.character = character;
-    canvas().notifyListeners(SWT.KeyDown, event);
-    settle();
+    hands().key(character);
   }
 
-  /** Runs what the display thread has to do until the canvas has painted what was asked for. */
   void settle() {
     if (control.isPresent() && !control.get().isDisposed()) {
-      long before = canvas().paints();
-      canvas().requestPaint();
-      long deadline = System.nanoTime() + 5_000_000_000L;
-      while (canvas().paints() == before && System.nanoTime() < deadline) {
-        if (!display.readAndDispatch()) {
-          Thread.onSpinWait();
-        }
-      }
+      hands().settle();
     }
   }
 
   ImageData picture() {
     settle();
-    Control shown = control.orElseThrow();
-    Image image = new Image(display, shown.getSize().x, shown.getSize().y);
-    GC gc = new GC(shown);
-    gc.copyArea(image, 0, 0);
-    gc.dispose();
-    ImageData data = image.getImageData();
-    image.dispose();
-    return data;
+    return CanvasHands.picture(control.orElseThrow());
+  }
+
+  private CanvasHands hands() {
+    return new CanvasHands(canvas(), canvas()::paints, canvas()::requestPaint);
   }
 
   void close() {

@@ -59,6 +59,24 @@ class MapSwtTest {
   }
 
   @Test
+  void whatLayersSayStandsOnAGroundOfItsOwn() {
+    RGB edge = theme.palette().rgb(Role.LINE);
+    assertFalse(atUpperLeft(stage.picture()).contains(edge), "nothing to say");
+    stage.context.input(MapPorts.SCAN).state(DemoRoom.source("scan"), new InputState.Stale(2.1, "late"));
+    stage.tick();
+    assertTrue(atUpperLeft(stage.picture()).contains(edge));
+  }
+
+  /** What is seen on a short way from the left, through the edge of such a ground into it. */
+  private static Set<RGB> atUpperLeft(ImageData picture) {
+    Set<RGB> seen = new HashSet<>();
+    for (int x = Theme.EDGE - 2; x < Theme.EDGE + 3; x++) {
+      seen.add(picture.palette.getRGB(picture.getPixel(x, 2 * Theme.EDGE)));
+    }
+    return seen;
+  }
+
+  @Test
   void everyStateLooksDifferent() {
     Set<Integer> pictures = new HashSet<>();
     pictures.add(hash());

@@ -1,5 +1,6 @@
 package org.robotui.uic.status.internal;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -31,22 +32,27 @@ final class BatteryRows {
     if (health == Health.OK) {
       health = battery.map(b -> health(b.charge(), low)).orElse(Health.WAITING);
     }
-    String figures = battery.map(BatteryRows::figures).orElse(StateView.word(state));
-    String text = health == Health.STALE ? StateView.word(state) + "  " + figures : figures;
-    return new Row.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN), text,
-        source + "\nBattery, charge in % of full, V, A (negative when discharging)\n" + text);
+    String age = health == Health.STALE ? StateView.word(state) : "";
+    List<String> texts = battery.map(b -> texts(b, age)).orElseGet(() -> List.of(StateView.word(state)));
+    return new Row.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN), texts,
+        source + "\nBattery, charge in % of full, V, A (negative when discharging)\n" + texts.getFirst());
   }
 
   private static Health health(double charge, double low) {
     return charge < low / 2 ? Health.BAD : charge < low ? Health.WARNING : Health.OK;
   }
 
-  private static String figures(Battery battery) {
-    return Stream.of(
-            figure(battery.charge() * PERCENT, 0, "%"), figure(battery.voltage(), 1, "V"), figure(battery.current(), 1, "A"),
-            status(battery.status()))
-        .filter(text -> !text.isEmpty())
-        .collect(Collectors.joining("  "));
+  private static List<String> texts(Battery battery, String age) {
+    String charge = figure(battery.charge() * PERCENT, 0, "%");
+    String voltage = figure(battery.voltage(), 1, "V");
+    String current = figure(battery.current(), 1, "A");
+    String status = status(battery.status());
+    return Stream.of(line(age, charge, voltage, current, status), line(age, charge, voltage, status), line(age, charge, status), line(age, charge))
+        .distinct().toList();
+  }
+
+  private static String line(String... parts) {
+    return Stream.of(parts).filter(text -> !text.isEmpty()).collect(Collectors.joining("  "));
   }
 
   private static String figure(double value, int decimals, String unit) {

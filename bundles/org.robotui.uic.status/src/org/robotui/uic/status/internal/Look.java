@@ -9,10 +9,13 @@ import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.port.PortKind;
+import org.robotui.data.DataType;
+import org.robotui.data.LogEntry;
 import org.robotui.ui.Health;
+import org.robotui.ui.MatchLook;
 
 /**
- * All that the view shows, at one moment.
+ * All that the view knows, at one moment.
  *
  * @param ruic how the robot's interface is doing
  * @param batteries a line each
@@ -21,6 +24,13 @@ import org.robotui.ui.Health;
  */
 record Look(RuicSnapshot ruic, List<Row> batteries, Optional<String> stoppedBy, boolean connections) {
   private static final String UNUSED = "OFFERED, NOT USED BY A VIEW";
+  private static final String LOGS = "LOGS OF THE ROBOT'S PROGRAMS";
+  private static final String LOG_TYPE = DataType.of(LogEntry.class).name();
+
+  /** What is seen of it. */
+  Page page(String filter) {
+    return new Page(rows(filter), trouble(), note(), stoppedBy, connections);
+  }
 
   /** The lines that contain some words, in an order that does not change with the values. */
   List<Row> rows(String filter) {
@@ -29,20 +39,23 @@ record Look(RuicSnapshot ruic, List<Row> batteries, Optional<String> stoppedBy, 
   }
 
   /** What is said where there is nothing to list, with its dot. */
-  Optional<Trouble> trouble() {
+  Optional<Page.Trouble> trouble() {
     if (ruic.state() == RuicState.FAILED) {
-      return Optional.of(new Trouble(Health.BAD, ruic.name() + " failed", ruic.reason()));
+      return Optional.of(new Page.Trouble(Health.BAD, ruic.name() + " failed", ruic.reason()));
     }
     boolean nothing = ruic.components().isEmpty() && ruic.ports().isEmpty() && ruic.matches().isEmpty();
     return nothing
-        ? Optional.of(new Trouble(Health.NONE, "Nothing configured", "Add a robot interface, for example ros, to " + ruic.name() + "."))
+        ? Optional.of(new Page.Trouble(Health.NONE, "Nothing configured", "Add a robot interface, for example ros, to " + ruic.name() + "."))
         : Optional.empty();
   }
 
   /** What stands at the right of the view's title. */
   String note() {
-    long used = ruic.ports().stream().filter(PortStatus::wanted).count();
-    return "link " + ruic.link().word() + " \u00b7 " + used + " of " + ruic.ports().size() + " ports in use";
+    // Calls and lists are always there: only what flows is in use or not.
+    List<PortStatus> flows = ruic.ports().stream()
+        .filter(port -> port.kind() == PortKind.STREAM || port.kind() == PortKind.COMMAND).toList();
+    long used = flows.stream().filter(PortStatus::wanted).count();
+    return "link " + ruic.link().word() + " \u00b7 " + used + " of " + flows.size() + " ports in use";
   }
 
   private List<Row> connectionRows() {
@@ -51,36 +64,42 @@ record Look(RuicSnapshot ruic, List<Row> batteries, Optional<String> stoppedBy, 
 
   private List<Row> statusRows(String wanted) {
     List<Row> rows = new ArrayList<>();
+    boolean several = several();
     ruic.components().stream().flatMap(LinkRows::of).forEach(rows::add);
     rows.addAll(batteries);
-    ports(true).map(this::row).forEach(rows::add);
-    ruic.matches().stream().filter(MatchRows::missing).map(MatchRows::note).forEach(rows::add);
-    List<Row> unused = ports(false).map(this::row).filter(row -> fits(row, wanted)).toList();
-    if (!unused.isEmpty()) {
-      rows.add(new Row.Head(UNUSED));
-      rows.addAll(unused);
-    }
+    ports(true).map(port -> new PortRow(port, several)).forEach(rows::add);
+    ruic.matches().stream().filter(MatchLook::missing).map(MatchRows::note).forEach(rows::add);
+    section(UNUSED, ports(false).map(port -> new PortRow(port, several)), wanted, rows);
+    section(LOGS, shown().filter(Look::isLog).map(port -> new PortRow(port, several)), wanted, rows);
     return rows;
   }
 
-  private Stream<PortStatus> ports(boolean wanted) {
-    return ruic.ports().stream().filter(port -> port.wanted() == wanted && port.kind() != PortKind.BROWSE);
+  private static void section(String head, Stream<Row> ports, String wanted, List<Row> rows) {
+    List<Row> section = ports.filter(row -> fits(row, wanted)).toList();
+    if (!section.isEmpty()) {
+      rows.add(new Row.Head(head));
+      rows.addAll(section);
+    }
   }
 
-  private Row row(PortStatus port) {
-    return PortRows.of(port, ruic.ports().stream().map(p -> p.port().component()).distinct().count() > 1);
+  private Stream<PortStatus> ports(boolean wanted) {
+    return shown().filter(port -> port.wanted() == wanted && !isLog(port));
+  }
+
+  private Stream<PortStatus> shown() {
+    return ruic.ports().stream().filter(port -> port.kind() != PortKind.BROWSE);
+  }
+
+  /** What the robot's programs write is no measurement of the robot. */
+  private static boolean isLog(PortStatus port) {
+    return port.typeName().equals(LOG_TYPE);
+  }
+
+  private boolean several() {
+    return ruic.ports().stream().map(p -> p.port().component()).distinct().limit(2).count() > 1;
   }
 
   private static boolean fits(Row row, String wanted) {
-    return row instanceof Row.Head || row.details().toLowerCase(Locale.ROOT).contains(wanted);
+    return wanted.isEmpty() || row.says(wanted);
   }
-
-  /**
-   * Why there is nothing to list.
-   *
-   * @param health the dot
-   * @param title a few words
-   * @param sentence what would help
-   */
-  record Trouble(Health health, String title, String sentence) {}
 }

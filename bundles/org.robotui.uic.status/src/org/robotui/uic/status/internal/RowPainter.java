@@ -2,46 +2,66 @@ package org.robotui.uic.status.internal;
 
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
-import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
-import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.RowLook;
+import org.robotui.ui.control.RowWords;
 
 /** Paints lines in columns that stay where they are while the values change. Display thread. */
-final class RowPainter {
-  static final int ROW = 30;
+final class RowPainter implements RowLook<Row> {
+  private static final int ROW = 30;
 
   private static final int LEAD = Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP;
-  private static final int WORD = 76;
+  private static final int WORD = 84;
   private static final int AGE = 52;
   private static final int DROPPED = 92;
   private static final int GAP = 8;
   private static final int ROOM_FOR_DROPPED = 620;
   private static final int ROOM_FOR_AGE = 440;
-  private static final int CHARGE_WIDTH = 72;
+  private static final int CHARGE_WIDTH = 64;
   private static final int CHARGE_HEIGHT = 8;
-  private static final double NAME_SHARE = 0.32;
+  private static final double NAME_SHARE = 0.3;
+  private static final double NARROW_NAME_SHARE = 0.32;
 
   private final Theme theme;
+  private final RowWords words;
 
   RowPainter(Theme theme) {
     this.theme = theme;
+    words = new RowWords(theme);
   }
 
-  void paint(GC gc, Rectangle at, Row row, boolean marked, boolean focused) {
-    if (marked) {
-      gc.setBackground(focused ? theme.mix(Role.ACCENT, Role.PANEL, 0.22) : theme.mix(Role.TEXT, Role.PANEL, 0.07));
-      gc.fillRectangle(at);
-    }
+  @Override
+  public int height() {
+    return ROW;
+  }
+
+  @Override
+  public Object key(Row row) {
+    return row.key();
+  }
+
+  @Override
+  public String text(Row row) {
+    return row.details();
+  }
+
+  @Override
+  public String hint(GC gc, Rectangle at, Row row, int x) {
+    return row instanceof Row.Head ? "" : row.details();
+  }
+
+  @Override
+  public void paint(GC gc, Rectangle at, Row row) {
     gc.setForeground(theme.color(Role.LINE));
     gc.setLineWidth(1);
     gc.drawLine(at.x + Theme.EDGE, at.y + at.height - 1, at.x + at.width - Theme.EDGE, at.y + at.height - 1);
     switch (row) {
-      case Row.Head head -> text(gc, at, Theme.EDGE, at.width - 2 * Theme.EDGE, head.key(), Face.SMALL_STRONG, Role.DIM);
+      case Row.Head head -> words.text(gc, at, Theme.EDGE, at.width - 2 * Theme.EDGE, head.key(), Face.SMALL_STRONG, Role.DIM);
       case Row.Note note -> note(gc, at, note);
       case Row.Item item -> item(gc, at, item);
       case Row.Charge charge -> charge(gc, at, charge);
@@ -50,37 +70,37 @@ final class RowPainter {
 
   private void note(GC gc, Rectangle at, Row.Note note) {
     dot(gc, at, Health.WARNING);
-    text(gc, at, LEAD, at.width - LEAD - Theme.EDGE, note.details(), Face.BODY, note.role());
+    words.text(gc, at, LEAD, at.width - LEAD - Theme.EDGE, note.details(), Face.BODY, note.role());
   }
 
   private void item(GC gc, Rectangle at, Row.Item item) {
     dot(gc, at, item.health());
     int x = name(gc, at, item.name(), item.health());
-    right(gc, at, x, WORD, item.word(), wordRole(item.health()));
+    words.right(gc, at, x, WORD, item.word(), wordRole(item.health()));
     x += WORD + GAP;
     // What has neither age nor losses is a sentence: it needs the room, and nothing can jump.
     boolean columns = !item.age().isEmpty() || !item.dropped().isEmpty();
     if (columns && at.width >= ROOM_FOR_AGE) {
-      right(gc, at, x, AGE, item.age(), item.health() == Health.STALE ? Role.WARNING : Role.DIM);
+      words.right(gc, at, x, AGE, item.age(), item.health() == Health.STALE ? Role.WARNING : Role.DIM);
       x += AGE + GAP;
     }
     if (columns && at.width >= ROOM_FOR_DROPPED) {
-      right(gc, at, x, DROPPED, item.dropped(), Role.WARNING);
+      words.right(gc, at, x, DROPPED, item.dropped(), Role.WARNING);
       x += DROPPED + GAP;
     }
     boolean figures = item.health() == Health.OK || item.health() == Health.STALE;
     Role role = item.health() == Health.BAD ? Role.BAD : item.health() == Health.OK ? Role.TEXT : Role.DIM;
-    text(gc, at, x, at.width - x - Theme.EDGE, item.value(), figures ? Face.FIGURES : Face.BODY, role);
+    words.text(gc, at, x, at.width - x - Theme.EDGE, item.value(), figures ? Face.FIGURES : Face.BODY, role);
   }
 
   private void charge(GC gc, Rectangle at, Row.Charge charge) {
     dot(gc, at, charge.health());
-    int x = name(gc, at, charge.name(), charge.health()) + WORD - CHARGE_WIDTH;
+    int x = name(gc, at, charge.name(), charge.health());
     if (!Double.isNaN(charge.charge())) {
       bar(gc, at.x + x, at.y + (at.height - CHARGE_HEIGHT) / 2, charge.charge(), charge.health());
     }
     x += CHARGE_WIDTH + GAP;
-    text(gc, at, x, at.width - x - Theme.EDGE, charge.text(), Face.FIGURES, charge.health() == Health.OK ? Role.TEXT : charge.health().role());
+    words.first(gc, at, x, at.width - x - Theme.EDGE, charge.texts(), charge.health() == Health.OK ? Role.TEXT : charge.health().role());
   }
 
   private void bar(GC gc, int x, int y, double share, Health health) {
@@ -97,8 +117,8 @@ final class RowPainter {
   }
 
   private int name(GC gc, Rectangle at, String name, Health health) {
-    int end = (int) (at.width * NAME_SHARE);
-    text(gc, at, LEAD, end - LEAD, name, Face.BODY, health == Health.NONE ? Role.DIM : Role.TEXT);
+    int end = (int) (at.width * (at.width >= ROOM_FOR_AGE ? NAME_SHARE : NARROW_NAME_SHARE));
+    words.name(gc, at, LEAD, end - LEAD - GAP, name, Face.BODY, health == Health.NONE ? Role.DIM : Role.TEXT);
     return end;
   }
 
@@ -108,20 +128,5 @@ final class RowPainter {
       case WAITING, NONE -> Role.DIM;
       default -> health.role();
     };
-  }
-
-  private void right(GC gc, Rectangle at, int x, int width, String words, Role role) {
-    gc.setFont(theme.font(Face.FIGURES));
-    String text = TextFit.shorten(gc, words, width);
-    Point size = gc.textExtent(text);
-    gc.setForeground(theme.color(role));
-    gc.drawText(text, at.x + x + width - size.x, at.y + (at.height - size.y) / 2, true);
-  }
-
-  private void text(GC gc, Rectangle at, int x, int width, String words, Face face, Role role) {
-    gc.setFont(theme.font(face));
-    String text = TextFit.shorten(gc, words.replace('\n', ' '), width);
-    gc.setForeground(theme.color(role));
-    gc.drawText(text, at.x + x, at.y + (at.height - gc.textExtent(text).y) / 2, true);
   }
 }

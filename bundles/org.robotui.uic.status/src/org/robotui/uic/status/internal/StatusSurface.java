@@ -2,65 +2,69 @@ package org.robotui.uic.status.internal;
 
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
-import org.eclipse.swt.widgets.Text;
-import org.robotui.ui.Face;
 import org.robotui.ui.Role;
-import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.control.RowList;
 
 /** What is seen of the view while it is shown: a line of controls, and the list. Display thread. */
 final class StatusSurface {
   private static final int WIDEST_FILTER = 180;
+  private static final int ROOM_FOR_FILTER = 460;
+  private static final int ROOM_FOR_TABS = 300;
 
   private final UiContext context;
   private final Composite root;
+  private final Composite bar;
   private final QuietButton ports;
   private final QuietButton connections;
-  private final Text filter;
+  private final FilterField filter;
   private final QuietButton stop;
   private final QuietButton release;
-  private final RowList list;
+  private final RowList<Row> list;
 
   StatusSurface(Composite parent, UiContext context, StatusUic.Actions actions) {
     this.context = context;
-    this.root = new Composite(parent, SWT.NONE);
-    root.setBackground(context.theme().color(Role.PANEL));
-    root.setLayout(layout(1));
-    Composite bar = bar();
+    this.root = Boxes.panel(parent, context.theme(), 1);
+    this.bar = Boxes.bar(root, context.theme(), 6);
     this.ports = new QuietButton(bar, context.theme(), () -> actions.connections(false)).text("Ports");
+    ports.setLayoutData(Boxes.middle());
     this.connections = new QuietButton(bar, context.theme(), () -> actions.connections(true)).text("Connections");
-    this.filter = filter(bar);
+    connections.setLayoutData(Boxes.middle());
+    stretch();
+    this.filter = filter(bar, actions);
     this.stop = button(bar, actions::stop, "Stop").hint("Stops the robot until the stop is released");
     this.release = button(bar, actions::releaseStop, "Release stop").fill(Role.ACCENT);
     sameWidth(stop, release);
-    this.list = new RowList(root, context.theme());
-    list.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
-    filter.addListener(SWT.Modify, e -> list.filter(filter.getText()));
-    filter.addListener(SWT.KeyDown, e -> leave(e.keyCode));
-    list.onFind(filter::setFocus);
+    this.list = new RowList<>(root, context.theme(), new RowPainter(context.theme())).named("Status").onFind(filter::focus);
+    list.control().setLayoutData(Boxes.fill());
+    filter.onDown(list.control()::setFocus);
+    bar.addListener(SWT.Resize, e -> fit());
   }
 
   Control control() {
     return root;
   }
 
-  void show(Look look) {
+  void show(Page page) {
     if (root.isDisposed()) {
       return;
     }
-    context.note(look.note());
-    ports.checked(!look.connections());
-    connections.checked(look.connections());
-    boolean stopped = look.stoppedBy().isPresent();
-    release.hint(look.stoppedBy().map(by -> "Stopped by " + by).orElse("Stopped"));
-    if (seen(stop, !stopped) | seen(release, stopped)) {
+    context.note(page.note());
+    ports.checked(!page.connections());
+    connections.checked(page.connections());
+    boolean stopped = page.stoppedBy().isPresent();
+    release.hint(page.stoppedBy().map(by -> "Stopped by " + by).orElse("Stopped"));
+    if (Boxes.seen(stop, !stopped) | Boxes.seen(release, stopped)) {
       root.layout(true, true);
     }
-    list.show(look);
+    fit();
+    page.trouble().ifPresentOrElse(t -> list.message(t.health(), t.title(), t.sentence()), list::noMessage);
+    list.show(page.rows());
   }
 
   /** The one that replaces the other takes the same room, so that nothing moves. */
@@ -70,54 +74,35 @@ final class StatusSurface {
     ((GridData) other.getLayoutData()).widthHint = width;
   }
 
-  private static boolean seen(QuietButton button, boolean wanted) {
-    GridData data = (GridData) button.getLayoutData();
-    boolean changed = data.exclude == wanted;
-    data.exclude = !wanted;
-    button.setVisible(wanted);
-    return changed;
-  }
-
-  private void leave(int keyCode) {
-    switch (keyCode) {
-      case SWT.ESC -> filter.setText("");
-      case SWT.ARROW_DOWN -> list.control().setFocus();
-      default -> { }
+  /** The stop is never cut: where it is narrow, the filter goes first, then the button of what is shown already. */
+  private void fit() {
+    int width = bar.getClientArea().width;
+    boolean narrow = width < ROOM_FOR_TABS;
+    boolean tabs = Boxes.seen(ports, !narrow || !ports.isChecked()) | Boxes.seen(connections, !narrow || !connections.isChecked());
+    boolean filters = width >= ROOM_FOR_FILTER;
+    if (!filters && !filter.words().isEmpty()) {
+      filter.words("");
+    }
+    if (Boxes.seen(filter, filters) | tabs) {
+      bar.layout();
     }
   }
 
-  private Composite bar() {
-    Composite bar = new Composite(root, SWT.NONE);
-    bar.setBackground(root.getBackground());
-    bar.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
-    GridLayout layout = layout(5);
-    layout.marginWidth = 2 * Theme.STEP;
-    layout.marginHeight = Theme.STEP;
-    layout.horizontalSpacing = Theme.STEP;
-    bar.setLayout(layout);
-    return bar;
+  /** Keeps the tabs at the left and the rest at the right, whichever of them are seen. */
+  private void stretch() {
+    GridData data = Boxes.line(1);
+    data.widthHint = 0;
+    Boxes.panel(bar, context.theme(), 1).setLayoutData(data);
   }
 
-  private static GridLayout layout(int columns) {
-    GridLayout layout = new GridLayout(columns, false);
-    layout.marginWidth = 0;
-    layout.marginHeight = 0;
-    layout.verticalSpacing = 0;
-    return layout;
-  }
-
-  private Text filter(Composite bar) {
-    Text text = new Text(bar, SWT.SINGLE);
-    text.setMessage("Filter");
-    text.setToolTipText("Shows only what contains these words; Esc clears");
-    text.setFont(context.theme().font(Face.BODY));
-    text.setBackground(context.theme().color(Role.GROUND));
-    text.setForeground(context.theme().color(Role.TEXT));
-    GridData data = new GridData(SWT.END, SWT.CENTER, true, false);
+  private FilterField filter(Composite bar, StatusUic.Actions actions) {
+    // A control that is made anew begins without words.
+    actions.filter("");
+    FilterField field = new FilterField(bar, context.theme(), "Filter", actions::filter);
+    GridData data = new GridData(SWT.END, SWT.CENTER, false, false);
     data.widthHint = WIDEST_FILTER;
-    data.minimumWidth = 0;
-    text.setLayoutData(data);
-    return text;
+    field.setLayoutData(data);
+    return field;
   }
 
   private QuietButton button(Composite bar, Runnable action, String text) {

@@ -2,6 +2,7 @@ package org.robotui.uic.status.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
@@ -10,7 +11,6 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
-import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Battery;
 
@@ -29,29 +29,13 @@ public final class StatusType implements UicType {
       Setting.of(LOW_CHARGE, new ValueType.Num(0, 1, ""), 0.25,
           "The fraction of a full battery below which its charge is a warning; below half of it, a fault."));
 
-  @Override
-  public String id() {
-    return "status";
-  }
+  private static final Descriptor DESCRIPTOR = new Descriptor("status", "Status",
+      "Shows links, batteries and every port of a robot, what is missing and why, and stops the robot.",
+      SCHEMA, List.of(BATTERY));
 
   @Override
-  public String label() {
-    return "Status";
-  }
-
-  @Override
-  public String help() {
-    return "Shows links, batteries and every port of a robot, what is missing and why, and stops the robot.";
-  }
-
-  @Override
-  public Schema schema() {
-    return SCHEMA;
-  }
-
-  @Override
-  public List<Port> ports() {
-    return List.of(BATTERY);
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
   }
 
   @Override

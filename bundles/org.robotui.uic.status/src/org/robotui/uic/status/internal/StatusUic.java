@@ -14,24 +14,35 @@ import org.robotui.data.Battery;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 
-/** The view: the tick looks, the surface lists. */
+/** The view: the tick looks and makes the lines, the surface shows them. */
 final class StatusUic implements SwtUic {
   private final UicContext context;
   private final Input<Battery> batteries;
-  private volatile Look look;
+  private volatile String filter = "";
+  private volatile Page page;
+  private Look seen; // only on the tick's thread
+  private String filtered = ""; // only on the tick's thread
   private Optional<StatusSurface> surface = Optional.empty();
 
   StatusUic(UicContext context) {
     this.context = context;
     this.batteries = context.input(StatusType.BATTERY);
-    this.look = look();
+    this.seen = look();
+    this.page = seen.page(filter);
   }
 
   @Override
   public boolean tick(long nowNanos) {
     Look next = look();
-    boolean changed = !next.equals(look);
-    look = next;
+    String words = filter;
+    if (next.equals(seen) && words.equals(filtered)) {
+      return false;
+    }
+    seen = next;
+    filtered = words;
+    Page made = next.page(words);
+    boolean changed = !made.equals(page);
+    page = made;
     return changed;
   }
 
@@ -39,18 +50,22 @@ final class StatusUic implements SwtUic {
   public Control createControl(Composite parent, UiContext ui) {
     StatusSurface made = new StatusSurface(parent, ui, new Actions());
     surface = Optional.of(made);
-    made.show(look);
+    made.show(page);
     return made.control();
   }
 
   @Override
   public void refresh() {
-    surface.ifPresent(s -> s.show(look));
+    surface.ifPresent(s -> s.show(page));
   }
 
   @Override
   public void close() {
     // Nothing is held but memory.
+  }
+
+  Page page() {
+    return page;
   }
 
   private Look look() {
@@ -83,8 +98,13 @@ final class StatusUic implements SwtUic {
       now();
     }
 
+    /** Shows only what contains some words, from the next tick on. */
+    void filter(String words) {
+      filter = words;
+    }
+
     private void now() {
-      look = look();
+      page = look().page(filter);
       refresh();
     }
   }

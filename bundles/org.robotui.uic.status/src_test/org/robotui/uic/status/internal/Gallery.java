@@ -4,45 +4,24 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Display;
-import org.eclipse.swt.widgets.Shell;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Battery;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.testkit.GalleryWindow;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 
 /** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light}. */
-final class Gallery {
-  private final Shell shell;
-  private final Theme theme;
-
-  private Gallery(Shell shell, Theme theme) {
-    this.shell = shell;
-    this.theme = theme;
-  }
-
+record Gallery(GalleryWindow window, Theme theme) {
   public static void main(String[] arguments) {
-    Display display = new Display();
-    Theme theme = Themes.of(display, arguments[0]);
-    Shell shell = new Shell(display, SWT.NO_TRIM);
-    shell.setBounds(0, 0, 1600, 1000);
-    shell.setBackground(theme.color(Role.LINE));
-    new Gallery(shell, theme).fill();
-    shell.open();
-    while (!shell.isDisposed()) {
-      if (!display.readAndDispatch()) {
-        display.sleep();
-      }
-    }
+    GalleryWindow.show(display -> Themes.of(display, arguments[0]), theme -> theme.color(Role.LINE),
+        (window, theme) -> new Gallery(window, theme).fill());
   }
 
   private void fill() {
@@ -77,22 +56,10 @@ final class Gallery {
   private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare) {
     FakeUicContext context = new FakeUicContext("status", new StatusType().schema());
     prepare.accept(context);
-    Composite part = new Composite(shell, SWT.NONE);
-    part.setBounds(x, y, width, height);
-    part.setLayout(new FillLayout());
+    Composite part = window.cell(x, y, width, height);
     StatusUic uic = new StatusUic(context);
     uic.tick(System.nanoTime());
-    uic.createControl(part, new UiContext() {
-      @Override
-      public Theme theme() {
-        return theme;
-      }
-
-      @Override
-      public void note(String text) {
-        part.setData(text);
-      }
-    });
+    uic.createControl(part, UiContext.of(theme, part::setData));
     part.layout(true, true);
   }
 }

@@ -9,10 +9,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Battery;
 import org.robotui.testkit.FakeAuthority;
@@ -67,8 +69,29 @@ class LookTest {
   void portsThatNoViewUsesStandBelowAHeading() {
     List<Row> rows = look(Snapshots.typical(), false).rows("");
     int head = rows.indexOf(rows.stream().filter(Row.Head.class::isInstance).findFirst().orElseThrow());
-    assertEquals(List.of("/rosout", "/imu/data"),
-        rows.subList(head + 1, rows.size()).stream().map(row -> ((Row.Item) row).name()).toList());
+    assertEquals("/imu/data", ((Row.Item) rows.get(head + 1)).name());
+  }
+
+  @Test
+  void logsStandApartFromWhatIsMeasuredUsedOrNot() {
+    List<PortStatus> ports = List.of(
+        Snapshots.port("/rosout", "LogEntry", false, 0, Double.NaN, false, 0, ""),
+        Snapshots.port("/rosout_agg", "LogEntry", true, 3, 0.2, false, 0, "info"),
+        Snapshots.port("/scan", "LaserScan", true, 10, 0.02, false, 0, ""));
+    List<Row> rows = look(Snapshots.of(Snapshots.UP, ports, List.of()), false).rows("");
+    assertEquals(List.of("/scan", "LOGS OF THE ROBOT'S PROGRAMS", "/rosout", "/rosout_agg"),
+        rows.subList(1, rows.size()).stream().map(row -> row instanceof Row.Item item ? item.name() : row.key()).toList());
+  }
+
+  @Test
+  void onlyWhatFlowsIsCountedAsInUse() {
+    List<PortStatus> ports = List.of(
+        Snapshots.port("/scan", "LaserScan", true, 10, 0.02, false, 0, ""),
+        Snapshots.port("/imu", "Imu", false, 0, Double.NaN, false, 0, ""),
+        new PortStatus(POWER, PortKind.COMMAND, "VelocityCommand", true, 1, 1, 1, false, 0, "", ""),
+        new PortStatus(POWER, PortKind.CALL, "ServiceRequest -> ServiceReply", true, 0, 0, Double.NaN, false, 0, "", ""),
+        new PortStatus(POWER, PortKind.BROWSE, "Browser", true, 0, 0, Double.NaN, false, 0, "", ""));
+    assertEquals("link connected \u00b7 2 of 3 ports in use", look(Snapshots.of(Snapshots.UP, ports, List.of()), false).note());
   }
 
   @Test
@@ -90,7 +113,7 @@ class LookTest {
 
   @Test
   void theRowsStayInOrderWhileValuesChange() {
-    List<String> before = look(Snapshots.typical(), false).rows("").stream().map(Row::key).toList();
+    List<Object> before = look(Snapshots.typical(), false).rows("").stream().map(Row::key).toList();
     assertEquals(before, look(Snapshots.typical(), false).rows("").stream().map(Row::key).toList());
     assertEquals(before.size(), before.stream().distinct().count());
   }
@@ -98,21 +121,22 @@ class LookTest {
   @Test
   void aBatteryHasABarAndTurnsFromGoodToWarningToFault() {
     assertEquals(Health.OK, charge(0.87).health());
-    assertEquals("87\u00a0%  14.1\u00a0V  \u22121.2\u00a0A", charge(0.87).text());
+    assertEquals("87\u00a0%  14.1\u00a0V  \u22121.2\u00a0A", charge(0.87).texts().getFirst());
     assertEquals(Health.WARNING, charge(0.2).health());
     assertEquals(Health.BAD, charge(0.1).health());
     assertEquals(Health.OK, charge(Double.NaN).health(), "an unknown charge is no fault");
-    assertEquals("14.1\u00a0V  \u22121.2\u00a0A", charge(Double.NaN).text());
+    assertEquals("14.1\u00a0V  \u22121.2\u00a0A", charge(Double.NaN).texts().getFirst());
   }
 
   @Test
   void aSilentBatteryIsWaitingOrStale() {
     Row.Charge none = (Row.Charge) BatteryRows.of(POWER, "Battery", Optional.empty(), new InputState.Waiting("no value yet"), 0.25);
-    assertEquals("waiting", none.text());
+    assertEquals("waiting", none.texts().getFirst());
     Row.Charge old = (Row.Charge) BatteryRows.of(POWER, "Battery",
         Optional.of(new Battery(14.1, Double.NaN, 0.87, Battery.Status.CHARGING)), new InputState.Stale(9, "silent"), 0.25);
     assertEquals(Health.STALE, old.health());
-    assertEquals("stale 9.0\u00a0s  87\u00a0%  14.1\u00a0V  charging", old.text());
+    assertEquals("stale 9.0\u00a0s  87\u00a0%  14.1\u00a0V  charging", old.texts().getFirst());
+    assertEquals(List.of("stale 9.0\u00a0s  87\u00a0%  charging", "stale 9.0\u00a0s  87\u00a0%"), old.texts().subList(1, 3), "where there is little room");
   }
 
   @Test
@@ -136,6 +160,22 @@ class LookTest {
     assertEquals(Optional.of(FakeAuthority.YOU), context.authority().stoppedBy());
     actions.releaseStop();
     assertEquals(Optional.empty(), context.authority().stoppedBy());
+  }
+
+  @Test
+  void aFilterCountsFromTheNextTickOn() {
+    FakeUicContext context = new FakeUicContext("status", new StatusType().schema());
+    context.ruic().snapshot(Snapshots.typical());
+    StatusUic uic = new StatusUic(context);
+    StatusUic.Actions actions = uic.new Actions();
+    int all = uic.page().rows().size();
+    actions.filter("sonar");
+    assertTrue(uic.tick(0));
+    assertTrue(uic.page().rows().size() < all);
+    actions.filter("");
+    assertTrue(uic.tick(1));
+    assertEquals(all, uic.page().rows().size());
+    assertFalse(uic.tick(2), "nothing new");
   }
 
   private static Row.Charge charge(double share) {

@@ -1,7 +1,8 @@
 package org.robotui.uic.teleop.internal;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.function.Predicate;
+import org.robotui.api.port.InputState;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 
@@ -9,10 +10,10 @@ import org.robotui.ui.StateView;
  * The line below the stick: who drives, and what can be done about it. Always there, so that nothing jumps.
  *
  * @param health the dot
- * @param text a sentence
+ * @param texts what is to be said, the longest first; each shorter one leaves out what matters least
  * @param buttons at most two, the rightmost first
  */
-record Footer(Health health, String text, List<Button> buttons) {
+record Footer(Health health, List<String> texts, List<Button> buttons) {
   /** What can be pressed there. */
   enum Button {
     TAKE("Take control"),
@@ -41,30 +42,51 @@ record Footer(Health health, String text, List<Button> buttons) {
   static Footer of(Look look) {
     return look.stoppedBy().map(Footer::stopped).orElseGet(() -> switch (look.lease()) {
       case Look.Lease.Free f -> free(StateView.showsContent(look.output()));
-      case Look.Lease.Mine m -> mine(look.robot(), look.refusal());
+      case Look.Lease.Mine m -> mine(look);
       case Look.Lease.Other o -> other(o.name(), look.asking());
     });
   }
 
+  /** The whole sentence. */
+  String text() {
+    return texts.getFirst();
+  }
+
+  /** The longest text that fits, else the shortest, which then must be cut. */
+  String fitting(Predicate<String> fits) {
+    return texts.stream().filter(fits).findFirst().orElse(texts.getLast());
+  }
+
   private static Footer stopped(String by) {
-    return new Footer(Health.BAD, "Stopped by " + by, List.of(Button.RELEASE_STOP));
+    return new Footer(Health.BAD, List.of("Stopped by " + by, "Stopped"), List.of(Button.RELEASE_STOP));
   }
 
   private static Footer free(boolean connected) {
     return connected
-        ? new Footer(Health.NONE, "Nobody drives. Drag the stick or hold a key.", List.of(Button.TAKE))
-        : new Footer(Health.NONE, "Nothing to drive", List.of());
+        ? new Footer(Health.NONE, List.of("Nobody drives. Drag the stick or hold a key.", "Nobody drives", "Free"), List.of(Button.TAKE))
+        : new Footer(Health.NONE, List.of("Nothing to drive"), List.of());
   }
 
-  private static Footer mine(String robot, Optional<String> refusal) {
-    return refusal
-        .map(why -> new Footer(Health.WARNING, "Not sent: " + why, List.of(Button.GIVE_BACK)))
-        .orElseGet(() -> new Footer(Health.OK, "You drive " + robot, List.of(Button.GIVE_BACK)));
+  private static Footer mine(Look look) {
+    // What is held but not reached is not driven: the lease alone makes nothing good.
+    if (!StateView.showsContent(look.output())) {
+      // The reason stands in place of the stick.
+      return new Footer(Health.WARNING, List.of("Cannot drive: " + look.output().explanation(), "Cannot drive"), List.of(Button.GIVE_BACK));
+    }
+    if (!(look.output() instanceof InputState.Live)) {
+      return held("Cannot drive", look.output().explanation());
+    }
+    return look.refusal().map(why -> held("Not sent", why))
+        .orElseGet(() -> new Footer(Health.OK, List.of("You drive " + look.robot(), "You drive"), List.of(Button.GIVE_BACK)));
+  }
+
+  private static Footer held(String what, String why) {
+    return new Footer(Health.WARNING, List.of(what + ": " + why), List.of(Button.GIVE_BACK));
   }
 
   private static Footer other(String name, boolean asking) {
     return asking
-        ? new Footer(Health.WARNING, name + " drives. Take over?", List.of(Button.TAKE_OVER, Button.CANCEL))
-        : new Footer(Health.WARNING, name + " drives", List.of(Button.ASK));
+        ? new Footer(Health.WARNING, List.of(name + " drives. Take over?", name + " drives"), List.of(Button.TAKE_OVER, Button.CANCEL))
+        : new Footer(Health.WARNING, List.of(name + " drives"), List.of(Button.ASK));
   }
 }

@@ -59,7 +59,8 @@ final class TeleopPainter {
     int left = area.x + Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP;
     gc.setForeground(theme.color(Role.TEXT));
     gc.setFont(theme.font(Face.BODY));
-    String text = TextFit.shorten(gc, footer.text(), room - left);
+    int width = room - left;
+    String text = TextFit.shorten(gc, footer.fitting(words -> gc.textExtent(words).x <= width), width);
     gc.drawText(text, left, middle - gc.textExtent(text).y / 2, true);
   }
 
@@ -127,8 +128,8 @@ final class TeleopPainter {
       speed(gc, at.row(1), "angular", look.commanded().turn(), look.measured().map(Speed::turn).orElse(Double.NaN), "rad/s");
     }
     if (at.rows() == 4) {
-      words(gc, at.row(2), "keys", focused ? "W A S D, space = stop" : "click, then W A S D", focused ? Role.TEXT : Role.DIM);
-      words(gc, at.row(3), "dead-man", look.held() ? "held" : "hold mouse or key", look.held() ? Role.ACCENT : Role.TEXT);
+      words(gc, at.row(2), "keys", fitting(gc, at.row(2), focused ? "W A S D, space = stop" : "click, then W A S D", "W A S D"), focused ? Role.TEXT : Role.DIM);
+      words(gc, at.row(3), "dead-man", look.held() ? "held" : fitting(gc, at.row(3), "hold mouse or key", "hold"), look.held() ? Role.ACCENT : Role.TEXT);
     }
     if (at.bars() > 0) {
       barLabel(gc, at.bar(0), "speed limit " + Figures.of(look.limits().linear(), 2, "m/s"));
@@ -152,6 +153,12 @@ final class TeleopPainter {
       Point extent = gc.textExtent(text);
       gc.drawText(text, row.x + row.width - extent.x, row.y + (row.height - extent.y) / 2, true);
     }
+  }
+
+  /** What matters least is left out where it is narrow. */
+  private String fitting(GC gc, Rectangle row, String whole, String least) {
+    gc.setFont(theme.font(Face.BODY));
+    return gc.textExtent(whole).x <= row.width - LABEL ? whole : least;
   }
 
   private void words(GC gc, Rectangle row, String label, String text, Role role) {

@@ -42,6 +42,7 @@ final class TeleopSurface {
     this.buttons = new FooterButtons(root, context.theme(), this::pressed);
     new Hands(canvas, driver, this::drivable, this::refresh).listen();
     root.addListener(SWT.Resize, e -> place());
+    canvas.addListener(SWT.MouseMove, e -> tell(e.y));
     // The stick lies below the bars and buttons, and comes first when walking through by key.
     canvas.moveBelow(null);
     root.setTabList(tabs());
@@ -102,6 +103,14 @@ final class TeleopSurface {
     });
     bar.setToolTipText(hint + ": drag, wheel or arrow keys");
     return bar;
+  }
+
+  /** The whole sentence of the footer, which may have been shortened, over the footer alone. */
+  private void tell(int y) {
+    String text = y >= layout().footer().y ? Footer.of(look).text().replace("&", "&&") : "";
+    if (!text.equals(canvas.getToolTipText())) {
+      canvas.setToolTipText(text);
+    }
   }
 
   private Control[] tabs() {

@@ -2,6 +2,7 @@ package org.robotui.uic.teleop.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
@@ -11,7 +12,6 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
-import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Twist;
 import org.robotui.data.VelocityCommand;
@@ -43,29 +43,13 @@ public final class TeleopType implements UicType {
       Setting.of(ACCELERATION_ANGULAR, new ValueType.Num(0.05, 30, "rad/s\u00b2"), 3.0,
           "How suddenly the turning speed may change while the stick is held."));
 
-  @Override
-  public String id() {
-    return "teleop";
-  }
+  private static final Descriptor DESCRIPTOR = new Descriptor("teleop", "Teleop",
+      "Drives a mobile base by an on-screen stick or by keys, as long as they are held.",
+      SCHEMA, List.of(CMD_VEL, ODOM));
 
   @Override
-  public String label() {
-    return "Teleop";
-  }
-
-  @Override
-  public String help() {
-    return "Drives a mobile base by an on-screen stick or by keys, as long as they are held.";
-  }
-
-  @Override
-  public Schema schema() {
-    return SCHEMA;
-  }
-
-  @Override
-  public List<Port> ports() {
-    return List.of(CMD_VEL, ODOM);
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
   }
 
   @Override

@@ -16,6 +16,7 @@ import org.robotui.data.VelocityCommand;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.ui.Health;
 import org.robotui.uic.teleop.internal.Footer.Button;
 
 class DriverTest {
@@ -225,5 +226,31 @@ class DriverTest {
     Look look = driver.look(0);
     assertEquals(0.1, look.limits().linear());
     assertEquals(0.2, look.limits().angular());
+  }
+
+  @Test
+  void whoHoldsTheLeaseOfALostRobotDoesNotDriveIt() {
+    driver.take();
+    assertEquals(Health.OK, Footer.of(driver.look(0)).health());
+    output.state(new InputState.Waiting("base.cmd: no link (retry 4 s)"));
+    Footer footer = Footer.of(driver.look(0));
+    assertEquals(Health.WARNING, footer.health());
+    assertEquals("Cannot drive: base.cmd: no link (retry 4 s)", footer.text());
+    assertEquals(List.of(Button.GIVE_BACK), footer.buttons());
+    output.state(new InputState.Stale(2, "the link is lost"));
+    assertEquals("Cannot drive: the link is lost", Footer.of(driver.look(0)).text());
+  }
+
+  @Test
+  void theFooterLeavesOutWhatMattersLeastWhereItIsNarrow() {
+    Footer free = Footer.of(driver.look(0));
+    assertEquals("Nobody drives. Drag the stick or hold a key.", free.fitting(text -> true));
+    assertEquals("Nobody drives", free.fitting(text -> text.length() < 20));
+    assertEquals("Free", free.fitting(text -> false));
+    driver.take();
+    output.state(new InputState.Stale(2, "the link is lost"));
+    assertEquals("Cannot drive: the link is lost", Footer.of(driver.look(0)).fitting(text -> false), "a reason is cut, not left out");
+    output.state(new InputState.Waiting("base.cmd: no link (retry 4 s)"));
+    assertEquals("Cannot drive", Footer.of(driver.look(0)).fitting(text -> false), "but where it stands above already");
   }
 }

@@ -1,44 +1,23 @@
 package org.robotui.uic.teleop.internal;
 
 import java.util.function.Consumer;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Display;
-import org.eclipse.swt.widgets.Shell;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
 import org.robotui.data.VelocityCommand;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.testkit.GalleryWindow;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 
 /** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light}. */
-final class Gallery {
-  private final Shell shell;
-  private final Theme theme;
-
-  private Gallery(Shell shell, Theme theme) {
-    this.shell = shell;
-    this.theme = theme;
-  }
-
+record Gallery(GalleryWindow window, Theme theme) {
   public static void main(String[] arguments) {
-    Display display = new Display();
-    Theme theme = Themes.of(display, arguments[0]);
-    Shell shell = new Shell(display, SWT.NO_TRIM);
-    shell.setBounds(0, 0, 1600, 1000);
-    shell.setBackground(theme.color(Role.LINE));
-    new Gallery(shell, theme).fill();
-    shell.open();
-    while (!shell.isDisposed()) {
-      if (!display.readAndDispatch()) {
-        display.sleep();
-      }
-    }
+    GalleryWindow.show(display -> Themes.of(display, arguments[0]), theme -> theme.color(Role.LINE),
+        (window, theme) -> new Gallery(window, theme).fill());
   }
 
   private void fill() {
@@ -57,6 +36,8 @@ final class Gallery {
     cell(0, 592, 260, 400, c -> c.authority().take(FakeAuthority.YOU, false));
     cell(266, 592, 180, 220, c -> { });
     cell(452, 592, 400, 180, c -> c.authority().take(FakeAuthority.ANNA, false));
+    cell(452, 778, 250, 210, c -> c.authority().take(FakeAuthority.YOU, false),
+        d -> { }, new InputState.Waiting("base./cmd_vel: no link (localhost:11311 refuses the connection, retry 4 s)"));
     cell(858, 592, 360, 290, c -> c.output(TeleopType.CMD_VEL).outcome(() -> new CommandOutcome.Refused(
         CommandOutcome.Why.LINK_DOWN, "the link to localhost:11311 is down, trying again")), d -> {
       d.press(DriveKey.FORWARD_LEFT, 0);
@@ -71,25 +52,18 @@ final class Gallery {
   }
 
   private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare, Consumer<Driver> drive) {
+    cell(x, y, width, height, prepare, drive, new InputState.Live(0, 0));
+  }
+
+  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare, Consumer<Driver> drive, InputState output) {
     FakeUicContext context = new FakeUicContext("teleop", new TeleopType().schema());
+    context.output(TeleopType.CMD_VEL).state(output);
     prepare.accept(context);
     Driver driver = new Driver(context.output(TeleopType.CMD_VEL), context.input(TeleopType.ODOM), context.principal(),
         context.settings());
     drive.accept(driver);
-    Composite part = new Composite(shell, SWT.NONE);
-    part.setBounds(x, y, width, height);
-    part.setLayout(new FillLayout());
-    new TeleopUic(driver, context.settings()).createControl(part, new UiContext() {
-      @Override
-      public Theme theme() {
-        return theme;
-      }
-
-      @Override
-      public void note(String text) {
-        part.setData(text);
-      }
-    });
+    Composite part = window.cell(x, y, width, height);
+    new TeleopUic(driver, context.settings()).createControl(part, UiContext.of(theme, part::setData));
     part.layout();
   }
 }

@@ -70,17 +70,7 @@ class TeleopSwtTest {
     shell = new Shell(display, SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
     shell.setBounds(0, 0, WIDTH, HEIGHT);
-    root = (Composite) uic.createControl(shell, new UiContext() {
-      @Override
-      public Theme theme() {
-        return theme;
-      }
-
-      @Override
-      public void note(String text) {
-        note = text;
-      }
-    });
+    root = (Composite) uic.createControl(shell, UiContext.of(theme, text -> note = text));
     canvas = (PaintedCanvas) root.getTabList()[0];
     shell.open();
     settle();

@@ -46,6 +46,9 @@ record PortTable(List<PortStatus> ports, boolean types) {
 
   /** The dot, as a word. */
   private static String state(PortStatus port) {
+    if (port.stale()) {
+      return "stale";
+    }
     if (!port.problem().isEmpty()) {
       return "failed";
     }
@@ -55,11 +58,11 @@ record PortTable(List<PortStatus> ports, boolean types) {
     if (port.count() == 0) {
       return port.wanted() ? "waiting" : "offered";
     }
-    return port.stale() ? "stale" : "ok";
+    return "ok";
   }
 
   private static String value(PortStatus port) {
-    return port.problem().isEmpty() ? port.value() : port.problem();
+    return port.stale() || port.problem().isEmpty() ? port.value() : port.problem();
   }
 
   private static String rate(PortStatus port) {

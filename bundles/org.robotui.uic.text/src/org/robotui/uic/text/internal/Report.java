@@ -2,6 +2,8 @@ package org.robotui.uic.text.internal;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Match;
@@ -16,19 +18,23 @@ import org.robotui.api.link.LinkState;
  *
  * @param ruic how the robot's interface is doing
  * @param standing who drives
+ * @param alarms what somebody should see
  * @param unused whether ports are listed that no view uses
  * @param types whether types are listed where there is room
  */
-record Report(RuicSnapshot ruic, Standing standing, boolean unused, boolean types) {
+record Report(RuicSnapshot ruic, Standing standing, Alarms alarms, boolean unused, boolean types) {
   private static final int ROOM_FOR_TYPES = 100;
   private static final int SHARE_OF_TROUBLES = 3;
+  private static final int SHARE_OF_ALARMS = 3;
 
   List<String> lines(int columns, int rows) {
     List<String> head = head(columns);
     List<String> troubles = troubles();
     int kept = Math.min(troubles.size(), Math.max(0, (rows - head.size()) / SHARE_OF_TROUBLES));
     List<String> lines = new ArrayList<>(head);
-    lines.addAll(limited(ports(columns), Math.max(0, rows - head.size() - kept), "ports"));
+    int most = Math.max(0, (rows - head.size()) / SHARE_OF_ALARMS);
+    lines.addAll(limited(alarms.lines(), most, "alerts"));
+    lines.addAll(limited(ports(columns), Math.max(0, rows - lines.size() - kept), "ports"));
     lines.addAll(limited(troubles, Math.max(0, rows - lines.size()), "reasons"));
     return lines.stream().limit(Math.max(0, rows)).map(line -> Columns.cut(line.stripTrailing(), columns)).toList();
   }
@@ -74,10 +80,27 @@ record Report(RuicSnapshot ruic, Standing standing, boolean unused, boolean type
 
   private List<String> troubles() {
     // Views for windows do not run here: that is said last, after what the robot offers.
-    return Stream.concat(
+    return Stream.of(
             ruic.matches().stream().filter(match -> match.state() != MatchState.CONNECTED).map(Report::trouble),
-            ruic.components().stream().filter(Report::isView).flatMap(Report::component))
-        .toList();
+            views(false).flatMap(Report::component),
+            windowViews().stream())
+        .flatMap(lines -> lines).toList();
+  }
+
+  private Stream<ComponentStatus> views(boolean absent) {
+    return ruic.components().stream().filter(view -> isView(view) && isAbsent(view) == absent);
+  }
+
+  /** Where there are no windows, the types of views for windows are not installed: no fault, and a line is enough. */
+  private static boolean isAbsent(ComponentStatus view) {
+    return view.state() == RuicState.FAILED && view.reason().startsWith("type '" + view.type() + "' is not installed");
+  }
+
+  private Optional<String> windowViews() {
+    String names = views(true)
+        .map(view -> Columns.safe(view.id().equals(view.type()) ? view.id() : view.id() + " (" + view.type() + ")"))
+        .collect(Collectors.joining(", "));
+    return names.isEmpty() ? Optional.empty() : Optional.of("not shown in a terminal, needs a window: " + names);
   }
 
   private static String trouble(Match match) {

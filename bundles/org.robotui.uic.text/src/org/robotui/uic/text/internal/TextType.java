@@ -2,6 +2,7 @@ package org.robotui.uic.text.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
@@ -10,7 +11,6 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
-import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
 
@@ -30,29 +30,13 @@ public final class TextType implements UicType {
       Setting.of(UNUSED, new ValueType.Flag(), true, "Whether ports are listed that no view uses."),
       Setting.of(TYPES, new ValueType.Flag(), true, "Whether the types of ports are listed, where there is room."));
 
-  @Override
-  public String id() {
-    return "text";
-  }
+  private static final Descriptor DESCRIPTOR = new Descriptor("text", "Text",
+      "Shows link, authority and every port of a robot in a terminal.",
+      SCHEMA, List.of(ALL));
 
   @Override
-  public String label() {
-    return "Text";
-  }
-
-  @Override
-  public String help() {
-    return "Shows link, authority and every port of a robot in a terminal.";
-  }
-
-  @Override
-  public Schema schema() {
-    return SCHEMA;
-  }
-
-  @Override
-  public List<Port> ports() {
-    return List.of(ALL);
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
   }
 
   @Override

@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.robotui.api.alert.AlertId;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.ComponentStatus.Kind;
 import org.robotui.api.host.Match;
@@ -32,7 +34,7 @@ class TextViewTest {
     snapshot(connected(), List.of(
             port("/scan", "LaserScan", 1200, 10.0, 0.012, false, 0, "", "min 0.42 m"),
             port("/odom", "Odometry", 6000, 50.1, 0.004, false, 3, "", "0.31 m/s"),
-            port("/battery", "Battery", 60, 1.0, 2.1, true, 0, "", "87 %"),
+            port("/battery", "Battery", 60, 1.0, 2.1, true, 0, "no new value for 2.1 s; the link is up", "87 %"),
             port("/map", "GridMap", 0, 0, Double.NaN, false, 0, "", ""),
             port("/imu", "Imu", 0, 0, Double.NaN, false, 0, "the type is foo/Imu, expected sensor_msgs/Imu", "")),
         List.of(match(MatchState.PENDING, "camera needs Image on 'image'; base offers LaserScan '/scan'")));
@@ -48,6 +50,20 @@ class TextViewTest {
         "waiting  base./map              -       -       0",
         "failed   base./imu              -       -       0  the type is foo/Imu, expect\u2026",
         "waiting  camera.image: camera needs Image on 'image'; base offers LaserScan '/\u2026"), lines(79, 24));
+  }
+
+  @Test
+  void alertsStandAboveThePorts() {
+    snapshot(connected(), List.of(port("/scan", "LaserScan", 1, 10, 0.01, false, 0, "", "v")), List.of());
+    context.alerts().raise("Battery low", "battery charge < 0.2", "battery.charge", "0.18");
+    context.alerts().raise("scan stale", "scan stale", "scan", "nothing for 4.2 s");
+    context.alerts().mute(new AlertId("sound", "scan stale"), Optional.of(Instant.MAX));
+    List<String> lines = lines(120, 24);
+    assertTrue(lines.get(3).startsWith("ALERT    Battery low (battery charge < 0.2)  battery.charge: 0.18  since "), lines.toString());
+    assertTrue(lines.get(3).endsWith(", on"), lines.toString());
+    assertTrue(lines.get(4).startsWith("ALERT    scan stale  scan: nothing for 4.2 s  since "), lines.toString());
+    assertTrue(lines.get(4).endsWith(", on, muted"), lines.toString());
+    assertTrue(lines.get(6).startsWith("state"), lines.toString());
   }
 
   @Test
@@ -120,12 +136,34 @@ class TextViewTest {
   }
 
   @Test
-  void aFailedComponentSaysWhy() {
+  void aFailedViewSaysWhy() {
+    components(view("log", "text", "fenced: did not return within 2 s"));
+    assertTrue(lines(80, 24).contains("  log (text)  failed: fenced: did not return within 2 s"), lines(80, 24).toString());
+  }
+
+  @Test
+  void viewsThatNeedAWindowAreNamedInOneLineAndNotAsFailed() {
+    components(
+        view("map", "map", "type 'map' is not installed; installed are text"),
+        view("front", "camera", "type 'camera' is not installed; installed are text"));
+    assertEquals("not shown in a terminal, needs a window: map, front (camera)", lines(80, 24).getLast());
+    assertFalse(lines(80, 24).toString().contains("failed"));
+  }
+
+  @Test
+  void aViewWhoseBundleWentAwayHasFailed() {
+    components(view("text2", "text", "type 'text' is not there; install or start bundle org.robotui.uic.text"));
+    assertTrue(lines(90, 24).getLast().startsWith("  text2 (text)  failed: type 'text' is not there"), lines(90, 24).toString());
+  }
+
+  private void components(ComponentStatus... views) {
     RuicSnapshot now = context.ruic().snapshot();
-    context.ruic().snapshot(new RuicSnapshot("Keira", RuicState.SELECTED, "", now.link(),
-        List.of(new ComponentStatus("map", "map", Kind.UIC, RuicState.FAILED, "the type 'map' is not installed", Optional.empty())),
-        List.of(), List.of()));
-    assertTrue(lines(80, 24).contains("  map (map)  failed: the type 'map' is not installed"));
+    context.ruic().snapshot(
+        new RuicSnapshot("Keira", RuicState.SELECTED, "", now.link(), List.of(views), List.of(), List.of()));
+  }
+
+  private static ComponentStatus view(String id, String type, String reason) {
+    return new ComponentStatus(id, type, Kind.UIC, RuicState.FAILED, reason, Optional.empty());
   }
 
   private List<String> lines(int columns, int rows) {

@@ -27,6 +27,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** The user should know something. */
     default void alert(String ruic, String message) {}
+
+    /** Something about the window that soon is over. */
+    default void notice(String message) {}
   }
 
   private static final int MOST_EVENTS = 10_000;
@@ -44,6 +47,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** An alert. */
     record Alert(String ruic, String message) implements Event {}
+
+    /** A notice. */
+    record Notice(String message) implements Event {}
   }
 
   private final Executor display;
@@ -89,6 +95,11 @@ public final class HostHub implements HostListener, AutoCloseable {
   }
 
   @Override
+  public void notice(String message) {
+    post(new Event.Notice(message));
+  }
+
+  @Override
   public void close() {
     subscription.close();
     clients.clear();
@@ -124,6 +135,7 @@ public final class HostHub implements HostListener, AutoCloseable {
       case Event.Changed c -> client -> client.ruicChanged(c.ruic());
       case Event.Frame f -> client -> client.frameReady(f.ruic(), f.uic());
       case Event.Alert a -> client -> client.alert(a.ruic(), a.message());
+      case Event.Notice n -> client -> client.notice(n.message());
     };
     clients.forEach(call);
   }

@@ -12,6 +12,7 @@ import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Listener;
 import org.eclipse.swt.widgets.Spinner;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.ui.SpaceKey;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.pane.RuicSurface;
 
@@ -59,7 +60,7 @@ public final class StopKeys implements AutoCloseable {
       case Spinner s -> true;
       case Button b -> true;
       case QuietButton b -> true;
-      default -> false;
+      default -> SpaceKey.isClaimed(control);
     };
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
+import org.robotui.api.link.LinkState;
 import org.robotui.ui.Health;
 
 /**
@@ -13,19 +14,27 @@ import org.robotui.ui.Health;
  * @param words for example {@code You drive Keira}
  */
 public record Lease(Health health, String words) {
-  /** Reads the authorities of a robot, or of none. */
-  public static Lease of(List<Authority> authorities, Principal user) {
+  /** Reads the authorities of a robot, or of none. Who holds the lease of a robot that is not reached drives nothing. */
+  public static Lease of(List<Authority> authorities, LinkState link, Principal user) {
     Optional<Authority> stopped = authorities.stream().filter(a -> a.stoppedBy().isPresent()).findFirst();
     if (stopped.isPresent()) {
       return new Lease(Health.BAD, "Stopped by " + stopped.get().stoppedBy().map(Principal::label).orElse("somebody"));
     }
-    return authorities.isEmpty() ? new Lease(Health.NONE, "Nothing to drive") : of(authorities.getFirst(), user);
+    return authorities.isEmpty() ? new Lease(Health.NONE, "Nothing to drive") : of(authorities.getFirst(), link, user);
   }
 
-  private static Lease of(Authority authority, Principal user) {
+  private static Lease of(Authority authority, LinkState link, Principal user) {
     return authority.holder().map(holder -> holder.equals(user)
-            ? new Lease(Health.OK, "You drive " + authority.robot())
+            ? yours(authority.robot(), link)
             : new Lease(Health.WARNING, holder.label() + " drives " + authority.robot()))
         .orElse(new Lease(Health.WAITING, "Nobody drives " + authority.robot()));
+  }
+
+  private static Lease yours(String robot, LinkState link) {
+    return switch (link) {
+      case LinkState.Connected c -> new Lease(Health.OK, "You drive " + robot);
+      case LinkState.Degraded d -> new Lease(Health.WARNING, "You drive " + robot);
+      default -> new Lease(Health.WARNING, "No link to " + robot);
+    };
   }
 }

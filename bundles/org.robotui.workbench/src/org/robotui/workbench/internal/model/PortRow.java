@@ -2,6 +2,7 @@ package org.robotui.workbench.internal.model;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
@@ -22,12 +23,21 @@ import org.robotui.ui.Health;
  * @param hint all that is known, for the tooltip
  */
 public record PortRow(String name, Health health, String figure, String age, String hint) {
-  /** What views want first, then what they miss, then what nobody looks at. */
+  /** More than this of what nobody looks at is for the views that list all of it. */
+  private static final int MOST_OFFERED = 40;
+
+  /** What views want first, then what they miss, then the first of what nobody looks at. */
   public static List<PortRow> of(RuicSnapshot ruic) {
     Stream<PortRow> wanted = streams(ruic, true).map(PortRow::wanted);
     Stream<PortRow> missing = ruic.matches().stream().filter(PortRow::isMissed).map(PortRow::missing);
-    Stream<PortRow> offered = streams(ruic, false).map(PortRow::offered);
-    return Stream.of(wanted, missing, offered).flatMap(s -> s).toList();
+    Stream<PortRow> offered = streams(ruic, false).limit(MOST_OFFERED).map(PortRow::offered);
+    return Stream.of(wanted, missing, offered, more(ruic).stream()).flatMap(s -> s).toList();
+  }
+
+  private static Optional<PortRow> more(RuicSnapshot ruic) {
+    long more = ruic.ports().stream().filter(p -> p.kind() == PortKind.STREAM && !p.wanted()).count() - MOST_OFFERED;
+    return more <= 0 ? Optional.empty()
+        : Optional.of(new PortRow("and " + more + " more", Health.NONE, "offered", "", "The topics view lists all that the robot has."));
   }
 
   private static Stream<PortStatus> streams(RuicSnapshot ruic, boolean wanted) {

@@ -1,23 +1,20 @@
 package org.robotui.workbench.internal.pane;
 
 import java.util.List;
-import java.util.Locale;
-import java.util.stream.Collectors;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.FillLayout;
-import org.eclipse.swt.widgets.Menu;
-import org.eclipse.swt.widgets.MenuItem;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Table;
 import org.eclipse.swt.widgets.TableColumn;
 import org.eclipse.swt.widgets.TableItem;
 import org.robotui.api.host.Match;
-import org.robotui.api.host.MatchState;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
+import org.robotui.ui.MatchLook;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.PopupMenu;
 
 /**
  * Every connection of a RUIC, and why it is as it is. The context menu of a port connects it to one of those that fit.
@@ -91,9 +88,9 @@ public final class ConnectionsDialog {
     for (int i = 0; i < shown.size(); i++) {
       Match match = shown.get(i);
       TableItem item = table.getItem(i);
-      item.setText(new String[] {word(match.state()), match.port().toString(), match.typeName(), names(match.peers()),
+      item.setText(new String[] {MatchLook.word(match), match.port().toString(), match.typeName(), MatchLook.peers(match),
           match.reason()});
-      item.setForeground(0, theme.color(role(match.state())));
+      item.setForeground(0, theme.color(MatchLook.health(match).role()));
     }
     // The reasons are sentences: as wide as the longest, to be scrolled to, rather than cut.
     table.getColumn(TITLES.length - 1).pack();
@@ -105,30 +102,10 @@ public final class ConnectionsDialog {
       return;
     }
     Match match = shown.get(index);
-    Menu menu = new Menu(table);
+    PopupMenu menu = new PopupMenu(table);
     for (SourceId candidate : match.candidates()) {
-      MenuItem item = new MenuItem(menu, SWT.PUSH);
-      item.setText("Connect to " + candidate);
-      item.addListener(SWT.Selection, e -> ruic.connect(match.port(), candidate));
+      menu.push("Connect to " + candidate, () -> ruic.connect(match.port(), candidate));
     }
-    menu.addListener(SWT.Hide, e -> table.getDisplay().asyncExec(menu::dispose));
-    menu.setVisible(true);
-  }
-
-  private static Role role(MatchState state) {
-    return switch (state) {
-      case CONNECTED -> Role.GOOD;
-      case AMBIGUOUS -> Role.WARNING;
-      case REFUSED -> Role.BAD;
-      case PENDING -> Role.DIM;
-    };
-  }
-
-  private static String word(MatchState state) {
-    return state.name().toLowerCase(Locale.ROOT);
-  }
-
-  private static String names(List<SourceId> ids) {
-    return ids.stream().map(SourceId::toString).collect(Collectors.joining(", "));
+    menu.open();
   }
 }

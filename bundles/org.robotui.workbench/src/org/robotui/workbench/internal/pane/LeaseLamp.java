@@ -11,6 +11,7 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.model.Lease;
 
@@ -75,7 +76,7 @@ final class LeaseLamp extends Canvas {
     gc.setFont(theme.font(Face.BODY));
     gc.setForeground(theme.color(lease.health() == Health.BAD ? Role.BAD : Role.TEXT));
     int left = Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP;
-    String words = Shortened.to(gc, lease.words(), size.x - left - Theme.STEP);
+    String words = TextFit.shorten(gc, lease.words(), size.x - left - Theme.STEP);
     gc.drawText(words, left, (size.y - gc.textExtent(words).y) / 2, true);
   }
 }

@@ -8,13 +8,11 @@ import org.eclipse.swt.custom.ScrolledComposite;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Menu;
-import org.eclipse.swt.widgets.MenuItem;
-import org.robotui.api.host.RuicSnapshot;
 import org.robotui.ui.Face;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.PortRow;
 import org.robotui.workbench.internal.model.RobotRow;
@@ -77,12 +75,11 @@ public final class Navigator extends Composite {
   }
 
   /** Shows robots and the ports of the selected one. */
-  public void show(List<RuicSnapshot> ruics, Optional<String> shown) {
+  public void show(List<RobotRow> rows, Optional<String> shown, List<PortRow> portsOfShown) {
     selected = shown.orElse("");
-    robots.show(ruics.stream().map(RobotRow::of).toList(), selected);
-    Optional<RuicSnapshot> chosen = ruics.stream().filter(r -> r.name().equals(selected)).findFirst();
-    portsHeading.show(Role.DIM, chosen.map(r -> r.name().toUpperCase(Locale.ROOT) + " \u00b7 PORTS").orElse(""));
-    ports.show(chosen.map(PortRow::of).orElse(List.of()));
+    robots.show(rows, selected);
+    portsHeading.show(Role.DIM, shown.map(name -> name.toUpperCase(Locale.ROOT) + " \u00b7 PORTS").orElse(""));
+    ports.show(portsOfShown);
     if (portsHeight() != shownHeight) {
       shownHeight = portsHeight();
       layout(true);
@@ -156,29 +153,21 @@ public final class Navigator extends Composite {
   }
 
   private void contextMenu() {
-    Menu menu = new Menu(this);
-    item(menu, "Open configuration\u2026", actions::open);
+    PopupMenu menu = new PopupMenu(this).push("Open configuration\u2026", actions::open);
     robots.pointed().map(RobotRow::name).ifPresent(name -> robotItems(menu, name));
-    menu.addListener(SWT.Hide, e -> getDisplay().asyncExec(menu::dispose));
-    menu.setVisible(true);
+    menu.open();
   }
 
-  private void robotItems(Menu menu, String name) {
-    new MenuItem(menu, SWT.SEPARATOR);
+  private void robotItems(PopupMenu menu, String name) {
+    menu.line();
     if (name.equals(selected)) {
-      item(menu, "Unselect", () -> actions.unselect(name));
+      menu.push("Unselect", () -> actions.unselect(name));
     } else {
-      item(menu, "Select", () -> actions.select(name));
+      menu.push("Select", () -> actions.select(name));
     }
-    item(menu, "Show connections", () -> actions.connections(name));
-    item(menu, "Restart", () -> actions.restart(name));
-    new MenuItem(menu, SWT.SEPARATOR);
-    item(menu, "Remove", () -> actions.remove(name));
-  }
-
-  private static void item(Menu menu, String label, Runnable action) {
-    MenuItem item = new MenuItem(menu, SWT.PUSH);
-    item.setText(label);
-    item.addListener(SWT.Selection, e -> action.run());
+    menu.push("Show connections", () -> actions.connections(name));
+    menu.push("Restart", () -> actions.restart(name));
+    menu.line();
+    menu.push("Remove", () -> actions.remove(name));
   }
 }

@@ -7,6 +7,7 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.model.PortRow;
 
@@ -58,7 +59,7 @@ public final class PortList extends RowList<PortRow> {
     int left = right(gc, row.figure(), right, top);
     gc.setFont(theme().font(Face.BODY));
     gc.setForeground(theme().color(row.health() == Health.NONE ? Role.DIM : Role.TEXT));
-    String name = Shortened.inTheMiddle(gc, row.name(), left - TEXT_LEFT - Theme.STEP);
+    String name = TextFit.inTheMiddle(gc, row.name(), left - TEXT_LEFT - Theme.STEP);
     gc.drawText(name, TEXT_LEFT, top + (ROW - gc.textExtent(name).y) / 2, true);
   }
 

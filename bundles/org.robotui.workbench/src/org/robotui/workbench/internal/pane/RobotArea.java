@@ -108,7 +108,7 @@ public final class RobotArea extends Composite {
     } else if (now.state() == RuicState.ADDED || now.state() == RuicState.SHUT_DOWN) {
       say(Health.WAITING, ruic.name() + (now.state() == RuicState.ADDED ? " is starting" : " has ended"), "", List.of());
     } else if (surface.filter(s -> s.ruic() == ruic).isPresent() && built.equals(Optional.of(ruic.layout()))) {
-      surface.get().showInstances();
+      surface.get().showInstances(now);
     } else {
       build(ruic);
     }

@@ -11,6 +11,7 @@ import org.eclipse.swt.widgets.Event;
 import org.robotui.ui.Face;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.model.RobotRow;
 
@@ -82,10 +83,10 @@ public final class RobotList extends RowList<RobotRow> {
     int figure = paintFigure(gc, row, top, width);
     gc.setFont(theme().font(chosen ? Face.TITLE : Face.NAME));
     gc.setForeground(theme().color(Role.TEXT));
-    gc.drawText(Shortened.to(gc, row.name(), figure - TEXT_LEFT - Theme.STEP), TEXT_LEFT, top + 7, true);
+    gc.drawText(TextFit.shorten(gc, row.name(), figure - TEXT_LEFT - Theme.STEP), TEXT_LEFT, top + 7, true);
     gc.setFont(theme().font(Face.SMALL));
     gc.setForeground(theme().color(Role.DIM));
-    gc.drawText(Shortened.to(gc, row.second(), width - TEXT_LEFT - Theme.EDGE), TEXT_LEFT, top + 27, true);
+    gc.drawText(TextFit.shorten(gc, row.second(), width - TEXT_LEFT - Theme.EDGE), TEXT_LEFT, top + 27, true);
   }
 
   private int paintFigure(GC gc, RobotRow row, int top, int width) {

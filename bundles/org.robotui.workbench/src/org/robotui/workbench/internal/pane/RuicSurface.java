@@ -1,14 +1,17 @@
 package org.robotui.workbench.internal.pane;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.layout.Layout;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
@@ -49,8 +52,8 @@ public final class RuicSurface extends Composite {
   }
 
   /** Shows the instances that run now; called when the RUIC changed. */
-  public void showInstances() {
-    stacks.forEach(ViewStack::showInstances);
+  public void showInstances(RuicSnapshot now) {
+    stacks.forEach(s -> s.showInstances(now));
   }
 
   /** Has a view show what its last ticks prepared. */
@@ -60,9 +63,16 @@ public final class RuicSurface extends Composite {
 
   /** Takes the view out whose code took part in a failure on the display thread; false where no view did. */
   public boolean blame(Throwable failure) {
-    List<ViewHolder> guilty = stacks.stream().flatMap(ViewStack::holders).filter(h -> h.isGuilty(failure)).toList();
-    guilty.forEach(h -> h.fail(failure));
-    return !guilty.isEmpty();
+    // One view's control may be laid out or painted from within another's code: the nearest one failed.
+    Optional<ViewHolder> guilty = stacks.stream().flatMap(ViewStack::holders).filter(h -> h.guilt(failure).isPresent())
+        .min(Comparator.comparingInt(h -> h.guilt(failure).getAsInt()));
+    // Later: this may be called from within the paint that failed, which goes on after it.
+    guilty.ifPresent(holder -> getDisplay().asyncExec(() -> {
+      if (!holder.isDisposed()) {
+        holder.fail(failure);
+      }
+    }));
+    return guilty.isPresent();
   }
 
   @Override

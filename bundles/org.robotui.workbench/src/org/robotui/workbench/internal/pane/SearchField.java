@@ -7,6 +7,7 @@ import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
 /** Opens the search for commands and views; looks like the field that then opens. Display thread only. */
@@ -46,7 +47,7 @@ final class SearchField extends Canvas {
     Point keys = gc.textExtent(KEYS);
     gc.drawText(KEYS, size.x - keys.x - Theme.EDGE, (size.y - keys.y) / 2, true);
     gc.setFont(theme.font(Face.BODY));
-    String fitting = Shortened.to(gc, WORDS, size.x - keys.x - 3 * Theme.EDGE);
+    String fitting = TextFit.shorten(gc, WORDS, size.x - keys.x - 3 * Theme.EDGE);
     gc.drawText(fitting, Theme.EDGE, (size.y - gc.textExtent(fitting).y) / 2, true);
   }
 }

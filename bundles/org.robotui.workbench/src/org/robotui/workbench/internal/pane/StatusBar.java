@@ -18,8 +18,8 @@ public final class StatusBar extends Composite {
   private final Words alert;
   private final Words right;
 
-  /** Makes the line. */
-  public StatusBar(Composite parent, Theme theme) {
+  /** Makes the line; {@code dismiss} runs when the user presses what went wrong. */
+  public StatusBar(Composite parent, Theme theme, Runnable dismiss) {
     super(parent, SWT.NONE);
     setBackground(theme.mix(Role.LINE, Role.GROUND, 0.25));
     GridLayout layout = new GridLayout(3, false);
@@ -29,6 +29,8 @@ public final class StatusBar extends Composite {
     setLayout(layout);
     left = words(theme, false);
     alert = words(theme, true);
+    ((GridData) alert.getLayoutData()).widthHint = 0;
+    alert.addListener(SWT.MouseUp, e -> dismiss.run());
     right = words(theme, false);
   }
 
@@ -44,7 +46,7 @@ public final class StatusBar extends Composite {
 
   /** Shows what went wrong last, until nothing is said any more. */
   public void alert(String message) {
-    alert.show(Role.WARNING, message.replace('\n', ' '));
+    alert.show(Role.WARNING, message.replace('\n', ' '), message.isEmpty() ? "" : message + "\nPress to see it off; Window > Error Log keeps it");
   }
 
   @Override

@@ -16,6 +16,7 @@ import org.eclipse.swt.widgets.Event;
 import org.robotui.ui.Face;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.QuietButton;
@@ -69,7 +70,11 @@ final class TitleLine extends Composite {
     return note;
   }
 
+  /** Makes the buttons anew only where the actions are others: one that is being pressed must not go. */
   void actions(List<ViewAction> actions) {
+    if (actions.equals(buttons.stream().map(ActionButton::action).toList())) {
+      return;
+    }
     buttons.forEach(b -> b.button().dispose());
     buttons.clear();
     for (ViewAction action : actions) {
@@ -139,7 +144,7 @@ final class TitleLine extends Composite {
     gc.setFont(theme.font(Face.SMALL));
     gc.setForeground(theme.color(Role.DIM));
     int right = actionsLeft() - 2 * Theme.STEP;
-    String text = Shortened.to(gc, note, right - left);
+    String text = TextFit.shorten(gc, note, right - left);
     Point size = gc.textExtent(text);
     gc.drawText(text, right - size.x, (HEIGHT - size.y) / 2, true);
   }
@@ -148,6 +153,8 @@ final class TitleLine extends Composite {
     for (int i = 0; event.button == 1 && i < ends.length; i++) {
       if (event.x < ends[i]) {
         chosen.accept(i);
+        // Keys go where the user looks; who walks by key stays in the line.
+        getParent().setFocus();
         return;
       }
     }

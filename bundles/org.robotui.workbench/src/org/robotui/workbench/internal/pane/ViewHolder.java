@@ -2,6 +2,7 @@ package org.robotui.workbench.internal.pane;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
@@ -9,6 +10,7 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.Uic;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
@@ -61,17 +63,18 @@ final class ViewHolder extends Composite implements UiContext {
     return shown.map(SwtUic::actions).orElse(List.of());
   }
 
-  /** Whether code of the view took part in a failure. */
-  boolean isGuilty(Throwable failure) {
-    return shown.map(SwtUic::getClass).filter(c -> Blame.took(c, failure)).isPresent();
+  /** How near to a failure code of the view lies; none where it took no part. */
+  OptionalInt guilt(Throwable failure) {
+    return shown.map(uic -> Blame.distance(uic.getClass(), failure)).orElse(OptionalInt.empty());
   }
 
   /** Shows the instance that runs now, or why there is none. */
-  void showInstance() {
-    Optional<SwtUic> now = failure().isPresent() ? Optional.empty()
+  void showInstance(RuicSnapshot snapshot) {
+    Optional<String> failure = failure(snapshot);
+    Optional<SwtUic> now = failure.isPresent() ? Optional.empty()
         : ruic.uic(id).filter(SwtUic.class::isInstance).map(SwtUic.class::cast);
     if (now.isEmpty()) {
-      explain(failure().orElseGet(() -> absence(ruic.uic(id))));
+      explain(failure.orElseGet(() -> absence(ruic.uic(id))));
     } else if (shown.isEmpty() || shown.get() != now.get()) {
       create(now.get());
     }
@@ -82,7 +85,7 @@ final class ViewHolder extends Composite implements UiContext {
     if (shown.isPresent()) {
       try {
         shown.get().refresh();
-      } catch (RuntimeException | LinkageError e) {
+      } catch (RuntimeException | Error e) {
         fail(e);
       }
     }
@@ -103,16 +106,18 @@ final class ViewHolder extends Composite implements UiContext {
 
   @Override
   public void note(String text) {
-    note = text;
-    title.changed(this);
+    if (!note.equals(text)) {
+      note = text;
+      title.changed(this);
+    }
   }
 
-  private Optional<String> failure() {
-    return status().filter(s -> s.state() == RuicState.FAILED).map(ComponentStatus::reason);
+  private Optional<String> failure(RuicSnapshot snapshot) {
+    return status(snapshot).filter(s -> s.state() == RuicState.FAILED).map(ComponentStatus::reason);
   }
 
-  private Optional<ComponentStatus> status() {
-    return ruic.snapshot().components().stream()
+  private Optional<ComponentStatus> status(RuicSnapshot snapshot) {
+    return snapshot.components().stream()
         .filter(c -> c.id().equals(id) && c.kind() == ComponentStatus.Kind.UIC)
         .findFirst();
   }
@@ -129,7 +134,7 @@ final class ViewHolder extends Composite implements UiContext {
       uic.refresh();
       layout(true);
       title.changed(this);
-    } catch (RuntimeException | LinkageError e) {
+    } catch (RuntimeException | Error e) {
       fail(e);
     }
   }

@@ -8,6 +8,7 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.RuicSnapshot;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
@@ -20,9 +21,11 @@ final class ViewStack extends Composite {
   private final Composite body;
   private final StackLayout stack = new StackLayout();
   private final List<ViewHolder> holders;
+  private final Ruic ruic;
 
   ViewStack(Composite parent, Theme theme, Ruic ruic, List<String> ids) {
     super(parent, SWT.NONE);
+    this.ruic = ruic;
     setBackground(theme.color(Role.PANEL));
     GridLayout layout = new GridLayout(1, false);
     layout.marginWidth = 0;
@@ -58,15 +61,15 @@ final class ViewStack extends Composite {
     ViewHolder holder = holders.get(index);
     stack.topControl = holder;
     line.show(index);
-    holder.showInstance();
+    holder.showInstance(ruic.snapshot());
     titleChanged(holder);
     body.layout(true);
   }
 
   /** Shows the instance that runs now; views not yet seen wait. */
-  void showInstances() {
-    seen().showInstance();
-    holders.stream().filter(h -> h != seen() && h.getChildren().length > 0).forEach(ViewHolder::showInstance);
+  void showInstances(RuicSnapshot now) {
+    seen().showInstance(now);
+    holders.stream().filter(h -> h != seen() && h.getChildren().length > 0).forEach(h -> h.showInstance(now));
   }
 
   void refresh(String id) {
@@ -83,8 +86,9 @@ final class ViewStack extends Composite {
     return (ViewHolder) stack.topControl;
   }
 
+  /** Views still speak while their window closes, when the line above them is gone already. */
   private void titleChanged(ViewHolder holder) {
-    if (holder == stack.topControl) {
+    if (holder == stack.topControl && !line.isDisposed()) {
       line.note(holder.noteText());
       line.actions(holder.actions());
     }

@@ -7,6 +7,7 @@ import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
 /** A line of text on the ground of its parent, shortened where it does not fit. Display thread only. */
@@ -27,10 +28,14 @@ final class Words extends Canvas {
   }
 
   void show(Role inRole, String words) {
+    show(inRole, words, words);
+  }
+
+  void show(Role inRole, String words, String hint) {
     if (role != inRole || !text.equals(words)) {
       role = inRole;
       text = words;
-      setToolTipText(words.isEmpty() ? null : words);
+      setToolTipText(hint.isEmpty() ? null : hint);
       redraw();
     }
   }
@@ -51,7 +56,7 @@ final class Words extends Canvas {
   private void paint(GC gc) {
     gc.setFont(theme.font(face));
     gc.setForeground(theme.color(role));
-    String fitting = Shortened.to(gc, text, getClientArea().width);
+    String fitting = TextFit.shorten(gc, text, getClientArea().width);
     gc.drawText(fitting, 0, (getClientArea().height - gc.textExtent(fitting).y) / 2, true);
   }
 }

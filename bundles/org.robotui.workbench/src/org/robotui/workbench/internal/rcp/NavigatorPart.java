@@ -1,11 +1,13 @@
 package org.robotui.workbench.internal.rcp;
 
+import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.part.ViewPart;
 import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.pane.Navigator;
 
 /** The robots at the left of a window. */
@@ -29,7 +31,8 @@ public final class NavigatorPart extends ViewPart {
   }
 
   private void show(Navigator navigator) {
-    navigator.show(session.host().ruics().stream().map(Ruic::snapshot).toList(),
-        session.model(getSite().getWorkbenchWindow()).selected().map(Ruic::name));
+    Overview now = session.overview();
+    Optional<Ruic> selected = session.model(getSite().getWorkbenchWindow()).selected();
+    navigator.show(now.robots(), selected.map(Ruic::name), selected.map(now::detail).orElse(Overview.Detail.NONE).ports());
   }
 }

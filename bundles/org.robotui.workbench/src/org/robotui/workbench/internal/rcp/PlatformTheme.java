@@ -27,6 +27,13 @@ public final class PlatformTheme {
 
   private void set(IThemeManager themes, String id) {
     IThemeEngine engine = themes.getEngineForDisplay(display);
-    engine.setTheme(PREFIX + id, false);
+    if (!isActive(engine, PREFIX + id)) {
+      engine.setTheme(PREFIX + id, false);
+    }
+  }
+
+  /** Setting what is set already has all that is shown read its styles again. */
+  private static boolean isActive(IThemeEngine engine, String id) {
+    return engine.getActiveTheme() != null && engine.getActiveTheme().getId().equals(id);
   }
 }

@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.rcp;
 
+import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Shell;
@@ -11,6 +12,8 @@ import org.robotui.workbench.internal.Session;
 /** A window: nothing of the platform's chrome, our bar at the top and our line at the bottom. */
 final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
   private static final Point USUAL_SIZE = new Point(1600, 980);
+
+  private static final int LATE_MILLIS = 4000;
 
   private final Session session;
 
@@ -34,7 +37,10 @@ final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
 
   @Override
   public void postWindowCreate() {
-    Trim.add(getWindowConfigurer().getWindow());
+    IWorkbenchWindow window = getWindowConfigurer().getWindow();
+    Trim.add(window);
+    // Most of what the platform makes late comes after this call and before the window is shown.
+    window.getShell().addListener(SWT.Show, e -> Trim.tidy(window));
     // The platform has restored the theme of the product by now; ours is the user's.
     session.look().apply();
   }
@@ -43,12 +49,14 @@ final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
   public void postWindowOpen() {
     IWorkbenchWindow window = getWindowConfigurer().getWindow();
     Shell shell = window.getShell();
-    // What the platform makes late comes after this call.
-    shell.getDisplay().asyncExec(() -> {
+    // What the platform makes late comes after this call, on a busy machine some seconds.
+    Runnable tidy = () -> {
       if (!shell.isDisposed()) {
         Trim.tidy(window);
       }
-    });
+    };
+    shell.getDisplay().asyncExec(tidy);
+    shell.getDisplay().timerExec(LATE_MILLIS, tidy);
   }
 
   @Override

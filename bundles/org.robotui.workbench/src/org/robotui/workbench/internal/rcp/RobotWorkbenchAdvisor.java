@@ -3,7 +3,6 @@ package org.robotui.workbench.internal.rcp;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
-import org.eclipse.core.runtime.ILog;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.SWTException;
@@ -18,7 +17,6 @@ import org.eclipse.ui.application.WorkbenchWindowAdvisor;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.Suspects;
 import org.robotui.workbench.internal.WorkbenchServices;
-import org.robotui.workbench.internal.display.HostHub;
 import org.robotui.workbench.internal.display.Screenshot;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -29,11 +27,22 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   private final Session session;
   private final Runnable started;
+  private final Suspects suspects;
+  private final boolean asks;
 
   /** For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again. */
   public RobotWorkbenchAdvisor(Session session, Runnable started) {
     this.session = session;
     this.started = started;
+    suspects = new Suspects(session.state().folder());
+    asks = session.arguments().isAttended() && suspects.exist();
+  }
+
+  /** Has robots start while the platform makes the window, unless the user is to be asked something before. */
+  public void startRobots() {
+    if (!asks) {
+      load();
+    }
   }
 
   @Override
@@ -58,27 +67,25 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   @Override
   public void postStartup() {
-    if (session.arguments().isAttended()) {
-      new Suspects(session.state().folder()).judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
+    if (asks) {
+      suspects.judge(RobotWorkbenchAdvisor::leaveOut).forEach(WorkbenchServices::disable);
+      load();
     }
     begin();
     session.arguments().screenshot().ifPresent(file -> after(session.arguments().after(), () -> picture(file)));
     session.arguments().limit().ifPresent(limit -> after(limit, RobotWorkbenchAdvisor::close));
-    session.hub().add(new HostHub.Client() {
-      @Override
-      public void alert(String ruic, String message) {
-        ILog.of(RobotWorkbenchAdvisor.class).warn(ruic.isEmpty() ? message : ruic + ": " + message);
-      }
-    });
+  }
+
+  private void load() {
+    session.arguments().configurations().forEach(session.configurations()::load);
   }
 
   /** Views that are made for the first time take long, and nothing moves before they are there. */
   private void begin() {
-    if (session.arguments().configurations().isEmpty()) {
+    session.onLoaded(started);
+    if (session.configurations().areRead()) {
       started.run();
     }
-    session.onLoaded(started);
-    session.arguments().configurations().forEach(session.configurations()::load);
   }
 
   /** A view that throws while it paints or takes input is taken out; the workbench goes on. */
@@ -90,7 +97,6 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
     }
     if (!blamed) {
       LOG.error("failure on the display thread", exception);
-      ILog.of(RobotWorkbenchAdvisor.class).error("failure on the display thread", exception);
     }
   }
 

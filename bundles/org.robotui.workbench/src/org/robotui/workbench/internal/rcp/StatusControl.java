@@ -6,7 +6,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
-import org.robotui.workbench.internal.model.StatusText;
+import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.StatusBar;
 
@@ -18,11 +18,16 @@ public final class StatusControl {
   @PostConstruct
   void create(Composite parent, MWindow model) {
     IWorkbenchWindow window = model.getContext().get(IWorkbenchWindow.class);
-    new Rebuilt<>(Trim.place(parent), session, StatusBar::new, bar -> show(bar, session.model(window)));
+    new Rebuilt<>(Trim.place(parent), session, (bar, theme) -> new StatusBar(bar, theme, this::dismiss), bar -> show(bar, session.model(window)));
   }
 
   private void show(StatusBar bar, WindowModel model) {
-    bar.show(model.selected().map(r -> StatusText.of(r.snapshot(), r.clock())).orElse(StatusText.NONE));
-    bar.alert(session.lastAlert());
+    bar.show(model.selected().map(session.overview()::detail).orElse(Overview.Detail.NONE).status());
+    bar.alert(session.alerts().text());
+  }
+
+  private void dismiss() {
+    session.alerts().dismiss();
+    session.refresh();
   }
 }

@@ -1,14 +1,18 @@
 package org.robotui.workbench.internal.rcp;
 
 import jakarta.annotation.PostConstruct;
+import java.util.List;
+import java.util.Optional;
 import org.eclipse.e4.ui.model.application.ui.basic.MWindow;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.link.LinkState;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.model.Lease;
+import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.Menus;
 import org.robotui.workbench.internal.pane.TopBar;
@@ -29,7 +33,8 @@ public final class TopControl {
   }
 
   private void show(TopBar bar, WindowModel model) {
-    bar.show(Lease.of(model.selected().map(Ruic::authorities).orElse(java.util.List.of()), session.user()),
-        session.isStopped());
+    Optional<Ruic> ruic = model.selected();
+    LinkState link = ruic.map(session.overview()::detail).orElse(Overview.Detail.NONE).link();
+    bar.show(Lease.of(ruic.map(Ruic::authorities).orElse(List.of()), link, session.user()), session.isStopped());
   }
 }

@@ -56,13 +56,15 @@ final class Trim {
         .filter(element -> !element.isToBeRendered() && element.getWidget() instanceof Control)
         .map(element -> (Control) element.getWidget())
         .filter(control -> !control.isDisposed())
-        .forEach(Trim::remove);
+        .forEach(Control::dispose);
+    model.getTrimBars().forEach(Trim::fill);
   }
 
-  private static void remove(Control control) {
-    Composite bar = control.getParent();
-    control.dispose();
-    bar.requestLayout();
+  /** What the platform placed beside ours may be gone already, without that our lines had got its room. */
+  private static void fill(MTrimBar bar) {
+    if (bar.getWidget() instanceof Composite line && !line.isDisposed()) {
+      line.layout(true, true);
+    }
   }
 
   /** What the platform keeps there, such as spacers, would take its share of the line. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
@@ -50,6 +51,15 @@ class PortRowTest {
     ruic.matching(missing("image", Arity.OPTIONAL, MatchState.PENDING));
 
     assertEquals(List.of(), rows());
+  }
+
+  @Test
+  void ofThousandsThatNobodyLooksAtTheFirstStandForAll() {
+    ruic.offering(IntStream.range(0, 2000).mapToObj(i -> port("t" + i, i < 3, 0, Double.NaN, false, ""))
+        .toArray(PortStatus[]::new));
+
+    assertEquals(3 + 40 + 1, rows().size());
+    assertEquals("and 1957 more", rows().getLast().name());
   }
 
   private List<PortRow> rows() {

@@ -2,9 +2,11 @@ package org.robotui.workbench.internal.model;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.Principal;
+import org.robotui.api.link.LinkState;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Health;
 
@@ -32,8 +34,18 @@ class TextsTest {
   }
 
   @Test
+  void whoHoldsTheLeaseOfARobotWithoutLinkDrivesNothing() {
+    ruic.authority().take(YOU, false);
+    ruic.linked(new LinkState.Failed("connection refused", Duration.ofSeconds(2)));
+    assertEquals(new Lease(Health.WARNING, "No link to Keira"), lease());
+
+    ruic.linked(new LinkState.Degraded("localhost", "slow"));
+    assertEquals(new Lease(Health.WARNING, "You drive Keira"), lease());
+  }
+
+  @Test
   void withoutRobotThereIsNothingToDrive() {
-    assertEquals(new Lease(Health.NONE, "Nothing to drive"), Lease.of(List.of(), YOU));
+    assertEquals(new Lease(Health.NONE, "Nothing to drive"), Lease.of(List.of(), new LinkState.Disconnected(), YOU));
   }
 
   @Test
@@ -43,6 +55,6 @@ class TextsTest {
   }
 
   private Lease lease() {
-    return Lease.of(ruic.authorities(), YOU);
+    return Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU);
   }
 }

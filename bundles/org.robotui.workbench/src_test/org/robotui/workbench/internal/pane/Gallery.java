@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
@@ -25,6 +26,8 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.workbench.internal.display.Screenshot;
 import org.robotui.workbench.internal.model.Lease;
+import org.robotui.workbench.internal.model.PortRow;
+import org.robotui.workbench.internal.model.RobotRow;
 import org.robotui.workbench.internal.model.StatusText;
 
 /** A window of all panes with invented robots, to look at without a workbench: {@code Gallery dark|light FILE}. */
@@ -63,11 +66,11 @@ final class Gallery {
     Navigator navigator = place(new Navigator(shell, theme, new NoActions()), SWT.BEGINNING, SWT.FILL, 1);
     ((GridData) navigator.getLayoutData()).widthHint = 220;
     RobotArea area = place(new RobotArea(shell, theme, new HashMap<>(), new NoActions()), SWT.FILL, SWT.FILL, 1);
-    StatusBar status = place(new StatusBar(shell, theme), SWT.FILL, SWT.BOTTOM, 2);
+    StatusBar status = place(new StatusBar(shell, theme, () -> { }), SWT.FILL, SWT.BOTTOM, 2);
     FakeRuic keira = keira();
     keira.authority().take(YOU, false);
-    bar.show(Lease.of(keira.authorities(), YOU), problems);
-    navigator.show(List.of(keira.snapshot(), husky().snapshot(), natalie().snapshot()), Optional.of("Keira"));
+    bar.show(Lease.of(keira.authorities(), keira.snapshot().link(), YOU), problems);
+    navigator.show(Stream.of(keira, husky(), natalie()).map(FakeRuic::snapshot).map(RobotRow::of).toList(), Optional.of("Keira"), PortRow.of(keira.snapshot()));
     area.show(Optional.of(keira));
     if (problems) {
       area.problems(List.of(

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
@@ -29,6 +30,7 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.display.StopKeys;
 import org.robotui.workbench.internal.model.Lease;
+import org.robotui.workbench.internal.model.Overview;
 
 @EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class PanesTest {
@@ -144,6 +146,10 @@ class PanesTest {
     assertFalse(area.surface().orElseThrow().blame(foreign()));
     assertTrue(area.surface().orElseThrow().blame(new IllegalStateException("thrown in this package")));
 
+    assertEquals(List.of(), ruic.calls(), "not within the paint that failed");
+    while (area.getDisplay().readAndDispatch()) {
+      // what was put off is done now
+    }
     assertEquals(List.of("surfaceFailed map"), ruic.calls());
   }
 
@@ -199,7 +205,7 @@ class PanesTest {
     LeaseLamp lamp = find(bar, LeaseLamp.class);
     int before = lamp.getLocation().x;
 
-    bar.show(Lease.of(ruic.authorities(), YOU), true);
+    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), true);
     bar.layout(true);
 
     assertEquals(before, lamp.getLocation().x);
@@ -211,7 +217,7 @@ class PanesTest {
   void robotsAreSelectedByKeyAndMouse() {
     Navigator navigator = new Navigator(shell, theme, actions);
     shell.layout(true, true);
-    navigator.show(List.of(ruic.snapshot(), new FakeRuic("Natalie").snapshot()), Optional.empty());
+    navigator.show(Overview.of(List.of(ruic, new FakeRuic("Natalie")), Set.of()).robots(), Optional.empty(), List.of());
     navigator.layout(true);
     RobotList list = navigator.robots();
 

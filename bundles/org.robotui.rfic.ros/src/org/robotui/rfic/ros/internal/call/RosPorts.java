@@ -1,19 +1,37 @@
 package org.robotui.rfic.ros.internal.call;
 
+import org.robotui.api.port.ActionReply;
+import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.BrowsePort;
 import org.robotui.api.port.CallPort;
+import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
+import org.robotui.data.MarkerFeedback;
+import org.robotui.data.MessageCommand;
 
-/** The ports that every ROS robot has. */
+/** The ports that every ROS robot has, whatever its topics are. */
 public final class RosPorts {
-  /** Calls any service. */
+  /** Calls services. */
   public static final CallPort<ServiceRequest, ServiceReply> SERVICES =
       new CallPort<>("services", ServiceRequest.class, ServiceReply.class, Arity.MANY, "Calls a service by its name.");
 
-  /** Lists topics, services, nodes and parameters. */
-  public static final BrowsePort GRAPH = new BrowsePort("graph", Arity.MANY, "Topics, services, nodes and parameters.");
+  /** Sends goals to actions. */
+  public static final CallPort<ActionRequest, ActionReply> ACTIONS = new CallPort<>("actions", ActionRequest.class,
+      ActionReply.class, Arity.MANY, "Sends a goal to an action by its name.", true);
+
+  /** Browses the graph. */
+  public static final BrowsePort GRAPH =
+      new BrowsePort("graph", Arity.MANY, "Topics, services, actions, nodes and parameters.");
+
+  /** Says single messages. */
+  public static final CommandPort<MessageCommand> PUBLISH = new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
+      "Says a message on a topic by its name; not on topics that move the robot.");
+
+  /** Handles interactive markers. */
+  public static final CommandPort<MarkerFeedback> MARKER_FEEDBACK = new CommandPort<>("marker_feedback", MarkerFeedback.class,
+      Arity.MANY, "Tells servers of interactive markers what a user does with them.");
 
   private RosPorts() {}
 }

@@ -6,7 +6,6 @@ import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.rfic.ros.internal.convert.RosRecord;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.ServiceIdentity;
@@ -37,13 +36,13 @@ public final class RosServices implements CallHandler<ServiceRequest, ServiceRep
   @Override
   public ServiceReply handle(Invocation<ServiceRequest> invocation) throws CallException {
     ServiceRequest request = invocation.request();
-    ServiceIdentity identity = value(node.probeService(request.service(), left(invocation)));
+    ServiceIdentity identity = Outcomes.value(node.probeService(request.service(), left(invocation)));
     ServiceSchema schema = schema(identity);
     DynamicCodec requests = new DynamicCodec(schema.request());
     DynamicCodec replies = new DynamicCodec(schema.response());
     ServiceCodec<DynamicMessage, DynamicMessage> codec = new ServiceCodec<>(identity.type(), schema.md5(), requests, replies);
     try (ServiceClient<DynamicMessage, DynamicMessage> client = node.serviceClient(request.service(), codec, false)) {
-      return new ServiceReply(new RosRecord(value(client.call(requests.build(request.arguments()), left(invocation)))));
+      return new ServiceReply(new RosRecord(Outcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
     } catch (MessageException e) {
       throw new CallException(request.service() + " is not asked like this: " + e.getMessage(), e);
     }
@@ -58,9 +57,5 @@ public final class RosServices implements CallHandler<ServiceRequest, ServiceRep
 
   private static Duration left(Invocation<ServiceRequest> invocation) {
     return Duration.ofNanos(Math.max(1_000_000, invocation.deadlineNanos() - System.nanoTime()));
-  }
-
-  private static <T> T value(Outcome<T> outcome) throws CallException {
-    return outcome.toOptional().orElseThrow(() -> new CallException(outcome.reason()));
   }
 }

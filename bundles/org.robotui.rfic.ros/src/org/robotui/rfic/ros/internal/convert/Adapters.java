@@ -18,11 +18,12 @@ public final class Adapters {
    * @param registry knows message definitions
    */
   public Adapters(MessageRegistry registry) {
+    this.records = new RecordDecoder(registry);
     Map<String, Adapter<?, ?>> all = new HashMap<>();
-    List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), StateAdapters.all())
+    List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), StateAdapters.all(), MarkerAdapters.all(registry),
+            PlanAdapters.all(records))
         .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
     this.byType = Map.copyOf(all);
-    this.records = new RecordDecoder(registry);
   }
 
   /**
@@ -34,5 +35,14 @@ public final class Adapters {
   public Adapter<?, ?> of(String type) {
     Adapter<?, ?> known = byType.get(type);
     return known != null ? known : Adapter.of(type, new RawCodec(), DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
+  }
+
+  /**
+   * Reads messages of any type as dynamic records.
+   *
+   * @return the decoder
+   */
+  public RecordDecoder records() {
+    return records;
   }
 }

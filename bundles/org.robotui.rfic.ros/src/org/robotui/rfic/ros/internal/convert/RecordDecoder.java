@@ -1,19 +1,43 @@
 package org.robotui.rfic.ros.internal.convert;
 
+import java.nio.ByteOrder;
+import java.util.Optional;
+import org.robotui.data.Bytes;
 import org.robotui.data.DynamicRecord;
 import org.robotui.ros.message.DynamicCodec;
 import org.robotui.ros.message.MessageException;
+import org.robotui.ros.message.MessageInfo;
 import org.robotui.ros.message.MessageRegistry;
 import org.robotui.ros.message.MessageSchema;
 import org.robotui.ros.message.RawMessage;
 import org.robotui.ros.message.SchemaLookup;
 
 /** Decodes messages of any type by the definition that came with the connection. */
-final class RecordDecoder {
+public final class RecordDecoder {
   private final MessageRegistry registry;
 
-  RecordDecoder(MessageRegistry registry) {
+  /**
+   * Creates a decoder.
+   *
+   * @param registry knows message definitions
+   */
+  public RecordDecoder(MessageRegistry registry) {
     this.registry = registry;
+  }
+
+  /**
+   * Reads a message.
+   *
+   * @param info its type
+   * @param bytes its bytes
+   * @return its fields, or none where they cannot be read
+   */
+  public Optional<DynamicRecord> read(MessageInfo info, Bytes bytes) {
+    try {
+      return Optional.of(decode(new RawMessage(info, bytes.buffer(ByteOrder.LITTLE_ENDIAN))));
+    } catch (IllegalArgumentException e) {
+      return Optional.empty();
+    }
   }
 
   DynamicRecord decode(RawMessage message) {

@@ -1,11 +1,13 @@
 package org.robotui.rfic.ros.internal.graph;
 
+import java.util.Locale;
 import org.robotui.api.RficContext;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.api.port.Offer;
 import org.robotui.data.Data;
+import org.robotui.data.Motion;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.CommandType;
 import org.robotui.ros.Publisher;
@@ -19,6 +21,7 @@ import org.robotui.ros.RosNode;
 final class CommandTopic implements AutoCloseable {
   private final String topic;
   private final String type;
+  private final Pulse pulse;
   private final Entry<?, ?> entry;
 
   CommandTopic(
@@ -27,9 +30,11 @@ final class CommandTopic implements AutoCloseable {
       RficContext context,
       RosSettings settings,
       RosNode node,
-      SessionClock clock) {
+      SessionClock clock,
+      Pulse pulse) {
     this.topic = topic;
     this.type = command.type();
+    this.pulse = pulse;
     this.entry = new Entry<>(command, context, settings.portName(topic), node, clock);
   }
 
@@ -53,7 +58,7 @@ final class CommandTopic implements AutoCloseable {
     Entry(CommandType<D, M> command, RficContext context, String port, RosNode node, SessionClock clock) {
       this.command = command;
       this.clock = clock;
-      this.publisher = node.publisher(topic, command.codec(), PublisherOptions.standard().withQueue(1));
+      this.publisher = node.publisher(topic, command.codec(), PublisherOptions.commands());
       this.offer = context.offers().command(
           new CommandPort<>(port, command.data(), Arity.MANY, topic + ": " + command.help()), this::send);
     }
@@ -62,8 +67,23 @@ final class CommandTopic implements AutoCloseable {
       if (publisher.numSubscribers() == 0) {
         return new Sent.Refused("nobody listens on " + topic + " now");
       }
-      publisher.publish(command.message().of(value, clock.nowNanos()));
+      boolean stops = value instanceof Motion<?> motion && motion.equals(motion.stopped());
+      long silence = stops ? 0 : pulse.silentFor(System.nanoTime());
+      return silence > 0 ? new Sent.Refused(stalled(silence)) : publish(command.message().of(value, clock.nowNanos()), stops);
+    }
+
+    private Sent publish(M message, boolean stops) {
+      if (stops) {
+        publisher.publishUrgently(message);
+      } else {
+        publisher.publish(message);
+      }
       return new Sent.Out();
+    }
+
+    private static String stalled(long silenceNanos) {
+      return String.format(Locale.ROOT, "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
+          silenceNanos / 1e9);
     }
   }
 }

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.robotui.api.RficContext;
 import org.robotui.data.Motion;
 import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.call.RosPorts;
 import org.robotui.rfic.ros.internal.convert.Adapters;
 import org.robotui.rfic.ros.internal.convert.CommandType;
 import org.robotui.ros.RosNode;
@@ -18,6 +19,7 @@ import org.robotui.ros.RosNode;
 /** Keeps the offered ports equal to the graph. Used by the one thread that follows the graph, but for closing. */
 final class Offers implements AutoCloseable {
   private static final Set<String> TRANSFORMS = Set.of("/tf", "/tf_static");
+  private static final Set<String> OWN = Set.of(RosPorts.PUBLISH.name(), RosPorts.MARKER_FEEDBACK.name());
 
   private final RficContext context;
   private final RosSettings settings;
@@ -25,7 +27,9 @@ final class Offers implements AutoCloseable {
   private final SessionClock clock;
   private final Adapters adapters;
   private final LinkWatch watch;
-  private final Map<String, TopicStream> streams = new HashMap<>();
+  private final Pulse pulse;
+  private final MarkerFeedbacks feedbacks;
+  private final Map<String, Followed> streams = new HashMap<>();
   private final Map<String, CommandTopic> commands = new HashMap<>();
   private boolean closed;
 
@@ -35,13 +39,17 @@ final class Offers implements AutoCloseable {
       RosNode node,
       SessionClock clock,
       Adapters adapters,
-      LinkWatch watch) {
+      LinkWatch watch,
+      Pulse pulse,
+      MarkerFeedbacks feedbacks) {
     this.context = context;
     this.settings = settings;
     this.node = node;
     this.clock = clock;
     this.adapters = adapters;
     this.watch = watch;
+    this.pulse = pulse;
+    this.feedbacks = feedbacks;
   }
 
   synchronized void follow(GraphSnapshot graph) {
@@ -55,20 +63,20 @@ final class Offers implements AutoCloseable {
 
   /** Subscribes to what is wanted, and to nothing else. */
   synchronized void applyDemand() {
-    streams.values().forEach(TopicStream::applyDemand);
+    streams.values().forEach(Followed::applyDemand);
   }
 
   /** What is wanted but does not come, empty where all is well. */
   synchronized String problem() {
     return streams.values().stream()
-        .map(TopicStream::problem)
+        .map(Followed::problem)
         .filter(p -> !p.isEmpty())
         .sorted()
         .collect(Collectors.joining("; "));
   }
 
   synchronized boolean flowing() {
-    return streams.values().stream().anyMatch(TopicStream::flowing);
+    return streams.values().stream().anyMatch(Followed::flowing);
   }
 
   /**
@@ -84,8 +92,8 @@ final class Offers implements AutoCloseable {
 
   /** A topic that somebody looks at stays when its publisher goes: it is missing, and may return. */
   private void followStreams(Map<String, String> published) {
-    for (Iterator<TopicStream> i = streams.values().iterator(); i.hasNext(); ) {
-      TopicStream stream = i.next();
+    for (Iterator<Followed> i = streams.values().iterator(); i.hasNext(); ) {
+      Followed stream = i.next();
       String type = published.getOrDefault(stream.topic(), "");
       boolean gone = type.isEmpty() && !stream.wanted() || !type.isEmpty() && !type.equals(stream.type());
       if (gone) {
@@ -97,15 +105,22 @@ final class Offers implements AutoCloseable {
     }
     published.forEach((topic, type) -> {
       if (settings.offers(topic) && !TRANSFORMS.contains(topic) && !streams.containsKey(topic)) {
-        streams.put(topic, new TopicStream(topic, adapters.of(type), context, settings, node, clock, watch));
+        streams.put(topic, stream(topic, type));
       }
     });
+  }
+
+  private Followed stream(String topic, String type) {
+    return MarkerStream.serves(topic, type)
+        ? new MarkerStream(topic, context, settings, node, clock, watch, pulse, feedbacks)
+        : new TopicStream(topic, adapters.of(type), adapters.records(), context, settings, node, clock, watch, pulse);
   }
 
   private Map<String, String> commandTopics(Map<String, String> subscribed) {
     Map<String, String> topics = new HashMap<>();
     subscribed.forEach((topic, type) -> {
-      if (settings.offers(topic)) {
+      // a topic that carries the name of a port for all topics would hide it
+      if (settings.offers(topic) && !OWN.contains(settings.portName(topic))) {
         topics.put(topic, type);
       }
     });
@@ -120,7 +135,7 @@ final class Offers implements AutoCloseable {
     gone.forEach(t -> commands.remove(t).close());
     topics.forEach((topic, type) -> {
       if (!commands.containsKey(topic)) {
-        CommandType.of(type).ifPresent(c -> commands.put(topic, new CommandTopic(topic, c, context, settings, node, clock)));
+        CommandType.of(type).ifPresent(c -> commands.put(topic, new CommandTopic(topic, c, context, settings, node, clock, pulse)));
       }
     });
   }
@@ -128,7 +143,7 @@ final class Offers implements AutoCloseable {
   @Override
   public synchronized void close() {
     closed = true;
-    streams.values().forEach(TopicStream::close);
+    streams.values().forEach(Followed::close);
     commands.values().forEach(CommandTopic::close);
     streams.clear();
     commands.clear();

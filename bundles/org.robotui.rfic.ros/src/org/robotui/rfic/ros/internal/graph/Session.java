@@ -2,18 +2,21 @@ package org.robotui.rfic.ros.internal.graph;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.concurrent.ExecutionException;
 import java.util.function.BooleanSupplier;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Offer;
 import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.call.RosActions;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
 import org.robotui.rfic.ros.internal.call.RosPorts;
 import org.robotui.rfic.ros.internal.call.RosServices;
+import org.robotui.rfic.ros.internal.call.RosTunables;
 import org.robotui.rfic.ros.internal.convert.Adapters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -31,8 +34,16 @@ public final class Session implements AutoCloseable {
   private final RosNode node;
   private final Offers offers;
   private final TransformFeed transforms;
+  private final DescriptionFeed description;
   private final SessionClock clock;
+  private final Pulse pulse = new Pulse();
+  private final MessageTopics messages;
+  private final Offer publish;
+  private final Offer handled;
   private final Offer services;
+  private final RosActions actions;
+  private final Offer goals;
+  private final RosTunables tunables;
   private final Offer graph;
   private boolean met;
 
@@ -48,13 +59,21 @@ public final class Session implements AutoCloseable {
     this.context = context;
     this.settings = settings;
     LinkWatch watch = new LinkWatch();
-    NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch);
+    NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch).withRecords(context.stateFolder());
     this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), options);
     this.clock = new SessionClock(context, node.clock());
-    this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch);
+    MarkerFeedbacks feedbacks = new MarkerFeedbacks(node, pulse);
+    this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch, pulse, feedbacks);
+    this.handled = context.offers().command(RosPorts.MARKER_FEEDBACK, feedbacks);
     this.transforms = new TransformFeed(context, node, clock, settings);
+    this.description = new DescriptionFeed(context, node.parameters(), settings, Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
+    this.messages = new MessageTopics(node, registry);
+    this.publish = context.offers().command(RosPorts.PUBLISH, messages);
     this.services = context.offers().call(RosPorts.SERVICES, new RosServices(node, registry));
-    this.graph = context.offers().browse(RosPorts.GRAPH, new RosBrowser(node, registry));
+    this.actions = new RosActions(node, registry, context.threads());
+    this.goals = context.offers().call(RosPorts.ACTIONS, actions);
+    this.tunables = new RosTunables(node);
+    this.graph = context.offers().browse(RosPorts.GRAPH, new RosBrowser(node, registry, tunables));
   }
 
   /**
@@ -73,6 +92,9 @@ public final class Session implements AutoCloseable {
         nextLook = System.nanoTime() + LOOK.toNanos();
       }
       offers.applyDemand();
+      messages.tick();
+      description.tick();
+      tunables.tick();
       clock.tick();
       try {
         return "our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS);
@@ -94,7 +116,9 @@ public final class Session implements AutoCloseable {
 
   private void seen(GraphSnapshot snapshot) {
     met = true;
+    pulse.masterAnswered(System.nanoTime());
     offers.follow(snapshot);
+    messages.follow(snapshot);
     String peer = settings.master().toString();
     String problem = offers.problem();
     context.link().report(
@@ -112,10 +136,17 @@ public final class Session implements AutoCloseable {
 
   @Override
   public void close() {
+    publish.close();
+    handled.close();
+    messages.close();
     services.close();
+    goals.close();
+    actions.close();
+    tunables.close();
     graph.close();
     offers.close();
     transforms.close();
+    description.close();
     node.close();
   }
 }

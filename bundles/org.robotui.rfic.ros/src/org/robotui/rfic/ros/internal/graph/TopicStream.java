@@ -8,9 +8,11 @@ import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Bytes;
 import org.robotui.data.Data;
+import org.robotui.data.DynamicRecord;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.Adapter;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
+import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
@@ -20,51 +22,62 @@ import org.robotui.ros.SubscriberOptions;
  * A topic as a stream. The robot is only asked for it while somebody wants it. Core's thread merely notes the demand; the
  * thread that follows the graph acts on it, so that neither waits for a lock of the other.
  */
-final class TopicStream implements AutoCloseable {
+final class TopicStream implements Followed {
   private final String topic;
   private final Adapter<?, ?> adapter;
+  private final RecordDecoder records;
   private final RosNode node;
   private final SessionClock clock;
   private final LinkWatch watch;
+  private final Pulse pulse;
   private final Entry<?, ?> entry;
   private Optional<Subscriber> subscriber = Optional.empty();
   private boolean published = true;
+  private String told = "";
   private volatile boolean wanted;
 
   TopicStream(
       String topic,
       Adapter<?, ?> adapter,
+      RecordDecoder records,
       RficContext context,
       RosSettings settings,
       RosNode node,
       SessionClock clock,
-      LinkWatch watch) {
+      LinkWatch watch,
+      Pulse pulse) {
     this.topic = topic;
     this.adapter = adapter;
+    this.records = records;
     this.node = node;
     this.clock = clock;
     this.watch = watch;
+    this.pulse = pulse;
     this.entry = new Entry<>(adapter, context, settings.portName(topic));
   }
 
-  String topic() {
+  @Override
+  public String topic() {
     return topic;
   }
 
-  String type() {
+  @Override
+  public String type() {
     return adapter.type();
   }
 
-  boolean wanted() {
+  @Override
+  public boolean wanted() {
     return wanted;
   }
 
-  boolean flowing() {
+  @Override
+  public boolean flowing() {
     return subscriber.filter(s -> s.numPublishers() > 0).isPresent();
   }
 
-  /** Subscribes or unsubscribes as is wanted now. */
-  void applyDemand() {
+  @Override
+  public void applyDemand() {
     if (wanted && subscriber.isEmpty()) {
       subscriber = Optional.of(entry.subscribe());
     } else if (!wanted) {
@@ -72,16 +85,18 @@ final class TopicStream implements AutoCloseable {
     }
   }
 
-  /** Whether somebody publishes the topic now; reports what is missing to whom it may concern. */
-  void published(boolean now) {
+  @Override
+  public void published(boolean now) {
     published = now;
     String problem = problem();
-    if (!problem.isEmpty()) {
-      entry.publication.failed(problem);
+    if (!problem.isEmpty() || !told.isEmpty()) {
+      entry.publication.failed(problem); // empty takes it back: rare messages may be long in coming
     }
+    told = problem;
   }
 
-  String problem() {
+  @Override
+  public String problem() {
     if (!wanted) {
       return "";
     }
@@ -114,22 +129,24 @@ final class TopicStream implements AutoCloseable {
     }
 
     Subscriber subscribe() {
-      return node.subscriber(topic, typed.codec(), SubscriberOptions.standard(), this::received);
+      return node.subscriber(topic, typed.codec(), SubscriberOptions.observing(), this::received);
     }
 
     private void received(M message, Reception reception) {
       FrameNames names = clock.names();
+      pulse.heard(reception.receiveNanos());
       try {
         Optional<D> value = typed.convert().apply(message, names);
         value.ifPresent(v -> publication.publish(v, clock.stamp(typed.stamp().applyAsLong(message), names),
-            reception.receiveNanos(), Optional.of(raw(reception))));
+            reception.receiveNanos(), Optional.of(raw(v, reception))));
       } catch (IllegalArgumentException | ArithmeticException e) {
         publication.lost(1, topic + " from " + reception.callerId() + ": " + e.getMessage());
       }
     }
 
-    private RawMessage raw(Reception reception) {
-      return new RawMessage(typed.type(), "ros1", Bytes.wrap(reception.raw()));
+    private RawMessage raw(D value, Reception reception) {
+      return new RawMessage(typed.type(), "ros1", Bytes.wrap(reception.raw()),
+          bytes -> value instanceof DynamicRecord r ? Optional.of(r) : records.read(reception.peer(), bytes));
     }
   }
 }

@@ -41,7 +41,7 @@ final class TransformFeed implements AutoCloseable {
 
   private void subscribe(RosNode node, String topic, boolean fixed) {
     subscribers.add(
-        node.subscriber(topic, TFMessage.CODEC, SubscriberOptions.standard(), (m, r) -> received(m, r, fixed)));
+        node.subscriber(topic, TFMessage.CODEC, SubscriberOptions.observing(), (m, r) -> received(m, r, fixed)));
   }
 
   private void received(TFMessage message, Reception reception, boolean fixed) {

@@ -12,8 +12,8 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.data.Data;
-import org.robotui.data.FrameId;
 import org.robotui.data.Footprint;
+import org.robotui.data.FrameId;
 import org.robotui.data.Odometry;
 import org.robotui.data.PoseEstimate;
 import org.robotui.entity.robot.Body;
@@ -22,6 +22,7 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;
 import org.robotui.ui.scene.Layer;
+import org.robotui.ui.scene.Placer;
 import org.robotui.ui.scene.Scene;
 import org.robotui.uic.map.internal.Kind;
 

@@ -20,6 +20,7 @@ import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.ui.scene.Entity;
 import org.robotui.ui.scene.Layer;
+import org.robotui.ui.scene.Placer;
 import org.robotui.ui.scene.Scene;
 import org.robotui.uic.map.internal.Kind;
 

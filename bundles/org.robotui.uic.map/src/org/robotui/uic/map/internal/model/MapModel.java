@@ -26,7 +26,11 @@ import org.robotui.entity.path.PathEntity;
 import org.robotui.entity.robot.PoseEntity;
 import org.robotui.entity.sonar.SonarEntity;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
+import org.robotui.ui.StateView;
+import org.robotui.ui.scene.FixedFrame;
 import org.robotui.ui.scene.Layer;
+import org.robotui.ui.scene.Placer;
 import org.robotui.ui.scene.Scene;
 import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.MapOptions;
@@ -82,7 +86,7 @@ public final class MapModel {
       changed |= feed.tick(tick);
     }
     scene.layers().forEach(layer -> configure(layer, options));
-    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots());
+    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick));
     changed |= !next.equals(snapshot);
     snapshot = next;
     return changed;
@@ -142,6 +146,16 @@ public final class MapModel {
     List<Note> notes = new ArrayList<>();
     feeds().forEach(f -> notes.addAll(f.notes(tick)));
     return List.copyOf(notes);
+  }
+
+  private Optional<List<Vector3>> ways(TickContext tick) {
+    boolean told = paths.states().stream().anyMatch(StateView::showsContent);
+    return told ? Optional.of(paths.values().stream().flatMap(e -> end(e.value(), tick).stream()).toList()) : Optional.empty();
+  }
+
+  private static Optional<Vector3> end(Path path, TickContext tick) {
+    return path.poses().isEmpty() ? Optional.empty() : tick.placer().flatMap(p -> p.latest(path.frame()).found())
+        .map(fixedFromPath -> fixedFromPath.apply(path.poses().getLast().translation()));
   }
 
   private InputState state() {

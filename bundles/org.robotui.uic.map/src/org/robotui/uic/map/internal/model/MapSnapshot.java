@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
+import org.robotui.geometry.Vector3;
 
 /**
  * What the canvas paints besides the layers.
@@ -13,10 +14,13 @@ import org.robotui.data.FrameId;
  * @param state of the inputs as a whole
  * @param notes what layers have to say
  * @param robots where they are, the one of the map's commands first
+ * @param ways where the ways end that robots plan; none where nothing tells what they plan
  */
 public record MapSnapshot(
-    Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<Note> notes, List<RobotPlace> robots) {
+    Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<Note> notes, List<RobotPlace> robots,
+    Optional<List<Vector3>> ways) {
   /** Before the first tick. */
   public static final MapSnapshot NONE = new MapSnapshot(
-      Optional.empty(), List.of(), new InputState.Waiting("The map has not looked for data yet."), List.of(), List.of());
+      Optional.empty(), List.of(), new InputState.Waiting("The map has not looked for data yet."), List.of(), List.of(),
+      Optional.empty());
 }

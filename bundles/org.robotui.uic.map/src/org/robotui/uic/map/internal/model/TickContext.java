@@ -3,6 +3,7 @@ package org.robotui.uic.map.internal.model;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.geometry.Vector3;
+import org.robotui.ui.scene.Placer;
 import org.robotui.uic.map.internal.MapOptions;
 
 /**

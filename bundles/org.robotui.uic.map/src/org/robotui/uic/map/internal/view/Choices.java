@@ -3,6 +3,7 @@ package org.robotui.uic.map.internal.view;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.MapOptions;
@@ -10,13 +11,28 @@ import org.robotui.uic.map.internal.MapOptions;
 /** What the user has chosen, kept in the settings. Safe for all threads. */
 public final class Choices {
   private final SettingsStore settings;
+  private volatile Read last;
+
+  /** Settings and what was read of them: every paint asks several times. */
+  private record Read(Settings settings, MapOptions options) {
+    static Read of(Settings settings) {
+      return new Read(settings, MapOptions.of(settings));
+    }
+  }
 
   public Choices(SettingsStore settings) {
     this.settings = settings;
+    this.last = Read.of(settings.current());
   }
 
   public MapOptions options() {
-    return MapOptions.of(settings.current());
+    Settings now = settings.current();
+    Read known = last;
+    if (known.settings() != now) {
+      known = Read.of(now);
+      last = known;
+    }
+    return known.options();
   }
 
   void follow(boolean on) {

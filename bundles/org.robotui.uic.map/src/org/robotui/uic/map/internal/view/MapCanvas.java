@@ -10,9 +10,9 @@ import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
-import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 import org.robotui.ui.PaintedCanvas;
@@ -20,8 +20,13 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.scene.Camera;
+import org.robotui.ui.scene.Commander;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Scene;
+import org.robotui.ui.scene.SceneMover;
+import org.robotui.ui.scene.Toast;
+import org.robotui.ui.scene.Told;
 import org.robotui.ui.scene.Viewport;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.model.MapSnapshot;
@@ -31,6 +36,8 @@ import org.robotui.uic.map.internal.model.RobotPlace;
 public final class MapCanvas {
   private static final double TOUCH_PIXELS = 7;
   private static final int MOST_HITS = 3;
+  private static final double LARGEST_FIT = 200;
+  private static final int MARGIN = 48;
 
   private final UiContext context;
   private final MapModel model;
@@ -40,7 +47,7 @@ public final class MapCanvas {
   private final StateView states;
   private final Overlay overlay;
   private final PaintedCanvas surface;
-  private final Camera camera = new Camera();
+  private final SceneMover mover;
   private final Toast toast = new Toast();
   private final Hover hover = new Hover();
   private final SentGoal sent = new SentGoal();
@@ -57,6 +64,8 @@ public final class MapCanvas {
     states = new StateView(theme);
     overlay = new Overlay(theme);
     surface = new PaintedCanvas(parent, theme, this::paint);
+    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(), SceneMover.Following.of(this::following, choices::follow),
+        this::refresh);
     actions.connect(this);
     surface.atEnd(() -> {
       actions.disconnect(this);
@@ -86,9 +95,8 @@ public final class MapCanvas {
     refresh();
   }
 
-  void fit() {
-    camera.fit(model.scene().bounds());
-    refresh();
+  SceneMover mover() {
+    return mover;
   }
 
   void openLayers() {
@@ -121,34 +129,6 @@ public final class MapCanvas {
     refresh();
   }
 
-  void pan(double dx, double dy) {
-    if (following()) {
-      choices.follow(false);
-    }
-    camera.pan(dx, dy);
-    refresh();
-  }
-
-  void zoom(double x, double y, double factor) {
-    // While the robot is followed it is the one place that stays.
-    boolean middle = following();
-    Viewport v = camera.viewport();
-    camera.zoom(middle ? v.width() / 2.0 : x, middle ? v.height() / 2.0 : y, factor);
-    refresh();
-  }
-
-  void center(double x, double y) {
-    if (following()) {
-      choices.follow(false);
-    }
-    camera.center(x, y);
-    refresh();
-  }
-
-  Viewport viewport() {
-    return camera.viewport();
-  }
-
   Hover hover() {
     return hover;
   }
@@ -160,7 +140,7 @@ public final class MapCanvas {
   }
 
   List<Scene.Hit> hits(Point pixel) {
-    Viewport v = camera.viewport();
+    Viewport v = mover.viewport();
     return model.scene().at(v.worldX(pixel.x), v.worldY(pixel.y), TOUCH_PIXELS / v.scale());
   }
 
@@ -168,7 +148,8 @@ public final class MapCanvas {
     command(frame -> {
       Told told = commander.goal(frame, pose);
       if (told.health() == Health.OK) {
-        sent.at(frame, pose);
+        sent.at(frame, pose, System.nanoTime());
+        surface.getDisplay().timerExec(SentGoal.PATIENCE_MILLIS + 1, surface::requestPaint);
       }
       return told;
     });
@@ -192,15 +173,19 @@ public final class MapCanvas {
 
   private void paint(GC gc, Rectangle area) {
     MapSnapshot snapshot = model.snapshot();
-    Optional<Vector3> followed = following() ? robot().map(r -> r.fixedFromBase().translation()) : Optional.empty();
-    camera.settle(area.width, area.height, model.scene().bounds(), followed);
-    Painter painter = new Painter(gc, camera.viewport(), theme);
-    model.scene().paint(painter);
-    sent.paint(painter, snapshot);
+    mover.settle(area.width, area.height, robot().map(r -> r.fixedFromBase().translation()));
+    Painter painter = new Painter(gc, mover.viewport(), theme);
+    boolean bare = model.scene().bounds().isEmpty() && !StateView.showsContent(snapshot.state());
+    if (!bare) {
+      model.scene().paint(painter);
+    }
+    sent.paint(painter, snapshot, System.nanoTime());
     tool.ifPresent(t -> t.paint(painter));
     painter.opacity(1);
     paintState(gc, area, snapshot);
-    overlay.corners(gc, camera.viewport(), snapshot, hover.pointer());
+    if (!bare) {
+      overlay.corners(gc, mover.viewport(), snapshot, hover.pointer());
+    }
     tool.ifPresent(t -> overlay.hint(gc, area, t.hint()));
     toast.at(System.nanoTime()).ifPresent(t -> overlay.toast(gc, area, t));
     if (!hover.lines().isEmpty()) {
@@ -219,7 +204,7 @@ public final class MapCanvas {
       states.message(gc, area, Health.WARNING, "Nothing can be placed", snapshot.notes().getFirst().text());
     } else {
       states.paint(gc, area, snapshot.state());
-      overlay.notes(gc, area, snapshot.notes());
+      overlay.notes(gc, area, snapshot.notes(), snapshot.state() instanceof InputState.Stale, tool.isPresent());
     }
   }
 
@@ -260,7 +245,7 @@ public final class MapCanvas {
   private void sayNote() {
     String follow = following() ? "follow  \u00b7  " : "";
     String frame = model.snapshot().fixed().map(f -> f.name() + "  \u00b7  ").orElse("");
-    String next = follow + frame + Figures.of(1 / camera.viewport().scale(), 3, "m/px");
+    String next = follow + frame + Figures.of(1 / mover.viewport().scale(), 3, "m/px");
     if (!next.equals(note)) {
       note = next;
       context.note(next);

@@ -8,11 +8,12 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.entity.grid.ScaleBar;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;
-import org.robotui.ui.Health;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
+import org.robotui.ui.scene.Told;
 import org.robotui.ui.scene.Viewport;
 import org.robotui.uic.map.internal.model.MapSnapshot;
 import org.robotui.uic.map.internal.model.Note;
@@ -20,17 +21,20 @@ import org.robotui.uic.map.internal.model.Note;
 /** What lies over the map and does not move with it. Display thread. */
 final class Overlay {
   private static final int PILL_HEIGHT = 24;
-  private static final int MOST_NOTES = 5;
-  private static final int NOTE_HEIGHT = 18;
+  /** Below the place where stale data say their age. */
+  private static final int HINT_TOP = 2 * Theme.EDGE + PILL_HEIGHT;
+  private static final int CARD_ROW = 18;
   private static final int CARD_OFFSET = 16;
   private static final String WIDEST_PLACE = "x \u2212000.00  y \u2212000.00 m";
 
   private final Theme theme;
   private final StateView states;
+  private final NoteList list;
 
   Overlay(Theme theme) {
     this.theme = theme;
     this.states = new StateView(theme);
+    this.list = new NoteList(theme, states);
   }
 
   void corners(GC gc, Viewport viewport, MapSnapshot snapshot, Optional<Point> pointer) {
@@ -44,23 +48,21 @@ final class Overlay {
     }
   }
 
-  /** Lines about layers, top left. */
-  void notes(GC gc, Rectangle area, List<Note> notes) {
-    gc.setFont(theme.font(Face.SMALL));
-    int y = Theme.EDGE;
-    for (Note note : notes.subList(0, Math.min(MOST_NOTES, notes.size()))) {
-      y = line(gc, area, y, note.health(), note.text());
-    }
-    if (notes.size() > MOST_NOTES) {
-      line(gc, area, y, Health.NONE, "and " + (notes.size() - MOST_NOTES) + " more");
-    }
+  /**
+   * Lines about layers, top left.
+   *
+   * @param banner whether the age of stale data stands at the upper edge
+   * @param hint whether a hint stands below that
+   */
+  void notes(GC gc, Rectangle area, List<Note> notes, boolean banner, boolean hint) {
+    int above = hint ? HINT_TOP + PILL_HEIGHT : banner ? Theme.EDGE + PILL_HEIGHT : 0;
+    list.paint(gc, area, notes, above + Theme.EDGE);
   }
 
   void hint(GC gc, Rectangle area, String text) {
     gc.setFont(theme.font(Face.SMALL));
     Point size = gc.textExtent(text);
-    // Below the place where stale data say their age.
-    Rectangle pill = centered(area, 2 * Theme.EDGE + PILL_HEIGHT, size.x + 2 * Theme.EDGE);
+    Rectangle pill = centered(area, HINT_TOP, size.x + 2 * Theme.EDGE);
     states.pill(gc, pill);
     gc.setForeground(theme.color(Role.ACCENT));
     gc.drawText(text, pill.x + Theme.EDGE, pill.y + (PILL_HEIGHT - size.y) / 2, true);
@@ -68,7 +70,7 @@ final class Overlay {
 
   void toast(GC gc, Rectangle area, Told told) {
     gc.setFont(theme.font(Face.BODY));
-    String text = shortened(gc, told.text(), area.width - 6 * Theme.EDGE);
+    String text = TextFit.shorten(gc, told.text(), area.width - 6 * Theme.EDGE);
     Point size = gc.textExtent(text);
     int lead = HealthDot.SIZE + 2 * Theme.STEP;
     int top = area.height - PILL_HEIGHT - 4 * Theme.EDGE;
@@ -83,7 +85,7 @@ final class Overlay {
   void card(GC gc, Rectangle area, Point pointer, List<CardLine> lines) {
     gc.setFont(theme.font(Face.SMALL));
     int width = lines.stream().mapToInt(l -> gc.textExtent(l.text()).x).max().orElse(0) + 2 * Theme.EDGE;
-    int height = lines.size() * NOTE_HEIGHT + 2 * Theme.STEP;
+    int height = lines.size() * CARD_ROW + 2 * Theme.STEP;
     int x = Math.max(0, Math.min(pointer.x + CARD_OFFSET, area.width - width - Theme.STEP));
     boolean above = pointer.y + CARD_OFFSET + height > area.height;
     int y = above ? pointer.y - CARD_OFFSET - height : pointer.y + CARD_OFFSET;
@@ -92,8 +94,8 @@ final class Overlay {
     for (int i = 0; i < lines.size(); i++) {
       CardLine line = lines.get(i);
       gc.setForeground(theme.color(line.strong() ? Role.TEXT : Role.DIM));
-      int inset = (NOTE_HEIGHT - gc.textExtent(line.text()).y) / 2;
-      gc.drawText(line.text(), x + Theme.EDGE, top + i * NOTE_HEIGHT + inset, true);
+      int inset = (CARD_ROW - gc.textExtent(line.text()).y) / 2;
+      gc.drawText(line.text(), x + Theme.EDGE, top + i * CARD_ROW + inset, true);
     }
   }
 
@@ -114,28 +116,7 @@ final class Overlay {
     gc.drawText(frame, pill.x + Theme.EDGE, pill.y + (PILL_HEIGHT - gc.textExtent(frame).y) / 2, true);
   }
 
-  private int line(GC gc, Rectangle area, int y, Health health, String text) {
-    String words = shortened(gc, text, area.width - 5 * Theme.EDGE);
-    Point size = gc.textExtent(words);
-    int middle = y + NOTE_HEIGHT / 2;
-    HealthDot.paint(gc, theme, health, Theme.EDGE + HealthDot.SIZE / 2, middle);
-    gc.setForeground(theme.color(health == Health.BAD ? Role.TEXT : health.role()));
-    gc.drawText(words, Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP, middle - size.y / 2, true);
-    return y + NOTE_HEIGHT;
-  }
-
   private static Rectangle centered(Rectangle area, int top, int width) {
     return new Rectangle((area.width - width) / 2, top, width, PILL_HEIGHT);
-  }
-
-  private static String shortened(GC gc, String text, int width) {
-    if (gc.textExtent(text).x <= width) {
-      return text;
-    }
-    int length = text.length();
-    while (length > 1 && gc.textExtent(text.substring(0, length) + "\u2026").x > width) {
-      length -= Math.max(1, length / 16);
-    }
-    return text.substring(0, Math.max(0, length)) + "\u2026";
   }
 }

@@ -1,8 +1,5 @@
 package org.robotui.uic.map.internal.view;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.CommandOutcome;
@@ -13,13 +10,18 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.Commander;
+import org.robotui.ui.scene.Told;
 import org.robotui.uic.map.internal.MapOptions;
 import org.robotui.uic.map.internal.MapPorts;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 
 class CommanderTest {
   private static final FrameId MAP = new FrameId("Keira", "map");
   private final FakeUicContext context = new FakeUicContext("map", MapOptions.schema());
-  private final Commander commander = new Commander(context);
+  private final Commander commander = new Commander(context, MapPorts.GOAL, MapPorts.INITIAL_POSE);
 
   @Test
   void aGoalTakesTheFreeLeaseAndIsSent() {

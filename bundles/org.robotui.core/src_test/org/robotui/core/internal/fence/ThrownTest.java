@@ -1,0 +1,39 @@
+package org.robotui.core.internal.fence;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.slf4j.LoggerFactory;
+
+class ThrownTest {
+  private static final class Hostile extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public String getMessage() {
+      throw new StackOverflowError();
+    }
+  }
+
+  @Test
+  void aMessageThatThrowsIsReplacedByTheClass() {
+    assertEquals(Hostile.class.getName(), Thrown.text(new Hostile()));
+  }
+
+  @Test
+  void aMessageWithoutEndIsCut() {
+    assertTrue(Thrown.text(new IllegalStateException("x".repeat(1_000_000))).length() < 400);
+  }
+
+  @Test
+  void whoFindsNoMemoryIsNotAccusedOfHavingTakenIt() {
+    assertEquals("java.lang.OutOfMemoryError: Java heap space, which another may have used up,",
+        Thrown.text(new OutOfMemoryError("Java heap space")));
+  }
+
+  @Test
+  void loggingNeverFails() {
+    Thrown.log(LoggerFactory.getLogger(ThrownTest.class), "hostile", new Hostile());
+  }
+}

@@ -1,0 +1,68 @@
+package org.robotui.core.internal.watch;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.lang.management.MemoryUsage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+class MemoryWatchTest {
+  private static final long MAX = 100_000_000;
+
+  private final List<String> happened = new ArrayList<>();
+  private long used;
+  private final MemoryWatch watch = new MemoryWatch(
+      () -> List.of(new MemoryUsage(0, used, MAX, MAX)), () -> happened.add("stop"), happened::add);
+
+  private void use(long bytes) {
+    used = bytes;
+    watch.check(0);
+  }
+
+  @Test
+  void aFullHeapStopsAllRobotsOnceAndSaysSo() {
+    use(MAX * 96 / 100);
+    use(MAX);
+    assertEquals(List.of("stop", "the memory is used up (96 of 100 MB): all robots are stopped; close views, or start again "
+        + "with more"), happened);
+  }
+
+  @Test
+  void aBusyHeapIsNotFull() {
+    use(MAX * 94 / 100);
+    assertEquals(List.of(), happened);
+  }
+
+  @Test
+  void itIsToldAgainAfterThereWasRoom() {
+    use(MAX);
+    use(MAX / 2);
+    use(MAX);
+    assertEquals(4, happened.size());
+  }
+
+  @Test
+  void itSaysSoLaterWhereItCouldNotAtOnce() {
+    AtomicInteger failures = new AtomicInteger(2);
+    MemoryWatch starved = new MemoryWatch(() -> List.of(new MemoryUsage(0, MAX, MAX, MAX)), () -> happened.add("stop"), m -> {
+      if (failures.getAndDecrement() > 0) {
+        throw new OutOfMemoryError();
+      }
+      happened.add(m);
+    });
+    assertThrows(OutOfMemoryError.class, () -> starved.check(0));
+    assertThrows(OutOfMemoryError.class, () -> starved.check(0));
+    starved.check(0);
+    starved.check(0);
+    assertEquals(2, happened.size(), happened.toString());
+  }
+
+  @Test
+  void thisMachineTellsHowFullItIs() {
+    assertFalse(MemoryWatch.heap().get().isEmpty());
+  }
+}

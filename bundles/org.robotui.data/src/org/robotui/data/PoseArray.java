@@ -1,0 +1,23 @@
+package org.robotui.data;
+
+import java.util.List;
+import org.robotui.geometry.RigidTransform;
+
+/**
+ * Many poses at one time, in no order that means something: the particles of a localisation, grasps to choose from.
+ *
+ * @param frame frame of the poses
+ * @param poses frame from body each
+ */
+@Delivery(expires = false)
+public record PoseArray(FrameId frame, List<RigidTransform> poses) implements Data {
+  /**
+   * Copies the list.
+   *
+   * @param frame the frame
+   * @param poses the poses
+   */
+  public PoseArray {
+    poses = List.copyOf(poses);
+  }
+}

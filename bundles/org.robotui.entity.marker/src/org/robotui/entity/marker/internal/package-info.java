@@ -1,0 +1,2 @@
+/** Markers of robots as parts of a scene. */
+package org.robotui.entity.marker.internal;

@@ -1,0 +1,43 @@
+package org.robotui.entity.path.internal.display;
+
+import java.util.List;
+import org.robotui.geometry.Quaternion;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
+import org.robotui.gl.shape.Instances;
+import org.robotui.gl.shape.Material;
+import org.robotui.gl.shape.Meshes;
+import org.robotui.gl.shape.Placings;
+import org.robotui.gl.shape.Rgba;
+
+/** Arrows or axes at poses. */
+final class PoseShapes {
+  /** Poses of one display at most: 40 bytes each. */
+  static final int MOST = 200_000;
+
+  /** A shaft of a hand's width to its length looks as in rviz. */
+  private static final double THIN = 0.08;
+
+  private PoseShapes() {}
+
+  static Instances of(List<RigidTransform> poses, boolean axes, double length) {
+    Placings placings = new Placings(Math.min(MOST, poses.size()));
+    Vector3 scale = axes ? new Vector3(length, length, length) : new Vector3(length, THIN * length, THIN * length);
+    for (RigidTransform pose : poses.subList(0, Math.min(MOST, poses.size()))) {
+      placings.add(upright(pose), scale);
+    }
+    return placings.of(axes ? Meshes.axes() : Meshes.arrow());
+  }
+
+  /** Axes have colours of their own. */
+  static Material material(boolean axes, Rgba color) {
+    return Material.lit(axes ? Rgba.WHITE.withAlpha(color.alpha()) : color);
+  }
+
+  /** A rotation that was never set (all 0) is none. */
+  static RigidTransform upright(RigidTransform pose) {
+    double norm = pose.rotation().norm();
+    return norm > 1e-9 ? new RigidTransform(pose.translation(), pose.rotation().normalized())
+        : new RigidTransform(pose.translation(), Quaternion.IDENTITY);
+  }
+}

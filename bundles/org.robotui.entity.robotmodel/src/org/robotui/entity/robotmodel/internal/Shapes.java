@@ -1,0 +1,93 @@
+package org.robotui.entity.robotmodel.internal;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.robotui.geometry.Vector3;
+import org.robotui.gl.shape.Box3;
+import org.robotui.gl.shape.Meshes;
+import org.robotui.gl.shape.Rgba;
+import org.robotui.gl.shape.TriangleMesh;
+import org.robotui.urdf.Color;
+import org.robotui.urdf.Geometry;
+import org.robotui.urdf.mesh.Mesh;
+
+/** Makes shapes of forms; equal ones are one object, so that the graphics card has them once. Used by one thread. */
+final class Shapes {
+  /** The most memory of one model. */
+  static final long MOST_BYTES = 1L << 30;
+
+  private final MeshCache meshes;
+  private final Map<Geometry, Optional<TriangleMesh>> plain = new HashMap<>();
+  private final Map<Colored, TriangleMesh> colored = new HashMap<>();
+  private long bytes;
+
+  Shapes(MeshCache meshes) {
+    this.meshes = meshes;
+  }
+
+  /** A mesh whose own colours are filled up with that of the model. */
+  private record Colored(Geometry geometry, Rgba otherwise) {}
+
+  long bytes() {
+    return bytes;
+  }
+
+  boolean full() {
+    return bytes > MOST_BYTES;
+  }
+
+  /** Without colours; none where its file cannot be read. */
+  Optional<TriangleMesh> plain(Geometry geometry) {
+    Optional<TriangleMesh> known = plain.get(geometry);
+    if (known == null) {
+      known = make(geometry);
+      plain.put(geometry, known);
+      known.ifPresent(mesh -> bytes += mesh.bytes());
+    }
+    return known;
+  }
+
+  /** With the colours of the file, as RViz shows it: they go before the model's material. Empty where the file has none. */
+  Optional<TriangleMesh> colored(Geometry geometry, TriangleMesh shape, Rgba otherwise) {
+    Optional<Mesh> mesh = geometry instanceof Geometry.MeshFile file ? meshes.mesh(file.uri()) : Optional.empty();
+    return mesh.filter(m -> m.parts().stream().anyMatch(part -> part.color().isPresent()))
+        .map(m -> colored.computeIfAbsent(new Colored(geometry, otherwise), key -> colored(m, shape, otherwise)));
+  }
+
+  private TriangleMesh colored(Mesh mesh, TriangleMesh shape, Rgba otherwise) {
+    ByteBuffer rgba = ByteBuffer.allocate(4 * (mesh.xyz().remaining() / 3));
+    for (Mesh.Part part : mesh.parts()) {
+      int packed = part.color().map(Shapes::rgba).orElse(otherwise).packed();
+      for (int i = 0; i < part.corners(); i++) {
+        rgba.putInt(4 * (part.firstCorner() + i), packed);
+      }
+    }
+    bytes += rgba.remaining();
+    return new TriangleMesh(shape.xyz(), shape.normals(), Optional.empty(), Optional.of(rgba), shape.triangles(), shape.bounds());
+  }
+
+  static Rgba rgba(Color color) {
+    return new Rgba(color.red(), color.green(), color.blue(), color.alpha());
+  }
+
+  private Optional<TriangleMesh> make(Geometry geometry) {
+    return switch (geometry) {
+      case Geometry.Box box -> Optional.of(Scaled.by(Meshes.cube(), box.size()));
+      case Geometry.Sphere sphere -> Optional.of(round(Meshes.sphere(), 2 * sphere.radius(), 2 * sphere.radius()));
+      case Geometry.Cylinder cylinder -> Optional.of(round(Meshes.cylinder(), 2 * cylinder.radius(), cylinder.length()));
+      case Geometry.MeshFile file -> meshes.mesh(file.uri()).map(mesh -> surface(mesh, file.scale()));
+    };
+  }
+
+  private static TriangleMesh round(TriangleMesh mesh, double across, double along) {
+    return Scaled.by(mesh, new Vector3(across, across, along));
+  }
+
+  private static TriangleMesh surface(Mesh mesh, Vector3 scale) {
+    FloatBuffer xyz = Scaled.places(mesh.xyz(), scale);
+    return new TriangleMesh(xyz, Optional.of(Scaled.normals(mesh.normals(), scale)), Optional.empty(), Optional.empty(), mesh.triangles(), Box3.around(xyz));
+  }
+}

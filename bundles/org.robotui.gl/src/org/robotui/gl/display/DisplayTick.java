@@ -1,0 +1,56 @@
+package org.robotui.gl.display;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.config.Settings;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.InputState;
+import org.robotui.data.Data;
+import org.robotui.gl.shape.Rgba;
+
+/**
+ * One tick of a display.
+ *
+ * @param arrived what its sources sent since the last tick, in the order of arrival
+ * @param state how its sources are: the best of those that it needs
+ * @param places where frames are
+ * @param settings its settings, checked
+ * @param robotColor the colour of the robot that it belongs to, for kinds that colour by robot
+ * @param nowNanos {@link System#nanoTime()}, against which age is measured
+ * @param reset true where the clock of the robot jumped back: what was collected is to be forgotten
+ */
+public record DisplayTick(
+    List<Envelope<? extends Data>> arrived,
+    InputState state,
+    Places places,
+    Settings settings,
+    Rgba robotColor,
+    long nowNanos,
+    boolean reset) {
+  /**
+   * Copies the list.
+   *
+   * @param arrived what came
+   * @param state of its sources
+   * @param places of frames
+   * @param settings checked
+   * @param robotColor of the robot
+   * @param nowNanos now
+   * @param reset forget what was collected
+   */
+  public DisplayTick {
+    arrived = List.copyOf(arrived);
+  }
+
+  /**
+   * The newest value of a type that came with this tick.
+   *
+   * @param <T> the type
+   * @param type the type
+   * @return the envelope, or none
+   */
+  @SuppressWarnings("unchecked") // the value is of the type, and an envelope only gives it out
+  public <T extends Data> Optional<Envelope<T>> newest(Class<T> type) {
+    return arrived.reversed().stream().filter(e -> type.isInstance(e.value())).findFirst().map(e -> (Envelope<T>) e);
+  }
+}

@@ -1,0 +1,150 @@
+package org.robotui.gl.internal.context;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Function;
+import org.robotui.gl.internal.gpu.Gpu;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The one thread that calls OpenGL, and its context. It starts with the first task. Where a task fails, the context is made anew and the task is
+ * tried again; after some failures in a row there is no OpenGL for a while.
+ */
+public final class GlThread implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(GlThread.class);
+  private static final Runnable END = () -> {};
+  private static final int TRIES = 3;
+  private static final long PAUSE = Duration.ofSeconds(5).toNanos();
+  private static final String DRIVER = "Update the driver of the graphics card, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw by the processor.";
+
+  private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
+  private final Thread thread = new Thread(this::work, "OpenGL");
+  private Optional<GlContext> context = Optional.empty();
+  private Optional<NoOpenGl> verdict = Optional.empty();
+  private long verdictNanos;
+  private boolean started;
+  private boolean closed;
+
+  /** A thread that is not started yet. */
+  public GlThread() {
+    thread.setDaemon(true);
+  }
+
+  /**
+   * Runs something on the thread, after all that was given before.
+   *
+   * @param task must not throw
+   * @return false where it is closed, and the task will not run
+   */
+  public synchronized boolean execute(Runnable task) {
+    if (closed) {
+      return false;
+    }
+    if (!started) {
+      started = true;
+      thread.start();
+    }
+    return tasks.add(task);
+  }
+
+  /**
+   * Does something with OpenGL. On the thread only.
+   *
+   * @param <T> what comes out
+   * @param work is called again with a new context where it throws
+   * @return what comes out
+   * @throws NoOpenGl where there is none
+   */
+  public <T> T with(Function<Gpu, T> work) throws NoOpenGl {
+    if (verdict.isPresent() && System.nanoTime() - verdictNanos < PAUSE) {
+      throw verdict.get();
+    }
+    try {
+      T result = tried(work);
+      verdict = Optional.empty();
+      return result;
+    } catch (NoOpenGl e) {
+      if (verdict.filter(last -> last.getMessage().equals(e.getMessage())).isEmpty()) {
+        LOG.warn("{} {}", e.getMessage(), e.remedy());
+      }
+      verdict = Optional.of(e);
+      verdictNanos = System.nanoTime();
+      throw e;
+    }
+  }
+
+  private <T> T tried(Function<Gpu, T> work) throws NoOpenGl {
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return work.apply(current());
+      } catch (RuntimeException | Error e) { // errors, too: whoever waits for a picture must be told, and the thread must live
+        LOG.warn("OpenGL fails, its context is made anew", e);
+        dropContext();
+        if (attempt == TRIES) {
+          throw new NoOpenGl("OpenGL failed " + TRIES + " times: " + e.getMessage() + ".", DRIVER);
+        }
+      }
+    }
+  }
+
+  private Gpu current() throws NoOpenGl {
+    if (context.isEmpty()) {
+      context = Optional.of(GlContext.open());
+    }
+    return context.get().gpu();
+  }
+
+  /**
+   * The context, where there is one. On the thread only.
+   *
+   * @return none where nothing was drawn yet, or where it was lost
+   */
+  public Optional<Gpu> present() {
+    return context.map(GlContext::gpu);
+  }
+
+  /** Destroys the context with all that is in it; the next picture makes another. On the thread only. */
+  public void dropContext() {
+    context.ifPresent(GlContext::close);
+    context = Optional.empty();
+  }
+
+  private void work() {
+    try {
+      for (Runnable task = tasks.take(); task != END; task = tasks.take()) {
+        task.run();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      dropContext();
+    }
+  }
+
+
+  /** Ends the thread after the tasks that it has, and frees the context. Returns at once. */
+  @Override
+  public synchronized void close() {
+    closed = true;
+    tasks.add(END);
+  }
+
+  /**
+   * Waits for the end, after {@link #close()}.
+   *
+   * @param most how long at most
+   * @return true where it ended
+   * @throws InterruptedException where this thread is to end itself
+   */
+  public boolean awaitEnd(Duration most) throws InterruptedException {
+    return !isRunning() || Thread.currentThread() != thread && thread.join(most);
+  }
+
+  /** A thread that was not started cannot be waited for. */
+  private synchronized boolean isRunning() {
+    return started;
+  }
+}

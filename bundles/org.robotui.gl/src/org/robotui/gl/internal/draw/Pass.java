@@ -1,0 +1,124 @@
+package org.robotui.gl.internal.draw;
+
+import com.jogamp.opengl.GL3;
+import java.util.Optional;
+import org.robotui.geometry.Vector3;
+import org.robotui.gl.internal.gpu.Gpu;
+import org.robotui.gl.internal.gpu.Program;
+import org.robotui.gl.internal.splat.Splats;
+import org.robotui.gl.internal.text.GlyphTexture;
+import org.robotui.gl.shape.Rgba;
+
+/** The drawing of one picture, or of the few pixels around the pointer. */
+public final class Pass {
+  /** Selected things glow in the colour of what is chosen. */
+  private static final Rgba GLOW = new Rgba(1, 0.72f, 0.2f, 0.5f);
+  private static final Rgba NO_GLOW = GLOW.withAlpha(0);
+
+  private static final Shader OVERLAY = Shader.of("overlay");
+
+  private final Gpu gpu;
+  private final Camera camera;
+  private final Programs programs;
+  private final GlyphTexture glyphs;
+  private final Rgba background;
+  private final Optional<Splats> splats;
+  private final boolean picking;
+  private final int every;
+  private final Tally tally = new Tally();
+
+  /**
+   * Begins.
+   *
+   * @param gpu where
+   * @param camera from where
+   * @param tools shaders and glyphs
+   * @param background behind everything
+   * @param splats where points are written that OpenGL does not draw; none where it draws all
+   * @param picking whether parts and elements are drawn in place of colours
+   * @param every n-th point is drawn
+   */
+  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every) {
+    this.gpu = gpu;
+    this.camera = camera;
+    this.programs = tools.programs();
+    this.glyphs = tools.glyphs();
+    this.background = background;
+    this.splats = splats;
+    this.picking = picking;
+    this.every = every;
+  }
+
+  GL3 gl() {
+    return gpu.gl();
+  }
+
+  Gpu gpu() {
+    return gpu;
+  }
+
+  Camera camera() {
+    return camera;
+  }
+
+  GlyphTexture glyphs() {
+    return glyphs;
+  }
+
+  Rgba background() {
+    return background;
+  }
+
+  Optional<Splats> splats() {
+    return splats;
+  }
+
+  Rgba glow(Look look) {
+    return look.selected() ? GLOW : NO_GLOW;
+  }
+
+  int every() {
+    return every;
+  }
+
+  boolean picking() {
+    return picking;
+  }
+
+  /**
+   * What was drawn.
+   *
+   * @return the count
+   */
+  public Tally tally() {
+    return tally;
+  }
+
+  /**
+   * The shaders that bring splats into the picture.
+   *
+   * @return with two textures
+   */
+  public Program overlay() {
+    return programs.get(OVERLAY);
+  }
+
+  /** Makes shaders the ones that are drawn with, with what all of them know of a part. */
+  Program use(Shader shader, Look look) {
+    Program program = programs.get(picking ? shader.with(Shader.Trait.PICK) : shader);
+    program.use();
+    program.matrix("clipFromShape", look.clipFromShape().floats());
+    program.color("tint", look.color());
+    program.color("glow", glow(look));
+    program.whole("part", look.id());
+    return program;
+  }
+
+  /** What shaders of surfaces in light know besides. */
+  void light(Program program, Look look) {
+    program.matrix("eyeFromShape", look.eyeFromShape().floats());
+    Vector3 up = camera.eyeFromFixed().rotation().rotate(new Vector3(0, 0, 1));
+    program.triple("up", (float) up.x(), (float) up.y(), (float) up.z());
+    program.number("perspective", camera.perspective() ? 1 : 0);
+  }
+}

@@ -1,0 +1,108 @@
+package org.robotui.gl.internal.draw;
+
+import com.jogamp.opengl.GL;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.Optional;
+import org.robotui.gl.internal.draw.Shader.Trait;
+import org.robotui.gl.internal.gpu.Gpu;
+import org.robotui.gl.internal.gpu.GpuBuffer;
+import org.robotui.gl.internal.gpu.VertexArray;
+import org.robotui.gl.shape.TriangleMesh;
+
+/** The buffers of a mesh, laid into a vertex array to which more may be added. */
+final class Surface {
+  private static final int NORMAL = 2;
+  private static final int UV = 3;
+  private static final Shader SHADER = Shader.of("mesh");
+
+  private final Gpu gpu;
+  private final VertexArray array;
+  private final Corners corners;
+  private final GpuBuffer indices;
+  private Optional<GpuBuffer> normals = Optional.empty();
+  private Optional<GpuBuffer> uv = Optional.empty();
+  private TriangleMesh mesh = TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0));
+
+  Surface(Gpu gpu) {
+    this.gpu = gpu;
+    array = new VertexArray(gpu);
+    corners = new Corners(gpu);
+    indices = GpuBuffer.ofIndices(gpu);
+  }
+
+  /** Takes a mesh, unless it has it; answers the bytes sent. */
+  long fill(TriangleMesh wanted) {
+    if (wanted == mesh) {
+      return 0;
+    }
+    mesh = wanted;
+    array.bind();
+    long sent = corners.fill(mesh.xyz(), mesh.rgba()) + indices.fill(mesh.triangles());
+    corners.lay(array, 1);
+    normals = buffer(normals, mesh.normals());
+    uv = buffer(uv, mesh.uv());
+    sent += lay(NORMAL, 3, normals, mesh.normals()) + lay(UV, 2, uv, mesh.uv());
+    indices.bind();
+    return sent;
+  }
+
+  private Optional<GpuBuffer> buffer(Optional<GpuBuffer> present, Optional<FloatBuffer> numbers) {
+    return numbers.isPresent() && present.isEmpty() ? Optional.of(GpuBuffer.ofVertices(gpu)) : present;
+  }
+
+  private long lay(int slot, int each, Optional<GpuBuffer> buffer, Optional<FloatBuffer> numbers) {
+    if (numbers.isEmpty()) {
+      array.none(slot);
+      return 0;
+    }
+    long sent = buffer.orElseThrow().fill(numbers.get());
+    array.floats(slot, buffer.orElseThrow(), each, 1);
+    return sent;
+  }
+
+  /** Which shaders draw it. */
+  Shader shader(Look look) {
+    return SHADER
+        .with(Trait.LIT, look.lit())
+        .with(Trait.FACETS, look.lit() && mesh.normals().isEmpty())
+        .with(Trait.TEXTURED, look.texture().isPresent() && mesh.uv().isPresent());
+  }
+
+  VertexArray array() {
+    return array;
+  }
+
+  /** Makes it the one that is drawn. */
+  void bind(Look look) {
+    array.bind();
+    corners.whiten(array);
+    look.texture().ifPresent(texture -> texture.bind());
+  }
+
+  void draw(Pass pass) {
+    pass.gl().glDrawElements(GL.GL_TRIANGLES, mesh.triangles().remaining(), GL.GL_UNSIGNED_INT, 0);
+    pass.tally().triangles(mesh.elements());
+  }
+
+  void draw(Pass pass, int instances) {
+    pass.gl().glDrawElementsInstanced(GL.GL_TRIANGLES, mesh.triangles().remaining(), GL.GL_UNSIGNED_INT, 0, instances);
+    pass.tally().triangles((long) mesh.elements() * instances);
+  }
+
+  boolean translucent() {
+    return corners.translucent();
+  }
+
+  long bytes() {
+    return corners.bytes() + indices.bytes() + normals.map(GpuBuffer::bytes).orElse(0L) + uv.map(GpuBuffer::bytes).orElse(0L);
+  }
+
+  void delete() {
+    array.delete();
+    corners.delete();
+    indices.delete();
+    normals.ifPresent(GpuBuffer::delete);
+    uv.ifPresent(GpuBuffer::delete);
+  }
+}

@@ -1,0 +1,90 @@
+package org.robotui.gl.internal.scene;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.robotui.gl.internal.draw.Camera;
+import org.robotui.gl.internal.draw.Look;
+import org.robotui.gl.internal.draw.Matrix;
+import org.robotui.gl.internal.draw.Pass;
+import org.robotui.gl.internal.gpu.Gpu;
+import org.robotui.gl.render.RenderRequest.Selected;
+import org.robotui.gl.shape.Rgba;
+
+/** Draws what is seen into the target that is bound. */
+final class Canvas {
+  /** What lies on top has the front of the depths to itself. */
+  static final double TOP = 0.1;
+
+  private final GL3 gl;
+  private final Pass pass;
+  private final Camera camera;
+  private final List<Selected> selection;
+  private final Map<Integer, Resident> byId = new HashMap<>();
+
+  Canvas(Gpu gpu, Pass pass, Camera camera, List<Selected> selection) {
+    this.gl = gpu.gl();
+    this.pass = pass;
+    this.camera = camera;
+    this.selection = selection;
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    gl.glDepthFunc(GL.GL_LEQUAL);
+    gl.glDisable(GL.GL_CULL_FACE);
+    gl.glDisable(GL.GL_DITHER);
+  }
+
+  /** Fills the target with one colour. Alpha stays 0, so that pixels are plain numbers of red, green and blue. */
+  void clear(Rgba background) {
+    gl.glDisable(GL.GL_BLEND);
+    gl.glDepthMask(true);
+    gl.glColorMask(true, true, true, true);
+    gl.glClearColor(background.red(), background.green(), background.blue(), 0);
+    gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
+    gl.glColorMask(true, true, true, false);
+  }
+
+  /** Draws colours: translucent things over the opaque ones, without hiding each other. What is to come between comes between. */
+  void draw(Order order, Runnable afterOpaque) {
+    drawBoth(order.opaque());
+    afterOpaque.run();
+    gl.glEnable(GL.GL_BLEND);
+    gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
+    gl.glDepthMask(false);
+    drawBoth(order.translucent());
+    gl.glDepthMask(true);
+    gl.glDisable(GL.GL_BLEND);
+  }
+
+  /** Draws which part and element is where. */
+  void drawIds(Order order) {
+    gl.glDisable(GL.GL_BLEND);
+    gl.glDepthMask(true);
+    drawBoth(order.opaque());
+    drawBoth(order.translucent());
+  }
+
+  private void drawBoth(List<Resident> residents) {
+    gl.glDepthRange(TOP, 1);
+    residents.stream().filter(resident -> !resident.onTop()).forEach(resident -> draw(resident, TOP, 1));
+    gl.glDepthRange(0, TOP);
+    residents.stream().filter(Resident::onTop).forEach(resident -> draw(resident, 0, TOP));
+  }
+
+  private void draw(Resident resident, double near, double far) {
+    int id = byId.size() + 1;
+    byId.put(id, resident);
+    Matrix eyeFromShape = Matrix.of(camera.eyeFromFixed().times(resident.part().fixedFromShape()));
+    boolean selected = selection.contains(new Selected(resident.display(), resident.part().key()));
+    resident.drawn().draw(pass, new Look(
+        eyeFromShape, camera.clipFromEye().times(eyeFromShape), resident.part().material().color(), resident.part().material().lit(),
+        resident.picture().map(Pool.Picture::texture), selected, near, far, id));
+  }
+
+  /** The part that was drawn with an id. */
+  Optional<Resident> drawnAs(int id) {
+    return Optional.ofNullable(byId.get(id));
+  }
+}

@@ -1,0 +1,77 @@
+package org.robotui.gl.internal.scene;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2GL3;
+import com.jogamp.opengl.GL3;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.IntBuffer;
+import java.util.Optional;
+import org.robotui.gl.internal.gpu.Gpu;
+import org.robotui.gl.internal.gpu.Program;
+import org.robotui.gl.internal.gpu.Target;
+import org.robotui.gl.internal.splat.Overlay;
+import org.robotui.gl.internal.splat.Splats;
+
+/** What pictures of one size are drawn into and read from. */
+final class Pixels {
+  private static final int SAMPLES = 4;
+  private static final int COLOR_BYTES = 4;
+
+  private final Target plain;
+  /** Several samples a pixel make edges smooth, and cost software three to five times the time. */
+  private final Optional<Target> smooth;
+  private final IntBuffer read;
+  private final Optional<Splats> splats;
+  private Optional<Overlay> overlay = Optional.empty();
+
+  Pixels(Gpu gpu, int width, int height) {
+    plain = new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, 0);
+    smooth = gpu.limits().software() ? Optional.empty() : Optional.of(new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, SAMPLES));
+    splats = gpu.limits().software() ? Optional.of(new Splats(width, height, false)) : Optional.empty();
+    read = ByteBuffer.allocateDirect(COLOR_BYTES * width * height).order(ByteOrder.nativeOrder()).asIntBuffer();
+  }
+
+  boolean fit(int width, int height) {
+    return plain.fits(width, height);
+  }
+
+  /** Where points are written by the processor; none where OpenGL draws them. */
+  Optional<Splats> splats() {
+    return splats;
+  }
+
+  /** Brings the splats into the picture. */
+  void drawSplats(Gpu gpu, Program program) {
+    splats.filter(Splats::used).ifPresent(written -> {
+      Overlay over = overlay.orElseGet(() -> new Overlay(gpu, written.width(), written.height()));
+      overlay = Optional.of(over);
+      over.draw(written, program);
+    });
+  }
+
+  /** Makes them what is drawn into. */
+  void bind() {
+    splats.ifPresent(Splats::clear);
+    smooth.orElse(plain).bind();
+  }
+
+  /** Reads what was drawn. */
+  int[] read(GL3 gl, int width, int height) {
+    smooth.ifPresent(samples -> samples.resolve(plain));
+    gl.glReadPixels(0, 0, width, height, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV, read);
+    int[] rgb = new int[width * height];
+    read.get(0, rgb);
+    return rgb;
+  }
+
+  long bytes() {
+    return plain.bytes() + smooth.map(Target::bytes).orElse(0L) + overlay.map(Overlay::bytes).orElse(0L);
+  }
+
+  void delete() {
+    plain.delete();
+    smooth.ifPresent(Target::delete);
+    overlay.ifPresent(Overlay::delete);
+  }
+}

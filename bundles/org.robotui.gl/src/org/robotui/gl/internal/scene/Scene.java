@@ -1,0 +1,104 @@
+package org.robotui.gl.internal.scene;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.gl.internal.draw.Camera;
+import org.robotui.gl.internal.draw.Pass;
+import org.robotui.gl.internal.draw.Tools;
+import org.robotui.gl.internal.gpu.Gpu;
+import org.robotui.gl.internal.pick.Picker;
+import org.robotui.gl.internal.pick.Picker.Found;
+import org.robotui.gl.internal.splat.Splats;
+import org.robotui.gl.render.Pick;
+import org.robotui.gl.render.RenderRequest;
+import org.robotui.gl.render.Rendered;
+import org.robotui.gl.render.Rendered.Figures;
+
+/** One scene in one context. On the thread of OpenGL only. */
+final class Scene {
+  private static final double NANOS = 1e9;
+
+  private final Gpu gpu;
+  private final Tools tools;
+  private final Residents residents;
+  private Optional<Pixels> pixels = Optional.empty();
+
+  Scene(Gpu gpu) {
+    this.gpu = gpu;
+    tools = Tools.of(gpu);
+    residents = new Residents(gpu, Residents.MOST_BYTES);
+  }
+
+  /** Whether it lives in a context. */
+  boolean isIn(Gpu context) {
+    return gpu == context;
+  }
+
+  Rendered render(RenderRequest request) {
+    long start = System.nanoTime();
+    int most = gpu.limits().picture();
+    if (request.width() > most || request.height() > most) {
+      return new Rendered.Unavailable(
+          "This graphics makes no picture of " + request.width() + " x " + request.height() + ".", "Ask for " + most + " pixels along an edge at most.");
+    }
+    List<String> problems = residents.follow(request.parts());
+    Camera camera = Camera.of(request);
+    Order order = Order.of(residents.all(), camera);
+    Pixels target = fitting(request);
+    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()));
+    target.bind();
+    Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
+    canvas.clear(request.background());
+    canvas.draw(order, () -> target.drawSplats(gpu, pass.overlay()));
+    int[] rgb = target.read(gpu.gl(), request.width(), request.height());
+    gpu.check("drawing");
+    return new Rendered.Picture(request.width(), request.height(), rgb, figures(start, pass), problems);
+  }
+
+  /** Finds what lies under a pixel. */
+  Optional<Pick> pick(RenderRequest request, int x, int y) {
+    residents.follow(request.parts());
+    Camera whole = Camera.of(request);
+    Camera camera = whole.around(x, y, Picker.SIDE);
+    Order order = Order.of(residents.all(), camera);
+    Splats splats = new Splats(Picker.SIDE, Picker.SIDE, true);
+    Pass pass = new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1);
+    Canvas canvas = new Canvas(gpu, pass, camera, List.of());
+    Picker pixelsAround = new Picker(gpu);
+    pixelsAround.begin();
+    canvas.drawIds(order);
+    Optional<Found> found = pixelsAround.nearest(splats);
+    pixelsAround.delete();
+    gpu.check("picking");
+    return found.flatMap(hit -> canvas.drawnAs(hit.part()).map(resident -> pick(request, whole, resident, hit, x, y)));
+  }
+
+  private static Pick pick(RenderRequest request, Camera camera, Resident resident, Found hit, int x, int y) {
+    double depth = resident.onTop() ? hit.depth() / Canvas.TOP : (hit.depth() - Canvas.TOP) / (1 - Canvas.TOP);
+    return new Pick(resident.display(), resident.part(), hit.element(), camera.place(x + hit.x(), y + hit.y(), depth, request.eye()));
+  }
+
+  private static int every(long points, int budget) {
+    return (int) Math.max(1, Math.ceilDiv(points, Math.max(1, budget)));
+  }
+
+  private Pixels fitting(RenderRequest request) {
+    if (pixels.isEmpty() || !pixels.get().fit(request.width(), request.height())) {
+      pixels.ifPresent(Pixels::delete);
+      pixels = Optional.empty();
+      pixels = Optional.of(new Pixels(gpu, request.width(), request.height()));
+    }
+    return pixels.get();
+  }
+
+  private Figures figures(long start, Pass pass) {
+    return new Figures((System.nanoTime() - start) / NANOS, pass.tally().points(), pass.tally().pointsLeftOut(), pass.tally().triangles(),
+        residents.takeSent(), residents.bytes() + pixels.map(Pixels::bytes).orElse(0L));
+  }
+
+  void delete() {
+    residents.delete();
+    pixels.ifPresent(Pixels::delete);
+    tools.delete();
+  }
+}

@@ -1,0 +1,33 @@
+package org.robotui.gl.render;
+
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+
+/**
+ * Makes the pictures of one scene and keeps what is needed for them on the graphics card. Methods are called from any thread and return at
+ * once; stages complete on the thread of OpenGL, which must not be held up.
+ */
+public interface Renderer extends AutoCloseable {
+  /**
+   * Draws. One picture at a time is worked on, and the newest request waits behind it: one that it replaces completes with
+   * {@link Rendered.Skipped}.
+   *
+   * @param request what to draw
+   * @return the picture, or why there is none
+   */
+  CompletionStage<Rendered> render(RenderRequest request);
+
+  /**
+   * Finds what lies under a pixel.
+   *
+   * @param request what is drawn
+   * @param x pixels from the left
+   * @param y pixels from the top
+   * @return what is hit first within some pixels
+   */
+  CompletionStage<Optional<Pick>> pick(RenderRequest request, int x, int y);
+
+  /** Frees all on the graphics card. Returns at once; later requests complete with {@link Rendered.Unavailable}. */
+  @Override
+  void close();
+}

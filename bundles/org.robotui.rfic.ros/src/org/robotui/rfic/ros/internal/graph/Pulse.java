@@ -1,0 +1,43 @@
+package org.robotui.rfic.ros.internal.graph;
+
+import java.time.Duration;
+
+/**
+ * Whether the robot is heard. A network that stalls takes what is sent and delivers it later, all at once; a motion must not wait
+ * there. The silence of what usually comes often tells of it much sooner than any connection does. Safe for all threads.
+ */
+final class Pulse {
+  private static final long SILENCE_NANOS = Duration.ofMillis(500).toNanos();
+  /** What comes more rarely may be silent as long without any meaning. */
+  private static final double OFTEN_NANOS = Duration.ofMillis(100).toNanos();
+  private static final double WEIGHT = 0.05;
+
+  private long heardAt;
+  private double period = Double.POSITIVE_INFINITY;
+
+  /** A message of the robot has come. */
+  synchronized void heard(long nowNanos) {
+    long since = nowNanos - heardAt;
+    boolean first = heardAt == 0 || Double.isInfinite(period);
+    period = first ? SILENCE_NANOS : period + WEIGHT * (Math.min(since, SILENCE_NANOS) - period);
+    heardAt = nowNanos;
+  }
+
+  /** The master has answered: if messages do not come all the same, the network is not the reason. */
+  synchronized void masterAnswered(long nowNanos) {
+    if (silentFor(nowNanos) > 0) {
+      period = Double.POSITIVE_INFINITY;
+    }
+  }
+
+  /**
+   * How long the robot has been silent although it usually is not.
+   *
+   * @param nowNanos {@link System#nanoTime()}
+   * @return nanoseconds, 0 where all is well or cannot be told
+   */
+  synchronized long silentFor(long nowNanos) {
+    long since = nowNanos - heardAt;
+    return period < OFTEN_NANOS && since > SILENCE_NANOS ? since : 0;
+  }
+}

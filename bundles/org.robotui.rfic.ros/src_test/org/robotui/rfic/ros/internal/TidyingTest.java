@@ -1,0 +1,135 @@
+package org.robotui.rfic.ros.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+
+import java.io.Reader;
+import java.io.Writer;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.NodeOptions;
+import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.RosEnvironment;
+import org.robotui.ros.RosNode;
+import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.io.Workers;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
+import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
+import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
+import org.robotui.ros.master.MasterOptions;
+import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.msgs.std_msgs.StdFloat64;
+
+/** With a master that is not there when the tidying begins. */
+class TidyingTest {
+  private static final ThreadFactory DAEMONS = Thread.ofPlatform().daemon().factory();
+  private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+
+  private final FakeRficContext context = new FakeRficContext();
+  private final BlockingQueue<String> asked = new LinkedBlockingQueue<>();
+  private Path note;
+  private String left;
+
+  /** What a node writes down, as if its process had ended. */
+  @BeforeEach
+  void leaveANote() throws Exception {
+    Process ended = new ProcessBuilder("true").start();
+    assertEquals(0, ended.waitFor());
+    Properties written = new Properties();
+    try (RosMaster master = RosMaster.open(MasterOptions.standard(DAEMONS));
+        RosNode node = RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of("killed"),
+            NodeOptions.standard(DAEMONS).withRecords(context.stateFolder()))) {
+      node.publisher("/value", StdFloat64.CODEC, PublisherOptions.standard());
+      node.awaitRegistered(Duration.ofSeconds(10));
+      note = only(context.stateFolder());
+      try (Reader in = Files.newBufferedReader(note)) {
+        written.load(in);
+      }
+    }
+    left = written.getProperty("uri");
+    written.setProperty("pid", Long.toString(ended.pid()));
+    try (ServerSocket free = new ServerSocket(0, 1, LOOPBACK)) {
+      written.setProperty("master", "http://127.0.0.1:" + free.getLocalPort() + "/");
+    }
+    try (Writer out = Files.newBufferedWriter(note)) {
+      written.store(out, "");
+    }
+  }
+
+  private static Path only(Path folder) throws Exception {
+    try (var files = Files.list(folder)) {
+      List<Path> notes = files.filter(f -> f.toString().endsWith(".rosnode")).toList();
+      assertEquals(1, notes.size(), notes.toString());
+      return notes.getFirst();
+    }
+  }
+
+  @AfterEach
+  void removeTheNote() throws Exception {
+    Files.deleteIfExists(note);
+  }
+
+  private int masterPort() throws Exception {
+    Properties written = new Properties();
+    try (Reader in = Files.newBufferedReader(note)) {
+      written.load(in);
+    }
+    return URI.create(written.getProperty("master")).getPort();
+  }
+
+  private XmlRpcValue answer(MethodCall call) {
+    asked.add(call.method());
+    XmlRpcValue publishers = XmlRpcValue.of(XmlRpcValue.of(XmlRpcValue.of("/value"), XmlRpcValue.ofTexts(List.of("/killed"))));
+    XmlRpcValue result = switch (call.method()) {
+      case "lookupNode" -> XmlRpcValue.of(left);
+      case "getSystemState" -> XmlRpcValue.of(publishers, XmlRpcValue.ofTexts(List.of()), XmlRpcValue.ofTexts(List.of()));
+      default -> XmlRpcValue.of(1);
+    };
+    return XmlRpcValue.of(XmlRpcValue.of(1), XmlRpcValue.of(""), result);
+  }
+
+  @Test
+  void whatIsLeftAtAMasterThatComesLaterIsRemovedThen() throws Exception {
+    int port = masterPort();
+    Tidying tidying = new Tidying(context, Duration.ofMillis(20));
+    try (ServerSocket notYet = new ServerSocket(port, 10, LOOPBACK)) {
+      notYet.setSoTimeout(10_000);
+      tidying.start();
+      notYet.accept().close();
+    }
+    try (XmlRpcServer master = new XmlRpcServer(LOOPBACK, port, XmlRpcLimits.standard(), new Workers(DAEMONS), "late master")) {
+      master.start(this::answer);
+      Map<String, Integer> seen = new java.util.HashMap<>();
+      while (!seen.containsKey("unregisterPublisher")) {
+        String method = asked.poll(10, TimeUnit.SECONDS);
+        assertNotNull(method, "asked only for " + seen);
+        seen.merge(method, 1, Integer::sum);
+      }
+    }
+    tidying.close();
+    assertEquals(List.of(), context.alive());
+  }
+
+  @Test
+  void waitingForAMasterEndsWithTheRobotInterface() {
+    Tidying tidying = new Tidying(context, Duration.ofMinutes(1));
+    tidying.start();
+    tidying.close();
+    assertEquals(List.of(), context.alive());
+  }
+}

@@ -1,0 +1,112 @@
+package org.robotui.rfic.xbot.internal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.robotui.api.RficContext;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.ClockKind;
+import org.robotui.data.ControlPlugins;
+import org.robotui.data.Data;
+import org.robotui.data.Imu;
+import org.robotui.data.JointControl;
+import org.robotui.data.JointModel;
+import org.robotui.data.JointState;
+import org.robotui.data.LoopTiming;
+import org.robotui.data.RobotDescription;
+import org.robotui.data.Stamp;
+import org.robotui.data.Wrench;
+import org.robotui.xbot.Board;
+import org.robotui.xbot.HostReading;
+import org.robotui.xbot.StateFrame;
+import org.robotui.xbot.Timing;
+
+/** Publishes what a control says, and converts only what somebody wants. One thread publishes. */
+final class Streams implements AutoCloseable {
+  private static final long MILLI = 1_000_000L;
+
+  private final RficContext context;
+  private final Stream<JointState> joints;
+  private final Stream<JointControl> control;
+  private final Stream<JointModel> model;
+  private final Stream<ControlPlugins> plugins;
+  private final Stream<LoopTiming> timing;
+  private final List<Stream<Imu>> imus;
+  private final List<Stream<Wrench>> forceTorques;
+  private final List<Publication<?>> all = new ArrayList<>();
+  private Optional<JointModel> modelTold = Optional.empty();
+
+  /** A publication, and whether anybody wants it. */
+  private final class Stream<T extends Data> {
+    private volatile boolean wanted;
+    private final Publication<T> publication;
+
+    Stream(StreamPort<T> port) {
+      this.publication = context.offers().stream(port, now -> this.wanted = now);
+      all.add(publication);
+    }
+  }
+
+  Streams(RficContext context, Board board) {
+    this.context = context;
+    this.joints = new Stream<>(XbotPorts.JOINTS);
+    this.control = new Stream<>(XbotPorts.CONTROL);
+    this.model = new Stream<>(XbotPorts.MODEL);
+    this.plugins = new Stream<>(XbotPorts.PLUGINS);
+    this.timing = new Stream<>(XbotPorts.TIMING);
+    this.imus = board.imus().stream().map(name -> new Stream<>(XbotPorts.imu(name))).toList();
+    this.forceTorques = board.forceTorques().stream().map(name -> new Stream<>(XbotPorts.forceTorque(name))).toList();
+  }
+
+  /** What the robot is made of, offered from now on. */
+  void describe(RobotDescription description) {
+    new Stream<>(XbotPorts.DESCRIPTION).publication.publish(description, Optional.empty());
+  }
+
+  /** What changes in every cycle. */
+  void publish(Board board, StateFrame state) {
+    long measured = state.sensedNanos();
+    Optional<Stamp> stamp = Optional.of(stamp(measured));
+    if (joints.wanted) {
+      joints.publication.publish(Convert.joints(board, state), stamp, measured, Optional.empty());
+    }
+    if (control.wanted) {
+      control.publication.publish(Convert.control(board, state), stamp, measured, Optional.empty());
+    }
+    IntStream.range(0, Math.min(imus.size(), state.imus().size())).filter(i -> imus.get(i).wanted).forEach(i ->
+        imus.get(i).publication.publish(Convert.imu(context.robot(), board.imus().get(i), state.imus().get(i)), stamp, measured,
+            Optional.empty()));
+    IntStream.range(0, Math.min(forceTorques.size(), state.forceTorques().size())).filter(i -> forceTorques.get(i).wanted).forEach(i ->
+        forceTorques.get(i).publication.publish(
+            Convert.wrench(context.robot(), board.forceTorques().get(i), state.forceTorques().get(i)), stamp, measured,
+            Optional.empty()));
+  }
+
+  /** What users look at a few times a second. */
+  void publishSlow(Board board, Timing loop, List<HostReading> hosts) {
+    Optional<Stamp> now = Optional.of(stamp(System.nanoTime()));
+    JointModel described = Convert.model(board);
+    if (!modelTold.equals(Optional.of(described))) {
+      modelTold = Optional.of(described);
+      model.publication.publish(described, now);
+    }
+    if (plugins.wanted) {
+      plugins.publication.publish(Convert.plugins(board, hosts), now);
+    }
+    if (timing.wanted) {
+      timing.publication.publish(Convert.timing(board, loop, hosts), now);
+    }
+  }
+
+  /** The control is of this machine: its monotonic clock is ours. */
+  private static Stamp stamp(long monotonic) {
+    return new Stamp(System.currentTimeMillis() * MILLI - (System.nanoTime() - monotonic), ClockKind.WALL);
+  }
+
+  @Override
+  public void close() {
+    all.forEach(Publication::close);
+  }
+}

@@ -1,0 +1,45 @@
+package org.robotui.rfic.xbot.internal;
+
+import java.io.IOException;
+import java.time.Duration;
+import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.PluginReply;
+import org.robotui.api.port.PluginRequest;
+import org.robotui.xbot.Answer;
+import org.robotui.xbot.RtClient;
+
+/** Asks the supervisor what users ask of plugins. */
+final class Verbs implements CallHandler<PluginRequest, PluginReply> {
+  private final RtClient client;
+
+  Verbs(RtClient client) {
+    this.client = client;
+  }
+
+  @Override
+  public PluginReply handle(Invocation<PluginRequest> invocation) throws CallException {
+    return ask(invocation.request(), Duration.ofNanos(Math.max(1_000_000, invocation.deadlineNanos() - System.nanoTime())));
+  }
+
+  PluginReply ask(PluginRequest request, Duration timeout) throws CallException {
+    try {
+      Answer answer = client.request(words(request), timeout);
+      return new PluginReply(answer.ok(), answer.text());
+    } catch (IOException e) {
+      throw new CallException(e.getMessage(), e);
+    }
+  }
+
+  private static String words(PluginRequest request) throws CallException {
+    if (request.plugin().isBlank() || request.plugin().chars().anyMatch(Character::isWhitespace)) {
+      throw new CallException("'" + request.plugin() + "' is no name of a plugin");
+    }
+    return switch (request.verb()) {
+      case START -> "switch " + request.plugin() + " 1";
+      case STOP -> "switch " + request.plugin() + " 0";
+      case RELOAD -> "reload " + request.plugin();
+      case COMMAND -> "command " + request.plugin() + " " + request.words();
+    };
+  }
+}

@@ -1,0 +1,52 @@
+package org.robotui.ruic.manipulator.internal;
+
+import java.util.List;
+import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
+import org.robotui.api.RuicType;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Settings;
+import org.robotui.api.layout.Layout.Direction;
+import org.robotui.api.layout.Layout.Split;
+import org.robotui.api.layout.Layout.Tabs;
+import org.robotui.api.layout.Layout;
+
+/**
+ * The interface of a robot with joints under real-time control, an arm or a humanoid: the joints, and behind them the scene in space, have
+ * most of the window, beside them the plugins that drive them and how well they keep their time; below what they measure and say. The text
+ * view is for terminals, the sound view for ears; both have no place in the window's layout.
+ */
+@Component(service = RuicType.class)
+public final class ManipulatorType implements RuicType {
+  private static final Tabs JOINTS = new Tabs(List.of("jointcontrol", "scene3d"));
+  private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "alerts"));
+  private static final Tabs PLUGINS = new Tabs(List.of("plugins"));
+  private static final Tabs STATE = new Tabs(List.of("status", "connections"));
+
+  private static final Layout MAIN = new Split(Direction.COLUMN, List.of(JOINTS, RECORDS), List.of(66.0, 34.0));
+
+  private static final Layout SIDE = new Split(Direction.COLUMN, List.of(PLUGINS, STATE), List.of(72.0, 28.0));
+
+  private static final Layout LAYOUT = new Split(Direction.ROW, List.of(MAIN, SIDE), List.of(60.0, 40.0));
+
+  private static final List<UicSpec> VIEWS = UicSpec.of(LAYOUT, "sound", "text");
+
+  private static final Descriptor DESCRIPTOR = new Descriptor("manipulator", "Manipulator",
+      "Joints and control plugins of an arm or a humanoid, with loop timing, plots, log and status.",
+      Schema.EMPTY, List.of());
+
+  @Override
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
+  }
+
+  @Override
+  public List<UicSpec> uics(Settings settings) {
+    return VIEWS;
+  }
+
+  @Override
+  public Layout layout(Settings settings) {
+    return LAYOUT;
+  }
+}

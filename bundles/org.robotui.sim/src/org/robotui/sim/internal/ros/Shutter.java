@@ -1,0 +1,42 @@
+package org.robotui.sim.internal.ros;
+
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
+import org.robotui.ros.Publisher;
+import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
+import org.robotui.sim.internal.RobotState;
+
+/** When a camera says what it is, always, and takes a picture, while somebody wants it. */
+final class Shutter implements AutoCloseable {
+  private final Rate rate;
+  private final CameraMessages messages;
+  private final Publisher<CameraInfo> info;
+  private final BooleanSupplier wanted;
+  private final BiConsumer<RobotState, Stamp> take;
+  private final Darkroom darkroom;
+  private long sequence;
+
+  Shutter(String name, Rate rate, CameraMessages messages, Publisher<CameraInfo> info, BooleanSupplier wanted, BiConsumer<RobotState, Stamp> take) {
+    this.rate = rate;
+    this.messages = messages;
+    this.info = info;
+    this.wanted = wanted;
+    this.take = take;
+    this.darkroom = new Darkroom(name);
+  }
+
+  void press(long step, RobotState state, long nanos) {
+    if (rate.isDue(step)) {
+      Stamp stamp = new Stamp(++sequence, nanos);
+      info.publish(messages.info(stamp));
+      if (wanted.getAsBoolean()) {
+        darkroom.offer(() -> take.accept(state, stamp));
+      }
+    }
+  }
+
+  @Override
+  public void close() {
+    darkroom.close();
+  }
+}

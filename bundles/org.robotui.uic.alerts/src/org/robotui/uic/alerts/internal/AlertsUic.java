@@ -1,0 +1,92 @@
+package org.robotui.uic.alerts.internal;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.api.alert.Alert;
+import org.robotui.api.alert.AlertBoard;
+import org.robotui.api.alert.AlertWords;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+
+/** The view: the tick looks, the surface lists. */
+final class AlertsUic implements SwtUic, Hands {
+  private final UicContext context;
+  private final AlertBoard board;
+  private final Clock clock;
+  private volatile Page page;
+  private Optional<AlertsSurface> surface = Optional.empty();
+
+  AlertsUic(UicContext context, Clock clock) {
+    this.context = context;
+    this.board = context.ruic().alerts();
+    this.clock = clock;
+    this.page = look();
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    Page next = look();
+    boolean changed = !next.equals(page);
+    page = next;
+    return changed;
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    AlertsSurface made = new AlertsSurface(parent, ui, this, new AlertWords(clock.getZone()));
+    surface = Optional.of(made);
+    made.show(page);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(s -> s.show(page));
+  }
+
+  @Override
+  public void acknowledge(List<Alert> alerts) {
+    alerts.forEach(alert -> board.acknowledge(alert.id()));
+    now();
+  }
+
+  @Override
+  public void mute(List<Alert> alerts, Optional<Long> minutes) {
+    alerts.forEach(alert -> board.mute(alert.id(), until(minutes)));
+    now();
+  }
+
+  @Override
+  public void muteAll(Optional<Long> minutes) {
+    board.muteAll(until(minutes));
+    now();
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+
+  Page page() {
+    return page;
+  }
+
+  private void now() {
+    page = look();
+    refresh();
+  }
+
+  private Page look() {
+    return new Page(board.alerts(), board.allMutedUntil(), Math.round(context.settings().current().number(AlertsType.SNOOZE)));
+  }
+
+  private Optional<Instant> until(Optional<Long> minutes) {
+    return minutes.isEmpty() ? Optional.of(Instant.MAX) : minutes.filter(m -> m > 0).map(m -> clock.instant().plus(Duration.ofMinutes(m)));
+  }
+}

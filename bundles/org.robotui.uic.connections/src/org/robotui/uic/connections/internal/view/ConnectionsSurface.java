@@ -1,0 +1,210 @@
+package org.robotui.uic.connections.internal.view;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Event;
+import org.robotui.api.port.SourceId;
+import org.robotui.ui.Health;
+import org.robotui.ui.Theme;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.FilterField;
+import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.control.RowList;
+import org.robotui.uic.connections.internal.model.ConnectionsModel.Shown;
+import org.robotui.uic.connections.internal.model.Line;
+import org.robotui.uic.connections.internal.model.Transcript;
+
+/** What is seen of the view while it is shown: a line of controls, the list, and all of the selected line. Display thread. */
+public final class ConnectionsSurface {
+  /** What the user can wish for. */
+  public interface Wishes {
+    /** Lists what contains some words. */
+    void search(String words);
+
+    /** Lists only problems, or all. */
+    void problems(boolean only);
+
+    /** Lists one robot, or all where the name is empty. */
+    void robot(String name);
+
+    /** Folds a line or unfolds it. */
+    void fold(String key, boolean shut);
+
+    /** Decides a connection. */
+    void connect(String ruic, SourceId port, SourceId peer);
+  }
+
+  private static final int WIDEST_FILTER = 180;
+  private static final int DETAIL_HEIGHT = 124;
+  private static final int LEAST_LIST = 200;
+
+  private final UiContext context;
+  private final Wishes wishes;
+  private final Display display;
+  private final Composite root;
+  private final Composite bar;
+  private final QuietButton all;
+  private final QuietButton problems;
+  private final RobotButton robots;
+  private final FilterField filter;
+  private final RowList<Line> list;
+  private final Composite rule;
+  private final DetailPane detail;
+  private Optional<Shown> shown = Optional.empty();
+  private boolean detailed;
+
+  /** Makes the controls. */
+  public ConnectionsSurface(Composite parent, UiContext context, Wishes wishes) {
+    this.context = context;
+    this.wishes = wishes;
+    this.display = parent.getDisplay();
+    Theme theme = context.theme();
+    root = Boxes.root(parent, theme, this::focus);
+    bar = Boxes.bar(root, theme, 4);
+    all = new QuietButton(bar, theme, () -> wishes.problems(false)).text("All");
+    problems = new QuietButton(bar, theme, () -> wishes.problems(true)).text("Problems");
+    robots = new RobotButton(bar, theme, wishes::robot);
+    filter = new FilterField(bar, theme, "Filter", wishes::search);
+    filter.setLayoutData(Boxes.end(WIDEST_FILTER));
+    list = new RowList<>(root, theme, new LineLook(theme, this::isFolded)).named("Connections");
+    list.control().setLayoutData(Boxes.fill());
+    rule = Boxes.rule(root, theme);
+    detail = new DetailPane(root, theme, wishes::connect, () -> list.control().setFocus());
+    listen();
+  }
+
+  private boolean focus() {
+    return list.control().setFocus();
+  }
+
+  /** What stands in the part. */
+  public Control control() {
+    return root;
+  }
+
+  /** Shows lines. */
+  public void show(Shown next) {
+    if (root.isDisposed()) {
+      return;
+    }
+    shown = Optional.of(next);
+    context.note(next.look().summary());
+    all.checked(!next.filter().problems());
+    problems.checked(next.filter().problems());
+    if (robots.show(next.look().names(), next.filter().ruic())) {
+      bar.layout();
+    }
+    list.show(next.lines());
+    message(next);
+    explain();
+  }
+
+  /** Shows what is newest then. Any thread. */
+  public void showSoon(Supplier<Shown> newest) {
+    if (!display.isDisposed()) {
+      display.asyncExec(() -> show(newest.get()));
+    }
+  }
+
+  /** Selects a line by its key. */
+  public void select(String key) {
+    list.select(key);
+    explain();
+  }
+
+  /** Copies all of the list as text. */
+  public void copy() {
+    shown.ifPresent(s -> Clipboards.copy(Transcript.of(s.look().summary(), s.lines())));
+  }
+
+  private void message(Shown next) {
+    if (!next.lines().isEmpty()) {
+      list.noMessage();
+    } else if (next.look().branches().isEmpty()) {
+      list.message(Health.NONE, "No robots", "The workbench has loaded no configuration with a robot.");
+    } else if (next.filter().words().isEmpty() && next.filter().problems()) {
+      list.message(Health.OK, "No problems", next.look().summary());
+    } else {
+      list.message(Health.NONE, "Nothing fits", "No line has these words. Esc clears the filter.");
+    }
+  }
+
+  private void listen() {
+    filter.onDown(() -> list.control().setFocus());
+    list.onFind(filter::focus).onSelect(lines -> explain()).onOpen(this::open);
+    list.control().addListener(SWT.KeyDown, this::key);
+    list.control().addListener(SWT.MouseDown, this::pressed);
+    root.addListener(SWT.Resize, e -> arrange());
+    detail.control().setLayoutData(Boxes.line(DETAIL_HEIGHT));
+    below(false);
+  }
+
+  private void explain() {
+    detail.show(selected());
+    arrange();
+  }
+
+  /** Where it is low, the list has all the room, unless there is something to decide. */
+  private void arrange() {
+    boolean wanted = root.getClientArea().height >= DETAIL_HEIGHT + LEAST_LIST || selected().flatMap(Line::decision).isPresent();
+    if (detailed != wanted) {
+      detailed = wanted;
+      below(wanted);
+      root.layout();
+    }
+  }
+
+  private void below(boolean seen) {
+    Boxes.seen(rule, seen);
+    Boxes.seen(detail.control(), seen);
+  }
+
+  private void open(Line line) {
+    if (line.level() < 2) {
+      wishes.fold(line.key(), !isFolded(line));
+    } else {
+      detail.focus();
+    }
+  }
+
+  private void key(Event event) {
+    Optional<Line> line = selected().filter(l -> l.level() < 2);
+    switch (event.keyCode) {
+      case SWT.ARROW_LEFT -> line.ifPresent(l -> wishes.fold(l.key(), true));
+      case SWT.ARROW_RIGHT -> line.ifPresent(l -> wishes.fold(l.key(), false));
+      default -> { }
+    }
+  }
+
+  private void pressed(Event event) {
+    selected().filter(line -> event.button == 1 && line.level() < 2 && event.x < LineLook.lead(line))
+        .ifPresent(line -> wishes.fold(line.key(), !isFolded(line)));
+  }
+
+  RowList<Line> list() {
+    return list;
+  }
+
+  FilterField filterField() {
+    return filter;
+  }
+
+  private boolean isFolded(Line line) {
+    return shown.filter(s -> s.isFolded(line)).isPresent();
+  }
+
+  private Optional<Line> selected() {
+    return first(list.selected());
+  }
+
+  private static Optional<Line> first(List<Line> lines) {
+    return lines.stream().findFirst();
+  }
+}

@@ -1,0 +1,54 @@
+package org.robotui.uic.gps.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.uic.gps.internal.model.GpsModel;
+import org.robotui.uic.gps.internal.view.Choices;
+import org.robotui.uic.gps.internal.view.GpsActions;
+import org.robotui.uic.gps.internal.view.GpsCanvas;
+
+/** Satellite positions: the model is prepared by ticks, the canvas paints it. */
+final class GpsUic implements SwtUic {
+  private final GpsModel model;
+  private final Choices choices;
+  private final GpsActions actions = new GpsActions();
+  private Optional<GpsCanvas> canvas = Optional.empty();
+
+  GpsUic(UicContext context) {
+    model = new GpsModel(context);
+    choices = new Choices(context.settings());
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    return model.tick(nowNanos, choices.options());
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext context) {
+    GpsCanvas made = new GpsCanvas(parent, context, model, choices, actions);
+    canvas = Optional.of(made);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    canvas.ifPresent(GpsCanvas::refresh);
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions.all();
+  }
+
+  @Override
+  public void close() {
+    // What belongs to the display went with the control; there is nothing else.
+  }
+}

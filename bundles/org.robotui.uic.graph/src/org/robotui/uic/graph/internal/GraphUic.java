@@ -1,0 +1,83 @@
+package org.robotui.uic.graph.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.ui.Icon;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.ui.diagram.TextWidths;
+import org.robotui.uic.graph.internal.model.Ask;
+import org.robotui.uic.graph.internal.model.GraphModel;
+import org.robotui.uic.graph.internal.view.GraphSurface;
+
+/** The view: the tick prepares the graph, the surface shows it. */
+final class GraphUic implements SwtUic, GraphSurface.Wishes {
+  private final UicContext context;
+  private final GraphModel model;
+  private final List<ViewAction> actions;
+  private Optional<GraphSurface> surface = Optional.empty();
+
+  GraphUic(UicContext context) {
+    this.context = context;
+    this.model = new GraphModel(context);
+    model.ask(Preferences.read(context.settings().current()));
+    this.actions = List.of(
+        new ViewAction("fit", "Show the whole graph", Icon.FIT.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::fit)),
+        new ViewAction("anew", "Ask again, and lay out from scratch", Icon.RESTART.id(), Optional.empty(), model::anew),
+        new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::save)));
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    return model.tick(nowNanos, GraphOptions.of(context.settings().current()));
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    GraphSurface made = new GraphSurface(parent, ui, this);
+    surface = Optional.of(made);
+    made.show(model.look(), model.ask());
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(s -> s.show(model.look(), model.ask()));
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions;
+  }
+
+  @Override
+  public Ask asked() {
+    return model.ask();
+  }
+
+  @Override
+  public void ask(Ask next) {
+    model.ask(next);
+    Preferences.write(context.settings(), next);
+    refresh();
+  }
+
+  @Override
+  public void widths(TextWidths exact) {
+    model.widths(exact);
+  }
+
+  @Override
+  public void seen() {
+    model.seen(System.nanoTime());
+  }
+
+  @Override
+  public void close() {
+    model.close();
+  }
+}

@@ -1,0 +1,90 @@
+package org.robotui.uic.jointcontrol.internal.model;
+
+import java.util.OptionalDouble;
+import org.robotui.data.JointModel;
+import org.robotui.ui.Figures;
+
+/**
+ * How figures of a joint are written and read. Pure.
+ *
+ * @param type what the joint does
+ * @param degrees whether angles are in degrees
+ */
+public record Measure(JointModel.Type type, boolean degrees) {
+  private static final double FINE_DEGREES = 0.5;
+  private static final double FINE_RADIANS = 0.01;
+  private static final double FINE_METRES = 0.001;
+
+  private boolean slides() {
+    return type == JointModel.Type.PRISMATIC;
+  }
+
+  private boolean inDegrees() {
+    return degrees && !slides();
+  }
+
+  /** A position with its unit. */
+  public String position(double value) {
+    return inDegrees() ? Figures.degrees(value, 1) : figure(value, slides() ? 4 : 3, slides() ? "m" : "rad");
+  }
+
+  /** A velocity with its unit. */
+  public String velocity(double value) {
+    return inDegrees() ? figure(Math.toDegrees(value), 1, "\u00b0/s") : figure(value, slides() ? 4 : 3, slides() ? "m/s" : "rad/s");
+  }
+
+  /** A torque or force with its unit. */
+  public String effort(double value) {
+    return figure(value, 1, slides() ? "N" : "N\u00b7m");
+  }
+
+  /** A stiffness with its unit. */
+  public String stiffness(double value) {
+    return figure(value, 0, stiffnessUnit());
+  }
+
+  /** The unit of a stiffness. */
+  public String stiffnessUnit() {
+    return slides() ? "N/m" : "N\u00b7m/rad";
+  }
+
+  /** A damping with its unit. */
+  public String damping(double value) {
+    return figure(value, 1, dampingUnit());
+  }
+
+  /** The unit of a damping. */
+  public String dampingUnit() {
+    return slides() ? "N\u00b7s/m" : "N\u00b7m\u00b7s/rad";
+  }
+
+  /** How much a fine step is, radians or metres. */
+  public double fine() {
+    return slides() ? FINE_METRES : degrees ? Math.toRadians(FINE_DEGREES) : FINE_RADIANS;
+  }
+
+  /** The position as it stands in a field: without its unit. */
+  public String typed(double value) {
+    return Figures.fixed(inDegrees() ? Math.toDegrees(value) : value, inDegrees() ? 1 : slides() ? 4 : 3);
+  }
+
+  /** Reads what was typed into a field, in radians or metres; empty where it is no finite number. */
+  public OptionalDouble read(String typed) {
+    OptionalDouble number = number(typed);
+    return number.isPresent() && inDegrees() ? OptionalDouble.of(Math.toRadians(number.getAsDouble())) : number;
+  }
+
+  /** Reads a plain number, also with a real minus sign, a decimal comma or the degree sign; empty where it is none. */
+  public static OptionalDouble number(String typed) {
+    try {
+      double value = Double.parseDouble(typed.strip().replace('\u2212', '-').replace(',', '.').replace("\u00b0", ""));
+      return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
+    } catch (NumberFormatException e) {
+      return OptionalDouble.empty();
+    }
+  }
+
+  private static String figure(double value, int decimals, String unit) {
+    return Double.isNaN(value) ? Figures.UNKNOWN : Figures.of(value, decimals, unit);
+  }
+}

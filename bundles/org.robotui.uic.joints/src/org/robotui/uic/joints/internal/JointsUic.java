@@ -1,0 +1,95 @@
+package org.robotui.uic.joints.internal;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.api.port.Input;
+import org.robotui.data.JointState;
+import org.robotui.ui.Icon;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.uic.joints.internal.model.JointTracks;
+import org.robotui.uic.joints.internal.model.JointsLook;
+import org.robotui.uic.joints.internal.view.JointsSurface;
+
+/** The view: the tick takes what came and sorts, the surface lists. */
+final class JointsUic implements SwtUic {
+  private final Input<JointState> input;
+  private final Input<JointState> messages;
+  private final SettingsStore settings;
+  private final JointTracks tracks = new JointTracks();
+  private final AtomicBoolean forget = new AtomicBoolean();
+  private final List<ViewAction> actions;
+  private volatile JointsLook look;
+  private volatile Optional<JointsSurface> surface = Optional.empty();
+
+  JointsUic(Input<JointState> input, Input<JointState> messages, SettingsStore settings) {
+    this.input = input;
+    this.messages = messages;
+    this.settings = settings;
+    this.look = look(System.nanoTime());
+    this.actions = List.of(
+        new ViewAction("degrees", "Angles in degrees", "", Optional.of(this::degrees), () -> degrees(!degrees())),
+        new ViewAction("forget", "Forget ranges and silent joints", Icon.RESTART.id(), Optional.empty(), () -> forget.set(true)),
+        new ViewAction("yaml", "Copy as YAML", Icon.COPY.id(), Optional.empty(), () -> surface.ifPresent(JointsSurface::copyYaml)),
+        new ViewAction("csv", "Copy as CSV", Icon.TEXT.id(), Optional.empty(), () -> surface.ifPresent(JointsSurface::copyCsv)));
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    tracks.take(input, messages, nowNanos);
+    if (forget.compareAndSet(true, false)) {
+      tracks.forget();
+    }
+    JointsLook next = look(nowNanos);
+    boolean changed = !next.equals(look);
+    look = next;
+    surface.ifPresent(s -> s.prepare(next));
+    return changed;
+  }
+
+  private JointsLook look(long now) {
+    return tracks.look(input, OptionsReader.read(settings.current()), now);
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    JointsSurface made = new JointsSurface(parent, ui);
+    surface = Optional.of(made);
+    made.prepare(look);
+    made.refresh();
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(JointsSurface::refresh);
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions;
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+
+  private boolean degrees() {
+    return settings.current().flag(JointsType.DEGREES);
+  }
+
+  /** Seen at once, also where no more data comes. */
+  private void degrees(boolean wanted) {
+    settings.set(JointsType.DEGREES, wanted);
+    JointsLook next = look.inDegrees(wanted);
+    look = next;
+    surface.ifPresent(s -> s.prepare(next));
+    refresh();
+  }
+}

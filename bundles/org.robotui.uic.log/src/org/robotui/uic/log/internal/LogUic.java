@@ -1,0 +1,139 @@
+package org.robotui.uic.log.internal;
+
+import java.nio.file.Path;
+import java.time.Clock;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.api.config.Settings;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.InputState;
+import org.robotui.data.LogEntry;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.uic.log.internal.model.Line;
+import org.robotui.uic.log.internal.model.LogFile;
+import org.robotui.uic.log.internal.model.LogFilter;
+import org.robotui.uic.log.internal.model.LogModel;
+import org.robotui.uic.log.internal.model.Wording;
+import org.robotui.uic.log.internal.view.Frame;
+import org.robotui.uic.log.internal.view.LogHands;
+import org.robotui.uic.log.internal.view.LogSurface;
+
+/** The view: the tick takes and filters, the surface lists. */
+final class LogUic implements SwtUic {
+  private static final long TOLD_NANOS = 6_000_000_000L;
+
+  private final UicContext context;
+  private final Input<LogEntry> input;
+  private final LogModel model;
+  private final Wording wording = new Wording(ZoneId.systemDefault());
+  private final Hands hands = new Hands();
+  private final List<ViewAction> actions;
+  private volatile Optional<Told> told = Optional.empty();
+  private volatile Frame frame;
+  private Optional<LogSurface> surface = Optional.empty();
+
+  LogUic(UicContext context) {
+    this.context = context;
+    this.input = context.input(LogType.LOG);
+    this.model = new LogModel(input, Clock.systemUTC(), System::nanoTime);
+    model.filter(Preferences.read(context.settings().current()));
+    this.frame = frame();
+    this.actions = List.of(
+        new ViewAction("pause", "Pause", "pause", Optional.of(model::paused), () -> hands.pause(!model.paused())),
+        new ViewAction("collapse", "Collapse equal entries in a row", "layers", Optional.of(() -> model.filter().collapse()),
+            () -> hands.filter(model.filter().collapse(!model.filter().collapse()))),
+        new ViewAction("show_all", "Show all levels and nodes, and end the search", "eye", Optional.empty(), hands::showAll),
+        new ViewAction("save", "Save what is shown as text\u2026", "save", Optional.empty(), () -> surface.ifPresent(LogSurface::save)),
+        new ViewAction("clear", "Clear", "restart", Optional.empty(), hands::clear));
+  }
+
+  @Override
+  public boolean tick(long now) {
+    Settings settings = context.settings().current();
+    boolean news = model.tick(now, (int) settings.integer(LogType.CAPACITY), settings.integer(LogType.MEMORY));
+    told = told.filter(t -> now - t.at < TOLD_NANOS);
+    Frame next = frame();
+    boolean changed = news || !next.looksLike(frame);
+    frame = next;
+    return changed;
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    LogSurface made = new LogSurface(parent, ui, wording, hands);
+    surface = Optional.of(made);
+    made.show(frame);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(s -> s.show(frame));
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions;
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+
+  private Frame frame() {
+    InputState state = input.state();
+    return new Frame(model.current(), model.filter(), state, model.paused(), context.settings().current().flag(LogType.NODES),
+        told.map(Told::words).orElse(""));
+  }
+
+  private record Told(String words, long at) {}
+
+  /** What the user can do. Display thread. */
+  private final class Hands implements LogHands {
+    @Override
+    public void filter(LogFilter next) {
+      model.filter(next);
+      Preferences.write(context.settings(), next);
+      now();
+    }
+
+    @Override
+    public void showAll() {
+      filter(model.filter().cleared());
+    }
+
+    @Override
+    public void pause(boolean on) {
+      model.pause(on);
+      now();
+    }
+
+    @Override
+    public void clear() {
+      model.clear();
+    }
+
+    @Override
+    public void nodes(boolean shown) {
+      context.settings().set(LogType.NODES, shown);
+      now();
+    }
+
+    @Override
+    public void save(List<Line> lines, Path file) {
+      context.background().execute(() -> told = Optional.of(new Told(LogFile.write(lines, wording, file), System.nanoTime())));
+    }
+
+    private void now() {
+      frame = frame();
+      refresh();
+    }
+  }
+}

@@ -1,0 +1,26 @@
+package org.robotui.uic.log.internal.model;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Writes the list to a text file. May block. */
+public final class LogFile {
+  private LogFile() {}
+
+  /** Writes the lines in UTF-8, and says what became of it. */
+  public static String write(List<Line> lines, Wording wording, Path file) {
+    try (BufferedWriter out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
+      for (Line line : lines) {
+        out.write(wording.text(line));
+        out.newLine();
+      }
+    } catch (IOException e) {
+      return "cannot write " + file + ": " + e.getMessage();
+    }
+    return "saved " + lines.size() + " entries to " + file;
+  }
+}

@@ -1,0 +1,136 @@
+package org.robotui.uic.parameters.internal.view;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.SashForm;
+import org.eclipse.swt.custom.StackLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.ui.Health;
+import org.robotui.ui.Role;
+import org.robotui.ui.StateView;
+import org.robotui.ui.Theme;
+import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.Column;
+import org.robotui.ui.control.MessagePane;
+import org.robotui.ui.control.RowTable;
+import org.robotui.uic.parameters.internal.model.Key;
+import org.robotui.uic.parameters.internal.model.Look;
+import org.robotui.uic.parameters.internal.model.Panel;
+import org.robotui.uic.parameters.internal.model.ParametersModel;
+
+/** The programs whose settings can be changed while they run, and the form of the chosen one. Display thread. */
+final class TunerPane {
+  private static final int BESIDE_FROM = 560;
+  private static final int[] WIDE = {30, 70};
+  private static final int[] HIGH = {30, 70};
+
+  private final ParametersModel model;
+  private final SashForm split;
+  private final RowTable<Key> servers;
+  private final Composite stack;
+  private final StackLayout leaves = new StackLayout();
+  private final MessagePane message;
+  private final TunerForm form;
+
+  TunerPane(Composite parent, Theme theme, ParametersModel model, Runnable find) {
+    this.model = model;
+    split = Boxes.split(parent, theme, SWT.HORIZONTAL);
+    servers = new RowTable<>(split, theme, List.of(Column.<Key>words("Program", Key::name).hint(Key::name)), key -> key);
+    servers.list().named("Programs").onFind(find)
+        .onSelect(keys -> keys.stream().findFirst().ifPresent(key -> model.tune(Optional.of(key))));
+    stack = new Composite(split, SWT.NONE);
+    stack.setBackground(theme.color(Role.PANEL));
+    stack.setLayout(leaves);
+    message = new MessagePane(stack, theme);
+    form = new TunerForm(stack, theme);
+    leaves.topControl = message.control();
+    split.setWeights(WIDE);
+    split.addListener(SWT.Resize, e -> arrange());
+  }
+
+  Control control() {
+    return split;
+  }
+
+  RowTable<Key> servers() {
+    return servers;
+  }
+
+  TunerForm form() {
+    return form;
+  }
+
+  void show(Look look) {
+    List<Key> fitting = look.servers().stream().filter(key -> contains(key, look.filter())).toList();
+    if (!fitting.equals(servers.list().rows())) {
+      servers.show(fitting);
+    }
+    look.panel().ifPresent(panel -> mark(panel.server()));
+    programs(look, fitting);
+    settings(look);
+  }
+
+  private void programs(Look look, List<Key> fitting) {
+    if (!StateView.showsContent(look.state())) {
+      servers.list().message(StateView.health(look.state()), "No programs", look.state().explanation());
+    } else if (look.servers().isEmpty()) {
+      servers.list().message(Health.NONE, "Nothing to tune", "No program of the robot lets its settings be changed while it runs.");
+    } else if (fitting.isEmpty()) {
+      servers.list().message(Health.NONE, "Nothing fits", "Esc clears the filter.");
+    } else {
+      servers.list().noMessage();
+    }
+    // Where there is nothing to choose, the room is not halved.
+    Control whole = look.servers().isEmpty() ? servers.control() : null;
+    if (split.getMaximizedControl() != whole) {
+      split.setMaximizedControl(whole);
+    }
+  }
+
+  private void settings(Look look) {
+    Optional<Panel> panel = look.panel();
+    boolean usable = panel.isPresent() && panel.get().known() && !panel.get().knobs().isEmpty() && panel.get().failure().isEmpty();
+    if (panel.isEmpty()) {
+      message.show(Health.NONE, "No program is chosen", "Choose one to see and change its settings.");
+    } else if (panel.get().failure().isPresent()) {
+      message.show(Health.BAD, "No answer", panel.get().failure().get());
+    } else if (!panel.get().known()) {
+      message.show(Health.WAITING, "Asking " + panel.get().server().name(), "");
+    } else if (!usable) {
+      message.show(Health.NONE, "No settings", panel.get().server().name() + " has none.");
+    } else {
+      model.tuner().ifPresent(tuner -> form.show(tuner, panel.get()));
+    }
+    Control top = usable ? form.control() : message.control();
+    if (leaves.topControl != top) {
+      leaves.topControl = top;
+      stack.layout();
+    }
+  }
+
+  private void mark(Key server) {
+    if (!servers.list().selected().contains(server)) {
+      servers.list().select(server);
+    }
+  }
+
+  private static boolean contains(Key key, String filter) {
+    for (String word : filter.strip().toLowerCase(Locale.ROOT).split("\\s+")) {
+      if (!key.name().toLowerCase(Locale.ROOT).contains(word)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void arrange() {
+    int orientation = split.getClientArea().width >= BESIDE_FROM ? SWT.HORIZONTAL : SWT.VERTICAL;
+    if (split.getOrientation() != orientation) {
+      split.setOrientation(orientation);
+      split.setWeights(orientation == SWT.HORIZONTAL ? WIDE : HIGH);
+    }
+  }
+}

@@ -1,0 +1,135 @@
+package org.robotui.uic.plot.internal;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.Data;
+import org.robotui.data.DynamicRecord;
+import org.robotui.ui.Icon;
+import org.robotui.ui.StateView;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.uic.plot.internal.model.FieldTree;
+import org.robotui.uic.plot.internal.model.PlotEngine;
+import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.Records;
+import org.robotui.uic.plot.internal.trace.TimeSpan;
+import org.robotui.uic.plot.internal.view.ChooserPanel;
+import org.robotui.uic.plot.internal.view.Edits;
+import org.robotui.uic.plot.internal.view.Exporter;
+import org.robotui.uic.plot.internal.view.PlotState;
+import org.robotui.uic.plot.internal.view.PlotSurface;
+
+/** The view: the tick records, the surface draws what is recorded. */
+final class PlotUic implements SwtUic {
+  private static final double STEPS = 1000;
+  private static final double ALL_WINDOW = 60;
+
+  private final Input<Data> input;
+  private final PlotEngine engine;
+  private final Exporter exporter;
+  private final Edits edits;
+  private final PlotState state = new PlotState();
+  private final List<ViewAction> actions;
+  private volatile PlotScene scene;
+  private volatile Optional<PlotSurface> surface = Optional.empty();
+  private long shownNow;
+  private boolean noticing;
+
+  PlotUic(UicContext context) {
+    this.input = context.input(PlotType.VALUES);
+    this.engine = new PlotEngine(input, context.clock(), context.settings());
+    this.exporter = new Exporter(context.background());
+    this.edits = new Edits(context.settings());
+    this.scene = engine.begin(System.nanoTime());
+    this.actions = List.of(
+        action("add", "Add a trace", Icon.PLUS, PlotSurface::toggleChooser),
+        new ViewAction("pause", "Pause", Icon.PAUSE.id(), Optional.of(() -> !state.isLive()), () -> surface.ifPresent(PlotSurface::pause)),
+        new ViewAction("cursors", "Cursors", Icon.RULER.id(), Optional.of(() -> state.cursors().isPresent()),
+            () -> surface.ifPresent(PlotSurface::cursors)),
+        action("live", "Back to live", Icon.FIT, PlotSurface::live),
+        action("export", "Export what is seen\u2026", Icon.SAVE, s -> s.export(false)));
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    PlotScene next = engine.tick(nowNanos);
+    boolean news = engine.tookValues() || !next.spec().equals(scene.spec()) || !looks(next).equals(looks(scene))
+        || moved(next) || noticed(nowNanos) || surface.filter(PlotSurface::isChoosing).isPresent();
+    scene = next;
+    shownNow = news ? next.now() : shownNow;
+    return news;
+  }
+
+  /** Whether there is something to say, or was until now. */
+  private boolean noticed(long nowNanos) {
+    boolean before = noticing;
+    noticing = exporter.notice(nowNanos).isPresent();
+    return noticing || before;
+  }
+
+  /** Whether time went on so far that it is seen. */
+  private boolean moved(PlotScene next) {
+    double window = next.spec().window() == 0 ? ALL_WINDOW : next.spec().window();
+    return state.isLive() && !next.spec().isEmpty() && Math.abs(next.now() - shownNow) >= window / STEPS * TimeSpan.SECOND;
+  }
+
+  /** What words are seen of the traces. */
+  private static List<String> looks(PlotScene scene) {
+    return scene.traces().map(t -> StateView.word(t.state()) + t.problem() + t.unit() + t.lost()).toList();
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    PlotSurface made = new PlotSurface(parent, ui, scene, state, edits, exporter, new Robot());
+    surface = Optional.of(made);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(s -> s.show(scene));
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions;
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+
+  private ViewAction action(String id, String label, Icon icon, Consumer<PlotSurface> run) {
+    return new ViewAction(id, label, icon.id(), Optional.empty(), () -> surface.ifPresent(run));
+  }
+
+  private final class Robot implements ChooserPanel.Robot {
+    @Override
+    public List<Input.Candidate> candidates() {
+      return input.candidates();
+    }
+
+    @Override
+    public Optional<FieldTree.Learned> learned(SourceId source) {
+      return engine.newest(source).map(envelope -> {
+        DynamicRecord data = Records.data(envelope);
+        DynamicRecord own = Records.own(envelope);
+        return new FieldTree.Learned(data, own.schema().equals(data.schema()) ? Optional.empty() : Optional.of(own));
+      });
+    }
+
+    @Override
+    public void watch(Set<SourceId> sources) {
+      engine.watch(sources);
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package org.robotui.uic.plot.internal.model;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.robotui.data.DynamicRecord;
+import org.robotui.data.FieldPath;
+import org.robotui.data.FieldValue;
+
+/** Reads a number at a path. */
+public final class FieldReader {
+  private static final double NANO = 1e-9;
+  private static final int MOST_NAMED = 12;
+
+  private final FieldPath path;
+
+  public FieldReader(String path) {
+    this.path = FieldPath.parse(path);
+  }
+
+  /** What was found. */
+  public sealed interface Found {}
+
+  /** A number, in a record of that schema. */
+  public record Number(double value, String schema) implements Found {}
+
+  /** Nothing, for a reason. */
+  public record Missing(String reason) implements Found {}
+
+  /** Looks in the data record first, then in the record in the robot's own names, which is asked for only then. */
+  public Found read(DynamicRecord data, Supplier<DynamicRecord> own) {
+    Optional<FieldValue> value = data.at(path);
+    if (value.isPresent()) {
+      return number(value.get(), data.schema());
+    }
+    DynamicRecord robots = own.get();
+    return robots.at(path).map(v -> number(v, robots.schema())).orElseGet(() -> new Missing(reason(data, robots)));
+  }
+
+  /** The number that a value means, if any. */
+  public static Optional<Double> number(FieldValue value) {
+    return switch (value) {
+      case FieldValue.Num n -> Optional.of(n.value());
+      case FieldValue.Flag f -> Optional.of(f.value() ? 1.0 : 0.0);
+      case FieldValue.Time t -> Optional.of(t.nanos() * NANO);
+      default -> Optional.empty();
+    };
+  }
+
+  private Found number(FieldValue value, String schema) {
+    return number(value).<Found>map(n -> new Number(n, schema)).orElseGet(() -> new Missing(path + " of " + schema + " is " + noun(value)));
+  }
+
+  private static String noun(FieldValue value) {
+    return switch (value) {
+      case FieldValue.Text t -> "a text, not a number";
+      case FieldValue.Numbers n -> "a list of " + n.values().size() + " numbers; write one of them as [0]";
+      case FieldValue.Items i -> "a list of " + i.values().size() + "; write one of them as [0]";
+      case FieldValue.Nested n -> "a group; fields there are: " + names(n.value().fields());
+      default -> "no number";
+    };
+  }
+
+  private String reason(DynamicRecord data, DynamicRecord own) {
+    DynamicRecord deepest = deepest(data).size() >= deepest(own).size() ? data : own;
+    List<FieldPath.Step> reached = deepest(deepest);
+    String missing = new FieldPath(path.steps().subList(0, Math.min(path.steps().size(), reached.size() + 1))).toString();
+    return deepest.schema() + " has no field '" + missing + "'" + there(deepest, reached);
+  }
+
+  /** How far the path leads. */
+  private List<FieldPath.Step> deepest(DynamicRecord record) {
+    int reached = 0;
+    while (reached < path.steps().size() && record.at(new FieldPath(path.steps().subList(0, reached + 1))).isPresent()) {
+      reached++;
+    }
+    return path.steps().subList(0, reached);
+  }
+
+  private static String there(DynamicRecord record, List<FieldPath.Step> reached) {
+    FieldValue at = reached.isEmpty() ? new FieldValue.Nested(record) : record.at(new FieldPath(reached)).orElseThrow();
+    return switch (at) {
+      case FieldValue.Nested n -> "; fields there are: " + names(n.value().fields());
+      case FieldValue.Numbers n -> "; " + new FieldPath(reached) + " has " + n.values().size() + " elements";
+      case FieldValue.Items i -> "; " + new FieldPath(reached) + " has " + i.values().size() + " elements";
+      default -> "; " + new FieldPath(reached) + " has no fields";
+    };
+  }
+
+  private static String names(List<String> fields) {
+    String names = fields.stream().limit(MOST_NAMED).collect(Collectors.joining(", "));
+    return fields.size() > MOST_NAMED ? names + ", \u2026" : names;
+  }
+}

@@ -1,0 +1,104 @@
+package org.robotui.uic.plot.internal.model;
+
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.function.Supplier;
+import org.robotui.api.port.Envelope;
+import org.robotui.data.DynamicRecord;
+import org.robotui.uic.plot.internal.signal.Expr;
+import org.robotui.uic.plot.internal.signal.Pipeline;
+import org.robotui.uic.plot.internal.signal.Sink;
+import org.robotui.uic.plot.internal.trace.TimeSpan;
+
+/** Takes one field out of the values of its source into a trace; notes what is lost, late or missing. Worker only. */
+final class Leaf {
+  private static final long JUMP = TimeSpan.SECOND;
+
+  private final Expr.Field field;
+  private final FieldReader reader;
+  private final Sink sink;
+  private final Cadence cadence;
+  private OptionalLong last = OptionalLong.empty();
+  private OptionalLong sequence = OptionalLong.empty();
+  private Optional<String> problem = Optional.empty();
+  private Optional<String> schema = Optional.empty();
+  private long late;
+
+  Leaf(Pipeline.Input input, double gap) {
+    this.field = input.field();
+    this.reader = new FieldReader(field.path());
+    this.sink = input.sink();
+    this.cadence = new Cadence(gap);
+  }
+
+  Expr.Field field() {
+    return field;
+  }
+
+  Optional<String> problem() {
+    return problem;
+  }
+
+  /** What the record is called in which the field was found. */
+  Optional<String> schema() {
+    return schema;
+  }
+
+  /** Values that came with a time before that of the newest, and were left out. */
+  long late() {
+    return late;
+  }
+
+  /** Whether a time lies so far back that the clock was set anew. */
+  boolean jumpsBack(long time) {
+    return last.isPresent() && time < last.getAsLong() - JUMP;
+  }
+
+  /** Takes what was recorded before. */
+  void replay(long time, double value) {
+    sink.accept(time, value);
+    last = OptionalLong.of(time);
+  }
+
+  /** Takes a value; says what was lost before it. */
+  Optional<Loss> take(Envelope<?> envelope, long time, DynamicRecord data, Supplier<DynamicRecord> own) {
+    if (last.isPresent() && time < last.getAsLong()) {
+      late++;
+      sequence = OptionalLong.of(envelope.sequence());
+      return Optional.empty();
+    }
+    Optional<Loss> loss = breakBefore(envelope.sequence(), time);
+    switch (reader.read(data, own)) {
+      case FieldReader.Number n -> number(time, n);
+      case FieldReader.Missing m -> missing(time, m.reason());
+    }
+    last = OptionalLong.of(time);
+    return loss;
+  }
+
+  private void number(long time, FieldReader.Number found) {
+    problem = Optional.empty();
+    if (schema.isEmpty()) {
+      schema = Optional.of(found.schema());
+    }
+    sink.accept(time, found.value());
+  }
+
+  private void missing(long time, String reason) {
+    if (problem.isEmpty()) {
+      sink.accept(time, Double.NaN);
+    }
+    problem = Optional.of(reason);
+  }
+
+  private Optional<Loss> breakBefore(long next, long time) {
+    long lost = sequence.isPresent() ? next - sequence.getAsLong() - 1 : 0;
+    boolean silent = last.isPresent() && cadence.silent(time - last.getAsLong());
+    sequence = OptionalLong.of(next);
+    if (last.isEmpty() || lost == 0 && !silent) {
+      return Optional.empty();
+    }
+    sink.accept(time, Double.NaN);
+    return lost > 0 ? Optional.of(new Loss(last.getAsLong(), time, lost)) : Optional.empty();
+  }
+}

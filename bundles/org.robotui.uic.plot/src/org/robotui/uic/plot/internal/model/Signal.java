@@ -1,0 +1,16 @@
+package org.robotui.uic.plot.internal.model;
+
+import java.util.Optional;
+import org.robotui.uic.plot.internal.signal.Expr;
+import org.robotui.uic.plot.internal.signal.ExprParser;
+
+/** What a configured text means, or why it means nothing. */
+record Signal(Optional<Expr> expr, Optional<String> error) {
+  static Signal of(String text) {
+    try {
+      return new Signal(Optional.of(ExprParser.parse(text)), Optional.empty());
+    } catch (IllegalArgumentException e) {
+      return new Signal(Optional.empty(), Optional.of(e.getMessage()));
+    }
+  }
+}

@@ -1,0 +1,125 @@
+package org.robotui.uic.plot.internal.signal;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robotui.api.port.SourceId;
+
+/**
+ * What a trace shows: a field of a source, or what is computed of one. Its text is what {@link ExprParser} reads, and two that
+ * mean the same have the same text.
+ */
+public sealed interface Expr {
+  /** The fields it is computed of, in the order of the text. */
+  Stream<Field> fields();
+
+  /** A field of the values of a source. */
+  record Field(SourceId source, String path) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.of(this);
+    }
+
+    @Override
+    public String toString() {
+      return source + ":" + path;
+    }
+  }
+
+  /** The change per second. */
+  record Derivative(Expr of) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return "derivative(" + of + ")";
+    }
+  }
+
+  /** The area below the curve since its first sample. */
+  record Integral(Expr of) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return "integral(" + of + ")";
+    }
+  }
+
+  /** The mean of the last seconds. */
+  record Average(Expr of, double seconds) implements Expr {
+    public Average {
+      if (!(seconds > 0) || seconds > 3600) {
+        throw new IllegalArgumentException("an average is taken over more than 0 and at most 3600 seconds, not " + seconds);
+      }
+    }
+
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return "average(" + of + ", " + Numbers.text(seconds) + ")";
+    }
+  }
+
+  /** Times a factor, plus an offset. */
+  record Scale(Expr of, double factor, double offset) implements Expr {
+    public Scale {
+      if (!Double.isFinite(factor) || !Double.isFinite(offset)) {
+        throw new IllegalArgumentException("factor and offset of a scale must be finite");
+      }
+    }
+
+    @Override
+    public Stream<Field> fields() {
+      return of.fields();
+    }
+
+    @Override
+    public String toString() {
+      return "scale(" + of + ", " + Numbers.text(factor) + (offset == 0 ? "" : ", " + Numbers.text(offset)) + ")";
+    }
+  }
+
+  /** One less another, at the times of the first. */
+  record Difference(Expr of, Expr less) implements Expr {
+    @Override
+    public Stream<Field> fields() {
+      return Stream.concat(of.fields(), less.fields());
+    }
+
+    @Override
+    public String toString() {
+      return "difference(" + of + ", " + less + ")";
+    }
+  }
+
+  /** The length of the vector of several, at the times of the first. */
+  record Norm(List<Expr> of) implements Expr {
+    public Norm {
+      of = List.copyOf(of);
+      if (of.isEmpty()) {
+        throw new IllegalArgumentException("a norm needs at least one signal");
+      }
+    }
+
+    @Override
+    public Stream<Field> fields() {
+      return of.stream().flatMap(Expr::fields);
+    }
+
+    @Override
+    public String toString() {
+      return of.stream().map(Expr::toString).collect(Collectors.joining(", ", "norm(", ")"));
+    }
+  }
+}

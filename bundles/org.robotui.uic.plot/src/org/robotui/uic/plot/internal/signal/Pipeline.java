@@ -1,0 +1,50 @@
+package org.robotui.uic.plot.internal.signal;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What computes a signal sample by sample. To begin anew after a time jump, make a new one. One thread.
+ *
+ * @param inputs where the samples of each field go in, in the order of {@link Expr#fields()}
+ */
+public record Pipeline(List<Input> inputs) {
+  /** Where the samples of a field go in. */
+  public record Input(Expr.Field field, Sink sink) {}
+
+  public Pipeline {
+    inputs = List.copyOf(inputs);
+  }
+
+  public static Pipeline of(Expr expr, Sink out) {
+    List<Input> inputs = new ArrayList<>();
+    build(expr, out, inputs);
+    return new Pipeline(inputs);
+  }
+
+  private static void build(Expr expr, Sink out, List<Input> inputs) {
+    switch (expr) {
+      case Expr.Field f -> inputs.add(new Input(f, out));
+      case Expr.Derivative d -> build(d.of(), new DerivativeNode(out), inputs);
+      case Expr.Integral i -> build(i.of(), new IntegralNode(out), inputs);
+      case Expr.Average a -> build(a.of(), new AverageNode(a.seconds(), out), inputs);
+      case Expr.Scale s -> build(s.of(), (time, value) -> out.accept(time, value * s.factor() + s.offset()), inputs);
+      case Expr.Difference d -> join(List.of(d.of(), d.less()), new JoinNode(2, v -> v[0] - v[1], out), inputs);
+      case Expr.Norm n -> join(n.of(), new JoinNode(n.of().size(), Pipeline::norm, out), inputs);
+    }
+  }
+
+  private static void join(List<Expr> of, JoinNode node, List<Input> inputs) {
+    for (int i = 0; i < of.size(); i++) {
+      build(of.get(i), node.input(i), inputs);
+    }
+  }
+
+  private static double norm(double[] values) {
+    double sum = 0;
+    for (double value : values) {
+      sum += value * value;
+    }
+    return Math.sqrt(sum);
+  }
+}

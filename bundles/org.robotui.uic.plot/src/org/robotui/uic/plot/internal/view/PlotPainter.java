@@ -1,0 +1,149 @@
+package org.robotui.uic.plot.internal.view;
+
+import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Point;
+import org.eclipse.swt.graphics.Rectangle;
+import org.robotui.api.port.InputState;
+import org.robotui.ui.Health;
+import org.robotui.ui.StateView;
+import org.robotui.ui.TextFit;
+import org.robotui.ui.Theme;
+import org.robotui.uic.plot.internal.model.LineStyle;
+import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.TraceView;
+
+/** Paints the whole view, and knows afterwards where everything lies. Display thread. */
+final class PlotPainter {
+  private static final int GUTTER_STEP = 8;
+  private static final int LEAST_GUTTER = 48;
+
+  private final StateView states;
+  private final AxisPainter axes;
+  private final TracePainter lines;
+  private final LegendPainter legends;
+  private final PointerPainter pointers;
+  private List<AxisFrame> frames = List.of();
+  private List<LegendPainter.Place> places = List.of();
+  private int gutter = LEAST_GUTTER;
+
+  PlotPainter(Theme theme, ZoneId zone) {
+    this.states = new StateView(theme);
+    this.axes = new AxisPainter(theme, zone);
+    this.lines = new TracePainter(theme);
+    this.legends = new LegendPainter(theme, lines);
+    this.pointers = new PointerPainter(theme, lines, zone);
+  }
+
+  /** Where the axes lay when painted last. */
+  List<AxisFrame> frames() {
+    return frames;
+  }
+
+  /** Where the names of the traces stood when painted last. */
+  List<LegendPainter.Place> places() {
+    return places;
+  }
+
+  void paint(GC gc, Rectangle area, PlotScene scene, PlotState state) {
+    if (scene.axes().isEmpty()) {
+      frames = List.of();
+      places = List.of();
+      return;
+    }
+    frames = frames(gc, area, scene, state);
+    Optional<AxisFrame> pointed = state.pointer().flatMap(this::plotAt);
+    List<LegendPainter.Place> named = new ArrayList<>();
+    for (AxisFrame frame : frames) {
+      boolean live = state.time(scene, frame.index()).isLive();
+      axes.paint(gc, frame, live, hasSamples(frame));
+      Rectangle clip = gc.getClipping();
+      gc.setClipping(frame.plot().x, frame.plot().y - 1, frame.plot().width, frame.plot().height + 2);
+      traces(gc, frame, scene);
+      gc.setClipping(clip);
+      if (hasSamples(frame)) {
+        axes.units(gc, frame);
+      }
+      overlay(gc, frame, scene, state, pointed);
+      named.addAll(legends.paint(gc, frame, pointedTime(pointed, scene, frame, state), state.cursors(), state.pointer()));
+    }
+    places = List.copyOf(named);
+    state.box().ifPresent(box -> pointers.box(gc, box));
+  }
+
+  /** Says where what is dragged would go. */
+  void target(GC gc, Rectangle at, String words) {
+    pointers.target(gc, at, words);
+  }
+
+  Optional<AxisFrame> plotAt(Point point) {
+    return frames.stream().filter(f -> f.plot().contains(point)).findFirst();
+  }
+
+  /** With as much room for figures as the widest needs; it grows, and does not shrink, so that nothing jumps. */
+  private List<AxisFrame> frames(GC gc, Rectangle area, PlotScene scene, PlotState state) {
+    List<AxisFrame> made = Frames.of(area, scene, state, gutter);
+    int wanted = made.stream().mapToInt(f -> axes.gutter(gc, f)).max().orElse(0);
+    if (wanted > gutter) {
+      gutter = Math.ceilDiv(wanted, GUTTER_STEP) * GUTTER_STEP;
+      return Frames.of(area, scene, state, gutter);
+    }
+    return made;
+  }
+
+  private void traces(GC gc, AxisFrame frame, PlotScene scene) {
+    int together = (int) scene.traces().filter(TraceView::drawn).count();
+    for (TraceView trace : frame.traces()) {
+      if (trace.drawn()) {
+        LineStyle style = trace.spec().style().orElse(scene.spec().style());
+        lines.paint(gc, frame, trace, style, together);
+      }
+    }
+  }
+
+  private Optional<Long> pointedTime(Optional<AxisFrame> pointed, PlotScene scene, AxisFrame frame, PlotState state) {
+    return pointed.filter(p -> scene.spec().linked() || p.index() == frame.index())
+        .map(p -> p.time(state.pointer().orElseThrow().x));
+  }
+
+  private void overlay(GC gc, AxisFrame frame, PlotScene scene, PlotState state, Optional<AxisFrame> pointed) {
+    if (!hasSamples(frame)) {
+      message(gc, frame);
+      return;
+    }
+    state.cursors().ifPresent(c -> pointers.cursors(gc, frame, c, frame.index() == 0 || !scene.spec().linked()));
+    if (state.box().isEmpty()) {
+      pointedTime(pointed, scene, frame, state).ifPresent(time -> pointers.values(gc, frame, time,
+          pointed.get().index() == frame.index(), state.pointer().orElseThrow().y));
+    }
+    TraceView first = frame.traces().getFirst();
+    if (frame.traces().stream().allMatch(t -> t.state() instanceof InputState.Stale)) {
+      states.paint(gc, frame.plot(), first.state());
+    } else if (frame.traces().stream().noneMatch(t -> StateView.showsContent(t.state()))) {
+      states.banner(gc, frame.plot(), StateView.health(first.state()), TextFit.shorten(gc, first.state().explanation(), frame.plot().width / 2));
+    }
+  }
+
+  private static boolean hasSamples(AxisFrame frame) {
+    return frame.traces().stream().anyMatch(t -> t.series().filter(s -> s.size() > 0).isPresent());
+  }
+
+  /** Why there is nothing to see on an axis. */
+  private void message(GC gc, AxisFrame frame) {
+    if (frame.traces().isEmpty()) {
+      states.message(gc, frame.plot(), Health.NONE, "No traces", "Drop a field here.");
+      return;
+    }
+    TraceView first = frame.traces().stream().filter(t -> t.problem().isPresent()).findFirst().orElse(frame.traces().getFirst());
+    if (first.problem().isPresent()) {
+      states.message(gc, frame.plot(), Health.BAD, first.spec().signal(), first.problem().get());
+    } else if (first.state() instanceof InputState.Live) {
+      states.message(gc, frame.plot(), Health.WAITING, "No values yet", "");
+    } else {
+      states.paint(gc, frame.plot(), first.state());
+    }
+  }
+}

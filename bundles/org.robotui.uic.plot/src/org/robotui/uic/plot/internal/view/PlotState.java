@@ -1,0 +1,148 @@
+package org.robotui.uic.plot.internal.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.graphics.Point;
+import org.eclipse.swt.graphics.Rectangle;
+import org.robotui.uic.plot.internal.model.AutoRange;
+import org.robotui.uic.plot.internal.model.CursorPair;
+import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.TimeView;
+import org.robotui.uic.plot.internal.model.TraceView;
+import org.robotui.uic.plot.internal.model.ValueSpan;
+import org.robotui.uic.plot.internal.model.YRange;
+import org.robotui.uic.plot.internal.trace.Summary;
+import org.robotui.uic.plot.internal.trace.TimeSpan;
+
+/** Where the user looks, as long as the view is there: times, zoomed scales, cursors, the pointer. Display thread. */
+public final class PlotState {
+  private final List<TimeView> times = new ArrayList<>(List.of(TimeView.LIVE));
+  private final List<Scale> scales = new ArrayList<>();
+  private Optional<CursorPair> cursors = Optional.empty();
+  private Optional<Point> pointer = Optional.empty();
+  private Optional<Rectangle> box = Optional.empty();
+  private volatile boolean live = true;
+
+  private static final class Scale {
+    private Optional<ValueSpan> zoomed = Optional.empty();
+    private Optional<ValueSpan> shown = Optional.empty();
+  }
+
+  /** What of the time an axis shows. */
+  TimeView time(PlotScene scene, int axis) {
+    return times.get(scene.spec().linked() ? 0 : Math.min(axis, times.size() - 1));
+  }
+
+  void time(PlotScene scene, int axis, TimeView next) {
+    int index = scene.spec().linked() ? 0 : axis;
+    while (times.size() <= index) {
+      times.add(times.getFirst());
+    }
+    times.set(index, next);
+    live = times.stream().allMatch(TimeView::isLive);
+  }
+
+  TimeSpan span(PlotScene scene, int axis) {
+    return time(scene, axis).span(scene.now(), scene.spec().window(), scene.extent());
+  }
+
+  /** Whether time goes on. Any thread. */
+  public boolean isLive() {
+    return live;
+  }
+
+  /** Holds what is seen now. */
+  void hold(PlotScene scene) {
+    int axes = scene.spec().linked() ? 1 : Math.max(1, scene.axes().size());
+    for (int axis = 0; axis < axes; axis++) {
+      time(scene, axis, time(scene, axis).hold(span(scene, axis)));
+    }
+  }
+
+  /** Back to live, and to the ranges that are configured. */
+  void live() {
+    times.replaceAll(t -> TimeView.LIVE);
+    live = true;
+    scales.forEach(s -> s.zoomed = Optional.empty());
+  }
+
+  /** The values that a scale shows: where the user zoomed to, else the fixed ones, else those that are in sight. */
+  ValueSpan values(PlotScene scene, int axis, boolean right, TimeSpan span) {
+    Scale scale = scale(axis, right);
+    if (scale.zoomed.isPresent()) {
+      return scale.zoomed.get();
+    }
+    ValueSpan next = switch (scene.spec().axes().get(axis).range(right)) {
+      case YRange.Fixed f -> new ValueSpan(f.low(), f.high());
+      case YRange.Hold h -> AutoRange.next(seen(scene.axes().get(axis), right, span), scale.shown, true);
+      case YRange.Auto a -> AutoRange.next(seen(scene.axes().get(axis), right, span), scale.shown, false);
+    };
+    scale.shown = Optional.of(next);
+    return next;
+  }
+
+  void zoom(int axis, boolean right, ValueSpan values) {
+    scale(axis, right).zoomed = Optional.of(values);
+  }
+
+  /** Whether the user zoomed a scale. */
+  boolean isZoomed(int axis, boolean right) {
+    return scale(axis, right).zoomed.isPresent();
+  }
+
+  /** Shows what is configured for all scales of an axis. */
+  void unzoom(int axis) {
+    scale(axis, false).zoomed = Optional.empty();
+    scale(axis, true).zoomed = Optional.empty();
+  }
+
+  /** Forgets the ranges shown so far: the axes are others now. */
+  void forgetScales() {
+    scales.clear();
+  }
+
+  public Optional<CursorPair> cursors() {
+    return cursors;
+  }
+
+  void cursors(Optional<CursorPair> next) {
+    cursors = next;
+  }
+
+  Optional<Point> pointer() {
+    return pointer;
+  }
+
+  void pointer(Optional<Point> next) {
+    pointer = next;
+  }
+
+  /** What is being marked to be zoomed into. */
+  Optional<Rectangle> box() {
+    return box;
+  }
+
+  void box(Optional<Rectangle> next) {
+    box = next;
+  }
+
+  private static Summary seen(List<TraceView> traces, boolean right, TimeSpan span) {
+    Summary all = new Summary();
+    Summary one = new Summary();
+    traces.stream().filter(t -> t.drawn() && t.spec().right() == right).forEach(t -> {
+      one.clear();
+      t.series().orElseThrow().summarize(span, one);
+      all.add(one);
+    });
+    return all;
+  }
+
+  private Scale scale(int axis, boolean right) {
+    int index = 2 * axis + (right ? 1 : 0);
+    while (scales.size() <= index) {
+      scales.add(new Scale());
+    }
+    return scales.get(index);
+  }
+}

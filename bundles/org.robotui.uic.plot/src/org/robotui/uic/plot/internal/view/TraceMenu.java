@@ -1,0 +1,104 @@
+package org.robotui.uic.plot.internal.view;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.PopupMenu;
+import org.robotui.uic.plot.internal.model.LineStyle;
+import org.robotui.uic.plot.internal.model.PlotOptions;
+import org.robotui.uic.plot.internal.model.PlotScene;
+import org.robotui.uic.plot.internal.model.TraceRef;
+import org.robotui.uic.plot.internal.model.TraceSpec;
+import org.robotui.uic.plot.internal.model.TraceView;
+
+/** What can be done with a trace. Display thread. */
+final class TraceMenu {
+  private static final double[] AVERAGES = {0.1, 0.5, 1, 5, 10};
+
+  private final Edits edits;
+  private final Consumer<String> type;
+
+  /** Given also what is called with a signal that the user wants to go on typing. */
+  TraceMenu(Edits edits, Consumer<String> type) {
+    this.edits = edits;
+    this.type = type;
+  }
+
+  void fill(PopupMenu menu, PlotScene scene, TraceRef ref) {
+    TraceView trace = scene.axes().get(ref.axis()).get(ref.trace());
+    TraceSpec spec = trace.spec();
+    menu.push(spec.hidden() ? "Show" : "Hide", () -> change(ref, t -> t.withHidden(!t.hidden())));
+    menu.push("Remove", () -> edits.axes(s -> s.without(ref)));
+    menu.line();
+    derive(menu.under("Derive"), scene, ref, spec.signal());
+    colours(menu.under("Colour"), ref, trace.colour());
+    styles(menu.under("Line"), ref, spec.style());
+    menu.check("Right scale", spec.right(), now -> change(ref, t -> t.withRight(!t.right())));
+    move(menu.under("Move to"), scene, ref);
+    menu.line();
+    menu.push("Copy signal", () -> Clipboards.copy(spec.signal()));
+  }
+
+  private void derive(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {
+    menu.push("Derivative", () -> add(ref, "derivative(" + signal + ")"));
+    menu.push("Integral", () -> add(ref, "integral(" + signal + ")"));
+    PopupMenu averages = menu.under("Moving average");
+    for (double seconds : AVERAGES) {
+      averages.push(seconds + " s", () -> add(ref, "average(" + signal + ", " + seconds + ")"));
+    }
+    PopupMenu scale = menu.under("Scale");
+    scale.push("Radians to degrees", () -> add(ref, "scale(" + signal + ", " + Math.toDegrees(1) + ")"));
+    scale.push("Negate", () -> add(ref, "scale(" + signal + ", -1)"));
+    scale.push("Thousand times", () -> add(ref, "scale(" + signal + ", 1000)"));
+    scale.push("Factor and offset\u2026", () -> type.accept("scale(" + signal + ", 1, 0)"));
+    others(menu.under("Difference to"), scene, ref, signal);
+    List<TraceView> same = scene.axes().get(ref.axis());
+    if (same.size() > 1) {
+      menu.push("Norm of all on this axis",
+          () -> add(ref, same.stream().map(t -> t.spec().signal()).collect(Collectors.joining(", ", "norm(", ")"))));
+    }
+  }
+
+  private void others(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {
+    List<TraceView> others = scene.traces().filter(t -> !t.spec().signal().equals(signal)).toList();
+    others.forEach(t -> menu.push(t.label(), () -> add(ref, "difference(" + signal + ", " + t.spec().signal() + ")")));
+    menu.push("Another\u2026", () -> type.accept("difference(" + signal + ", )"));
+  }
+
+  private void colours(PopupMenu menu, TraceRef ref, int now) {
+    for (int i = 0; i < PlotOptions.COLOURS.size(); i++) {
+      int colour = i;
+      menu.radio(PlotOptions.COLOURS.get(i), i == now, () -> change(ref, t -> t.withColour(colour)));
+    }
+  }
+
+  private void styles(PopupMenu menu, TraceRef ref, Optional<LineStyle> now) {
+    menu.radio("as the others", now.isEmpty(), () -> change(ref, t -> t.withStyle(Optional.empty())));
+    for (LineStyle style : LineStyle.values()) {
+      menu.radio(style.word(), now.equals(Optional.of(style)), () -> change(ref, t -> t.withStyle(Optional.of(style))));
+    }
+  }
+
+  private void move(PopupMenu menu, PlotScene scene, TraceRef ref) {
+    for (int i = 0; i < scene.axes().size(); i++) {
+      int axis = i;
+      if (i != ref.axis()) {
+        menu.push("Axis " + (i + 1), () -> edits.axes(s -> s.moved(ref, axis)));
+      }
+    }
+    menu.push("New axis", () -> edits.axes(s -> s.moved(ref, s.axes().size())));
+  }
+
+  private void add(TraceRef ref, String signal) {
+    edits.axes(s -> s.plus(ref.axis(), new TraceSpec(signal, Optional.empty(), Optional.empty(), OptionalInt.empty(),
+        Optional.empty(), s.trace(ref).map(TraceSpec::right).orElse(false), false)));
+  }
+
+  private void change(TraceRef ref, UnaryOperator<TraceSpec> change) {
+    edits.axes(s -> s.with(ref, change));
+  }
+}

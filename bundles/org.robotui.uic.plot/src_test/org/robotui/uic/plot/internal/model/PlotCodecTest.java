@@ -1,0 +1,82 @@
+package org.robotui.uic.plot.internal.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.robotui.testkit.FakeSettings;
+
+class PlotCodecTest {
+  private final FakeSettings settings = new FakeSettings(PlotOptions.schema());
+
+  @Test
+  void withoutSettingsThereIsNothingYet() {
+    PlotSpec spec = PlotCodec.read(settings.current());
+    assertTrue(spec.isEmpty());
+    assertEquals(60, spec.window());
+    assertTrue(spec.byStamp() && spec.linked());
+  }
+
+  @Test
+  void whatIsWrittenIsReadAgain() {
+    TraceSpec full = new TraceSpec("derivative(a.b:c)", Optional.of("jerk"), Optional.of("m/s"), OptionalInt.of(3),
+        Optional.of(LineStyle.STEP), true, true);
+    List<AxisSpec> axes = List.of(
+        new AxisSpec(List.of(TraceSpec.of("a.b:c"), full), new YRange.Fixed(-1.5, 2), new YRange.Hold()), AxisSpec.EMPTY);
+    settings.set(PlotOptions.AXES, PlotCodec.write(axes));
+    assertEquals(axes, PlotCodec.read(settings.current()).axes());
+  }
+
+  @Test
+  void whatIsAsUsualIsNotWritten() {
+    assertEquals(List.of(Map.of("traces", List.of("a.b:c"))),
+        PlotCodec.write(List.of(AxisSpec.EMPTY.with(List.of(TraceSpec.of("a.b:c"))))));
+  }
+
+  @Test
+  void sourcePathAndFunctionsMakeASignal() {
+    assertEquals("base./odom:linear.x", signal(Map.of("source", "base./odom", "path", "linear.x")));
+    assertEquals("derivative(base./odom:x)", signal(Map.of("source", "base./odom", "path", "x", "derive", "derivative")));
+    assertEquals("scale(average(base./odom:x, 0.5), 2, 1)",
+        signal(Map.of("source", "base./odom", "path", "x", "derive", List.of("average(0.5)", "scale(2, 1)"))));
+  }
+
+  @Test
+  void aRangeTheWrongWayRoundIsAutomatic() {
+    settings.set(PlotOptions.AXES, List.of(Map.of("range", List.of(2L, 1L))));
+    assertEquals(new YRange.Auto(), PlotCodec.read(settings.current()).axes().getFirst().left());
+  }
+
+  @Test
+  void newTracesGetColoursThatAreFree() {
+    PlotSpec spec = PlotCodec.read(settings.current()).plus(0, TraceSpec.of("a.b:x")).plus(0, TraceSpec.of("a.b:y"))
+        .plus(0, TraceSpec.of("a.b:z")).without(new TraceRef(0, 1)).plus(0, TraceSpec.of("a.b:w"));
+    assertEquals(List.of(0, 2, 1), List.of(spec.axes().getFirst().colour(0), spec.axes().getFirst().colour(1), spec.axes().getFirst().colour(2)));
+  }
+
+  @Test
+  void aSignalIsOnAnAxisOnlyOnce() {
+    PlotSpec spec = PlotCodec.read(settings.current()).plus(0, TraceSpec.of("a.b:x")).plus(0, TraceSpec.of("a.b:x"));
+    assertEquals(1, spec.axes().getFirst().traces().size());
+    assertEquals(2, spec.plus(1, TraceSpec.of("a.b:x")).axes().size());
+  }
+
+  @Test
+  void anAxisGoesWithItsLastTrace() {
+    PlotSpec spec = PlotCodec.read(settings.current()).plus(0, TraceSpec.of("a.b:x")).plus(1, TraceSpec.of("a.b:y"));
+    assertEquals(1, spec.without(new TraceRef(0, 0)).axes().size());
+    assertEquals(List.of("a.b:y", "a.b:x"), spec.moved(new TraceRef(0, 0), 1).signals().toList());
+    assertEquals(1, spec.moved(new TraceRef(0, 0), 1).axes().size());
+    assertEquals(2, spec.moved(new TraceRef(0, 0), 2).axes().size());
+    assertEquals(spec, spec.without(new TraceRef(7, 0)));
+  }
+
+  private String signal(Map<String, Object> trace) {
+    settings.set(PlotOptions.AXES, List.of(Map.of("traces", List.of(trace))));
+    return PlotCodec.read(settings.current()).axes().getFirst().traces().getFirst().signal();
+  }
+}

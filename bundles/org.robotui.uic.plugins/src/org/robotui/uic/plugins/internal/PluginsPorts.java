@@ -1,0 +1,25 @@
+package org.robotui.uic.plugins.internal;
+
+import java.util.List;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.PluginReply;
+import org.robotui.api.port.PluginRequest;
+import org.robotui.api.port.Port;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.ControlPlugins;
+import org.robotui.data.LoopTiming;
+
+/** The ports of the view. */
+final class PluginsPorts {
+  static final StreamPort<ControlPlugins> PLUGINS =
+      new StreamPort<>("plugins", ControlPlugins.class, Arity.ONE, "the plugins of the control and how they are doing");
+  static final StreamPort<LoopTiming> TIMING =
+      new StreamPort<>("timing", LoopTiming.class, Arity.OPTIONAL, "how well the threads of the control keep their time");
+  static final CallPort<PluginRequest, PluginReply> VERBS = new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class,
+      Arity.OPTIONAL, "starts, stops and reloads plugins", true);
+
+  static final List<Port> ALL = List.of(PLUGINS, TIMING, VERBS);
+
+  private PluginsPorts() {}
+}

@@ -1,0 +1,99 @@
+package org.robotui.uic.scene3d.internal;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.osgi.framework.BundleContext;
+import org.osgi.framework.ServiceReference;
+import org.osgi.service.component.annotations.Activate;
+import org.osgi.service.component.annotations.Component;
+import org.osgi.service.component.annotations.Reference;
+import org.osgi.service.component.annotations.ReferenceCardinality;
+import org.osgi.service.component.annotations.ReferencePolicy;
+import org.robotui.api.Descriptor;
+import org.robotui.api.Uic;
+import org.robotui.api.UicContext;
+import org.robotui.api.UicType;
+import org.robotui.api.config.Settings;
+import org.robotui.gl.display.DisplayType;
+import org.robotui.gl.render.Gl;
+
+/**
+ * The scene in space. Graphics and kinds of displays come and go while it runs; they are taken as handles, so that none of them is
+ * started before the first scene is looked at.
+ */
+@Component(service = UicType.class)
+public final class Scene3dType implements UicType {
+  private static final double RATE_HZ = 30;
+
+  private static final Descriptor DESCRIPTOR = new Descriptor("scene3d", "Scene",
+      "Robots and what they sense in space; measures, selects, sends goals and initial poses.", SceneOptions.schema(), ScenePorts.ALL);
+
+  private final BundleContext bundles;
+  private final Map<ServiceReference<?>, Object> taken = new HashMap<>();
+
+  @Reference(service = DisplayType.class, cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC)
+  private volatile List<ServiceReference<DisplayType>> kinds = List.of();
+
+  @Reference(service = Gl.class, cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC)
+  private volatile List<ServiceReference<Gl>> graphics = List.of();
+
+  /** Called by declarative services. */
+  @Activate
+  public Scene3dType(BundleContext bundles) {
+    this.bundles = bundles;
+  }
+
+  @Override
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
+  }
+
+  @Override
+  public Surface surface() {
+    return Surface.WINDOW;
+  }
+
+  @Override
+  public double rateHz() {
+    return RATE_HZ;
+  }
+
+  @Override
+  public Uic create(UicContext context, Settings settings) {
+    return new Scene3dUic(context, this::kinds, this::graphics);
+  }
+
+  private List<DisplayType> kinds() {
+    forgetGone();
+    return kinds.stream().flatMap(handle -> take(handle).stream()).toList();
+  }
+
+  private Optional<Gl> graphics() {
+    return graphics.stream().findFirst().flatMap(this::take);
+  }
+
+  private void forgetGone() {
+    List<ServiceReference<?>> there = Stream.<ServiceReference<?>>concat(kinds.stream(), graphics.stream()).toList();
+    synchronized (taken) {
+      if (taken.size() > there.size()) {
+        taken.keySet().retainAll(there);
+      }
+    }
+  }
+
+  /** A service of a handle; a bundle that is just going gives none. */
+  @SuppressWarnings("unchecked") // a handle gives one type only
+  private <S> Optional<S> take(ServiceReference<S> handle) {
+    synchronized (taken) {
+      Optional<S> known = Optional.ofNullable((S) taken.get(handle));
+      return known.or(() -> {
+        Optional<S> got = Optional.ofNullable(bundles.getService(handle));
+        got.ifPresent(service -> taken.put(handle, service));
+        return got;
+      });
+    }
+  }
+}

@@ -1,0 +1,125 @@
+package org.robotui.uic.scene3d.internal;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.api.config.Settings;
+import org.robotui.gl.display.DisplayType;
+import org.robotui.gl.render.Gl;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewAction;
+import org.robotui.ui.scene.Commander;
+import org.robotui.uic.scene3d.internal.camera.CameraPose;
+import org.robotui.uic.scene3d.internal.camera.Rig;
+import org.robotui.uic.scene3d.internal.model.Edits;
+import org.robotui.uic.scene3d.internal.model.Followed;
+import org.robotui.uic.scene3d.internal.model.Picks;
+import org.robotui.uic.scene3d.internal.model.SceneModel;
+import org.robotui.uic.scene3d.internal.model.Stage;
+import org.robotui.uic.scene3d.internal.studio.Studio;
+import org.robotui.uic.scene3d.internal.view.SceneActions;
+import org.robotui.uic.scene3d.internal.view.SceneSurface;
+
+/** A scene: ticks prepare it, the studio has it drawn, the surface paints pictures. While nobody sees it, it asks for nothing. */
+final class Scene3dUic implements SwtUic {
+  private static final long PROBE_NANOS = 500_000_000L;
+  private static final long KEEP_NANOS = 10_000_000_000L;
+  private static final long SETTLED_NANOS = 2_500_000_000L;
+
+  private final SceneModel model;
+  private final SceneParts parts;
+  private final Followed followed;
+  private final SceneActions actions = new SceneActions();
+  private volatile Optional<SceneSurface> surface = Optional.empty();
+  private long probedNanos;
+  private long seenNanos;
+  private long fittedNanos;
+  private int fits;
+  private String figures = "";
+
+  Scene3dUic(UicContext context, Supplier<List<DisplayType>> kinds, Supplier<Optional<Gl>> graphics) {
+    model = new SceneModel(context, kinds, new SceneDisplays(context));
+    Edits edits = new Edits(context.settings(), model::specs);
+    Rig rig = new Rig(edits.start().orElse(CameraPose.START));
+    fits = edits.start().isPresent() ? 2 : 0;
+    Studio studio = new Studio(graphics, rig, System::nanoTime, () -> surface.ifPresent(SceneSurface::paintSoon));
+    followed = new Followed(context.frames(), rig);
+    parts = new SceneParts(model, studio, rig, new Picks(), edits,
+        new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), context.settings(), kinds, context.background());
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    if (surface.isEmpty() || !seen(surface.get(), nowNanos)) {
+      return false;
+    }
+    boolean changed = model.tick(nowNanos);
+    Stage stage = model.stage();
+    Settings settings = parts.settings().current();
+    followed.tick(settings, stage.fixed());
+    changed |= parts.picks().keep(stage);
+    first(stage, nowNanos);
+    parts.studio().thin(settings.flag(SceneOptions.THINNING));
+    parts.studio().show(stage, parts.picks().marked());
+    String next = Long.toString(Math.round(parts.studio().rate()));
+    changed |= !next.equals(figures);
+    figures = next;
+    return changed;
+  }
+
+  /** Whether somebody looks; after a while without, all is given up. */
+  private boolean seen(SceneSurface shown, long nowNanos) {
+    if (nowNanos - probedNanos > PROBE_NANOS) {
+      probedNanos = nowNanos;
+      shown.probe();
+    }
+    if (shown.seen()) {
+      seenNanos = nowNanos;
+      return true;
+    }
+    if (nowNanos - seenNanos > KEEP_NANOS) {
+      model.rest();
+      parts.studio().rest();
+    }
+    return false;
+  }
+
+  /** Looks at what came first, and again when the rest has come, unless hands have taken the camera. */
+  private void first(Stage stage, long nowNanos) {
+    boolean due = fits == 0 || fits == 1 && nowNanos - fittedNanos > SETTLED_NANOS;
+    if (due && !surface.get().touched()) {
+      stage.fed().ifPresent(box -> {
+        fits++;
+        fittedNanos = nowNanos;
+        parts.rig().go(parts.rig().aim().fit(box, surface.get().aspect()), nowNanos);
+      });
+    }
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext context) {
+    SceneSurface made = new SceneSurface(parent, context, parts, actions);
+    surface = Optional.of(made);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(SceneSurface::refresh);
+  }
+
+  @Override
+  public List<ViewAction> actions() {
+    return actions.all();
+  }
+
+  @Override
+  public void close() {
+    model.rest();
+    parts.studio().close();
+  }
+}

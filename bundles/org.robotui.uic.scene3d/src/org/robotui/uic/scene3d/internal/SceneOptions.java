@@ -1,0 +1,93 @@
+package org.robotui.uic.scene3d.internal;
+
+import java.util.List;
+import java.util.Map;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.ValueType;
+import org.robotui.uic.scene3d.internal.camera.CameraKind;
+
+/** The settings of the scene. */
+public final class SceneOptions {
+  public static final String DISPLAYS = "displays";
+  public static final String AUTOMATIC = "automatic";
+  public static final String FIXED_FRAME = "fixed_frame";
+  public static final String AUTO = "auto";
+  public static final String FRAMES = "frames";
+  public static final String COLORS = "robot_colors";
+  public static final String FOLLOW = "follow";
+  public static final String FOLLOW_YAW = "follow_yaw";
+  public static final String VIEWS = "views";
+  public static final String TREE = "tree";
+  public static final String THINNING = "thinning";
+
+  public static final String TYPE = "type";
+  public static final String ID = "id";
+  public static final String NAME = "name";
+  public static final String SOURCE = "source";
+  public static final String SHOWN = "shown";
+  public static final String SETTINGS = "settings";
+  public static final String PARENT = "parent";
+  public static final String CHILD = "child";
+  public static final String KIND = "kind";
+
+  private static final double FAR = 1e9;
+  private static final ValueType NUMBER = new ValueType.Num(-FAR, FAR, "m");
+  private static final ValueType ANGLE = new ValueType.Num(-FAR, FAR, "rad");
+  private static final ValueType PLAIN = new ValueType.AnyOf(List.of(new ValueType.Flag(),
+      new ValueType.Int(Long.MIN_VALUE, Long.MAX_VALUE), new ValueType.Num(-Double.MAX_VALUE, Double.MAX_VALUE, ""), new ValueType.Text()));
+  private static final ValueType ANY = new ValueType.AnyOf(List.of(PLAIN, new ValueType.ListOf(PLAIN), new ValueType.MapOf(PLAIN)));
+  private static final ValueType SOURCES =
+      new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text())));
+
+  private static final Schema DISPLAY = Schema.of(
+      Setting.required(TYPE, new ValueType.Text(), "The kind of the display, for example laserscan."),
+      Setting.optional(ID, new ValueType.Text(), "Tells displays apart where names change; written by the scene."),
+      Setting.optional(NAME, new ValueType.Text(), "Its name in the list; without, that of its kind."),
+      Setting.of(SOURCE, SOURCES, List.of(),
+          "Where its data come from, for example base/scan, or several; without, the only source that fits."),
+      Setting.of(SHOWN, new ValueType.Flag(), true, "Whether it is shown."),
+      Setting.of(SETTINGS, new ValueType.MapOf(ANY), Map.of(), "The settings of its kind."));
+
+  private static final Schema FRAME = Schema.of(
+      Setting.required(PARENT, new ValueType.Text(), "A frame as robot/frame, for example a/map."),
+      Setting.required(CHILD, new ValueType.Text(), "A frame of another robot, for example b/map."),
+      Setting.of("x", NUMBER, 0.0, "Place of the child in the parent."),
+      Setting.of("y", NUMBER, 0.0, "Place of the child in the parent."),
+      Setting.of("z", NUMBER, 0.0, "Place of the child in the parent."),
+      Setting.of("roll", ANGLE, 0.0, "Turn of the child about x."),
+      Setting.of("pitch", ANGLE, 0.0, "Turn of the child about y."),
+      Setting.of("yaw", ANGLE, 0.0, "Turn of the child about z."));
+
+  private static final List<Setting> POSE = List.of(
+      Setting.of(KIND, new ValueType.Choice(List.of(CameraKind.ORBIT.word(), CameraKind.FLY.word(), CameraKind.TOP.word())),
+          CameraKind.ORBIT.word(), "How it is moved."),
+      Setting.of("x", NUMBER, 0.0, "What it looks at."),
+      Setting.of("y", NUMBER, 0.0, "What it looks at."),
+      Setting.of("z", NUMBER, 0.0, "What it looks at."),
+      Setting.of("distance", NUMBER, 10.0, "From there to the eye."),
+      Setting.of("yaw", ANGLE, 0.0, "Where it looks."),
+      Setting.of("pitch", ANGLE, 0.6, "How far it looks down."));
+
+  private static final Schema SCHEMA = Schema.of(
+      Setting.of(DISPLAYS, new ValueType.ListOf(new ValueType.Section(DISPLAY)), List.of(),
+          "What is shown, in the order of the list; without, what the robot offers."),
+      Setting.of(AUTOMATIC, new ValueType.Flag(), true, "Show what the robot offers while no displays are listed."),
+      Setting.of(FIXED_FRAME, new ValueType.Text(), AUTO,
+          "The frame that is drawn at rest; auto takes map, else odom, else the first root."),
+      Setting.of(FRAMES, new ValueType.ListOf(new ValueType.Section(FRAME)), List.of(),
+          "Where robots stand to one another, where no transform says it."),
+      Setting.of(COLORS, new ValueType.MapOf(new ValueType.Text()), Map.of(), "Colours of robots by name, as #4da3ff."),
+      Setting.of(VIEWS, new ValueType.MapOf(new ValueType.Section(new Schema(POSE))), Map.of(), "Views by name; the one that is named start is where the scene begins."),
+      Setting.of(FOLLOW, new ValueType.Text(), "", "The frame that the camera keeps up with; empty for none."),
+      Setting.of(FOLLOW_YAW, new ValueType.Flag(), false, "Whether the camera also turns with it."),
+      Setting.of(THINNING, new ValueType.Flag(), true, "Whether clouds are thinned while the camera moves, so that it moves fluidly."),
+      Setting.of(TREE, new ValueType.Flag(), true, "Whether the list of displays is seen."));
+
+  private SceneOptions() {}
+
+  /** What a scene can be configured with. */
+  public static Schema schema() {
+    return SCHEMA;
+  }
+}

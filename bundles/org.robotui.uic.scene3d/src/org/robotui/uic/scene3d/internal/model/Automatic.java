@@ -1,0 +1,45 @@
+package org.robotui.uic.scene3d.internal.model;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.SourceId;
+import org.robotui.gl.display.DisplayType;
+
+/** What is shown where nobody says it: each source that a kind of display takes, once. */
+public final class Automatic {
+  /** More of one kind are listed, but not shown. */
+  static final int MOST_SHOWN = 6;
+
+  /** More of one kind are not listed. */
+  static final int MOST_LISTED = 24;
+
+  private Automatic() {}
+
+  /** The displays for what is offered, those that need no data first. */
+  public static List<DisplaySpec> displays(List<DisplayType> kinds, List<Input.Candidate> offered) {
+    List<DisplaySpec> specs = new ArrayList<>();
+    Set<String> taken = new HashSet<>();
+    for (DisplayType kind : kinds.stream().filter(DisplayType::automatic).toList()) {
+      if (kind.needs().isEmpty()) {
+        specs.addFirst(DisplaySpec.of(DisplayCodec.free(kind.id(), taken), kind.id()));
+      } else {
+        specs.addAll(each(kind, offered, taken));
+      }
+    }
+    return List.copyOf(specs);
+  }
+
+  private static List<DisplaySpec> each(DisplayType kind, List<Input.Candidate> offered, Set<String> taken) {
+    List<SourceId> fitting = SourceChoice.fitting(kind.accepts().getFirst(), offered);
+    List<DisplaySpec> specs = new ArrayList<>();
+    for (SourceId source : fitting.stream().limit(MOST_LISTED).toList()) {
+      String name = fitting.size() == 1 ? "" : kind.label() + ' ' + SourceName.of(source);
+      DisplaySpec spec = DisplaySpec.of(DisplayCodec.free(kind.id() + ':' + SourceName.of(source), taken), kind.id());
+      specs.add(spec.named(name).from(List.of(SourceName.of(source))).show(specs.size() < MOST_SHOWN));
+    }
+    return specs;
+  }
+}

@@ -1,0 +1,26 @@
+package org.robotui.uic.scene3d.internal.model;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.config.Settings;
+import org.robotui.ui.Health;
+
+/**
+ * A display as it is listed.
+ *
+ * @param spec as written
+ * @param name for users
+ * @param health its dot
+ * @param words why nothing is seen, or how much is
+ * @param bytes memory of what it shows
+ * @param dropped values that it could not show
+ * @param settings of its kind, checked; none while the kind is not there
+ * @param choices names of the sources that would fit
+ */
+public record DisplayRow(DisplaySpec spec, String name, Health health, String words, long bytes, long dropped,
+    Optional<Settings> settings, List<String> choices) {
+  /** Copies the list. */
+  public DisplayRow {
+    choices = List.copyOf(choices);
+  }
+}

@@ -1,0 +1,211 @@
+package org.robotui.uic.scene3d.internal.model;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.Data;
+import org.robotui.gl.display.Display;
+import org.robotui.gl.display.DisplayContext;
+import org.robotui.gl.display.DisplayResult;
+import org.robotui.gl.display.DisplayStatus;
+import org.robotui.gl.display.DisplayTick;
+import org.robotui.gl.display.DisplayType;
+import org.robotui.gl.display.Places;
+import org.robotui.gl.shape.Part;
+import org.robotui.gl.shape.Rgba;
+import org.robotui.ui.Health;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One display while the scene runs: made when it is shown and its kind is there, ended when not. Worker thread. */
+final class DisplaySlot {
+  private static final Logger LOG = LoggerFactory.getLogger(DisplaySlot.class);
+  private static final DisplayResult NOTHING = DisplayResult.nothing(new DisplayStatus.NoData(""));
+
+  /** What a display is made of and still runs on; another kind object is another bundle. */
+  private record Running(DisplayType type, Display display) {}
+
+  private final List<Envelope<? extends Data>> arrived = new ArrayList<>();
+  private DisplaySpec spec;
+  private Optional<Running> running = Optional.empty();
+  private Optional<DisplayType> type = Optional.empty();
+  private Optional<String> fault = Optional.empty();
+  private Optional<KindSettings> settings = Optional.empty();
+  private SourceChoice choice = new SourceChoice(Set.of(), Set.of(), "");
+  private DisplayResult result = NOTHING;
+  private Optional<String> robot = Optional.empty();
+  private List<String> choices = List.of();
+  private long bytes;
+
+  DisplaySlot(DisplaySpec spec) {
+    this.spec = spec;
+  }
+
+  DisplaySpec spec() {
+    return spec;
+  }
+
+  SourceChoice choice() {
+    return choice;
+  }
+
+  DisplayResult result() {
+    return result;
+  }
+
+  Optional<String> robot() {
+    return robot;
+  }
+
+  /** Takes what the settings and the bundles say now. */
+  void configure(DisplaySpec next, Optional<DisplayType> kind, List<Input.Candidate> offered) {
+    boolean again = !spec.shown() && next.shown();
+    boolean renewed = again || !next.settings().equals(spec.settings()) || !next.sources().equals(spec.sources());
+    fault = fault.filter(f -> !renewed);
+    if (settings.isEmpty() || !next.settings().equals(spec.settings()) || kind.orElse(null) != type.orElse(null)) {
+      settings = kind.map(k -> KindSettings.check(k.schema(), next.settings()));
+    }
+    if (running.isPresent() && running.map(Running::type).orElse(null) != kind.orElse(null)) {
+      end();
+      fault = Optional.empty();
+    }
+    spec = next;
+    type = kind;
+    choice = kind.map(k -> SourceChoice.of(next, k, offered)).orElse(new SourceChoice(Set.of(), Set.of(), ""));
+    choices = kind.map(k -> k.accepts().stream().flatMap(a -> SourceChoice.fitting(a, offered).stream()).map(SourceName::of).distinct().toList())
+        .orElse(List.of());
+    if (!wanted()) {
+      end();
+    }
+  }
+
+  /** Whether it is to run. */
+  boolean wanted() {
+    return spec.shown() && type.isPresent() && fault.isEmpty();
+  }
+
+  void take(Envelope<Data> envelope) {
+    arrived.add(envelope);
+    if (robot.isEmpty()) {
+      robot = FrameOf.robot(envelope.value());
+    }
+  }
+
+  /** Updates it; true where something else is to be seen. */
+  boolean update(DisplayContext context, Input<Data> input, Places places, Rgba color, long nowNanos, boolean reset) {
+    List<Part> before = result.parts();
+    if (wanted()) {
+      try {
+        result = running(context).display().update(new DisplayTick(
+            arrived, state(input), places, settings.orElseThrow().settings(), color, nowNanos, reset));
+        PartsCheck.distinct(result.parts());
+      } catch (RuntimeException | LinkageError e) {
+        fail(e);
+      }
+    }
+    arrived.clear();
+    boolean changed = !PartsCheck.same(before, result.parts());
+    bytes = changed ? PartsCheck.bytes(result.parts()) : bytes;
+    return changed;
+  }
+
+  void end() {
+    running.ifPresent(r -> {
+      try {
+        r.display().close();
+      } catch (RuntimeException | LinkageError e) {
+        LOG.warn("The display {} failed while it was ended", spec.id(), e);
+      }
+    });
+    running = Optional.empty();
+    result = NOTHING;
+    arrived.clear();
+  }
+
+  DisplayRow row() {
+    String name = spec.name().isEmpty() ? type.map(DisplayType::label).orElse(spec.type()) : spec.name();
+    return new DisplayRow(spec, name, health(), words(), spec.shown() ? bytes : 0, result.dropped(),
+        settings.map(KindSettings::settings), choices);
+  }
+
+  private Running running(DisplayContext context) {
+    if (running.isEmpty()) {
+      DisplayType made = type.orElseThrow();
+      running = Optional.of(new Running(made, made.create(context)));
+    }
+    return running.get();
+  }
+
+  private void fail(Throwable e) {
+    LOG.warn("The display {} of kind {} failed and is switched off", spec.id(), spec.type(), e);
+    end();
+    fault = Optional.of(e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage());
+  }
+
+  private InputState state(Input<Data> input) {
+    if (!choice.problem().isEmpty()) {
+      return new InputState.Unconnected(choice.problem());
+    }
+    List<SourceId> there = input.sources();
+    Set<SourceId> needed = choice.needed().isEmpty() ? choice.sources() : choice.needed();
+    return needed.stream()
+        .map(s -> there.contains(s) ? input.state(s) : new InputState.Waiting("asking for " + SourceName.of(s)))
+        .min(Comparator.comparingInt(DisplaySlot::rank)).orElse(new InputState.Live(0, 0));
+  }
+
+  private static int rank(InputState state) {
+    return switch (state) {
+      case InputState.Live l -> 0;
+      case InputState.Stale s -> 1;
+      case InputState.Waiting w -> 2;
+      case InputState.Failed f -> 3;
+      case InputState.Unconnected u -> 4;
+    };
+  }
+
+  private Health health() {
+    if (type.isEmpty()) {
+      return spec.shown() ? Health.WAITING : Health.NONE;
+    }
+    if (fault.isPresent()) {
+      return Health.BAD;
+    }
+    if (!spec.shown()) {
+      return Health.NONE;
+    }
+    if (!choice.problem().isEmpty() && result.parts().isEmpty()) {
+      return Health.WAITING;
+    }
+    return switch (result.status()) {
+      case DisplayStatus.Shown s -> settings.filter(k -> !k.problems().isEmpty()).isPresent() ? Health.WARNING : Health.OK;
+      case DisplayStatus.Partly p -> Health.WARNING;
+      case DisplayStatus.NoData n -> Health.WAITING;
+      case DisplayStatus.NoFrame n -> Health.WARNING;
+      case DisplayStatus.TooOld t -> Health.STALE;
+      case DisplayStatus.Unfit u -> Health.BAD;
+    };
+  }
+
+  private String words() {
+    if (type.isEmpty()) {
+      return "waits for a bundle that brings displays of type '" + spec.type() + "'";
+    }
+    if (fault.isPresent()) {
+      return "failed and was switched off: " + fault.get() + "; switch it off and on to try again";
+    }
+    if (!spec.shown()) {
+      return "switched off";
+    }
+    List<String> wrong = settings.map(KindSettings::problems).orElse(List.of());
+    if (!wrong.isEmpty()) {
+      return wrong.getFirst();
+    }
+    return !choice.problem().isEmpty() && result.parts().isEmpty() ? choice.problem() : result.status().words();
+  }
+}

@@ -1,0 +1,26 @@
+package org.robotui.uic.scene3d.internal.model;
+
+import org.robotui.geometry.Vector3;
+import org.robotui.gl.render.RenderRequest.Selected;
+import org.robotui.gl.shape.Part;
+import org.robotui.gl.shape.Properties;
+
+/**
+ * Something in the scene that was pointed at.
+ *
+ * @param display its id
+ * @param part the part
+ * @param place where it was hit
+ * @param properties what is known of it
+ */
+public record Selection(String display, Part part, Vector3 place, Properties properties) {
+  /** For the renderer. */
+  public Selected selected() {
+    return new Selected(display, part.key());
+  }
+
+  /** Whether both are the same part. */
+  public boolean same(Selection other) {
+    return selected().equals(other.selected());
+  }
+}

@@ -1,0 +1,34 @@
+package org.robotui.uic.scene3d.internal.model;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.robotui.api.config.Settings;
+
+/** Groups as they come out of settings: read from a file they are settings, set by the user they are maps. */
+final class Written {
+  private Written() {}
+
+  static Map<String, Object> fields(Object group) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    Map<?, ?> values = group instanceof Settings s ? s.values() : group instanceof Map<?, ?> m ? m : Map.of();
+    values.forEach((name, value) -> fields.put(name.toString(), value));
+    return fields;
+  }
+
+  static String text(Map<String, Object> fields, String name) {
+    return fields.getOrDefault(name, "").toString();
+  }
+
+  static boolean flag(Map<String, Object> fields, String name, boolean otherwise) {
+    return fields.get(name) instanceof Boolean b ? b : otherwise;
+  }
+
+  static double number(Map<String, Object> fields, String name, double otherwise) {
+    return fields.get(name) instanceof Number n ? n.doubleValue() : otherwise;
+  }
+
+  static List<String> texts(Object value) {
+    return value instanceof List<?> list ? list.stream().map(Object::toString).toList() : value.toString().isBlank() ? List.of() : List.of(value.toString());
+  }
+}

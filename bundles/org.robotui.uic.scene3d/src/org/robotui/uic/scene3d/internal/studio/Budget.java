@@ -1,0 +1,38 @@
+package org.robotui.uic.scene3d.internal.studio;
+
+import org.robotui.gl.render.Rendered;
+
+/** How many points may be drawn while the camera moves, so that it stays fluid: learned from what pictures cost. */
+final class Budget {
+  /** What a picture may cost while the camera moves: 25 a second. */
+  static final double TARGET_SECONDS = 0.04;
+
+  /** Fewer would show nothing. */
+  static final int LEAST = 20_000;
+
+  private static final double TOO_SLOW = 1.15;
+  private static final double IDLE = 0.75;
+  private static final double FASTEST_GROWTH = 2;
+
+  private int points = Integer.MAX_VALUE;
+
+  int points() {
+    return points;
+  }
+
+  void learn(Rendered.Figures figures) {
+    double drawn = Math.max(1, figures.points());
+    double possible = TARGET_SECONDS / Math.max(1e-4, figures.seconds());
+    if (figures.seconds() > TARGET_SECONDS * TOO_SLOW && drawn > LEAST) {
+      points = bounded(drawn * possible);
+    } else if (figures.seconds() < TARGET_SECONDS * IDLE && figures.pointsLeftOut() > 0) {
+      points = bounded(drawn * Math.min(FASTEST_GROWTH, possible));
+    } else if (figures.pointsLeftOut() == 0 && figures.seconds() < TARGET_SECONDS * IDLE) {
+      points = Integer.MAX_VALUE;
+    }
+  }
+
+  private static int bounded(double wanted) {
+    return (int) Math.clamp(wanted, LEAST, Integer.MAX_VALUE);
+  }
+}

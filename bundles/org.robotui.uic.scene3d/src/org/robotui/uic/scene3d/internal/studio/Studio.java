@@ -1,0 +1,279 @@
+package org.robotui.uic.scene3d.internal.studio;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.robotui.gl.render.Gl;
+import org.robotui.gl.render.Pick;
+import org.robotui.gl.render.RenderRequest;
+import org.robotui.gl.render.RenderRequest.Selected;
+import org.robotui.gl.render.Rendered;
+import org.robotui.gl.render.Renderer;
+import org.robotui.gl.shape.Box3;
+import org.robotui.uic.scene3d.internal.camera.CameraPose;
+import org.robotui.uic.scene3d.internal.camera.Rig;
+import org.robotui.uic.scene3d.internal.model.Stage;
+
+/**
+ * Asks for pictures: when something changed or the camera moves, one at a time, so that what is asked for is never old. Opens the
+ * renderer with the first picture. Safe for all threads.
+ */
+public final class Studio implements AutoCloseable {
+  /** After the camera stood still for so long, a picture is complete. */
+  public static final long REST_NANOS = 300_000_000L;
+
+  private static final long RETRY_NANOS = 5_000_000_000L;
+  private static final Rendered.Unavailable NO_BUNDLE = new Rendered.Unavailable(
+      "The bundle org.robotui.gl, which draws scenes, is not there.", "Install it, or start it in the list of bundles.");
+
+  private final Supplier<Optional<Gl>> graphics;
+  private final Rig rig;
+  private final LongSupplier clock;
+  private final Runnable arrived;
+  private final Budget budget = new Budget();
+  private final Meter meter = new Meter();
+  private final Deque<Snapshot> snapshots = new ArrayDeque<>();
+  private Optional<Open> open = Optional.empty();
+  private Stage stage = Stage.NONE;
+  private Optional<Box3> seen = Optional.empty();
+  private Look look = Look.NONE;
+  private List<Selected> selection = List.of();
+  private Optional<Asked> asked = Optional.empty();
+  private Optional<Rendered.Picture> picture = Optional.empty();
+  private Optional<Rendered.Unavailable> unavailable = Optional.empty();
+  private CameraPose shown;
+  private long movedNanos;
+  private long failedNanos;
+  private boolean busy;
+  private boolean thinning = true;
+  private boolean closed;
+
+  private record Open(Gl gl, Renderer renderer) {}
+
+  private record Asked(long version, CameraPose pose, Look look, List<Selected> selection, boolean thinned) {}
+
+  private record Snapshot(int width, int height, CompletableFuture<Rendered> done) {}
+
+  /**
+   * Asks nothing yet.
+   *
+   * @param graphics of this machine, which may come and go
+   * @param rig the camera
+   * @param clock {@link System#nanoTime()}
+   * @param arrived is told of each picture, on any thread, and must not block
+   */
+  public Studio(Supplier<Optional<Gl>> graphics, Rig rig, LongSupplier clock, Runnable arrived) {
+    this.graphics = graphics;
+    this.rig = rig;
+    this.clock = clock;
+    this.arrived = arrived;
+    movedNanos = clock.getAsLong() - REST_NANOS;
+    shown = rig.aim();
+  }
+
+  /** Shows this from now on. */
+  public void show(Stage next, List<Selected> selected) {
+    // Thousands of parts have thousands of boxes: once a stage, not once a picture.
+    Optional<Box3> box = next.version() == version() ? seen() : next.everything();
+    synchronized (this) {
+      stage = next;
+      seen = box;
+      selection = List.copyOf(selected);
+    }
+    pump();
+  }
+
+  private synchronized long version() {
+    return stage.version();
+  }
+
+  private synchronized Optional<Box3> seen() {
+    return seen;
+  }
+
+  /** Makes pictures for this from now on. */
+  public void look(Look next) {
+    synchronized (this) {
+      look = next;
+    }
+    pump();
+  }
+
+  /** Whether clouds may be thinned while the camera moves; they may, at first. */
+  public synchronized void thin(boolean allowed) {
+    thinning = allowed;
+  }
+
+  /** The camera was moved by hand. */
+  public void moved() {
+    synchronized (this) {
+      movedNanos = clock.getAsLong();
+    }
+    pump();
+  }
+
+  /** The newest picture. */
+  public synchronized Optional<Rendered.Picture> picture() {
+    return picture;
+  }
+
+  /** From where the newest picture was seen. */
+  public synchronized CameraPose shown() {
+    return shown;
+  }
+
+  /** Why there are no pictures. */
+  public synchronized Optional<Rendered.Unavailable> unavailable() {
+    return unavailable;
+  }
+
+  /** Pictures in the last second. */
+  public synchronized double rate() {
+    return meter.rate(clock.getAsLong());
+  }
+
+  /** What lies under a pixel of the picture. */
+  public CompletionStage<Optional<Pick>> pick(int x, int y) {
+    Supplier<CompletionStage<Optional<Pick>>> picking;
+    synchronized (this) {
+      Optional<Renderer> renderer = open.map(Open::renderer).filter(r -> look.width() > 0 && unavailable.isEmpty());
+      if (renderer.isEmpty()) {
+        return CompletableFuture.completedFuture(Optional.empty());
+      }
+      RenderRequest request =
+          request(look.width(), look.height(), look.scale(), rig.at(clock.getAsLong()), List.of(), Integer.MAX_VALUE);
+      picking = () -> renderer.get().pick(request, x, y);
+    }
+    return picking.get();
+  }
+
+  /** A complete picture of any size. */
+  public CompletionStage<Rendered> snapshot(int width, int height) {
+    Snapshot wanted = new Snapshot(width, height, new CompletableFuture<>());
+    synchronized (this) {
+      snapshots.add(wanted);
+    }
+    pump();
+    return wanted.done();
+  }
+
+  /** Asks for a picture where one is due; each tick. */
+  public void pump() {
+    Runnable asking;
+    synchronized (this) {
+      asking = busy || closed ? () -> { } : next();
+    }
+    // Outside the lock: a renderer may answer at once.
+    asking.run();
+  }
+
+  private Runnable next() {
+    long now = clock.getAsLong();
+    if (unavailable.isPresent() && snapshots.isEmpty() && now - failedNanos < RETRY_NANOS || look.width() < 1 || look.height() < 1) {
+      return () -> { };
+    }
+    Optional<Renderer> renderer = renderer();
+    if (renderer.isEmpty()) {
+      return fail(NO_BUNDLE, now);
+    }
+    return snapshots.isEmpty() ? frame(renderer.get(), now) : snapshot(renderer.get(), snapshots.poll(), now);
+  }
+
+  private Runnable frame(Renderer renderer, long now) {
+    boolean thinned = thinning && (now - movedNanos < REST_NANOS || rig.travels(now));
+    Asked due = new Asked(stage.version(), rig.at(now), look, selection, thinned && budget.points() < Integer.MAX_VALUE);
+    if (unavailable.isEmpty() && asked.equals(Optional.of(due))) {
+      return () -> { };
+    }
+    asked = Optional.of(due);
+    busy = true;
+    RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection, thinned ? budget.points() : Integer.MAX_VALUE);
+    return () -> renderer.render(request).whenComplete((rendered, error) -> made(due.pose(), rendered, error));
+  }
+
+  private Runnable snapshot(Renderer renderer, Snapshot wanted, long now) {
+    busy = true;
+    float scale = Math.max(1, look.scale() * wanted.height() / look.height());
+    RenderRequest request = request(wanted.width(), wanted.height(), scale, rig.at(now), List.of(), Integer.MAX_VALUE);
+    return () -> renderer.render(request).whenComplete((rendered, error) -> {
+      synchronized (this) {
+        busy = false;
+      }
+      wanted.done().complete(error == null ? rendered : new Rendered.Unavailable("The picture failed: " + error.getMessage(), ""));
+      pump();
+    });
+  }
+
+  private RenderRequest request(int width, int height, float scale, CameraPose pose, List<Selected> selected, int points) {
+    return new RenderRequest(stage.parts(), pose.toEye(seen), width, height, scale, look.background(), points, selected);
+  }
+
+  private void made(CameraPose pose, Rendered rendered, Throwable error) {
+    synchronized (this) {
+      busy = false;
+      take(pose, error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), "See the log."));
+    }
+    arrived.run();
+    pump();
+  }
+
+  private void take(CameraPose pose, Rendered rendered) {
+    switch (rendered) {
+      case Rendered.Picture made -> {
+        picture = Optional.of(made);
+        shown = pose;
+        unavailable = Optional.empty();
+        budget.learn(made.figures());
+        meter.count(clock.getAsLong());
+      }
+      case Rendered.Skipped skipped -> asked = Optional.empty();
+      case Rendered.Unavailable none when open.isEmpty() -> asked = Optional.empty();
+      case Rendered.Unavailable none -> {
+        unavailable = Optional.of(none);
+        failedNanos = clock.getAsLong();
+      }
+    }
+  }
+
+  private Runnable fail(Rendered.Unavailable why, long now) {
+    boolean news = !unavailable.equals(Optional.of(why));
+    unavailable = Optional.of(why);
+    failedNanos = now;
+    snapshots.forEach(s -> s.done().complete(why));
+    snapshots.clear();
+    return news ? arrived : () -> { };
+  }
+
+  private Optional<Renderer> renderer() {
+    Optional<Gl> gl = graphics.get();
+    if (open.isPresent() && !gl.equals(open.map(Open::gl))) {
+      open.get().renderer().close();
+      open = Optional.empty();
+    }
+    if (open.isEmpty()) {
+      open = gl.map(g -> new Open(g, g.open("scene")));
+    }
+    return open.map(Open::renderer);
+  }
+
+  /** Gives up the renderer, until there is something to look at again. */
+  public synchronized void rest() {
+    open.ifPresent(o -> o.renderer().close());
+    open = Optional.empty();
+    asked = Optional.empty();
+    look = Look.NONE;
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    rest();
+    snapshots.forEach(s -> s.done().complete(new Rendered.Skipped()));
+    snapshots.clear();
+  }
+}

@@ -1,0 +1,72 @@
+package org.robotui.uic.scene3d.internal.view;
+
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Button;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Label;
+import org.eclipse.swt.widgets.Shell;
+import org.eclipse.swt.widgets.Text;
+
+/** Asks for one line. Display thread; returns when it is closed. */
+final class NameDialog {
+  private static final int WIDTH = 260;
+  private static final int MARGIN = 12;
+
+  private final Shell shell;
+  private Optional<String> answer = Optional.empty();
+
+  private NameDialog(Control over, String title, String before) {
+    shell = new Shell(over.getShell(), SWT.DIALOG_TRIM | SWT.APPLICATION_MODAL);
+    shell.setText(title);
+    GridLayout layout = new GridLayout(1, false);
+    layout.marginWidth = MARGIN;
+    layout.marginHeight = MARGIN;
+    shell.setLayout(layout);
+    new Label(shell, SWT.NONE).setText(title + ":");
+    Text text = new Text(shell, SWT.SINGLE | SWT.BORDER);
+    GridData wide = new GridData(SWT.FILL, SWT.CENTER, true, false);
+    wide.widthHint = WIDTH;
+    text.setLayoutData(wide);
+    text.setText(before);
+    text.selectAll();
+    buttons(text);
+    shell.pack();
+  }
+
+  /** Asks; none where nothing was written or it was cancelled. */
+  static Optional<String> ask(Control over, String title, String before) {
+    NameDialog dialog = new NameDialog(over, title, before);
+    dialog.shell.open();
+    while (!dialog.shell.isDisposed()) {
+      if (!dialog.shell.getDisplay().readAndDispatch()) {
+        dialog.shell.getDisplay().sleep();
+      }
+    }
+    return dialog.answer.map(String::strip).filter(a -> !a.isEmpty());
+  }
+
+  private void buttons(Text text) {
+    Composite bar = new Composite(shell, SWT.NONE);
+    bar.setLayoutData(new GridData(SWT.END, SWT.CENTER, true, false));
+    bar.setLayout(new GridLayout(2, true));
+    Button cancel = button(bar, "Cancel");
+    cancel.addListener(SWT.Selection, e -> shell.close());
+    Button ok = button(bar, "OK");
+    ok.addListener(SWT.Selection, e -> {
+      answer = Optional.of(text.getText());
+      shell.close();
+    });
+    shell.setDefaultButton(ok);
+  }
+
+  private static Button button(Composite bar, String words) {
+    Button button = new Button(bar, SWT.PUSH);
+    button.setText(words);
+    button.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
+    return button;
+  }
+}

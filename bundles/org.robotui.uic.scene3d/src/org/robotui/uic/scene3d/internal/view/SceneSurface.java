@@ -1,0 +1,184 @@
+package org.robotui.uic.scene3d.internal.view;
+
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Display;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.control.Boxes;
+import org.robotui.uic.scene3d.internal.SceneOptions;
+import org.robotui.uic.scene3d.internal.SceneParts;
+import org.robotui.uic.scene3d.internal.camera.CameraPose;
+import org.robotui.uic.scene3d.internal.camera.Lens;
+
+/** The control of a scene: the list of displays, and the picture. Display thread, where nothing else is said. */
+public final class SceneSurface {
+  private static final int TREE_WIDTH = 264;
+  private static final int LEAST_PICTURE = 240;
+
+  private final UiContext context;
+  private final SceneParts parts;
+  private final Composite root;
+  private final DisplayTree tree;
+  private final SceneCanvas canvas;
+  private final Tools tools;
+  private final SceneMenus menus;
+  private final Display display;
+  private volatile boolean seen = true;
+  private volatile boolean touched;
+  private String note = "";
+
+  /** Makes it. */
+  public SceneSurface(Composite parent, UiContext context, SceneParts parts, SceneActions actions) {
+    this.context = context;
+    this.parts = parts;
+    display = parent.getDisplay();
+    root = Boxes.root(parent, context.theme(), this::focus);
+    ((GridLayout) root.getLayout()).numColumns = 2;
+    tools = new Tools(parts, this::refresh);
+    menus = new SceneMenus(this, parts);
+    tree = new DisplayTree(root, context.theme(), this, parts);
+    GridData side = new GridData(SWT.FILL, SWT.FILL, false, true);
+    side.widthHint = TREE_WIDTH;
+    tree.control().setLayoutData(side);
+    canvas = new SceneCanvas(root, context.theme(), this, parts);
+    canvas.control().setLayoutData(Boxes.fill());
+    new Hands(this, parts).listen();
+    root.addListener(SWT.Resize, e -> arrange());
+    actions.connect(this);
+    root.addListener(SWT.Dispose, e -> {
+      seen = false;
+      actions.disconnect(this);
+    });
+    arrange();
+    refresh();
+  }
+
+  /** The control. */
+  public Control control() {
+    return root;
+  }
+
+  /** Shows what the last tick made. */
+  public void refresh() {
+    if (!root.isDisposed()) {
+      arrange();
+      tree.show(parts.model().stage());
+      canvas.control().requestPaint();
+      sayNote();
+    }
+  }
+
+  /** A picture came; any thread. */
+  public void paintSoon() {
+    canvas.control().requestPaint();
+  }
+
+  /** Looks soon whether it is seen; any thread. */
+  public void probe() {
+    if (!display.isDisposed()) {
+      display.asyncExec(() -> {
+        boolean before = seen;
+        seen = !root.isDisposed() && root.isVisible();
+        if (seen && !before) {
+          canvas.control().requestPaint();
+        }
+      });
+    }
+  }
+
+  /** Whether it was seen when it was looked last; any thread. */
+  public boolean seen() {
+    return seen;
+  }
+
+  /** Whether hands have taken the camera; any thread. */
+  public boolean touched() {
+    return touched;
+  }
+
+  /** Width of the picture in terms of its height; any thread. */
+  public double aspect() {
+    return canvas.aspect();
+  }
+
+  void touch() {
+    touched = true;
+  }
+
+  SceneCanvas surface() {
+    return canvas;
+  }
+
+  Control canvas() {
+    return canvas.control();
+  }
+
+  Tools tools() {
+    return tools;
+  }
+
+  SceneMenus menus() {
+    return menus;
+  }
+
+  /** As the camera is now; places in points. */
+  Lens lens() {
+    return canvas.lens(parts.rig().at(System.nanoTime()));
+  }
+
+  void fit() {
+    parts.model().stage().bounds().ifPresent(box -> go(parts.rig().aim().fit(box, aspect())));
+  }
+
+  /** Looks at what is selected; else at all. */
+  void focusSelection() {
+    parts.picks().selection().ifPresentOrElse(
+        s -> s.part().bounds().filter(b -> b.radius() > 0.01)
+            .ifPresentOrElse(box -> go(parts.rig().aim().fit(box.grown(box.radius() / 2), aspect())),
+                () -> go(parts.rig().aim().at(s.place()))),
+        this::fit);
+  }
+
+  void go(CameraPose pose) {
+    touch();
+    parts.rig().go(pose, System.nanoTime());
+    parts.studio().moved();
+    refresh();
+  }
+
+  boolean following() {
+    return !parts.settings().current().text(SceneOptions.FOLLOW).isBlank();
+  }
+
+  boolean treeOpen() {
+    return parts.settings().current().flag(SceneOptions.TREE);
+  }
+
+  void toggleTree() {
+    parts.edits().tree(!treeOpen());
+    refresh();
+  }
+
+  private boolean focus() {
+    return canvas.control().setFocus();
+  }
+
+  private void arrange() {
+    boolean room = root.getSize().x == 0 || root.getSize().x >= TREE_WIDTH + LEAST_PICTURE;
+    if (Boxes.seen(tree.control(), treeOpen() && room)) {
+      root.layout();
+    }
+  }
+
+  private void sayNote() {
+    String frame = parts.model().stage().fixed().map(f -> f.name()).orElse("no frame");
+    String next = frame + "  \u00b7  " + Overlay.rate(parts.studio().rate());
+    if (!next.equals(note)) {
+      note = next;
+      context.note(next);
+    }
+  }
+}

@@ -1,0 +1,65 @@
+package org.robotui.uic.scene3d.internal.view;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.SWTException;
+import org.eclipse.swt.graphics.ImageData;
+import org.eclipse.swt.graphics.ImageLoader;
+import org.eclipse.swt.widgets.Display;
+import org.robotui.gl.render.Rendered;
+import org.robotui.ui.Health;
+import org.robotui.ui.control.SaveDialog;
+import org.robotui.ui.scene.Told;
+import org.robotui.uic.scene3d.internal.SceneParts;
+
+/** Saves pictures of a scene, complete and of any size. */
+final class Screenshot {
+  private final SceneSurface scene;
+  private final SceneParts parts;
+  private final Display display;
+
+  Screenshot(SceneSurface scene, SceneParts parts) {
+    this.scene = scene;
+    this.parts = parts;
+    display = scene.canvas().getDisplay();
+  }
+
+  /** Asks where to, and saves. Display thread. */
+  void save(int width, int height) {
+    Optional<Path> file = SaveDialog.ask(scene.canvas(), "Save a picture", "scene.png", "*.png");
+    file.ifPresent(f -> save(width, height, f));
+  }
+
+  /** Saves; the file is written in the background. */
+  void save(int width, int height, Path file) {
+    parts.studio().snapshot(width, height).thenAccept(made -> parts.background().execute(() -> tell(write(made, file))));
+  }
+
+  /** Writes a picture and says what became of it. */
+  static Told write(Rendered made, Path file) {
+    if (!(made instanceof Rendered.Picture picture)) {
+      String why = made instanceof Rendered.Unavailable none ? none.reason() : "the scene was closed";
+      return new Told(Health.BAD, "Not saved: " + why);
+    }
+    ImageData data = PicturePane.data(picture, PicturePane.room(picture));
+    ImageLoader loader = new ImageLoader();
+    loader.data = new ImageData[] {data};
+    try {
+      loader.save(file.toString(), SWT.IMAGE_PNG);
+      return new Told(Health.OK, "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
+    } catch (SWTException e) {
+      return new Told(Health.BAD, "Not saved: " + e.getMessage());
+    }
+  }
+
+  private void tell(Told told) {
+    if (!display.isDisposed()) {
+      display.asyncExec(() -> {
+        if (!scene.canvas().isDisposed()) {
+          scene.tools().say(told);
+        }
+      });
+    }
+  }
+}

@@ -1,0 +1,135 @@
+package org.robotui.uic.scene3d.internal.view;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.layout.GridLayout;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Text;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.ValueType;
+import org.robotui.ui.Face;
+import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
+import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.CheckBox;
+import org.robotui.ui.control.ChoiceField;
+import org.robotui.ui.control.PopupMenu;
+import org.robotui.uic.scene3d.internal.model.KindSettings;
+
+/**
+ * A control for one setting.
+ *
+ * @param control the control
+ * @param show shows a value that came from elsewhere
+ */
+record SettingEditor(Control control, Consumer<Object> show) {
+  private static final int INSET = 6;
+
+  /** Shows a value. */
+  void show(Object value) {
+    show.accept(value);
+  }
+
+  /** Makes the control that fits the type; the consumer gets values that fit. */
+  static SettingEditor of(Composite parent, Theme theme, Setting setting, Consumer<Object> changed) {
+    return switch (setting.type()) {
+      case ValueType.Flag f -> flag(parent, theme, setting, changed);
+      case ValueType.Choice c -> choice(parent, theme, setting, c, changed);
+      default -> text(parent, theme, setting, changed);
+    };
+  }
+
+  private static SettingEditor flag(Composite parent, Theme theme, Setting setting, Consumer<Object> changed) {
+    boolean[] on = new boolean[1];
+    CheckBox box = new CheckBox(parent, theme, setting.name(), () -> changed.accept(!on[0]));
+    return new SettingEditor(box.control(), value -> {
+      on[0] = Boolean.TRUE.equals(value);
+      box.show(on[0]);
+    });
+  }
+
+  private static SettingEditor choice(Composite parent, Theme theme, Setting setting, ValueType.Choice type, Consumer<Object> changed) {
+    String[] now = {""};
+    ChoiceField[] field = new ChoiceField[1];
+    field[0] = new ChoiceField(parent, theme, setting.name(), () -> {
+      PopupMenu menu = new PopupMenu(field[0].control());
+      type.words().forEach(w -> menu.radio(w, w.equals(now[0]), () -> changed.accept(w)));
+      menu.openBelow(field[0].control());
+    });
+    return new SettingEditor(field[0].control(), value -> {
+      now[0] = value.toString();
+      field[0].show(now[0]);
+    });
+  }
+
+  private static SettingEditor text(Composite parent, Theme theme, Setting setting, Consumer<Object> changed) {
+    Composite well = Boxes.inset(parent, theme, 1, INSET, 0);
+    well.setBackground(theme.color(Role.GROUND));
+    ((GridLayout) well.getLayout()).marginHeight = 0;
+    Text text = new Text(well, SWT.SINGLE);
+    text.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, true));
+    text.setFont(theme.font(Face.BODY));
+    text.setBackground(theme.color(Role.GROUND));
+    text.setToolTipText(setting.help() + "\n" + KindSettings.expected(setting.type()));
+    boolean[] showing = new boolean[1];
+    text.addListener(SWT.Modify, e -> {
+      Optional<Object> value = read(setting.type(), text.getText());
+      text.setForeground(theme.color(value.isPresent() ? Role.TEXT : Role.BAD));
+      if (!showing[0]) {
+        value.ifPresent(changed);
+      }
+    });
+    text.setForeground(theme.color(Role.TEXT));
+    return new SettingEditor(well, value -> {
+      String words = words(value);
+      if (!text.isFocusControl() && !text.getText().equals(words)) {
+        showing[0] = true;
+        text.setText(words);
+        showing[0] = false;
+      }
+    });
+  }
+
+  /** A value as it is typed. */
+  static String words(Object value) {
+    if (value instanceof List<?> list) {
+      return String.join(", ", list.stream().map(SettingEditor::words).toList());
+    }
+    boolean whole = value instanceof Double d && d == Math.rint(d) && Math.abs(d) < 1e9;
+    return whole ? Long.toString(((Double) value).longValue()) : value.toString();
+  }
+
+  /** What was typed, where it fits. */
+  static Optional<Object> read(ValueType type, String typed) {
+    String words = typed.strip();
+    return switch (type) {
+      case ValueType.Text t -> Optional.of(typed);
+      case ValueType.Num n -> number(words).flatMap(v -> KindSettings.take(type, v));
+      case ValueType.Int i -> number(words).flatMap(v -> KindSettings.take(type, v));
+      case ValueType.Flag f -> words.equals("true") ? Optional.of(true) : words.equals("false") ? Optional.of(false) : Optional.empty();
+      case ValueType.Choice c -> KindSettings.take(type, words);
+      case ValueType.ListOf l -> list(l, words);
+      case ValueType.AnyOf any -> any.alternatives().stream().flatMap(a -> read(a, typed).stream()).findFirst();
+      default -> Optional.empty();
+    };
+  }
+
+  private static Optional<Object> list(ValueType.ListOf type, String words) {
+    List<String> items = words.isEmpty() ? List.of() : Arrays.stream(words.split(",")).map(String::strip).toList();
+    List<Object> values = items.stream().flatMap(i -> read(type.element(), i).stream()).toList();
+    return values.size() == items.size() ? Optional.of(values) : Optional.empty();
+  }
+
+  private static Optional<Object> number(String words) {
+    try {
+      return Optional.of(Double.valueOf(words));
+    } catch (NumberFormatException e) {
+      return Optional.empty();
+    }
+  }
+}

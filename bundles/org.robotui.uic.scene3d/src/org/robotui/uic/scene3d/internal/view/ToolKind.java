@@ -1,0 +1,30 @@
+package org.robotui.uic.scene3d.internal.view;
+
+/** What hands can do besides moving the camera. */
+enum ToolKind {
+  MEASURE("measure", "Measure (M)", "Measure: click two places \u00b7 Esc ends"),
+  GOAL("goal", "Send a goal (G)", "Goal: press where, drag to where it shall look \u00b7 Esc ends"),
+  POSE("initial_pose", "Set the pose (P)", "Pose: press where the robot is, drag to where it looks \u00b7 Esc ends");
+
+  private final String id;
+  private final String label;
+  private final String hint;
+
+  ToolKind(String id, String label, String hint) {
+    this.id = id;
+    this.label = label;
+    this.hint = hint;
+  }
+
+  String id() {
+    return id;
+  }
+
+  String label() {
+    return label;
+  }
+
+  String hint() {
+    return hint;
+  }
+}

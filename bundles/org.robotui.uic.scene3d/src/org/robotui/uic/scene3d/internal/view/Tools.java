@@ -1,0 +1,127 @@
+package org.robotui.uic.scene3d.internal.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robotui.data.FrameId;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
+import org.robotui.ui.Health;
+import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.Toast;
+import org.robotui.uic.scene3d.internal.SceneParts;
+import org.robotui.uic.scene3d.internal.camera.Lens;
+
+/** The tool in hand, and what it has marked. Display thread. */
+final class Tools {
+  private static final double LEAST_DRAG = 8;
+
+  private final SceneParts parts;
+  private final Runnable changed;
+  private final Toast toast = new Toast();
+  private final List<Vector3> measured = new ArrayList<>();
+  private Optional<ToolKind> kind = Optional.empty();
+  private Optional<Vector3> pressed = Optional.empty();
+  private Optional<Vector3> dragged = Optional.empty();
+
+  Tools(SceneParts parts, Runnable changed) {
+    this.parts = parts;
+    this.changed = changed;
+  }
+
+  boolean using(ToolKind wanted) {
+    return kind.filter(k -> k == wanted).isPresent();
+  }
+
+  Optional<ToolKind> kind() {
+    return kind;
+  }
+
+  Toast toast() {
+    return toast;
+  }
+
+  void toggle(ToolKind wanted) {
+    kind = using(wanted) ? Optional.empty() : Optional.of(wanted);
+    forget();
+    changed.run();
+  }
+
+  /** Ends the tool; false where there was none. */
+  boolean end() {
+    boolean some = kind.isPresent() || !measured.isEmpty();
+    kind = Optional.empty();
+    toast.clear();
+    forget();
+    changed.run();
+    return some;
+  }
+
+  private void forget() {
+    measured.clear();
+    pressed = Optional.empty();
+    dragged = Optional.empty();
+  }
+
+  /** Two places at most, the second may still be missing. */
+  List<Vector3> measured() {
+    return List.copyOf(measured);
+  }
+
+  void measure(Vector3 place) {
+    if (measured.size() == 2) {
+      measured.clear();
+    }
+    measured.add(place);
+    changed.run();
+  }
+
+  /** Whether the floor is pointed at with press and drag. */
+  boolean points() {
+    return kind.filter(k -> k != ToolKind.MEASURE).isPresent();
+  }
+
+  void press(Lens lens, double x, double y) {
+    pressed = lens.level(x, y, 0);
+    dragged = Optional.empty();
+    changed.run();
+  }
+
+  void drag(Lens lens, double x, double y) {
+    Optional<Lens.Spot> from = pressed.flatMap(lens::spot);
+    boolean far = from.filter(s -> Math.hypot(s.x() - x, s.y() - y) >= LEAST_DRAG).isPresent();
+    dragged = far ? lens.level(x, y, 0) : Optional.empty();
+    changed.run();
+  }
+
+  void release() {
+    pose().ifPresent(pose -> send(kind.orElseThrow(), pose));
+    pressed = Optional.empty();
+    dragged = Optional.empty();
+    changed.run();
+  }
+
+  /** What is pointed out now. */
+  Optional<RigidTransform> pose() {
+    return pressed.map(p -> RigidTransform.planar(p.x(), p.y(), dragged.map(d -> Math.atan2(d.y() - p.y(), d.x() - p.x())).orElse(heading(p))));
+  }
+
+  void send(ToolKind what, RigidTransform pose) {
+    Optional<FrameId> frame = parts.model().stage().fixed();
+    Told told = frame.map(f -> what == ToolKind.GOAL ? parts.commander().goal(f, pose) : parts.commander().initialPose(f, pose))
+        .orElse(new Told(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
+    kind = Optional.empty();
+    say(told);
+  }
+
+  void say(Told told) {
+    toast.say(told, System.nanoTime());
+    changed.run();
+  }
+
+  /** Where a robot would look at a place if nothing else is said: on from where it is now. */
+  double heading(Vector3 place) {
+    return parts.model().stage().robots().stream().flatMap(r -> r.fixedFromBase().stream()).findFirst()
+        .map(RigidTransform::translation).map(at -> Math.atan2(place.y() - at.y(), place.x() - at.x())).orElse(0.0);
+  }
+}

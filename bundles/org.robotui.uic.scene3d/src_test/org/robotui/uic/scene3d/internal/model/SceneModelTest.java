@@ -1,0 +1,271 @@
+package org.robotui.uic.scene3d.internal.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.command.CommandOutcome;
+import org.robotui.api.port.Input;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.Data;
+import org.robotui.data.Doubles;
+import org.robotui.data.FrameId;
+import org.robotui.data.Image;
+import org.robotui.data.PoseEstimate;
+import org.robotui.data.StampedPose;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.gl.display.DisplayContext;
+import org.robotui.gl.display.DisplayType;
+import org.robotui.testkit.FakeFrames;
+import org.robotui.testkit.FakeInput;
+import org.robotui.testkit.FakeUicContext;
+import org.robotui.ui.Health;
+import org.robotui.uic.scene3d.internal.SceneOptions;
+import org.robotui.uic.scene3d.internal.ScenePorts;
+
+class SceneModelTest {
+  private static final FrameId MAP = new FrameId("a", "map");
+  private static final FrameId BASE = new FrameId("a", "base_link");
+  private static final SourceId POSE = new SourceId("base", "/pose");
+  private static final SourceId OTHER = new SourceId("base", "/other");
+
+  private final FakeUicContext context = new FakeUicContext("scene", SceneOptions.schema());
+  private final FakeFrames frames = new FakeFrames();
+  private final FakeInput<Data> input = context.input(ScenePorts.DATA);
+  private final FakeKind grid = new FakeKind("grid", List.of());
+  private final FakeKind pose = new FakeKind("pose", List.of(PoseEstimate.class, StampedPose.class));
+  private final List<DisplayType> kinds = new ArrayList<>(List.of(grid, pose));
+  private SceneModel model;
+  private Edits edits;
+
+  private void start() {
+    context.frames(frames);
+    model = new SceneModel(context, () -> List.copyOf(kinds), new DisplayContext() {
+      @Override
+      public Executor background() {
+        return Runnable::run;
+      }
+
+      @Override
+      public void wake() {
+        // Each tick is made by hand.
+      }
+
+      @Override
+      public CommandOutcome send(Data command) {
+        return new CommandOutcome.Accepted();
+      }
+    });
+    edits = new Edits(context.settings(), model::specs);
+  }
+
+  private void offer(SourceId... sources) {
+    input.candidates(List.of(sources).stream().map(s -> new Input.Candidate(s, "PoseEstimate")).toList());
+  }
+
+  private void put(SourceId source) {
+    input.put(source, new PoseEstimate(BASE, RigidTransform.IDENTITY, Doubles.wrap(new double[0])), System.nanoTime(), Optional.empty());
+  }
+
+  private DisplayRow row(int number) {
+    return model.stage().rows().get(number);
+  }
+
+  @Test
+  void withoutDisplaysTheSceneShowsWhatTheRobotOffersOnce() {
+    frames.fix(MAP, BASE, RigidTransform.IDENTITY);
+    offer(POSE);
+    start();
+    assertTrue(model.tick(0));
+    assertEquals(List.of("grid", "pose"), model.stage().rows().stream().map(r -> r.spec().type()).toList());
+    assertEquals(Set.of(POSE), input.chosen());
+    assertEquals(Optional.of(MAP), model.stage().fixed());
+    put(POSE);
+    assertTrue(model.tick(1));
+    assertEquals(1, pose.ticks.getLast().arrived().size());
+    assertEquals("1 lines", row(1).words());
+    assertEquals(Health.OK, row(1).health());
+    assertFalse(model.tick(2));
+  }
+
+  @Test
+  void twoSourcesGiveTwoDisplaysWithNames() {
+    offer(POSE, OTHER);
+    start();
+    model.tick(0);
+    assertEquals(List.of("Fake grid", "Fake pose base/pose", "Fake pose base/other"), model.stage().rows().stream().map(DisplayRow::name).toList());
+    put(OTHER);
+    model.tick(1);
+    assertTrue(model.stage().parts().containsKey(row(2).spec().id()));
+    assertFalse(model.stage().parts().containsKey(row(1).spec().id()));
+  }
+
+  @Test
+  void anAddedDisplayTakesTheOnlySourceAndSaysWhichWhereThereAreSeveral() {
+    offer(POSE, OTHER);
+    start();
+    edits.automatic();
+    context.settings().set(SceneOptions.DISPLAYS, List.of(Map.of("type", "pose")));
+    model.tick(0);
+    assertEquals(Health.WAITING, row(0).health());
+    assertEquals("several give PoseEstimate, choose one as source: base/pose, base/other", row(0).words());
+    offer(POSE);
+    model.tick(1);
+    assertEquals(Set.of(POSE), input.chosen());
+    offer();
+    model.tick(2);
+    assertTrue(row(0).words().startsWith("no PoseEstimate is offered"), row(0).words());
+  }
+
+  @Test
+  void aDisplayThatIsSwitchedOffAsksForNothingAndHoldsNothing() {
+    offer(POSE);
+    start();
+    model.tick(0);
+    put(POSE);
+    model.tick(1);
+    edits.change(row(1).spec().id(), s -> s.show(false));
+    model.tick(2);
+    assertEquals(Set.of(), input.chosen());
+    assertEquals(0, pose.open);
+    assertEquals(0, row(1).bytes());
+    assertEquals("switched off", row(1).words());
+  }
+
+  @Test
+  void aDisplayThatThrowsIsSwitchedOffWithItsWordsAndTheOthersGoOn() {
+    offer(POSE);
+    start();
+    pose.throwing = true;
+    model.tick(0);
+    assertEquals(Health.BAD, row(1).health());
+    assertTrue(row(1).words().contains("the data bite"), row(1).words());
+    assertEquals(0, pose.open);
+    assertEquals(Health.OK, row(0).health());
+    int before = pose.ticks.size();
+    model.tick(1);
+    assertEquals(before, pose.ticks.size());
+    pose.throwing = false;
+    edits.change(row(1).spec().id(), s -> s.show(false));
+    model.tick(2);
+    edits.change(row(1).spec().id(), s -> s.show(true));
+    model.tick(3);
+    assertEquals(Health.OK, row(1).health());
+  }
+
+  @Test
+  void aMissingKindIsWaitedForAndRevives() {
+    offer(POSE);
+    kinds.remove(pose);
+    start();
+    context.settings().set(SceneOptions.DISPLAYS, List.of(Map.of("type", "pose", "name", "Mine")));
+    model.tick(0);
+    assertEquals("waits for a bundle that brings displays of type 'pose'", row(0).words());
+    kinds.add(pose);
+    model.tick(1);
+    assertEquals("Mine", row(0).name());
+    assertEquals(1, pose.open);
+    kinds.remove(pose);
+    model.tick(2);
+    assertEquals(0, pose.open);
+    FakeKind renewed = new FakeKind("pose", List.of(PoseEstimate.class));
+    kinds.add(renewed);
+    model.tick(3);
+    assertEquals(1, renewed.open);
+  }
+
+  @Test
+  void anotherOrderAndAnotherNameKeepWhatADisplayHolds() {
+    offer(POSE, OTHER);
+    start();
+    model.tick(0);
+    String second = row(2).spec().id();
+    edits.move(second, -1);
+    edits.change(second, s -> s.named("Mine"));
+    model.tick(1);
+    assertEquals(second, row(1).spec().id());
+    assertEquals("Mine", row(1).name());
+    assertEquals(2, pose.open);
+  }
+
+  @Test
+  void wrongSettingsFallBackAndAreSaid() {
+    start();
+    context.settings().set(SceneOptions.DISPLAYS, List.of(Map.of("type", "grid", "settings", Map.of("size", 99L, "style", "round"))));
+    model.tick(0);
+    assertEquals(1.0, row(0).settings().orElseThrow().number("size"));
+    assertEquals("round", row(0).settings().orElseThrow().text("style"));
+    assertEquals("size is 99, must be from 0.0 to 10.0 m", row(0).words());
+    assertEquals(Health.WARNING, row(0).health());
+  }
+
+  @Test
+  void robotsStandWhereTheConfigurationSays() {
+    FrameId otherMap = new FrameId("b", "map");
+    FrameId otherBase = new FrameId("b", "base_link");
+    frames.fix(MAP, BASE, RigidTransform.planar(1, 0, 0));
+    frames.fix(otherMap, otherBase, RigidTransform.planar(1, 0, 0));
+    context.settings().set(SceneOptions.FIXED_FRAME, "a/map");
+    context.settings().set(SceneOptions.FRAMES,
+        List.of(Map.of("parent", "a/map", "child", "b/map", "y", 2.0, "yaw", Math.PI / 2)));
+    start();
+    model.tick(0);
+    assertEquals(Optional.of(MAP), model.stage().fixed());
+    List<Stage.Robot> robots = model.stage().robots();
+    assertEquals(List.of("a", "b"), robots.stream().map(Stage.Robot::name).toList());
+    assertEquals(1, robots.get(0).fixedFromBase().orElseThrow().translation().x(), 1e-12);
+    assertEquals(0, robots.get(1).fixedFromBase().orElseThrow().translation().x(), 1e-12);
+    assertEquals(3, robots.get(1).fixedFromBase().orElseThrow().translation().y(), 1e-12);
+    assertFalse(robots.get(0).color().equals(robots.get(1).color()));
+  }
+
+  @Test
+  void withoutAnybodyLookingNothingIsAskedFor() {
+    offer(POSE);
+    start();
+    model.tick(0);
+    model.rest();
+    assertEquals(Set.of(), input.chosen());
+    assertEquals(0, pose.open);
+    model.tick(1);
+    assertEquals(Set.of(POSE), input.chosen());
+  }
+
+  @Test
+  void aGeneralTypeTakesAllThatAreOfIt() {
+    FakeKind image = new FakeKind("image", List.of(Image.class));
+    input.candidates(List.of(new Input.Candidate(POSE, "RawImage"), new Input.Candidate(OTHER, "Path")));
+    DisplaySpec spec = DisplaySpec.of("image", "image");
+    assertEquals(Set.of(POSE), SourceChoice.of(spec, image, input.candidates()).sources());
+  }
+
+  @Test
+  void aSourceThatIsNamedDecidesWhichRobotTheOtherTypesComeFrom() {
+    SourceId far = new SourceId("far", "/pose");
+    SourceId farMore = new SourceId("far", "/more");
+    List<Input.Candidate> offered = List.of(new Input.Candidate(POSE, "PoseEstimate"), new Input.Candidate(far, "PoseEstimate"),
+        new Input.Candidate(OTHER, "StampedPose"), new Input.Candidate(farMore, "StampedPose"));
+    SourceChoice choice = SourceChoice.of(DisplaySpec.of("pose", "pose").from(List.of("far/pose")), pose, offered);
+    assertEquals(Set.of(far, farMore), choice.sources());
+    assertEquals(Set.of(far), choice.needed());
+  }
+
+  @Test
+  void removingTheLastDisplayLeavesNone() {
+    start();
+    model.tick(0);
+    edits.remove(row(0).spec().id());
+    model.tick(1);
+    assertEquals(List.of(), model.stage().rows());
+    edits.automatic();
+    model.tick(2);
+    assertEquals(1, model.stage().rows().size());
+  }
+}

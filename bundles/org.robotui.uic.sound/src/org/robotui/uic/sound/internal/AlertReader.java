@@ -1,0 +1,53 @@
+package org.robotui.uic.sound.internal;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.robotui.api.config.Settings;
+import org.robotui.uic.sound.internal.alert.AlertConfig;
+import org.robotui.uic.sound.internal.alert.Condition;
+import org.robotui.uic.sound.internal.alert.Conditions;
+import org.robotui.uic.sound.internal.tone.Sound;
+
+/** Reads alerts out of settings. */
+final class AlertReader {
+  private static final double NANOS = 1e9;
+
+  private AlertReader() {}
+
+  /**
+   * Reads all.
+   *
+   * @throws IllegalArgumentException where one cannot be read; the message says which, what is wrong and what to write
+   */
+  static List<AlertConfig> read(Settings settings) {
+    if (settings.has(SoundType.MUTED_UNTIL)) {
+      Mute.time(settings.text(SoundType.MUTED_UNTIL));
+    }
+    List<AlertConfig> alerts = new ArrayList<>();
+    for (Object item : settings.list(SoundType.ALERTS)) {
+      alerts.add(read((Settings) item, alerts));
+    }
+    return alerts;
+  }
+
+  private static AlertConfig read(Settings item, List<AlertConfig> before) {
+    int number = before.size() + 1;
+    String said = item.has(SoundType.NAME) ? item.text(SoundType.NAME) : item.text(SoundType.WHEN);
+    // They are told apart, muted and acknowledged by their names.
+    String name = before.stream().anyMatch(other -> other.name().equals(said)) ? said + " (" + number + ")" : said;
+    try {
+      Condition condition = Conditions.parse(item.text(SoundType.WHEN), item.number(SoundType.HYSTERESIS));
+      if (condition.momentary() && item.number(SoundType.FOR) > 0) {
+        throw new IllegalArgumentException("an entry of a log does not last; leave out '" + SoundType.FOR + "'");
+      }
+      return new AlertConfig(name, item.text(SoundType.WHEN), condition, Sound.parse(item.text(SoundType.SOUND)), item.number(SoundType.VOLUME),
+          nanos(item, SoundType.FOR), nanos(item, SoundType.REPEAT), item.flag(SoundType.MUTED));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("alert " + number + " (" + name + "): " + e.getMessage(), e);
+    }
+  }
+
+  private static long nanos(Settings item, String setting) {
+    return Math.round(item.number(setting) * NANOS);
+  }
+}

@@ -1,0 +1,87 @@
+package org.robotui.uic.sound.internal;
+
+import java.util.List;
+import org.osgi.service.component.annotations.Component;
+import org.robotui.api.Descriptor;
+import org.robotui.api.Uic;
+import org.robotui.api.UicContext;
+import org.robotui.api.UicType;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.ValueType;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.Intake;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.Data;
+import org.robotui.uic.sound.internal.tone.LineSpeaker;
+import org.robotui.uic.sound.internal.tone.Player;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Makes itself heard when something about a robot needs somebody's attention. */
+@Component(service = UicType.class)
+public final class SoundType implements UicType {
+  static final String ALERTS = "alerts";
+  static final String VOLUME = "volume";
+  static final String MUTED = "muted";
+  static final String MUTED_UNTIL = "muted_until";
+  static final String NAME = "name";
+  static final String WHEN = "when";
+  static final String HYSTERESIS = "hysteresis";
+  static final String FOR = "for";
+  static final String SOUND = "sound";
+  static final String REPEAT = "repeat";
+
+  /** What the conditions look at; nothing else is asked of the robot. */
+  static final StreamPort<Data> SIGNALS =
+      new StreamPort<>("signals", Data.class, Arity.MANY, "What the conditions of the alerts look at.", Intake.CHOSEN);
+
+  static final Schema ALERT = Schema.of(
+      Setting.optional(NAME, new ValueType.Text(), "What users read; without it, the condition."),
+      Setting.required(WHEN, new ValueType.Text(),
+          "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR."),
+      Setting.of(HYSTERESIS, new ValueType.Num(0, Double.MAX_VALUE, ""), 0.0, "By how much a number must come back for the alert to end."),
+      Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0, "How long the condition must hold before."),
+      Setting.of(SOUND, new ValueType.Text(), "beep", "beep, chime, alarm, or the path of a .wav file."),
+      Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud, 0 to 1."),
+      Setting.of(REPEAT, new ValueType.Num(0, 3600, "s"), 10.0, "How often it is heard while it lasts; 0 for once."),
+      Setting.of(MUTED, new ValueType.Flag(), false, "Whether it is only written to the log."));
+
+  static final Schema SCHEMA = Schema.of(
+      Setting.of(ALERTS, new ValueType.ListOf(new ValueType.Section(ALERT)), List.of(), "The alerts."),
+      Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud all of them are, 0 to 1."),
+      Setting.of(MUTED, new ValueType.Flag(), false, "Whether none is heard."),
+      Setting.optional(MUTED_UNTIL, new ValueType.Text(), "Until when none is heard, for example 2026-11-21T18:00 or with Z for UTC."));
+
+  private static final double RATE_HZ = 5;
+  private static final Logger LOG = LoggerFactory.getLogger(SoundType.class);
+
+  private static final Descriptor DESCRIPTOR = new Descriptor("sound", "Sound",
+      "Makes itself heard when a condition about the robot holds.",
+      SCHEMA, List.of(SIGNALS));
+
+  @Override
+  public Descriptor descriptor() {
+    return DESCRIPTOR;
+  }
+
+  @Override
+  public Surface surface() {
+    return Surface.NONE;
+  }
+
+  @Override
+  public double rateHz() {
+    return RATE_HZ;
+  }
+
+  @Override
+  public Uic create(UicContext context, Settings settings) {
+    String who = context.ruic().name() + "." + context.instance();
+    // A lambda, for a reference to the constructor would link the class at once, also where Java has no sound.
+    Player player = new Player(context.background(), () -> new LineSpeaker(), TerminalBell::ring,
+        reason -> LOG.warn("{}: alerts are written here but not heard: {}", who, reason));
+    return new SoundUic(context, AlertReader.read(settings), player);
+  }
+}

@@ -1,0 +1,110 @@
+package org.robotui.uic.sound.internal.alert;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.robotui.data.Diagnostics;
+import org.robotui.data.FieldPath;
+import org.robotui.data.Severity;
+
+/** Reads conditions as they are written in a configuration. */
+public final class Conditions {
+  private static final Pattern WORD = Pattern.compile("\"([^\"]*)\"|'([^']*)'|(<=|>=|==|!=|<|>)|([^\\s\"'<>=!]+)|(\\S)");
+  private static final String FORMS = "'battery charge < 0.2', 'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'";
+  private static final int FIELD_WORDS = 4;
+  private static final int LEVEL_WORDS = 3;
+
+  private Conditions() {}
+
+  /**
+   * Reads a condition.
+   *
+   * @param text for example {@code battery charge < 0.2}
+   * @param slack hysteresis of numbers, not negative
+   * @return the condition
+   * @throws IllegalArgumentException where it cannot be read; the message says what is wrong and what could be written
+   */
+  public static Condition parse(String text, double slack) {
+    List<String> words = words(text);
+    Optional<Comparison> sign = words.stream().map(Comparison::find).flatMap(Optional::stream).findFirst();
+    if (sign.isEmpty()) {
+      return state(text, words);
+    }
+    int at = words.indexOf(sign.get().sign());
+    String first = words.getFirst().toLowerCase(Locale.ROOT);
+    boolean level = (first.equals("diagnostics") || first.equals("log")) && (at == 1 || levelOf(first, words.getLast()));
+    if (level && at >= 1 && at <= 2 && words.size() == at + 2) {
+      return level(text, words, at, sign.get());
+    }
+    if (at == 2 && words.size() == FIELD_WORDS) {
+      return field(words, sign.get(), slack);
+    }
+    throw new IllegalArgumentException("'" + text + "' cannot be read; write a source, a field, a comparison and a value, for example " + FORMS);
+  }
+
+  private static Condition state(String text, List<String> words) {
+    if (words.equals(List.of("link", "lost"))) {
+      return new LinkCondition();
+    }
+    if (words.size() == 2 && words.getLast().equals("stale")) {
+      return new StaleCondition(new SourceName(words.getFirst()));
+    }
+    throw new IllegalArgumentException("'" + text + "' is no condition; write for example " + FORMS);
+  }
+
+  private static Condition field(List<String> words, Comparison sign, double slack) {
+    String limit = words.getLast();
+    if (sign.ordered() && Numbers.parse(limit).isEmpty()) {
+      throw new IllegalArgumentException("'" + limit + "' is no number; after " + sign.sign() + " write one, or compare by == or !=");
+    }
+    return new FieldCondition(new SourceName(words.getFirst()), FieldPath.parse(words.get(1)), sign, limit, slack);
+  }
+
+  private static Condition level(String text, List<String> words, int at, Comparison sign) {
+    String part = at == LEVEL_WORDS - 1 ? words.get(1) : "";
+    boolean log = words.getFirst().equalsIgnoreCase("log");
+    return log
+        ? new LogCondition(part, sign, constant(Severity.class, text, words.getLast()))
+        : new DiagnosticsCondition(part, sign, constant(Diagnostics.Level.class, text, words.getLast()));
+  }
+
+  private static boolean levelOf(String kind, String word) {
+    return kind.equals("log") ? find(Severity.class, word).isPresent() : find(Diagnostics.Level.class, word).isPresent();
+  }
+
+  private static <E extends Enum<E>> E constant(Class<E> type, String text, String word) {
+    return find(type, word).orElseThrow(() -> new IllegalArgumentException("'" + text + "': '" + word + "' is none of "
+        + Arrays.stream(type.getEnumConstants()).map(Enum::name).collect(Collectors.joining(", "))));
+  }
+
+  private static <E extends Enum<E>> Optional<E> find(Class<E> type, String word) {
+    String name = word.equalsIgnoreCase("WARN") ? "WARNING" : word.toUpperCase(Locale.ROOT);
+    return Arrays.stream(type.getEnumConstants()).filter(each -> each.name().equals(name)).findFirst();
+  }
+
+  private static List<String> words(String text) {
+    List<String> words = new ArrayList<>();
+    Matcher matcher = WORD.matcher(text);
+    while (matcher.find()) {
+      words.add(word(matcher));
+    }
+    if (!words.isEmpty() && words.getFirst().endsWith(":")) {
+      words.set(0, words.getFirst().substring(0, words.getFirst().length() - 1));
+    }
+    return words;
+  }
+
+  private static String word(Matcher matcher) {
+    for (int i = 1; i <= matcher.groupCount(); i++) {
+      if (matcher.group(i) != null) {
+        return matcher.group(i);
+      }
+    }
+    return matcher.group();
+  }
+}

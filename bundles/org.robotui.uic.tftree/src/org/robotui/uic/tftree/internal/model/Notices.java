@@ -1,0 +1,60 @@
+package org.robotui.uic.tftree.internal.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.robotui.api.frame.FrameRefusal;
+import org.robotui.data.FrameId;
+import org.robotui.ui.Health;
+
+/** What is wrong with the frames as a whole, the worst first. Pure. */
+final class Notices {
+  private static final int NAMED = 4;
+  private static final long LATELY_NANOS = 15_000_000_000L;
+
+  private Notices() {}
+
+  static List<Notice> of(Forest forest, List<Row> rows, List<FrameRefusal> refusals, long now) {
+    List<Notice> notices = new ArrayList<>();
+    refusals.stream().filter(refusal -> now - refusal.receivedNanos() <= LATELY_NANOS).limit(NAMED).forEach(refusal ->
+        notices.add(new Notice(Health.BAD, "Refused of " + sender(refusal.authority()) + ": " + refusal.reason()
+            + (refusal.count() > 1 ? " (" + refusal.count() + " times)" : ""))));
+    counted(notices, Health.BAD, rows.stream().filter(row -> row.health() == Health.BAD).toList(),
+        " is said by two at once: ", " are said by two at once: ");
+    counted(notices, Health.STALE, rows.stream().filter(row -> row.health() == Health.STALE).toList(), " is stale: ", " are stale: ");
+    trees(forest, notices);
+    return List.copyOf(notices);
+  }
+
+  private static String sender(String authority) {
+    return authority.isBlank() ? "a robot" : authority;
+  }
+
+  private static void counted(List<Notice> notices, Health health, List<Row> rows, String one, String many) {
+    if (!rows.isEmpty()) {
+      String names = rows.stream().limit(NAMED).map(Row::title).collect(Collectors.joining(", ")) + (rows.size() > NAMED ? ", \u2026" : "");
+      notices.add(new Notice(health, (rows.size() == 1 ? "1 frame" + one : rows.size() + " frames" + many) + names));
+    }
+  }
+
+  /** Several trees of one robot are a fault; those of several robots are not linked unless somebody says so. */
+  private static void trees(Forest forest, List<Notice> notices) {
+    Map<String, List<FrameId>> byRobot = forest.roots().stream().collect(Collectors.groupingBy(FrameId::robot, TreeMap::new, Collectors.toList()));
+    byRobot.forEach((robot, roots) -> {
+      if (roots.size() > 1) {
+        notices.add(new Notice(Health.WARNING, "The frames of " + robot + " are " + roots.size() + " trees, no transform links "
+            + names(roots)));
+      }
+    });
+    if (byRobot.size() > 1) {
+      notices.add(new Notice(Health.NONE, "No transform links the robots " + String.join(", ", byRobot.keySet())
+          + "; the configuration can set one"));
+    }
+  }
+
+  private static String names(List<FrameId> roots) {
+    return roots.stream().limit(NAMED).map(FrameId::name).collect(Collectors.joining(", ")) + (roots.size() > NAMED ? ", \u2026" : "");
+  }
+}

@@ -1,0 +1,64 @@
+package org.robotui.uic.tftree.internal.model;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.robotui.api.frame.FrameLink;
+import org.robotui.data.FrameId;
+
+/** Makes the rows of the tree: those that fit, and those above them. Pure. */
+final class RowMaker {
+  private static final double NANO = 1e-9;
+
+  private RowMaker() {}
+
+  /** All frames in the order of the tree, whatever is asked for. */
+  static List<Row> all(Forest forest, Ask ask, double staleAfter, long now) {
+    boolean several = forest.robots().size() > 1;
+    Map<FrameId, Integer> depths = new HashMap<>();
+    List<Row> rows = new ArrayList<>(forest.size());
+    for (FrameId frame : forest.inOrder()) {
+      int depth = forest.parent(frame).map(parent -> depths.getOrDefault(parent, -1) + 1).orElse(0);
+      depths.put(frame, depth);
+      Optional<FrameLink> link = Optional.ofNullable(forest.links().get(frame));
+      double age = link.filter(l -> !l.fixed()).map(l -> Math.max(0, (now - l.receivedNanos()) * NANO)).orElse(0.0);
+      boolean open = ask.narrows() || !ask.closed().contains(frame);
+      rows.add(Row.of(frame, several ? frame.toString() : frame.name(), depth, link, forest.below().getOrDefault(frame, 0), open, age, staleAfter));
+    }
+    return rows;
+  }
+
+  /** Those that are shown. */
+  static List<Row> shown(Forest forest, List<Row> all, Ask ask) {
+    Set<FrameId> wanted = ask.narrows() ? wanted(forest, all, ask) : forest.below().keySet();
+    Set<FrameId> hidden = new HashSet<>();
+    List<Row> rows = new ArrayList<>();
+    for (Row row : all) {
+      if (forest.parent(row.id()).filter(hidden::contains).isPresent()) {
+        hidden.add(row.id());
+      } else if (wanted.contains(row.id())) {
+        rows.add(row);
+        if (!row.open()) {
+          hidden.add(row.id());
+        }
+      }
+    }
+    return List.copyOf(rows);
+  }
+
+  private static Set<FrameId> wanted(Forest forest, List<Row> all, Ask ask) {
+    Set<FrameId> wanted = new HashSet<>();
+    for (Row row : all) {
+      if (ask.fits(row)) {
+        for (Optional<FrameId> at = Optional.of(row.id()); at.isPresent() && wanted.add(at.get()); at = forest.parent(at.get())) {
+          // Up to the root, or to one whose way up is in already.
+        }
+      }
+    }
+    return wanted;
+  }
+}

@@ -1,0 +1,216 @@
+package org.robotui.uic.tftree.internal.view;
+
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.SashForm;
+import org.eclipse.swt.custom.StackLayout;
+import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Event;
+import org.robotui.data.FrameId;
+import org.robotui.ui.Face;
+import org.robotui.ui.Health;
+import org.robotui.ui.Theme;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.FilterField;
+import org.robotui.ui.control.NoticeLine;
+import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.diagram.DiagramCanvas;
+import org.robotui.ui.diagram.DiagramSaver;
+import org.robotui.ui.diagram.TextWidths;
+import org.robotui.uic.tftree.internal.model.Ask;
+import org.robotui.uic.tftree.internal.model.Look;
+import org.robotui.uic.tftree.internal.model.Notice;
+import org.robotui.uic.tftree.internal.model.Row;
+
+/** What is seen of the view. Display thread. */
+public final class TfTreeSurface {
+  /** What the user wants. Display thread. */
+  public interface Wishes {
+    /** What is asked for now. */
+    Ask asked();
+
+    /** Asks for something else. */
+    void ask(Ask next);
+
+    /** How wide letters are here. */
+    void widths(TextWidths exact);
+  }
+
+  private static final int WIDEST_FILTER = 180;
+  private static final int BESIDE_FROM = 760;
+  private static final int TREE_SHARE = 66;
+  private static final int DETAIL_SHARE = 34;
+
+  private final UiContext context;
+  private final Wishes wishes;
+  private final Composite root;
+  private final QuietButton drawn;
+  private final QuietButton listed;
+  private final QuietButton problems;
+  private final FilterField filter;
+  private final NoticeLine notice;
+  private final SashForm halves;
+  private final Composite stack;
+  private final StackLayout top = new StackLayout();
+  private final DiagramCanvas canvas;
+  private final FrameTable table;
+  private final DetailPane detail;
+  private Optional<Look> shown = Optional.empty();
+
+  /** In a part of a window. */
+  public TfTreeSurface(Composite parent, UiContext context, Wishes wishes) {
+    this.context = context;
+    this.wishes = wishes;
+    Theme theme = context.theme();
+    root = Boxes.root(parent, theme, this::focus);
+    Composite bar = Boxes.bar(root, theme, 4);
+    drawn = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().drawn(true))).text("Tree").hint("Draw the frames as a tree");
+    listed = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().drawn(false))).text("List").hint("List the frames");
+    problems = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().problems(!wishes.asked().problems()))).text("Problems")
+        .hint("Show only frames with a problem, and those above them");
+    filter = new FilterField(bar, theme, "Filter", this::search);
+    filter.setLayoutData(Boxes.end(WIDEST_FILTER));
+    notice = new NoticeLine(root, theme, Face.BODY);
+    halves = Boxes.split(root, theme, SWT.HORIZONTAL);
+    halves.setSashWidth(1);
+    halves.setLayoutData(Boxes.fill());
+    stack = Boxes.panel(halves, theme, 1);
+    stack.setLayout(top);
+    canvas = new DiagramCanvas(stack, theme).onSelect(key -> select(key.map(FrameId.class::cast)))
+        .onOpen(box -> wishes.ask(wishes.asked().toggle((FrameId) box.key()))).hints(box -> hint((FrameId) box.key()));
+    table = new FrameTable(stack, theme, this::select, frame -> wishes.ask(wishes.asked().toggle(frame)));
+    detail = new DetailPane(halves, theme, wishes, () -> select(Optional.empty()));
+    halves.setWeights(TREE_SHARE, DETAIL_SHARE);
+    halves.setMaximizedControl(stack);
+    listen(theme);
+  }
+
+  private void listen(Theme theme) {
+    table.list().onFind(filter::focus);
+    filter.onDown(this::focus);
+    halves.addListener(SWT.Resize, e -> orient());
+    canvas.control().addListener(SWT.KeyDown, this::key);
+    GC gc = new GC(root);
+    wishes.widths(TextWidths.of(gc, theme));
+    gc.dispose();
+  }
+
+  /** What stands in the part. */
+  public Control control() {
+    return root;
+  }
+
+  /** Shows what the last tick left, and what was asked for since. */
+  public void show(Look look, Ask ask) {
+    if (root.isDisposed()) {
+      return;
+    }
+    shown = Optional.of(look);
+    context.note(look.title());
+    drawn.checked(ask.drawn());
+    listed.checked(!ask.drawn());
+    problems.checked(ask.problems());
+    notice(look);
+    canvas.state(look.state());
+    look.nothing().ifPresent(n -> canvas.message(n.health(), n.title(), n.sentence()));
+    canvas.show(look.drawing());
+    canvas.select(ask.selected());
+    table.show(look, ask);
+    detail.show(look.detail());
+    arrange(ask);
+  }
+
+  /** Shows the whole tree. */
+  public void fit() {
+    canvas.fit();
+  }
+
+  /** Saves the drawing, where the user says. */
+  public void save() {
+    DiagramSaver.ask(canvas, context.theme(), "frames").ifPresent(problem -> notice.show(Health.BAD, problem));
+  }
+
+  private void notice(Look look) {
+    boolean any = !look.notices().isEmpty();
+    if (any) {
+      Notice first = look.notices().getFirst();
+      notice.show(first.health(), look.notices().stream().map(Notice::words).collect(Collectors.joining(".  ")));
+    }
+    if (Boxes.seen(notice.control(), any)) {
+      root.layout();
+    }
+  }
+
+  private void arrange(Ask ask) {
+    Control wanted = ask.drawn() ? canvas.control() : table.control();
+    if (top.topControl != wanted) {
+      top.topControl = wanted;
+      stack.layout();
+    }
+    boolean whole = ask.selected().isEmpty() || shown.filter(look -> look.detail().isPresent()).isEmpty();
+    Control alone = whole ? stack : null;
+    if (halves.getMaximizedControl() != alone) {
+      halves.setMaximizedControl(alone);
+    }
+  }
+
+  private void orient() {
+    int wanted = halves.getSize().x >= BESIDE_FROM ? SWT.HORIZONTAL : SWT.VERTICAL;
+    if (halves.getOrientation() != wanted) {
+      halves.setOrientation(wanted);
+    }
+  }
+
+  private boolean focus() {
+    return top.topControl == canvas.control() ? canvas.control().setFocus() : table.list().control().setFocus();
+  }
+
+  private void search(String words) {
+    Ask next = wishes.asked().search(words);
+    if (!next.equals(wishes.asked())) {
+      wishes.ask(next);
+    }
+  }
+
+  private void select(Optional<FrameId> frame) {
+    if (!wishes.asked().selected().equals(frame)) {
+      wishes.ask(wishes.asked().select(frame));
+    }
+  }
+
+  private String hint(FrameId frame) {
+    return shown.flatMap(look -> look.rows().stream().filter(row -> row.id().equals(frame)).findFirst()).map(TfTreeSurface::hint).orElse("");
+  }
+
+  private static String hint(Row row) {
+    String sender = row.link().map(link -> "\nsent by " + link.authority()).orElse("");
+    String fold = row.below() == 0 ? "" : "\ndouble click: " + (row.open() ? "hide" : "show") + " the " + row.below() + " below";
+    return row.id() + "\n" + row.note() + sender + fold;
+  }
+
+  private void key(Event event) {
+    if (event.keyCode == 'f' && (event.stateMask & SWT.MOD1) != 0) {
+      filter.focus();
+    }
+  }
+
+  FilterField filterField() {
+    return filter;
+  }
+
+  FrameTable table() {
+    return table;
+  }
+
+  DiagramCanvas canvas() {
+    return canvas;
+  }
+
+  String noticed() {
+    return notice.words();
+  }
+}

@@ -1,0 +1,248 @@
+package org.robotui.uic.topics.internal.view;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.SashForm;
+import org.eclipse.swt.layout.GridData;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.port.Browser.Kind;
+import org.robotui.ui.Face;
+import org.robotui.ui.Health;
+import org.robotui.ui.StateView;
+import org.robotui.ui.Theme;
+import org.robotui.ui.UiContext;
+import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.FilterField;
+import org.robotui.ui.control.NoticeLine;
+import org.robotui.ui.control.QuietButton;
+import org.robotui.uic.topics.internal.TopicsOptions;
+import org.robotui.uic.topics.internal.model.Catalog;
+import org.robotui.uic.topics.internal.model.Key;
+import org.robotui.uic.topics.internal.model.Look;
+import org.robotui.uic.topics.internal.model.TopicsModel;
+import org.robotui.uic.topics.internal.model.Wishes;
+
+/** What is seen of the view: kinds and filter above, the list at the left, all about the selected thing at the right. Display thread. */
+public final class TopicsSurface {
+  private static final int FILTER_WIDTH = 180;
+  private static final int SIDE_BY_SIDE_FROM = 640;
+  private static final int[] WIDE = {58, 42};
+  private static final int[] HIGH = {50, 50};
+
+  private final UiContext context;
+  private final TopicsModel model;
+  private final Supplier<TopicsOptions> options;
+  private final Composite root;
+  private final Composite bar;
+  private final Map<Kind, QuietButton> sections = new EnumMap<>(Kind.class);
+  private final FilterField filter;
+  private final NoticeLine notice;
+  private final SashForm split;
+  private final Shelf shelf;
+  private final DetailPane detail;
+
+  /** Makes the controls. */
+  public TopicsSurface(Composite parent, UiContext context, TopicsModel model, Supplier<TopicsOptions> options) {
+    this.context = context;
+    this.model = model;
+    this.options = options;
+    Theme theme = context.theme();
+    root = Boxes.root(parent, theme, this::focus);
+    bar = Boxes.bar(root, theme, Catalog.KINDS.size() + 1);
+    for (Kind kind : Catalog.KINDS) {
+      sections.put(kind, new QuietButton(bar, theme, () -> section(kind)).text(Words.section(kind)));
+    }
+    filter = new FilterField(bar, theme, "Filter", this::filter);
+    filter.setLayoutData(Boxes.end(FILTER_WIDTH));
+    notice = new NoticeLine(root, theme, Face.BODY);
+    split = Boxes.split(root, theme, SWT.HORIZONTAL);
+    split.setLayoutData(Boxes.fill());
+    shelf = new Shelf(split, theme, new Acts());
+    detail = new DetailPane(split, theme, model, this::follow);
+    split.setWeights(WIDE);
+    listen();
+    resume(model.look().wishes());
+    refresh();
+  }
+
+  private boolean focus() {
+    return shelf.table().list().control().setFocus();
+  }
+
+  /** What stands in the part. */
+  public Control control() {
+    return root;
+  }
+
+  /** Shows what the last tick prepared. */
+  public void refresh() {
+    if (root.isDisposed()) {
+      return;
+    }
+    if (root.isVisible()) {
+      model.seen(System.nanoTime());
+    }
+    watch();
+    Look look = model.look();
+    sections(look);
+    shelf.show(look);
+    detail.show(look);
+    // Where there is nothing to select, the room is not halved.
+    Control whole = StateView.showsContent(look.state()) || look.wishes().selected().isPresent() ? null : shelf.control();
+    if (split.getMaximizedControl() != whole) {
+      split.setMaximizedControl(whole);
+    }
+    if (Boxes.seen(notice.control(), !look.notice().isEmpty())) {
+      root.layout();
+    }
+    notice.show(Health.WARNING, look.notice());
+    context.note(note(look));
+  }
+
+  Shelf shelf() {
+    return shelf;
+  }
+
+  DetailPane detail() {
+    return detail;
+  }
+
+  FilterField filterField() {
+    return filter;
+  }
+
+  void section(Kind kind) {
+    shelf.section(kind);
+    sections.forEach((each, button) -> button.checked(each == kind));
+    list(kind, filter.words());
+  }
+
+  /** What the list does not show is not selected, so that nothing is echoed that nobody sees chosen. */
+  private void list(Kind kind, String words) {
+    model.list(kind, words);
+    if (model.selected().isEmpty()) {
+      shelf.table().list().selectNone();
+      select(Optional.empty());
+    }
+  }
+
+  /** Goes to a thing of any kind. */
+  void follow(Key key) {
+    if (model.look().wishes().section() != key.kind()) {
+      section(key.kind());
+    }
+    filter.words("");
+    shelf.table().list().select(key);
+    select(Optional.of(key));
+  }
+
+  private void select(Optional<Key> key) {
+    model.select(key);
+    detail.select(key);
+    detail.show(model.look());
+  }
+
+  private void filter(String words) {
+    shelf.highlight(words);
+    list(shelf.section(), words);
+  }
+
+  /** What is repeated goes on only while the user works here. */
+  private void watch() {
+    if (model.look().speech().hertz().isPresent()) {
+      if (isFocused()) {
+        model.speaker().watched(System.nanoTime());
+      } else {
+        model.speaker().stop("the view lost the focus");
+      }
+    }
+  }
+
+  private boolean isFocused() {
+    Control at = root.getDisplay().getFocusControl();
+    while (at != null && at != root) {
+      at = at.getParent();
+    }
+    return at == root;
+  }
+
+  private void sections(Look look) {
+    boolean changed = false;
+    for (Kind kind : Catalog.KINDS) {
+      QuietButton button = sections.get(kind);
+      int before = button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x;
+      button.text(Words.section(kind) + "  " + look.counts().getOrDefault(kind, 0)).checked(kind == look.wishes().section());
+      changed |= button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x != before;
+    }
+    if (changed) {
+      bar.layout();
+    }
+  }
+
+  private static String note(Look look) {
+    String shown = look.rows().size() == look.total() ? "" : look.rows().size() + " of " + look.total();
+    String streams = look.streams() == 0 ? "" : look.streams() + (look.streams() == 1 ? " stream taken" : " streams taken");
+    return shown.isEmpty() || streams.isEmpty() ? shown + streams : shown + " \u00b7 " + streams;
+  }
+
+  private void listen() {
+    model.sorting(shelf::sorted);
+    filter.onDown(() -> shelf.table().list().control().setFocus());
+    root.addListener(SWT.Resize, e -> arrange());
+    root.addListener(SWT.Dispose, e -> model.gone());
+  }
+
+  /** A control that is made anew goes on where the one before it was. */
+  private void resume(Wishes wishes) {
+    shelf.section(wishes.section());
+    filter.words(wishes.filter());
+    wishes.selected().ifPresent(shelf.table().list()::select);
+    detail.select(wishes.selected());
+  }
+
+  /** Where there is little width, one above the other. */
+  private void arrange() {
+    boolean beside = root.getClientArea().width >= SIDE_BY_SIDE_FROM;
+    int orientation = beside ? SWT.HORIZONTAL : SWT.VERTICAL;
+    if (split.getOrientation() != orientation) {
+      split.setOrientation(orientation);
+      split.setWeights(beside ? WIDE : HIGH);
+    }
+    GridData data = (GridData) filter.getLayoutData();
+    data.widthHint = beside ? FILTER_WIDTH : FILTER_WIDTH / 2;
+    bar.layout();
+  }
+
+  /** What the user does to rows. */
+  private final class Acts implements Shelf.Acts {
+    @Override
+    public void select(Optional<Key> key) {
+      TopicsSurface.this.select(key);
+    }
+
+    @Override
+    public void open(Key key) {
+      TopicsSurface.this.select(Optional.of(key));
+      detail.open();
+    }
+
+    @Override
+    public void measure(Key key, boolean on) {
+      model.measure(key, on, options.get().measured());
+    }
+
+    @Override
+    public void reorder() {
+      model.sorting(shelf::sorted);
+    }
+
+    @Override
+    public void find() {
+      filter.focus();
+    }
+  }
+}

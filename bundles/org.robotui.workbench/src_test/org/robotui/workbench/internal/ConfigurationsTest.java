@@ -1,0 +1,75 @@
+package org.robotui.workbench.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.robotui.testkit.host.FakeHost;
+
+class ConfigurationsTest {
+  @TempDir
+  Path folder;
+
+  private final BlockingQueue<Runnable> display = new LinkedBlockingQueue<>();
+  private final List<Path> loaded = new ArrayList<>();
+  private final CompletableFuture<Void> components = new CompletableFuture<>();
+  private final Configurations configurations =
+      new Configurations(new FakeHost(), display::add, (file, problems) -> loaded.add(file), components);
+
+  @AfterEach
+  void close() {
+    configurations.close();
+  }
+
+  @Test
+  void areReadWhenTheDisplayKnowsTheOutcomeOfEach() throws Exception {
+    components.complete(null);
+    assertTrue(configurations.areRead());
+
+    configurations.load(folder.resolve("a.yaml"));
+    configurations.load(folder.resolve("b.yaml"));
+    assertFalse(configurations.areRead());
+    deliver();
+    assertFalse(configurations.areRead());
+    deliver();
+    assertTrue(configurations.areRead());
+    assertEquals(2, loaded.size());
+  }
+
+  @Test
+  void aFileThatIsNotThereIsAProblem() throws Exception {
+    components.complete(null);
+    configurations.load(folder.resolve("a.yaml"));
+    deliver();
+
+    assertEquals("there is no such file", configurations.problems().get(0).message());
+  }
+
+  @Test
+  void nothingIsReadBeforeTheComponentsAreThere() throws Exception {
+    configurations.load(folder.resolve("a.yaml"));
+    assertNull(display.poll(50, TimeUnit.MILLISECONDS));
+
+    components.complete(null);
+    deliver();
+    assertTrue(configurations.areRead());
+  }
+
+  private void deliver() throws InterruptedException {
+    Runnable task = display.poll(10, TimeUnit.SECONDS);
+    assertNotNull(task);
+    task.run();
+  }
+}

@@ -1,0 +1,2 @@
+/** How the shared memory is read. */
+package org.robotui.xbot.internal;

@@ -1,0 +1,166 @@
+"""One run of the workbench: started, looked at from outside, ended, and what it says of itself."""
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import time
+
+import building
+from building import CannotMeasure, variable
+from processes import Programs
+
+CROWD = pathlib.Path(__file__).resolve().parents[2] / "e2e" / "peers" / "many_topics.py"
+SCREEN = "1600x1000x24"
+PATIENCE = 60
+SETTLED, MEASURED = 10, 12            # seconds after the first picture: the virtual machine compiles until then
+
+
+class Display:
+    """A display with a window manager, and a home that keeps nothing of the user's."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.number = next(n for n in range(90, 400) if not pathlib.Path(f"/tmp/.X{n}-lock").exists())
+        self.environment = dict(os.environ, DISPLAY=f":{self.number}", GDK_BACKEND="x11", NO_AT_BRIDGE="1",
+                                XDG_STATE_HOME=str(folder / "state"), HOME=str(folder), ROS_IP="127.0.0.1")
+        for name in ("WAYLAND_DISPLAY", "ROS_HOSTNAME"):
+            self.environment.pop(name, None)
+        self.processes = []
+
+    def __enter__(self):
+        self._start("Xvfb", f":{self.number}", "-screen", "0", SCREEN, "-nolisten", "tcp")
+        wait_for(lambda: pathlib.Path(f"/tmp/.X11-unix/X{self.number}").exists(), "the display")
+        self._start("openbox")
+        return self
+
+    def _start(self, *command):
+        with (self.folder / f"{command[0]}.log").open("w") as log:
+            self.processes.append(subprocess.Popen(command, env=self.environment, stdout=log, stderr=log))
+
+    def __exit__(self, *_):
+        for process in reversed(self.processes):
+            process.terminate()
+            process.wait(10)
+
+
+class Workbench:
+    def __init__(self, display, configuration, environment):
+        self.file = display.folder / f"measured-{time.monotonic_ns()}.json"
+        self.log = display.folder / "robotui.log"
+        product = pathlib.Path(variable("ROBOTUI_WINDOW_PRODUCT", "ui"), "robotui")
+        self.started = time.time()
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen([product, "-config", configuration, "-measure", self.file],
+                                            env={**display.environment, **environment}, stdout=log, stderr=log)
+
+    def descendants(self):
+        """The launcher is a script or a small program; the virtual machine is below it."""
+        found, open_list = [], [self.process.pid]
+        while open_list:
+            pid = open_list.pop()
+            found.append(pid)
+            children = pathlib.Path(f"/proc/{pid}/task/{pid}/children")
+            open_list += [int(child) for child in children.read_text().split()] if children.exists() else []
+        return found
+
+    def cpu_seconds(self):
+        ticks = 0
+        for pid in self.descendants():
+            fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+            ticks += int(fields[11]) + int(fields[12])
+        return ticks / os.sysconf("SC_CLK_TCK")
+
+    def pss_megabytes(self):
+        total = 0
+        for pid in self.descendants():
+            total += int(re.search(r"^Pss:\s+(\d+) kB", pathlib.Path(f"/proc/{pid}/smaps_rollup").read_text(), re.M)[1])
+        return total / 1000
+
+    def said(self):
+        """It writes anew every second."""
+        if not self.file.exists():
+            raise CannotMeasure(f"the workbench wrote no figures\n{self.log.read_text()[-2000:]}")
+        return json.loads(self.file.read_text())
+
+    def has_painted(self):
+        return self.file.exists() and self.said()["first_picture_epoch_ms"] > 0
+
+    def end(self):
+        self.process.terminate()
+        try:
+            self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            for pid in reversed(self.descendants()):
+                os.kill(pid, signal.SIGKILL)
+            self.process.wait()
+
+
+def wait_for(condition, what, seconds=PATIENCE):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            raise CannotMeasure(f"{what} did not come")
+        time.sleep(0.02)
+
+
+def measured(workbench):
+    """Processor time per second while it runs on, and what it says of itself."""
+    try:
+        wait_for(workbench.has_painted, "a live picture")
+        time.sleep(SETTLED)
+        before, cpu = time.monotonic(), workbench.cpu_seconds()
+        time.sleep(MEASURED)
+        result = {"cpu": (workbench.cpu_seconds() - cpu) / (time.monotonic() - before), "pss": workbench.pss_megabytes()}
+        said = workbench.said()
+    finally:
+        workbench.end()
+    if said["display_ms"]["count"] == 0:
+        raise CannotMeasure(f"the display thread gave no sign\n{workbench.log.read_text()[-2000:]}")
+    return {**result, "start": said["first_picture_epoch_ms"] / 1000 - workbench.started,
+            "p50": said["display_ms"]["p50"], "p99": said["display_ms"]["p99"], "longest": said["display_ms"]["max"],
+            "frames": said["frames"]}
+
+
+def robots_round(display, robots, count):
+    """COUNT robots, the first of them selected."""
+    ruics = "".join(f"  Robot{i}:\n    type: mobilebase\n    rfics:\n      base: {{type: ros, namespace: /r{i}}}\n" for i in range(count))
+    with Programs(display.folder) as programs:
+        return with_robots(display, robots, count, programs, ruics)
+
+
+def topics_round(display, robots, crowd):
+    """One robot, whose map, topics and ports are seen, beside a CROWD of topics and nodes."""
+    ruics = "  Robot:\n    type: mobilebase\n    rfics:\n      base: {type: ros}\n    layout: {row: [map, {column: [topics, status]}]}\n"
+    with Programs(display.folder) as programs:
+        if crowd:
+            expect("registered", programs.start("crowd", [building.SYSTEM_PYTHON, CROWD, *crowd]))
+        return with_robots(display, robots, 1, programs, ruics)
+
+
+def with_robots(display, robots, count, programs, ruics):
+    configuration = display.folder / "robots.yaml"
+    configuration.write_text("ruics:\n" + ruics)
+    expect("ready", programs.start("robots", [*robots, count]))
+    return measured(Workbench(display, configuration, {"ROS_MASTER_URI": programs.environment["ROS_MASTER_URI"]}))
+
+
+def expect(word, program):
+    if program.answer() != word:
+        raise CannotMeasure(f"{program.name} did not start")
+
+
+def demo_round(display):
+    """The demo's robot, which runs already, as robots do."""
+    root = pathlib.Path(variable("ROBOTUI_ROOT", "ui"))
+    simulator = subprocess.Popen([pathlib.Path(variable("JAVA_HOME", "ui"), "bin", "java"), "-XX:+UseSerialGC",
+                                  "-XX:TieredStopAtLevel=1", "-Dslf4j.internal.verbosity=ERROR", "-cp", variable("ROBOTUI_SIMULATOR_PATH", "ui"), "org.robotui.sim.Main"],
+                                 stdout=subprocess.PIPE, text=True)
+    try:
+        uri = next(line for line in simulator.stdout if line.startswith("ROS_MASTER_URI=")).strip().split("=", 1)[1]
+        time.sleep(2)
+        return measured(Workbench(display, root / "configs" / "demo.yaml", {"ROS_MASTER_URI": uri}))
+    finally:
+        simulator.kill()
+        simulator.wait(10)

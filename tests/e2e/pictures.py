@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""Makes the pictures of docs/images anew, from the finished product on the demo's robot: pictures.py, in a display of 1600 x 1000."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from conftest import ROOT, Processes, start_simulator, wait_for
+from desktop import LIGHT, Keys, Motion, Window, missing
+from views import Views
+
+IMAGES = ROOT / "docs" / "images"
+MOST_BYTES = 250_000
+WIDTH = 1500
+# Across the building, so that it drives for a while.
+GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
+BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
+
+
+def save(window, name):
+    """Small enough for a repository: fewer pixels, and no more colours than can be told apart here."""
+    raw = window.process.out.parent / name
+    subprocess.run(["import", "-silent", "-window", window.id, raw], check=True, timeout=30)
+    subprocess.run(["convert", raw, "-resize", str(WIDTH), "-dither", "None", "-colors", "255", "-strip", "-define", "png:compression-level=9",
+                    f"png8:{IMAGES / name}"], check=True, timeout=60)
+    size = (IMAGES / name).stat().st_size
+    assert size < MOST_BYTES, f"{name} has {size} bytes"
+    print(f"{name}: {size} bytes")
+
+
+def send(robot, goal):
+    robot.tool("rostopic", "pub", "-1", "/move_base_simple/goal", "geometry_msgs/PoseStamped", goal)
+
+
+def on_its_way(robot, goal, seconds):
+    motion = Motion(robot, name=f"odometry-{time.monotonic_ns()}")
+    send(robot, goal)
+    wait_for(motion.drives, what="motion")
+    time.sleep(seconds)                         # what the trail and the plot show
+
+
+def dark(robot, configuration):
+    window = Window.open(robot, configuration, "--theme", "dark", name="dark")
+    views = Views(window)
+    on_its_way(robot, GOAL, 11)
+    save(window, "workbench-dark.png")
+    body = views.open("topics")
+    left, top, right, bottom = body
+    wait_for(lambda: len(views.rows((left + 40, top + 60, (left + right) // 2, bottom))) > 10, what="topics")
+    views.filter(body, "odom")
+    Keys.press("Return")
+    time.sleep(3)
+    save(window, "ros-inspect-dark.png")
+    window.close()
+
+
+def light(robot, configuration):
+    window = Window.open(robot, configuration, "--theme", "light", name="light")
+    wait_for(lambda: window.picture().count(LIGHT["laser"]) > 200, seconds=60, what="a scan")
+    on_its_way(robot, BACK, 9)
+    save(window, "workbench-light.png")
+    on_its_way(robot, GOAL, 12)
+    save(window, "ros-plot-light.png")
+    window.close()
+
+
+def main():
+    if missing():
+        sys.exit(f"pictures need {missing()}")
+    with tempfile.TemporaryDirectory() as folder:
+        processes = Processes(pathlib.Path(folder))
+        environment = dict(os.environ) | {"ROS_HOME": f"{folder}/ros", "XDG_STATE_HOME": f"{folder}/state", "PYTHONUNBUFFERED": "1"}
+        configuration = pathlib.Path(folder) / "demo.yaml"
+        configuration.write_text((ROOT / "configs" / "demo.yaml").read_text().replace("simulator: mobile-base\n", ""))
+        try:
+            robot = start_simulator(processes, environment, 0, "simulator")
+            dark(robot, configuration)
+            light(robot, configuration)
+        finally:
+            processes.end()
+
+
+if __name__ == "__main__":
+    main()

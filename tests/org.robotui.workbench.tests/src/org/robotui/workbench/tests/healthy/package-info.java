@@ -1,0 +1,2 @@
+/** A view that works. */
+package org.robotui.workbench.tests.healthy;
