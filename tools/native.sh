@@ -100,12 +100,13 @@ native_suite() {
   say "Building the real-time side ($preset)"
   (native_cmake "$preset" -DBUILD_TESTING=ON) || { broken="${broken:+$broken and }the real-time side ($preset)"; return 0; }
   say "Testing it"
-  (cd "$NATIVE" && ctest --preset "$preset" --no-tests=error ${filter:+-L "$filter"} --output-junit "$report") >"$LOGS/native-$preset-test.log" 2>&1 </dev/null || true
+  (cd "$NATIVE" && ctest --preset "$preset" --no-tests=error --repeat until-pass:2 ${filter:+-L "$filter"} --output-junit "$report") >"$LOGS/native-$preset-test.log" 2>&1 </dev/null || true
   if [[ ! -s $report ]]; then
     broken="${broken:+$broken and }the tests of the real-time side ($preset)"
     return 0
   fi
   native_failures "$LOGS/native-$preset-test.log" >&2
+  native_second_tries "$LOGS/native-$preset-test.log" "native-$preset" >"$NATIVE/target/second-tries-$preset.txt"
   as_surefire "$report" "native-$preset"
 }
 
@@ -115,6 +116,16 @@ native_failures() {
     /\*\*\*(Failed|Timeout|Exception)/ { name = $0; sub(/^.*Test +#[0-9]+: /, "", name); sub(/ \.*\*\*\*.*/, "", name); print "  FAILED " name; left = 12 }
     /: Failure$|ERROR: |WARNING: ThreadSanitizer/ && left { show = 4 }
     show && left { print "    " substr($0, 1, 400); show--; left-- }' "$1"
+}
+
+# LOG SUITE: the tests that failed and then passed.
+native_second_tries() {
+  awk -v suite="$2" '
+    /Test +#[0-9]+: / {
+      name = $0; sub(/^.*Test +#[0-9]+: /, "", name); sub(/ \.\.*.*/, "", name)
+      if (/\*\*\*/) failed[name] = 1
+      else if (/ Passed / && name in failed) print suite "." name
+    }' "$1"
 }
 
 # One element a line, as the closing sum reads it, and the name of the suite.

@@ -40,9 +40,10 @@ prepare_tests() {
 
 # ---- runners --------------------------------------------------------------------------------------------------------
 
+# Each runner gives a test that fails a second try: docs/adr/0042-a-failed-test-has-a-second-try.md.
 # Reports of an earlier run must not be counted, nor those of a part that is not asked for.
 test_with_maven() {
-  local arguments=(-Dmaven.test.failure.ignore=true)
+  local arguments=(-Dmaven.test.failure.ignore=true -Dsurefire.rerunFailingTestsCount=1)
   clear_reports
   clear_classes
   clear_test_classes
@@ -67,9 +68,9 @@ test_end_to_end() {
   need_product
   say "Testing end to end"
   mkdir -p "$E2E/target"
-  rm -f "$E2E"/target/TEST-*.xml
+  rm -f "$E2E"/target/TEST-*.xml "$E2E"/target/second-tries.txt
   # The exit code 1 means failed tests, which the report counts.
-  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider --junitxml=target/TEST-e2e.xml . </dev/null) >&2 \
+  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider --reruns 1 --junitxml=target/TEST-e2e.xml . </dev/null) >&2 \
     || [[ $? -eq 1 ]] || broken="${broken:+$broken and }the end-to-end tests"
 }
 
@@ -116,7 +117,10 @@ end_display() {
 
 reports() { find "$ROOT"/bundles "$ROOT"/tests "$ROOT"/rt-native -path '*/target/*' -name 'TEST-*.xml'; }
 
-clear_reports() { reports | xargs -r rm -f; }
+clear_reports() {
+  reports | xargs -r rm -f
+  rm -f "$ROOT"/tests/e2e/target/second-tries*.txt "$ROOT"/rt-native/target/second-tries*.txt
+}
 
 # Sums one attribute over the <testsuite> elements of all reports; some runners leave out what is zero.
 sum_of() {
@@ -128,10 +132,30 @@ close_tests() {
   failed=$(($(sum_of failures) + $(sum_of errors)))
   skipped=$(sum_of skipped)
   passed=$(($(sum_of tests) - failed - skipped))
+  list_second_tries
   [[ $failed -eq 0 ]] || list_failures
   [[ -z $broken ]] || say "Could not finish: $broken"
   echo "$passed passed, $failed failed, $skipped skipped"
   [[ -z $broken && $failed -eq 0 && $passed -gt 0 ]]
+}
+
+# Maven's runner has them in its reports, the other two leave a file of names.
+second_tries() {
+  reports | xargs -r awk '
+    /<testcase / {
+      name = $0; sub(/.* name="/, "", name); sub(/".*/, "", name)
+      class = $0; sub(/.* classname="/, "", class); sub(/".*/, "", class)
+    }
+    /<flaky(Failure|Error)[ >]/ { print class "." name }'
+  find "$ROOT/tests/e2e/target" "$ROOT/rt-native/target" -maxdepth 1 -name 'second-tries*.txt' -exec cat {} + 2>/dev/null
+}
+
+list_second_tries() {
+  local names
+  names=$(second_tries | sort -u)
+  [[ -n $names ]] || return 0
+  say "Passed at the second try only:"
+  sed 's/^/  /' <<<"$names" >&2
 }
 
 list_failures() {

@@ -24,6 +24,15 @@ RT_BIN = ROOT / "rt-native/target/release/bin"
 needs_rt = pytest.mark.skipif(not (RT_BIN / "robotui-rt").exists(), reason="rt-native is not built: ./robotui rt-ctl --help builds it")
 
 
+def pytest_runtest_logreport(report):
+    """Says why a test is tried again, and keeps its name for the closing sum once it has passed."""
+    if report.outcome == "rerun":
+        print(f"\n{report.nodeid} failed and is tried again:\n{report.longreprtext}", file=sys.stderr)
+    elif report.passed and report.when == "call" and getattr(report, "rerun", 0):
+        with (pathlib.Path(__file__).parent / "target" / "second-tries.txt").open("a") as file:
+            file.write(f"{report.nodeid}\n")
+
+
 def wait_for(condition, seconds=30, what="it"):
     """Waits until the condition answers something true, and answers that."""
     end = time.monotonic() + seconds
