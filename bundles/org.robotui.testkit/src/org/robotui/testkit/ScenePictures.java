@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
@@ -19,7 +20,11 @@ import org.robotui.gl.render.Pick;
 import org.robotui.gl.render.RenderRequest;
 import org.robotui.gl.render.Rendered;
 import org.robotui.gl.render.Renderer;
+import org.robotui.gl.shape.Describer;
+import org.robotui.gl.shape.Material;
+import org.robotui.gl.shape.Meshes;
 import org.robotui.gl.shape.Part;
+import org.robotui.gl.shape.Placings;
 import org.robotui.gl.shape.Rgba;
 
 /**
@@ -41,6 +46,7 @@ public final class ScenePictures implements AutoCloseable {
   private static final String FOLDER = "robotui.pictures";
   private static final int CHANNEL_TOLERANCE = 24;
   private static final double PIXEL_TOLERANCE = 0.01;
+  private static final double DRAWN_TOLERANCE = 0.1;
   private static final long SECONDS = 60;
   private static final double NEAR = 0.05;
   private static final double FAR = 200;
@@ -65,6 +71,20 @@ public final class ScenePictures implements AutoCloseable {
     double yaw = Math.atan2(ahead.y(), ahead.x());
     double pitch = Math.atan2(-ahead.z(), Math.hypot(ahead.x(), ahead.y()));
     return new Eye(new RigidTransform(from, Quaternion.fromRollPitchYaw(0, pitch, yaw)), new Perspective(Math.toRadians(60)), NEAR, FAR);
+  }
+
+  /**
+   * What a display draws, and a coordinate system where the fixed frame is: x red, y green, z blue, so that a picture shows what lies where.
+   *
+   * @param parts what is drawn
+   * @param length of its axes, metres
+   * @return both
+   */
+  public static List<Part> withAxes(List<Part> parts, double length) {
+    Placings axes = new Placings(1);
+    axes.add(RigidTransform.IDENTITY, new Vector3(length, length, length));
+    Part part = new Part("axes of the test", axes.of(Meshes.axes()), RigidTransform.IDENTITY, Material.lit(Rgba.WHITE), Describer.of("axes"));
+    return Stream.concat(Stream.of(part), parts.stream()).toList();
   }
 
   /**
@@ -126,7 +146,8 @@ public final class ScenePictures implements AutoCloseable {
   }
 
   /**
-   * Fails where parts do not look as in the golden picture: one pixel in a hundred may differ by a tenth.
+   * Fails where parts do not look as in the golden picture: by more than a tenth of a channel may differ one pixel in a hundred, and of those
+   * that are not background in one of the pictures, one in ten, so that something small cannot get lost.
    *
    * @param test beside whose class the picture lies
    * @param name of the picture, without its ending
@@ -139,8 +160,11 @@ public final class ScenePictures implements AutoCloseable {
       write(Path.of(folder, test.getPackageName().replace('.', '/'), name + ".png"), actual);
       return;
     }
-    int differ = actual.differences(golden(test, name), CHANNEL_TOLERANCE);
-    if (differ > PIXEL_TOLERANCE * actual.rgb().length) {
+    SceneImage golden = golden(test, name);
+    int background = request.background().packed() >>> Byte.SIZE;
+    int differ = actual.differences(golden, CHANNEL_TOLERANCE);
+    int drawn = golden.rgb().length - Math.min(golden.count(background, 2), actual.count(background, 2));
+    if (differ > Math.min(PIXEL_TOLERANCE * actual.rgb().length, DRAWN_TOLERANCE * drawn)) {
       Path written = write(Path.of("target", "pictures", name + ".png"), actual);
       throw new AssertionError(differ + " of " + actual.rgb().length + " pixels differ from " + name + ".png: see " + written.toAbsolutePath());
     }

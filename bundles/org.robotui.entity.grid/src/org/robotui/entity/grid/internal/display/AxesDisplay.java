@@ -27,6 +27,8 @@ import org.robotui.gl.shape.Rgba;
 /** The axes of one frame, with its name. */
 final class AxesDisplay implements Display {
   private static final float TEXT = 12;
+  /** Where the name is, in lengths of the axes: above z, where no axis hides it. */
+  private static final double NAME_AT = 1.1;
 
   private Optional<Made> made = Optional.empty();
 
@@ -58,7 +60,8 @@ final class AxesDisplay implements Display {
     List<Part> parts = new ArrayList<>();
     parts.add(new Part("axes", shapes.axes(), place, Material.lit(Rgba.WHITE.withAlpha(s.number("opacity"))), (element, at) -> words));
     if (s.flag("label")) {
-      parts.add(new Part("label", shapes.label(), place, Material.flat(ColorSetting.read(s, "label_color")), (element, at) -> words));
+      RigidTransform above = place.times(new RigidTransform(new Vector3(0, 0, NAME_AT * shapes.length()), Quaternion.IDENTITY));
+      parts.add(new Part("label", shapes.label(), above, Material.flat(ColorSetting.read(s, "label_color")), (element, at) -> words));
     }
     return parts;
   }

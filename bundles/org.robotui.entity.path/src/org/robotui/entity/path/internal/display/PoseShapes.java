@@ -15,14 +15,14 @@ final class PoseShapes {
   /** Poses of one display at most: 40 bytes each. */
   static final int MOST = 200_000;
 
-  /** A shaft of a hand's width to its length looks as in rviz. */
-  private static final double THIN = 0.08;
+  /** Thicker than a lone pose: arrows of many poses are small, and their heads must be seen. */
+  private static final double SHAFT = 0.13;
 
   private PoseShapes() {}
 
   static Instances of(List<RigidTransform> poses, boolean axes, double length) {
     Placings placings = new Placings(Math.min(MOST, poses.size()));
-    Vector3 scale = axes ? new Vector3(length, length, length) : new Vector3(length, THIN * length, THIN * length);
+    Vector3 scale = axes ? new Vector3(length, length, length) : new Vector3(length, SHAFT * length, SHAFT * length);
     for (RigidTransform pose : poses.subList(0, Math.min(MOST, poses.size()))) {
       placings.add(upright(pose), scale);
     }
