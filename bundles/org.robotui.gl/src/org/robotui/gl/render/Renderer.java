@@ -27,6 +27,14 @@ public interface Renderer extends AutoCloseable {
    */
   CompletionStage<Optional<Pick>> pick(RenderRequest request, int x, int y);
 
+  /**
+   * Takes back the pixels of a picture, for one of the next pictures of that size to be written into: a view that does so after it has
+   * copied them makes no garbage of megabytes a picture. A picture that is not handed back stays as it is.
+   *
+   * @param picture of this renderer, whose pixels nobody reads any more; handed back once
+   */
+  void recycle(Rendered.Picture picture);
+
   /** Frees all on the graphics card. Returns at once; later requests complete with {@link Rendered.Unavailable}. */
   @Override
   void close();

@@ -11,6 +11,7 @@ import org.robotui.gl.internal.gpu.Ledger.Kind;
  * forgotten with it: nothing is moved to another.
  */
 public final class Gpu {
+  /** Bytes of a piece. */
   private static final int STAGE = 1 << 20;
 
   private final GL3 gl;
@@ -55,8 +56,12 @@ public final class Gpu {
     return limits;
   }
 
-  /** Memory by which numbers of the heap reach the graphics card, a piece at a time. */
-  ByteBuffer stage() {
+  /**
+   * Memory by which numbers travel between the heap and the graphics card, a piece at a time.
+   *
+   * @return {@value #STAGE} bytes, the same ones in each call
+   */
+  public ByteBuffer stage() {
     return stage.clear();
   }
 

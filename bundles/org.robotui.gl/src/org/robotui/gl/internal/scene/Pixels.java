@@ -2,9 +2,6 @@ package org.robotui.gl.internal.scene;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
-import com.jogamp.opengl.GL3;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import java.util.Optional;
 import org.robotui.gl.internal.gpu.Gpu;
@@ -21,7 +18,6 @@ final class Pixels {
   private final Target plain;
   /** Several samples a pixel make edges smooth, and cost software three to five times the time. */
   private final Optional<Target> smooth;
-  private final IntBuffer read;
   private final Optional<Splats> splats;
   private Optional<Overlay> overlay = Optional.empty();
 
@@ -29,7 +25,6 @@ final class Pixels {
     plain = new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, 0);
     smooth = gpu.limits().software() ? Optional.empty() : Optional.of(new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, SAMPLES));
     splats = gpu.limits().software() ? Optional.of(new Splats(width, height, false)) : Optional.empty();
-    read = ByteBuffer.allocateDirect(COLOR_BYTES * width * height).order(ByteOrder.nativeOrder()).asIntBuffer();
   }
 
   boolean fit(int width, int height) {
@@ -56,13 +51,16 @@ final class Pixels {
     smooth.orElse(plain).bind();
   }
 
-  /** Reads what was drawn. */
-  int[] read(GL3 gl, int width, int height) {
+  /** Reads what was drawn, some rows at a time, so that no second copy of a picture is ever held. */
+  void read(Gpu gpu, int width, int height, int[] rgb) {
     smooth.ifPresent(samples -> samples.resolve(plain));
-    gl.glReadPixels(0, 0, width, height, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV, read);
-    int[] rgb = new int[width * height];
-    read.get(0, rgb);
-    return rgb;
+    IntBuffer piece = gpu.stage().asIntBuffer();
+    int most = Math.max(1, piece.capacity() / width);
+    for (int row = 0; row < height; row += most) {
+      int rows = Math.min(most, height - row);
+      gpu.gl().glReadPixels(0, row, width, rows, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV, piece);
+      piece.get(0, rgb, row * width, rows * width);
+    }
   }
 
   long bytes() {

@@ -21,10 +21,12 @@ final class Scene {
   private final Gpu gpu;
   private final Tools tools;
   private final Residents residents;
+  private final PixelShelf shelf;
   private Optional<Pixels> pixels = Optional.empty();
 
-  Scene(Gpu gpu) {
+  Scene(Gpu gpu, PixelShelf shelf) {
     this.gpu = gpu;
+    this.shelf = shelf;
     tools = Tools.of(gpu);
     residents = new Residents(gpu, Residents.MOST_BYTES);
   }
@@ -50,7 +52,8 @@ final class Scene {
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
     canvas.clear(request.background());
     canvas.draw(order, () -> target.drawSplats(gpu, pass.overlay()));
-    int[] rgb = target.read(gpu.gl(), request.width(), request.height());
+    int[] rgb = shelf.take(request.width() * request.height());
+    target.read(gpu, request.width(), request.height(), rgb);
     gpu.check("drawing");
     return new Rendered.Picture(request.width(), request.height(), rgb, figures(start, pass), problems);
   }

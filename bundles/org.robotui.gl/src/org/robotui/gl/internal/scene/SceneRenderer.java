@@ -24,6 +24,7 @@ public final class SceneRenderer implements Renderer {
 
   private final GlThread thread;
   private final String name;
+  private final PixelShelf shelf = new PixelShelf();
   private final AtomicInteger picks = new AtomicInteger();
   private Optional<Waiting> waiting = Optional.empty();
   private boolean closed;
@@ -104,9 +105,16 @@ public final class SceneRenderer implements Renderer {
 
   /** The scene in the present context: another one after a context was lost. */
   private Scene in(Gpu gpu) {
-    Scene present = scene.filter(old -> old.isIn(gpu)).orElseGet(() -> new Scene(gpu));
+    Scene present = scene.filter(old -> old.isIn(gpu)).orElseGet(() -> new Scene(gpu, shelf));
     scene = Optional.of(present);
     return present;
+  }
+
+  @Override
+  public void recycle(Rendered.Picture picture) {
+    if (!isClosed()) {
+      shelf.giveBack(picture.rgb());
+    }
   }
 
   private synchronized boolean isClosed() {
@@ -121,6 +129,7 @@ public final class SceneRenderer implements Renderer {
       left = waiting;
       waiting = Optional.empty();
     }
+    shelf.clear();
     left.ifPresent(last -> last.answer.complete(CLOSED));
     thread.execute(this::free);
   }

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.robotui.gl.internal.scene.Stage.flat;
@@ -201,6 +203,17 @@ class MemoryTest {
     stage.renderer().close();
     assertInstanceOf(Rendered.Unavailable.class, stage.rendered(request()));
     assertEquals(Optional.empty(), stage.pick(request(), 1, 1));
+  }
+
+  @Test
+  void pixelsThatAreHandedBackAreWrittenAnewAndOthersStay() throws Exception {
+    Rendered.Picture kept = stage.picture(request(flat("m", square(0, 0.1f), RED)));
+    Rendered.Picture lent = stage.picture(request());
+    assertNotSame(kept.rgb(), lent.rgb());
+    stage.renderer().recycle(lent);
+    Rendered.Picture next = stage.picture(request(flat("m", square(0, 0.1f), RED)));
+    assertSame(lent.rgb(), next.rgb());
+    assertArrayEquals(kept.rgb(), next.rgb());
   }
 
   @Test

@@ -46,7 +46,8 @@ final class Scene3dUic implements SwtUic {
     Edits edits = new Edits(context.settings(), model::specs);
     Rig rig = new Rig(edits.start().orElse(CameraPose.START));
     fits = edits.start().isPresent() ? 2 : 0;
-    Studio studio = new Studio(graphics, rig, System::nanoTime, () -> surface.ifPresent(SceneSurface::paintSoon));
+    Studio studio = new Studio(graphics, rig, System::nanoTime,
+        (picture, from) -> surface.ifPresent(s -> s.take(picture, from)), () -> surface.ifPresent(SceneSurface::paintSoon));
     followed = new Followed(context.frames(), rig);
     parts = new SceneParts(model, studio, rig, new Picks(), edits,
         new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), context.settings(), kinds, context.background());

@@ -34,6 +34,7 @@ public final class Studio implements AutoCloseable {
   private final Supplier<Optional<Gl>> graphics;
   private final Rig rig;
   private final LongSupplier clock;
+  private final Screen screen;
   private final Runnable arrived;
   private final Budget budget = new Budget();
   private final Meter meter = new Meter();
@@ -44,9 +45,8 @@ public final class Studio implements AutoCloseable {
   private Look look = Look.NONE;
   private List<Selected> selection = List.of();
   private Optional<Asked> asked = Optional.empty();
-  private Optional<Rendered.Picture> picture = Optional.empty();
+  private Optional<Rendered.Figures> figures = Optional.empty();
   private Optional<Rendered.Unavailable> unavailable = Optional.empty();
-  private CameraPose shown;
   private long movedNanos;
   private long failedNanos;
   private boolean busy;
@@ -65,15 +65,16 @@ public final class Studio implements AutoCloseable {
    * @param graphics of this machine, which may come and go
    * @param rig the camera
    * @param clock {@link System#nanoTime()}
-   * @param arrived is told of each picture, on any thread, and must not block
+   * @param screen is given each picture
+   * @param arrived is told that a picture came, or that there is none, on any thread, and must not block
    */
-  public Studio(Supplier<Optional<Gl>> graphics, Rig rig, LongSupplier clock, Runnable arrived) {
+  public Studio(Supplier<Optional<Gl>> graphics, Rig rig, LongSupplier clock, Screen screen, Runnable arrived) {
     this.graphics = graphics;
     this.rig = rig;
     this.clock = clock;
+    this.screen = screen;
     this.arrived = arrived;
     movedNanos = clock.getAsLong() - REST_NANOS;
-    shown = rig.aim();
   }
 
   /** Shows this from now on. */
@@ -117,14 +118,17 @@ public final class Studio implements AutoCloseable {
     pump();
   }
 
-  /** The newest picture. */
-  public synchronized Optional<Rendered.Picture> picture() {
-    return picture;
+  /** Asks for a picture though nothing changed: the screen is another one. */
+  public void again() {
+    synchronized (this) {
+      asked = Optional.empty();
+    }
+    pump();
   }
 
-  /** From where the newest picture was seen. */
-  public synchronized CameraPose shown() {
-    return shown;
+  /** How the newest picture was made. */
+  public synchronized Optional<Rendered.Figures> figures() {
+    return figures;
   }
 
   /** Why there are no pictures. */
@@ -193,7 +197,7 @@ public final class Studio implements AutoCloseable {
     asked = Optional.of(due);
     busy = true;
     RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection, thinned ? budget.points() : Integer.MAX_VALUE);
-    return () -> renderer.render(request).whenComplete((rendered, error) -> made(due.pose(), rendered, error));
+    return () -> renderer.render(request).whenComplete((rendered, error) -> made(renderer, due.pose(), rendered, error));
   }
 
   private Runnable snapshot(Renderer renderer, Snapshot wanted, long now) {
@@ -213,20 +217,23 @@ public final class Studio implements AutoCloseable {
     return new RenderRequest(stage.parts(), pose.toEye(seen), width, height, scale, look.background(), points, selected);
   }
 
-  private void made(CameraPose pose, Rendered rendered, Throwable error) {
+  private void made(Renderer renderer, CameraPose pose, Rendered rendered, Throwable error) {
+    if (rendered instanceof Rendered.Picture picture) {
+      screen.take(picture, pose);
+      renderer.recycle(picture);
+    }
     synchronized (this) {
       busy = false;
-      take(pose, error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), "See the log."));
+      take(error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), "See the log."));
     }
     arrived.run();
     pump();
   }
 
-  private void take(CameraPose pose, Rendered rendered) {
+  private void take(Rendered rendered) {
     switch (rendered) {
       case Rendered.Picture made -> {
-        picture = Optional.of(made);
-        shown = pose;
+        figures = Optional.of(made.figures());
         unavailable = Optional.empty();
         budget.learn(made.figures());
         meter.count(clock.getAsLong());

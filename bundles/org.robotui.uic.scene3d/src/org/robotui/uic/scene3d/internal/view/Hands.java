@@ -183,7 +183,7 @@ final class Hands {
   }
 
   private void rested() {
-    boolean slow = parts.studio().picture().filter(p -> p.figures().seconds() > 0.1).isPresent();
+    boolean slow = parts.studio().figures().filter(f -> f.seconds() > 0.1).isPresent();
     if (!canvas.isDisposed() && press.isEmpty() && !hovering && !slow) {
       hovering = true;
       pick(pointer.x, pointer.y, hit -> {

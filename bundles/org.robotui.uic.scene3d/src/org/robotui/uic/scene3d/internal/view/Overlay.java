@@ -42,7 +42,7 @@ final class Overlay {
   private final StateView states;
 
   /** What is painted over. */
-  record Scene(Stage stage, Lens lens, Rendered.Picture picture, double rate, boolean treeOpen) {}
+  record Scene(Stage stage, Lens lens, Shot shot, double rate, boolean treeOpen) {}
 
   Overlay(Theme theme, StateView states) {
     this.theme = theme;
@@ -138,7 +138,7 @@ final class Overlay {
     List<String> words = new ArrayList<>();
     stage.fixed().ifPresent(f -> words.add(stage.robots().size() > 1 ? f.toString() : f.name()));
     words.add(rate(scene.rate()));
-    Rendered.Figures figures = scene.picture().figures();
+    Rendered.Figures figures = scene.shot().figures();
     if (figures.points() + figures.pointsLeftOut() > 0) {
       words.add(count(figures.points()) + (figures.pointsLeftOut() > 0 ? " of " + count(figures.points() + figures.pointsLeftOut()) : "") + " points");
     }
@@ -157,7 +157,7 @@ final class Overlay {
   private void notes(GC gc, Rectangle area, Scene scene) {
     Stage stage = scene.stage();
     List<Note> notes = new ArrayList<>();
-    scene.picture().problems().stream().limit(1).forEach(p -> notes.add(new Note(Health.WARNING, p)));
+    scene.shot().problems().stream().limit(1).forEach(p -> notes.add(new Note(Health.WARNING, p)));
     if (!scene.treeOpen() || stage.fed().isEmpty()) {
       stage.rows().stream().filter(r -> r.spec().shown() && r.health() != Health.OK).limit(MOST_NOTES).map(Overlay::note).forEach(notes::add);
     }

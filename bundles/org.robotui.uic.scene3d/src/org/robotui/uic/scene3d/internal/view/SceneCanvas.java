@@ -17,6 +17,7 @@ import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Lens;
 import org.robotui.uic.scene3d.internal.studio.Look;
+import org.robotui.uic.scene3d.internal.studio.Screen;
 
 /** Paints the newest picture and what lies over it. Display thread. */
 final class SceneCanvas {
@@ -27,7 +28,7 @@ final class SceneCanvas {
   private final StateView states;
   private final Overlay overlay;
   private final ToolPainter marks;
-  private final PicturePane pane = new PicturePane();
+  private final PicturePane pane;
   private final PaintedCanvas canvas;
   private final Rgba ground;
   private volatile double aspect = 1;
@@ -41,11 +42,17 @@ final class SceneCanvas {
     RGB rgb = theme.palette().rgb(Role.GROUND);
     ground = Rgba.of(rgb.red << 16 | rgb.green << 8 | rgb.blue);
     canvas = new PaintedCanvas(parent, SWT.NONE, theme, Role.GROUND, this::paint);
+    pane = new PicturePane(canvas.getDisplay());
     canvas.atEnd(pane::dispose);
   }
 
   PaintedCanvas control() {
     return canvas;
+  }
+
+  /** What shows pictures; any thread. */
+  Screen screen() {
+    return pane;
   }
 
   double aspect() {
@@ -65,22 +72,23 @@ final class SceneCanvas {
   private void paint(GC gc, Rectangle area) {
     aspect = area.width / (double) Math.max(1, area.height);
     double scale = scale();
+    pane.zoom((int) Math.round(scale * HUNDRED));
     parts.studio().look(new Look((int) Math.round(area.width * scale), (int) Math.round(area.height * scale), (float) scale, ground));
     Optional<Rendered.Unavailable> none = parts.studio().unavailable();
-    Optional<Rendered.Picture> picture = parts.studio().picture();
+    Optional<Shot> shot = pane.newest();
     if (none.isPresent()) {
       states.message(gc, area, Health.BAD, "No 3D graphics", (none.get().reason() + " " + none.get().remedy()).strip());
-    } else if (picture.isEmpty()) {
+    } else if (shot.isEmpty()) {
       states.message(gc, area, Health.WAITING, "Preparing the scene", "The first picture is being drawn.");
     } else {
-      pane.paint(gc, area, picture.get(), canvas.getMonitor().getZoom());
-      over(gc, area, picture.get());
+      shot.get().strips().paint(gc, area);
+      over(gc, area, shot.get());
     }
   }
 
-  private void over(GC gc, Rectangle area, Rendered.Picture picture) {
-    Lens lens = lens(parts.studio().shown());
-    overlay.paint(gc, area, new Overlay.Scene(parts.model().stage(), lens, picture, parts.studio().rate(), surface.treeOpen()));
+  private void over(GC gc, Rectangle area, Shot shot) {
+    Lens lens = lens(shot.from());
+    overlay.paint(gc, area, new Overlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
     marks.paint(gc, area, lens, surface.tools());
     parts.picks().selection().ifPresent(s -> overlay.card(gc, area, s));
   }

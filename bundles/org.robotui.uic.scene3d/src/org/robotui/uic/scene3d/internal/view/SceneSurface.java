@@ -6,6 +6,7 @@ import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
+import org.robotui.gl.render.Rendered;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
 import org.robotui.uic.scene3d.internal.SceneOptions;
@@ -52,6 +53,7 @@ public final class SceneSurface {
       seen = false;
       actions.disconnect(this);
     });
+    parts.studio().again();
     arrange();
     refresh();
   }
@@ -71,7 +73,12 @@ public final class SceneSurface {
     }
   }
 
-  /** A picture came; any thread. */
+  /** A picture came; on the thread of OpenGL. */
+  public void take(Rendered.Picture picture, CameraPose from) {
+    canvas.screen().take(picture, from);
+  }
+
+  /** Something is to be said or shown; any thread. */
   public void paintSoon() {
     canvas.control().requestPaint();
   }

@@ -42,7 +42,7 @@ final class Screenshot {
       String why = made instanceof Rendered.Unavailable none ? none.reason() : "the scene was closed";
       return new Told(Health.BAD, "Not saved: " + why);
     }
-    ImageData data = PicturePane.data(picture, PicturePane.room(picture));
+    ImageData data = Strips.data(picture);
     ImageLoader loader = new ImageLoader();
     loader.data = new ImageData[] {data};
     try {

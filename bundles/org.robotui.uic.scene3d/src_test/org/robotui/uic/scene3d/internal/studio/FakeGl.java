@@ -14,12 +14,15 @@ import org.robotui.gl.render.Renderer;
 
 /** Answers when the test says so, or at once a picture in the colour of the ground. */
 public final class FakeGl implements Gl {
+  private static final int RECYCLED = 0xff00ff;
+
   public final List<RenderRequest> requests = new ArrayList<>();
   public final List<CompletableFuture<Rendered>> answers = new ArrayList<>();
   public Optional<Pick> hit = Optional.empty();
   public boolean atOnce;
   public Optional<Rendered.Unavailable> none = Optional.empty();
   public int open;
+  public int recycled;
 
   @Override
   public Renderer open(String name) {
@@ -39,6 +42,12 @@ public final class FakeGl implements Gl {
       @Override
       public CompletionStage<Optional<Pick>> pick(RenderRequest request, int x, int y) {
         return CompletableFuture.completedFuture(hit);
+      }
+
+      @Override
+      public void recycle(Rendered.Picture picture) {
+        Arrays.fill(picture.rgb(), RECYCLED);
+        recycled++;
       }
 
       @Override

@@ -23,7 +23,8 @@ class StudioTest {
   private Optional<Gl> graphics = Optional.of(gl);
   private long now = 10_000_000_000L;
   private int arrived;
-  private final Studio studio = new Studio(() -> graphics, rig, () -> now, () -> arrived++);
+  private final List<Rendered.Picture> pictures = new ArrayList<>();
+  private final Studio studio = new Studio(() -> graphics, rig, () -> now, (picture, from) -> pictures.add(picture), () -> arrived++);
 
   private static Stage stage(long version) {
     return new Stage(version, Map.of(), List.of(), Optional.empty(), List.of(), List.of(), 0);
@@ -146,6 +147,28 @@ class StudioTest {
     assertEquals(1, gl.open);
     studio.close();
     assertEquals(0, gl.open);
+  }
+
+  @Test
+  void aPictureIsShownAndItsPixelsAreHandedBack() {
+    studio.look(LOOK);
+    gl.answer(0.01, 5, 0);
+    assertEquals(1, pictures.size());
+    assertEquals(1, gl.recycled);
+    studio.snapshot(1920, 1080);
+    gl.answer(0.01, 5, 0);
+    assertEquals(1, pictures.size());
+    assertEquals(1, gl.recycled);
+  }
+
+  @Test
+  void anotherScreenIsGivenAPictureThoughNothingChanged() {
+    gl.atOnce = true;
+    studio.look(LOOK);
+    studio.look(LOOK);
+    assertEquals(1, pictures.size());
+    studio.again();
+    assertEquals(2, pictures.size());
   }
 
   @Test
