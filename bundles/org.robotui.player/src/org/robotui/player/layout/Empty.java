@@ -1,0 +1,5 @@
+package org.robotui.player.layout;
+
+/** The body of a message that has none. */
+public record Empty() {
+}
