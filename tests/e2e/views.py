@@ -9,9 +9,11 @@ from desktop import DARK, NAVIGATOR, TOP_BAR, Keys, output
 TITLE = 0x262c34
 TITLE_HEIGHT = 30
 # Stacks of tabs by column of the window, from top to bottom.
-MOBILE_BASE = ({"main": ("map", "scene3d", "topics", "parameters", "services", "actions", "gps"), "records": ("plot", "log", "diagnostics", "joints", "alerts")},
+MOBILE_BASE = ({"main": ("map", "scene3d", "tftree", "graph", "topics", "parameters", "services", "actions"),
+                "records": ("plot", "log", "diagnostics", "joints", "gps", "alerts")},
                {"camera": ("camera",), "teleop": ("teleop",), "state": ("status", "connections")})
-MANIPULATOR = ({"joints": ("jointcontrol", "scene3d"), "records": ("plot", "log", "alerts")}, {"plugins": ("plugins",), "state": ("status", "connections")})
+MANIPULATOR = ({"joints": ("jointcontrol", "tftree"), "records": ("scene3d", "plot", "log", "alerts")},
+               {"plugins": ("plugins",), "state": ("status", "connections")})
 STACKS = {name: views for column in MOBILE_BASE for name, views in column.items()}
 
 

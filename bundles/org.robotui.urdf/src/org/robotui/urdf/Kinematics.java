@@ -31,13 +31,26 @@ public final class Kinematics {
     Map<String, RigidTransform> places = HashMap.newHashMap(model.links().size());
     places.put(model.root(), RigidTransform.IDENTITY);
     for (Joint joint : model.joints()) {
-      RigidTransform moved = joint.type().single()
-          ? moved(joint, position(joint, positions))
-          : free.getOrDefault(joint.name(), RigidTransform.IDENTITY);
-      RigidTransform parent = places.get(joint.parent());
-      places.put(joint.child(), parent.times(joint.parentFromJoint()).times(joint.type() == Joint.Type.FIXED ? RigidTransform.IDENTITY : moved));
+      places.put(joint.child(), places.get(joint.parent()).times(parentFromChild(joint, positions, free)));
     }
     return places;
+  }
+
+  /**
+   * Where the child of one joint is.
+   *
+   * @param joint a joint of the model
+   * @param positions by joint, radians or metres
+   * @param free as above
+   * @return parent link from child link
+   */
+  public RigidTransform parentFromChild(Joint joint, Map<String, Double> positions, Map<String, RigidTransform> free) {
+    if (joint.type() == Joint.Type.FIXED) {
+      return joint.parentFromJoint();
+    }
+    return joint.parentFromJoint().times(joint.type().single()
+        ? moved(joint, position(joint, positions))
+        : free.getOrDefault(joint.name(), RigidTransform.IDENTITY));
   }
 
   /**

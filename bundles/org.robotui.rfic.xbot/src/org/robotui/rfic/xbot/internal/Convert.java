@@ -71,13 +71,13 @@ final class Convert {
             c.joints().stream().filter(i -> i < names.size()).map(names::get).toList())).toList());
   }
 
-  static Imu imu(String robot, String sensor, StateFrame.Imu imu) {
-    return new Imu(new FrameId(robot, sensor), Optional.of(imu.orientation()), Optional.of(imu.angularVelocity()),
+  static Imu imu(FrameId frame, StateFrame.Imu imu) {
+    return new Imu(frame, Optional.of(imu.orientation()), Optional.of(imu.angularVelocity()),
         Optional.of(imu.linearAcceleration()));
   }
 
-  static Wrench wrench(String robot, String sensor, StateFrame.ForceTorque measured) {
-    return new Wrench(new FrameId(robot, sensor), measured.force(), measured.torque());
+  static Wrench wrench(FrameId frame, StateFrame.ForceTorque measured) {
+    return new Wrench(frame, measured.force(), measured.torque());
   }
 
   static LoopTiming timing(Board board, Timing hal, List<HostReading> hosts) {

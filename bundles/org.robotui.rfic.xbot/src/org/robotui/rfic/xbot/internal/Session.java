@@ -38,7 +38,7 @@ final class Session implements AutoCloseable {
     this.client = client;
     Board board = board();
     Optional<RobotDescription> description = description();
-    this.streams = new Streams(context, board);
+    this.streams = new Streams(context, board, new ModelFrames(context.robot(), description.map(RobotDescription::urdf).orElse("")));
     description.ifPresent(streams::describe);
     this.commands = new Commands(client, context.threads());
     Verbs verbs = new Verbs(client);

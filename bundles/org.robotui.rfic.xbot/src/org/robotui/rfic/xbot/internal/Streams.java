@@ -36,6 +36,7 @@ final class Streams implements AutoCloseable {
   private final List<Stream<Imu>> imus;
   private final List<Stream<Wrench>> forceTorques;
   private final List<Publication<?>> all = new ArrayList<>();
+  private final ModelFrames frames;
   private Optional<JointModel> modelTold = Optional.empty();
 
   /** A publication, and whether anybody wants it. */
@@ -49,8 +50,9 @@ final class Streams implements AutoCloseable {
     }
   }
 
-  Streams(RficContext context, Board board) {
+  Streams(RficContext context, Board board, ModelFrames frames) {
     this.context = context;
+    this.frames = frames;
     this.joints = new Stream<>(XbotPorts.JOINTS);
     this.control = new Stream<>(XbotPorts.CONTROL);
     this.model = new Stream<>(XbotPorts.MODEL);
@@ -63,24 +65,27 @@ final class Streams implements AutoCloseable {
   /** What the robot is made of, offered from now on. */
   void describe(RobotDescription description) {
     new Stream<>(XbotPorts.DESCRIPTION).publication.publish(description, Optional.empty());
+    context.frames().add(frames.fixed(stamp(System.nanoTime())), ModelFrames.AUTHORITY);
   }
 
   /** What changes in every cycle. */
   void publish(Board board, StateFrame state) {
     long measured = state.sensedNanos();
     Optional<Stamp> stamp = Optional.of(stamp(measured));
+    JointState positions = Convert.joints(board, state);
+    context.frames().add(frames.moving(positions, stamp(measured)), ModelFrames.AUTHORITY);
     if (joints.wanted) {
-      joints.publication.publish(Convert.joints(board, state), stamp, measured, Optional.empty());
+      joints.publication.publish(positions, stamp, measured, Optional.empty());
     }
     if (control.wanted) {
       control.publication.publish(Convert.control(board, state), stamp, measured, Optional.empty());
     }
     IntStream.range(0, Math.min(imus.size(), state.imus().size())).filter(i -> imus.get(i).wanted).forEach(i ->
-        imus.get(i).publication.publish(Convert.imu(context.robot(), board.imus().get(i), state.imus().get(i)), stamp, measured,
+        imus.get(i).publication.publish(Convert.imu(frames.sensor(board.imus().get(i)), state.imus().get(i)), stamp, measured,
             Optional.empty()));
     IntStream.range(0, Math.min(forceTorques.size(), state.forceTorques().size())).filter(i -> forceTorques.get(i).wanted).forEach(i ->
         forceTorques.get(i).publication.publish(
-            Convert.wrench(context.robot(), board.forceTorques().get(i), state.forceTorques().get(i)), stamp, measured,
+            Convert.wrench(frames.sensor(board.forceTorques().get(i)), state.forceTorques().get(i)), stamp, measured,
             Optional.empty()));
   }
 

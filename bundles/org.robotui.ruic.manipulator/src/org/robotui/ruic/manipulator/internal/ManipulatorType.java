@@ -12,18 +12,18 @@ import org.robotui.api.layout.Layout.Tabs;
 import org.robotui.api.layout.Layout;
 
 /**
- * The interface of a robot with joints under real-time control, an arm or a humanoid: the joints, and behind them the scene in space, have
- * most of the window, beside them the plugins that drive them and how well they keep their time; below what they measure and say. The text
- * view is for terminals, the sound view for ears; both have no place in the window's layout.
+ * The interface of a robot with joints under real-time control, an arm or a humanoid: the joints, and below them the robot in space as it
+ * moves, have most of the window; behind the picture lies what it measures and says. Beside them are the plugins that drive the joints and how
+ * well they keep their time. The text view is for terminals, the sound view for ears; both have no place in the window's layout.
  */
 @Component(service = RuicType.class)
 public final class ManipulatorType implements RuicType {
-  private static final Tabs JOINTS = new Tabs(List.of("jointcontrol", "scene3d"));
-  private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "alerts"));
+  private static final Tabs JOINTS = new Tabs(List.of("jointcontrol", "tftree"));
+  private static final Tabs PICTURE = new Tabs(List.of("scene3d", "plot", "log", "alerts"));
   private static final Tabs PLUGINS = new Tabs(List.of("plugins"));
   private static final Tabs STATE = new Tabs(List.of("status", "connections"));
 
-  private static final Layout MAIN = new Split(Direction.COLUMN, List.of(JOINTS, RECORDS), List.of(66.0, 34.0));
+  private static final Layout MAIN = new Split(Direction.COLUMN, List.of(JOINTS, PICTURE), List.of(46.0, 54.0));
 
   private static final Layout SIDE = new Split(Direction.COLUMN, List.of(PLUGINS, STATE), List.of(72.0, 28.0));
 

@@ -3,12 +3,14 @@ package org.robotui.workbench.internal.pane;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.accessibility.ACC;
 import org.eclipse.swt.accessibility.AccessibleAdapter;
 import org.eclipse.swt.accessibility.AccessibleControlAdapter;
 import org.eclipse.swt.accessibility.AccessibleControlEvent;
 import org.eclipse.swt.accessibility.AccessibleEvent;
+import org.eclipse.swt.graphics.Font;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.widgets.Composite;
@@ -19,19 +21,25 @@ import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 
-/** The line above views: their titles, the actions of the one that is seen, and its note. Display thread only. */
+/**
+ * The line above views: their titles, the actions of the one that is seen, and its note. Titles for which there is no room are in a menu.
+ * Display thread only.
+ */
 final class TitleLine extends Composite {
   static final int HEIGHT = 30;
 
   private static final int BUTTON = 26;
+  private static final int GAP = 4 * Theme.STEP;
 
   private final Theme theme;
   private final List<String> titles;
   private final IntConsumer chosen;
   private final List<ActionButton> buttons = new ArrayList<>();
-  private int[] ends = {};
+  private final QuietButton more;
+  private TitleRow row = new TitleRow(List.of(), 0);
   private int shown;
   private String note = "";
 
@@ -44,6 +52,8 @@ final class TitleLine extends Composite {
     this.titles = titles;
     this.chosen = chosen;
     setBackground(theme.color(Role.TITLE));
+    more = new QuietButton(this, theme, this::openMore).icon(Icon.MORE).hint("More views");
+    more.setVisible(false);
     addPaintListener(e -> paint(e.gc));
     addListener(SWT.MouseDown, this::press);
     addListener(SWT.KeyDown, this::key);
@@ -56,6 +66,7 @@ final class TitleLine extends Composite {
 
   void show(int index) {
     shown = index;
+    place();
     redraw();
   }
 
@@ -109,6 +120,35 @@ final class TitleLine extends Composite {
       each.button().setBounds(right - width, (HEIGHT - BUTTON) / 2, width, BUTTON);
       right -= width;
     }
+    placeTitles();
+  }
+
+  private void placeTitles() {
+    int width = more.computeSize(SWT.DEFAULT, BUTTON).x;
+    row = TitleRow.of(widths(), shown, Theme.EDGE, actionsLeft(), width);
+    more.setVisible(row.places().size() < titles.size());
+    more.setBounds(row.right() - 2 * Theme.STEP, (HEIGHT - BUTTON) / 2, width, BUTTON);
+  }
+
+  /** As they are painted, each with the room to the next. */
+  private int[] widths() {
+    GC gc = new GC(this);
+    int[] widths = IntStream.range(0, titles.size()).map(i -> {
+      gc.setFont(font(i));
+      return gc.textExtent(titles.get(i)).x + GAP;
+    }).toArray();
+    gc.dispose();
+    return widths;
+  }
+
+  private Font font(int index) {
+    return theme.font(index == shown ? Face.BODY_STRONG : Face.BODY);
+  }
+
+  private void openMore() {
+    PopupMenu menu = new PopupMenu(more);
+    row.others(titles.size()).forEach(index -> menu.push(titles.get(index), () -> choose(index)));
+    menu.openBelow(more);
   }
 
   private int actionsLeft() {
@@ -119,24 +159,20 @@ final class TitleLine extends Composite {
     gc.setTextAntialias(SWT.ON);
     gc.setForeground(theme.color(Role.LINE));
     gc.drawLine(0, HEIGHT - 1, getSize().x, HEIGHT - 1);
-    paintTitles(gc);
-    paintNote(gc, ends.length == 0 ? 0 : ends[ends.length - 1]);
+    row.places().forEach(place -> paintTitle(gc, place));
+    paintNote(gc, row.right() + (more.getVisible() ? more.getSize().x : 0));
   }
 
-  private void paintTitles(GC gc) {
-    int x = Theme.EDGE;
-    ends = new int[titles.size()];
-    for (int i = 0; i < titles.size(); i++) {
-      gc.setFont(theme.font(i == shown ? Face.BODY_STRONG : Face.BODY));
-      gc.setForeground(theme.color(i == shown ? Role.TEXT : Role.DIM));
-      Point size = gc.textExtent(titles.get(i));
-      gc.drawText(titles.get(i), x, (HEIGHT - size.y) / 2, true);
-      if (i == shown && (isFocusControl() || titles.size() > 1)) {
-        gc.setBackground(theme.color(Role.ACCENT));
-        gc.fillRectangle(x, HEIGHT - 2, size.x, 2);
-      }
-      x += size.x + 4 * Theme.STEP;
-      ends[i] = x;
+  private void paintTitle(GC gc, TitleRow.Place place) {
+    boolean on = place.index() == shown;
+    String title = titles.get(place.index());
+    gc.setFont(font(place.index()));
+    gc.setForeground(theme.color(on ? Role.TEXT : Role.DIM));
+    Point size = gc.textExtent(title);
+    gc.drawText(title, place.left(), (HEIGHT - size.y) / 2, true);
+    if (on && (isFocusControl() || titles.size() > 1)) {
+      gc.setBackground(theme.color(Role.ACCENT));
+      gc.fillRectangle(place.left(), HEIGHT - 2, size.x, 2);
     }
   }
 
@@ -150,14 +186,15 @@ final class TitleLine extends Composite {
   }
 
   private void press(Event event) {
-    for (int i = 0; event.button == 1 && i < ends.length; i++) {
-      if (event.x < ends[i]) {
-        chosen.accept(i);
-        // Keys go where the user looks; who walks by key stays in the line.
-        getParent().setFocus();
-        return;
-      }
+    if (event.button == 1) {
+      row.at(event.x).ifPresent(this::choose);
     }
+  }
+
+  /** Keys go where the user looks; who walks by key stays in the line. */
+  private void choose(int index) {
+    chosen.accept(index);
+    getParent().setFocus();
   }
 
   private void key(Event event) {

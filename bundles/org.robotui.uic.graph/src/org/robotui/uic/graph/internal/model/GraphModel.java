@@ -91,11 +91,16 @@ public final class GraphModel {
 
   private void measure(long now, Ask wanted, GraphOptions options, boolean visible) {
     gauges.drain();
-    gauges.follow(visible && wanted.measuring() ? wanted.selected().map(this::topicsOf).orElse(Set.of()) : Set.of(), netted, options.measured());
+    gauges.follow(visible && wanted.measuring() ? wanted.selected().map(this::topicsOf).orElseGet(this::topics) : Set.of(), netted, options.measured());
     if (now - figures >= FIGURES_NANOS || !ever) {
       figures = now;
       measures = gauges.measures(now);
     }
+  }
+
+  /** All that are not left out. */
+  private Set<Vertex> topics() {
+    return sifted.stream().map(Tie::topic).collect(Collectors.toSet());
   }
 
   /** Of a topic itself; of a node what it sends and takes. */

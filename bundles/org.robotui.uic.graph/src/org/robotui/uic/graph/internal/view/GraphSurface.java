@@ -63,7 +63,7 @@ public final class GraphSurface {
     nodes = new QuietButton(bar, theme, () -> show(false)).text("Nodes").hint("Draw nodes, with topics as wires between them");
     topics = new QuietButton(bar, theme, () -> show(true)).text("Nodes and topics").hint("Draw nodes and topics");
     rates = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().measure(!wishes.asked().measuring()))).text("Rates")
-        .hint("Measure the selected topic, or those of the selected node, while it is selected");
+        .hint("Measure what is drawn: all topics, or those of what is selected, up to a number that can be configured");
     eye = new QuietButton(bar, theme, this::choose).icon(Icon.EYE).hint("What is left out");
     filter = new FilterField(bar, theme, "Filter", words -> wishes.ask(wishes.asked().search(words)));
     filter.setLayoutData(Boxes.end(WIDEST_FILTER));
@@ -71,6 +71,7 @@ public final class GraphSurface {
     canvas = new DiagramCanvas(root, theme).onSelect(key -> wishes.ask(wishes.asked().select(key.map(Vertex.class::cast)))).onOpen(this::open)
         .hints(GraphSurface::hint);
     canvas.control().setLayoutData(Boxes.fill());
+    canvas.fit();
     selected = new NoticeLine(root, theme, Face.BODY);
     filter.onDown(this::focus);
     canvas.control().addListener(SWT.KeyDown, e -> {

@@ -244,6 +244,19 @@ class GraphModelTest {
   }
 
   @Test
+  void whileNothingIsSelectedAllThatIsDrawnIsMeasured() {
+    GraphModel model = model(Robots.base());
+    FakeInput<Data> input = context.input(GraphPorts.ALL);
+    SourceId scan = new SourceId("base", "/scan");
+    SourceId odom = new SourceId("base", "/odom");
+    input.candidates(List.of(new Candidate(scan, "LaserScan"), new Candidate(odom, "Odometry")));
+    look(model, Ask.FIRST.measure(true));
+    assertEquals(Set.of(scan, odom), input.chosen());
+    look(model, Ask.FIRST.measure(true).search("scan"));
+    assertEquals(Set.of(scan), input.chosen(), "what is filtered away is not asked for");
+  }
+
+  @Test
   void aRobotThatFallsSilentKeepsItsGraphWithTheReason() {
     Robots robot = Robots.base();
     GraphModel model = model(robot);
