@@ -1,6 +1,7 @@
 package org.robotui.gl.internal.context;
 
 import com.jogamp.nativewindow.NativeWindowException;
+import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLContext;
 import com.jogamp.opengl.GLDrawableFactory;
@@ -70,6 +71,14 @@ final class GlContext implements AutoCloseable {
       throw new GLException("the context cannot be made current");
     }
     return new GlContext(drawable);
+  }
+
+  /**
+   * Has something run at the end of the virtual machine, before JOGL takes away the displays. Its own hook for that runs beside all others, so that
+   * contexts which are closed by another one come too late: it ends the connection of a picture in work, and prints what it found open.
+   */
+  static void beforeTheEnd(Runnable action) {
+    NativeWindowFactory.addCustomShutdownHook(true, action);
   }
 
   Gpu gpu() {

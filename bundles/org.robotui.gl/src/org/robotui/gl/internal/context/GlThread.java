@@ -18,6 +18,8 @@ public final class GlThread implements AutoCloseable {
   private static final Runnable END = () -> {};
   private static final int TRIES = 3;
   private static final long PAUSE = Duration.ofSeconds(5).toNanos();
+  /** A signal ends the workbench within two seconds, and others need some of them. */
+  private static final Duration LAST_PICTURE = Duration.ofSeconds(1);
   private static final String DRIVER = "Update the driver of the graphics card, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw by the processor.";
 
   private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
@@ -25,6 +27,8 @@ public final class GlThread implements AutoCloseable {
   private Optional<GlContext> context = Optional.empty();
   private Optional<NoOpenGl> verdict = Optional.empty();
   private long verdictNanos;
+  /** On the thread only, as those above. */
+  private boolean hooked;
   private boolean started;
   private boolean closed;
 
@@ -93,6 +97,10 @@ public final class GlThread implements AutoCloseable {
   private Gpu current() throws NoOpenGl {
     if (context.isEmpty()) {
       context = Optional.of(GlContext.open());
+      if (!hooked) {
+        hooked = true;
+        GlContext.beforeTheEnd(this::endNow);
+      }
     }
     return context.get().gpu();
   }
@@ -124,6 +132,15 @@ public final class GlThread implements AutoCloseable {
     }
   }
 
+  /** The virtual machine ends. */
+  private void endNow() {
+    close();
+    try {
+      awaitEnd(LAST_PICTURE);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
 
   /** Ends the thread after the tasks that it has, and frees the context. Returns at once. */
   @Override
