@@ -24,6 +24,7 @@ final class ReservedPackagesRule implements Rule {
                             "org.robotui.testkit")),
             new Reservation(List.of("org.eclipse.ui", "org.eclipse.e4"), List.of("org.robotui.workbench")),
             new Reservation(List.of("org.robotui.ros"), List.of("org.robotui.ros", "org.robotui.rfic.*", "org.robotui.sim")),
+            new Reservation(List.of("org.robotui.lcm"), List.of("org.robotui.lcm", "org.robotui.rfic.*", "org.robotui.sim")),
             new Reservation(List.of("org.robotui.player"), List.of("org.robotui.player", "org.robotui.rfic.*", "org.robotui.sim")),
             new Reservation(List.of("org.robotui.sim"), List.of("org.robotui.sim")));
 
