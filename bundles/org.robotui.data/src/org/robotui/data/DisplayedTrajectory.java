@@ -10,7 +10,7 @@ import java.util.List;
  * @param parts one after the other
  */
 @Delivery(expires = false)
-public record DisplayedTrajectory(String model, List<JointState.Joint> start, List<JointTrajectory> parts) implements Data {
+public record DisplayedTrajectory(String model, List<JointState.Joint> start, List<JointTrajectory> parts) implements Trajectory {
   /**
    * Copies the lists.
    *

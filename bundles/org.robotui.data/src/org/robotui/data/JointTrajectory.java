@@ -9,7 +9,7 @@ import java.util.List;
  * @param points in the order of time
  */
 @Delivery(expires = false)
-public record JointTrajectory(List<String> joints, List<Point> points) implements Data {
+public record JointTrajectory(List<String> joints, List<Point> points) implements Trajectory {
   /**
    * What the joints do at a time.
    *

@@ -35,15 +35,21 @@ record LinkPoses(Map<String, RigidTransform> fixedFromLinks, String missing) {
    * fixed frame: a robot without transforms can still be looked at.
    */
   static LinkPoses byJoints(Loaded.Model loaded, String robot, String prefix, Places places, Map<String, Double> positions) {
-    Places.Place place = places.at(frame(robot, prefix, loaded.model().root()), Optional.empty());
+    return switch (root(loaded.model(), robot, prefix, places)) {
+      case Places.Place.Missing(String reason) -> new LinkPoses(Map.of(), reason);
+      case Places.Place.At(RigidTransform root) -> {
+        Map<String, RigidTransform> links = new HashMap<>(loaded.kinematics().rootFromLinks(positions, Map.of()));
+        links.replaceAll((link, at) -> root.times(at));
+        yield new LinkPoses(links, "");
+      }
+    };
+  }
+
+  /** Where the root is: the middle of the fixed frame where no frame of the robot is known at all. */
+  static Places.Place root(RobotModel model, String robot, String prefix, Places places) {
+    Places.Place place = places.at(frame(robot, prefix, model.root()), Optional.empty());
     boolean placeless = places.all().stream().noneMatch(known -> known.robot().equals(robot));
-    Optional<RigidTransform> root = place.found().or(() -> placeless ? Optional.of(RigidTransform.IDENTITY) : Optional.empty());
-    if (root.isEmpty()) {
-      return new LinkPoses(Map.of(), place instanceof Places.Place.Missing(String reason) ? reason : "");
-    }
-    Map<String, RigidTransform> links = new HashMap<>(loaded.kinematics().rootFromLinks(positions, Map.of()));
-    links.replaceAll((link, at) -> root.get().times(at));
-    return new LinkPoses(links, "");
+    return place.found().isEmpty() && placeless ? new Places.Place.At(RigidTransform.IDENTITY) : place;
   }
 
   /** Takes over the positions of joints that the model has. */

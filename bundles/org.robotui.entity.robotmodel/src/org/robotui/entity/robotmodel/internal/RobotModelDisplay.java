@@ -4,8 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.atomic.AtomicReference;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
@@ -23,23 +21,15 @@ final class RobotModelDisplay implements Display {
   private static final double OLD_SECONDS = 5;
   private static final int MOST_JOINTS = 10_000;
 
-  private final DisplayContext context;
-  private final AtomicReference<Answer> answered = new AtomicReference<>();
-  private Optional<RobotDescription> description = Optional.empty();
-  private Optional<LoadRequest> requested = Optional.empty();
-  private Optional<Answer> taken = Optional.empty();
+  private final ModelSource source;
   private Optional<ModelParts> parts = Optional.empty();
   private Optional<Long> jointsReceived = Optional.empty();
   private JointState joints = new JointState(List.of());
   private volatile Map<String, Double> positions = Map.of();
-  private volatile boolean closed;
 
-  RobotModelDisplay(DisplayContext context) {
-    this.context = context;
+  RobotModelDisplay(DisplayContext context, ModelShelf shelf) {
+    source = new ModelSource(context, shelf);
   }
-
-  /** What came of a request. */
-  private record Answer(LoadRequest request, Loaded loaded) {}
 
   @Override
   public DisplayResult update(DisplayTick tick) {
@@ -49,65 +39,44 @@ final class RobotModelDisplay implements Display {
       jointsReceived = Optional.empty();
     }
     tick.arrived().forEach(this::arrived);
-    description.map(d -> LoadRequest.of(d, tick.settings())).filter(r -> !requested.equals(Optional.of(r))).ifPresent(this::load);
-    take();
-    if (description.isEmpty()) {
+    if (source.update(tick.settings().flag(RobotModelType.COLLISION), tick.settings())) {
+      source.taken().ifPresent(this::take);
+    }
+    if (!source.described()) {
       return DisplayResult.nothing(new DisplayStatus.NoData(
           "No description of a robot yet: in ROS it is the parameter robot_description."));
     }
-    return taken.map(answer -> shown(answer, tick)).orElseGet(() ->
+    return source.taken().map(answer -> shown(answer, tick)).orElseGet(() ->
         DisplayResult.nothing(new DisplayStatus.NoData("The model and its meshes are being read.")));
   }
 
   private void arrived(Envelope<? extends Data> envelope) {
     if (envelope.value() instanceof RobotDescription told) {
-      description = Optional.of(told);
+      source.told(told);
     }
     if (envelope.value() instanceof JointState state) {
       joints = state.over(joints).last(MOST_JOINTS);
       jointsReceived = Optional.of(envelope.receivedNanos());
-      taken.ifPresent(this::move);
+      source.taken().ifPresent(this::move);
     }
   }
 
-  private void load(LoadRequest request) {
-    requested = Optional.of(request);
-    try {
-      context.background().execute(() -> {
-        Loaded loaded = ModelLoader.load(request);
-        if (!closed) {
-          answered.set(new Answer(request, loaded));
-          context.wake();
-        }
-      });
-    } catch (RejectedExecutionException e) {
-      // the scene ends: nobody will look at what is not loaded
-      requested = Optional.empty();
-    }
-  }
-
-  /** Takes what was loaded, unless something else was asked for meanwhile. */
-  private void take() {
-    Answer answer = answered.getAndSet(null);
-    if (answer == null || !requested.equals(Optional.of(answer.request))) {
-      return;
-    }
-    taken = Optional.of(answer);
+  private void take(ModelSource.Answer answer) {
     positions = Map.of();
-    parts = answer.loaded instanceof Loaded.Model model ? Optional.of(new ModelParts(model, () -> positions)) : Optional.empty();
+    parts = answer.loaded() instanceof Loaded.Model model ? Optional.of(new ModelParts(model, () -> positions)) : Optional.empty();
     move(answer);
   }
 
-  private void move(Answer answer) {
-    if (answer.loaded instanceof Loaded.Model model) {
+  private void move(ModelSource.Answer answer) {
+    if (answer.loaded() instanceof Loaded.Model model) {
       positions = LinkPoses.newer(positions, joints, model.model());
     }
   }
 
-  private DisplayResult shown(Answer answer, DisplayTick tick) {
-    return switch (answer.loaded) {
+  private DisplayResult shown(ModelSource.Answer answer, DisplayTick tick) {
+    return switch (answer.loaded()) {
       case Loaded.Broken broken -> DisplayResult.nothing(new DisplayStatus.Unfit("The model cannot be read: " + broken.why()));
-      case Loaded.Model model -> shown(model, answer.request.description().robot(), tick);
+      case Loaded.Model model -> shown(model, answer.robot(), tick);
     };
   }
 
@@ -167,9 +136,7 @@ final class RobotModelDisplay implements Display {
 
   @Override
   public void close() {
-    closed = true;
-    answered.set(null);
-    taken = Optional.empty();
+    source.close();
     parts = Optional.empty();
   }
 }

@@ -2,7 +2,9 @@ package org.robotui.entity.robotmodel.internal;
 
 import java.util.List;
 import java.util.Set;
+import org.osgi.service.component.annotations.Activate;
 import org.osgi.service.component.annotations.Component;
+import org.osgi.service.component.annotations.Reference;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
@@ -45,6 +47,18 @@ public final class RobotModelType implements DisplayType {
       Setting.of(PACKAGES, new ValueType.ListOf(TEXT), List.of(),
           "Folders that are packages or contain packages, for meshes; before those of ROS_PACKAGE_PATH."));
 
+  private final ModelShelf shelf;
+
+  /**
+   * Shows models.
+   *
+   * @param shelf where models are that other displays hold
+   */
+  @Activate
+  public RobotModelType(@Reference ModelShelf shelf) {
+    this.shelf = shelf;
+  }
+
   @Override
   public String id() {
     return "robotmodel";
@@ -77,6 +91,6 @@ public final class RobotModelType implements DisplayType {
 
   @Override
   public Display create(DisplayContext context) {
-    return new RobotModelDisplay(context);
+    return new RobotModelDisplay(context, shelf);
   }
 }

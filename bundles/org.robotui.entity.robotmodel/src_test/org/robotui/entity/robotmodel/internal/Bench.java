@@ -31,7 +31,7 @@ final class Bench implements DisplayContext, Places {
 
   final FakeSettings settings = new FakeSettings(RobotModelType.SCHEMA);
   final Map<String, RigidTransform> frames = new HashMap<>();
-  final RobotModelDisplay display = new RobotModelDisplay(this);
+  final RobotModelDisplay display = new RobotModelDisplay(this, new ModelShelf());
   private final Queue<Runnable> waiting = new ArrayDeque<>();
   private final List<Envelope<? extends Data>> arrived = new ArrayList<>();
   private long now;
