@@ -9,8 +9,9 @@ import java.nio.ByteBuffer;
  * @param height rows
  * @param rgba four bytes red, green, blue, alpha a pixel, row by row from the top
  * @param smooth true where pixels blend when seen close, false where each keeps its edges, as cells of maps do
+ * @param repeats true where it begins anew outside of 0 to 1, as pictures on meshes do, false where its edge goes on
  */
-public record Texture(int width, int height, ByteBuffer rgba, boolean smooth) {
+public record Texture(int width, int height, ByteBuffer rgba, boolean smooth, boolean repeats) {
   /** The most pixels along an edge that every renderer takes. */
   public static final int MOST = 8192;
 
@@ -21,6 +22,7 @@ public record Texture(int width, int height, ByteBuffer rgba, boolean smooth) {
    * @param height rows
    * @param rgba the pixels
    * @param smooth blends
+   * @param repeats begins anew
    */
   public Texture {
     if (width < 1 || height < 1 || width > MOST || height > MOST) {
@@ -28,5 +30,17 @@ public record Texture(int width, int height, ByteBuffer rgba, boolean smooth) {
     }
     rgba = rgba.slice();
     Colors.fit(rgba, width * height);
+  }
+
+  /**
+   * A picture whose edge goes on.
+   *
+   * @param width pixels
+   * @param height rows
+   * @param rgba the pixels
+   * @param smooth blends
+   */
+  public Texture(int width, int height, ByteBuffer rgba, boolean smooth) {
+    this(width, height, rgba, smooth, false);
   }
 }

@@ -1,6 +1,7 @@
 package org.robotui.urdf.mesh;
 
 import java.util.List;
+import java.util.Map;
 
 /** What came of reading a file. */
 public sealed interface MeshRead {
@@ -8,16 +9,19 @@ public sealed interface MeshRead {
    * It was read.
    *
    * @param mesh the surface
+   * @param pictures those of its textures that could be read, by their names in the parts
    * @param warnings what was wrong but could be passed over
    */
-  record Ok(Mesh mesh, List<String> warnings) implements MeshRead {
+  record Ok(Mesh mesh, Map<String, Picture> pictures, List<String> warnings) implements MeshRead {
     /**
-     * Copies the list.
+     * Copies map and list.
      *
      * @param mesh the surface
+     * @param pictures of its textures
      * @param warnings passed over
      */
     public Ok {
+      pictures = Map.copyOf(pictures);
       warnings = List.copyOf(warnings);
     }
   }

@@ -9,10 +9,11 @@ import org.robotui.urdf.internal.Refusal;
 import org.robotui.urdf.internal.mesh.ColladaReader;
 import org.robotui.urdf.internal.mesh.MeshBuilder;
 import org.robotui.urdf.internal.mesh.ObjReader;
+import org.robotui.urdf.internal.mesh.Pictures;
 import org.robotui.urdf.internal.mesh.StlReader;
 
 /**
- * Reads meshes: STL (binary and ASCII), OBJ with MTL, COLLADA. A mesh has 20 million triangles and 512 MB at most. Corners without
+ * Reads meshes: STL (binary and ASCII), OBJ with MTL, COLLADA, with the PNG and JPEG pictures of their surfaces. A mesh has 20 million triangles and 512 MB at most. Corners without
  * normals get those of their triangles. The {@code up_axis} of COLLADA files is not followed, as RViz and Gazebo do not: models are written
  * for that; their {@code unit} is.
  */
@@ -24,7 +25,7 @@ public final class MeshReader {
    *
    * @param name of the file, whose ending says how it is written
    * @param bytes what is in it
-   * @param beside gives the bytes of a file beside it (materials of an OBJ); empty where there is none
+   * @param beside gives the bytes of a file beside it (materials of an OBJ, pictures); empty where there is none
    * @return the mesh, or why not
    */
   public static MeshRead read(String name, byte[] bytes, Function<String, Optional<byte[]>> beside) {
@@ -38,7 +39,8 @@ public final class MeshReader {
         case "dae" -> new ColladaReader(builder, warnings).read(bytes);
         default -> throw new Refusal(0, "meshes of the kind ." + ending + " are not read, must be .stl, .dae or .obj");
       }
-      return new MeshRead.Ok(builder.build(), warnings);
+      Mesh mesh = builder.build();
+      return new MeshRead.Ok(mesh, new Pictures(warnings, beside).read(mesh), warnings);
     } catch (Refusal refusal) {
       return new MeshRead.Refused(refusal.line() > 0 ? "line " + refusal.line() + ": " + refusal.getMessage() : refusal.getMessage());
     }

@@ -63,13 +63,16 @@ public final class PackageFolders {
   }
 
   /**
-   * Reads a file beside another, in the same folder of a package.
+   * Finds a file that another one names, within the package of the other.
    *
    * @param file the other
-   * @param name relative to it
+   * @param name relative to it, or {@code package://NAME/...}
    * @return the file, or why it is not read
    */
   public PackageFile beside(PackageFile.Found file, String name) {
+    if (name.startsWith("package://")) {
+      return find(name);
+    }
     try {
       String relative = name.replace('\\', '/');
       return inside(file.folder(), file.file().resolveSibling(relative), name);

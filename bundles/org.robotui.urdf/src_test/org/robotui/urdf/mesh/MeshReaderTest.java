@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.FloatBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -92,6 +95,34 @@ class MeshReaderTest {
     assertArrayEquals(new float[] {0, 0, 1}, new float[] {0, 0, Math.abs(mesh.normals().get(2))});
     assertEquals(Optional.of("wood.png"), mesh.parts().get(0).texture());
     assertEquals(0.25f, mesh.uv().orElseThrow().get(1));
+  }
+
+  private static MeshRead.Ok textured(String text, Map<String, byte[]> files) {
+    MeshRead read = MeshReader.read("a.obj", MeshSamples.bytes(text), name -> Optional.ofNullable(files.get(name)));
+    return assertInstanceOf(MeshRead.Ok.class, read, read.toString());
+  }
+
+  @Test
+  void readsThePicturesOfSurfaces() {
+    String obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1/1 2/2 3/3\n";
+    byte[] mtl = MeshSamples.bytes("newmtl m\nKd 1 1 1\nmap_Kd -s 1 1 1 -clamp on my skin.png\n");
+    MeshRead.Ok read = textured(obj, Map.of("a.mtl", mtl, "my skin.png", PictureSamples.file("png", 4, 2)));
+    assertEquals(List.of(), read.warnings());
+    assertEquals(4, read.pictures().get("my skin.png").width());
+    assertArrayEquals(new float[] {1, 1}, new float[] {read.mesh().uv().orElseThrow().get(4), read.mesh().uv().orElseThrow().get(5)});
+    assertEquals(List.of("its picture 'my skin.png' is not shown: there is no such file in its package"),
+        textured(obj, Map.of("a.mtl", mtl)).warnings());
+    assertEquals(List.of("its picture 'my skin.png' is not shown: it is neither PNG nor JPEG"),
+        textured(obj, Map.of("a.mtl", mtl, "my skin.png", new byte[9])).warnings());
+  }
+
+  @Test
+  void picturesOfColladaAreUris() {
+    String triangles = "<triangles count='1' material='psym'><input semantic='VERTEX' source='#v' offset='0'/>"
+        + "<input semantic='TEXCOORD' source='#u' offset='1'/><p>0 0 1 0 2 0</p></triangles>";
+    byte[] dae = MeshSamples.bytes(new String(MeshSamples.dae(triangles), StandardCharsets.UTF_8).replace("wood.png", "../my%20wood.png"));
+    MeshRead read = MeshReader.read("a.dae", dae, name -> Optional.of(name).filter("../my wood.png"::equals).map(n -> PictureSamples.file("jpeg", 4, 4)));
+    assertEquals(Set.of("../my%20wood.png"), assertInstanceOf(MeshRead.Ok.class, read).pictures().keySet());
   }
 
   @Test

@@ -19,6 +19,7 @@ import org.robotui.gl.shape.Material;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Placings;
 import org.robotui.gl.shape.Rgba;
+import org.robotui.gl.shape.Texture;
 import org.robotui.urdf.pack.PackageFolders;
 
 /** Markers that are meshes from files, during one tick. The scaled shapes are kept as long as their markers. */
@@ -72,9 +73,18 @@ final class MeshParts {
   void show(Held held, RigidTransform place, double opacity, List<Part> parts) {
     switch (shelf.of(held.marker().mesh(), folders)) {
       case State.Reading r -> reading++;
-      case State.Failed failed -> problem = problem.isEmpty() ? "marker " + held.id().key() + ": " + failed.why() : problem;
-      case State.Ready ready -> show(held, ready.surfaces(), place.times(held.look().mesh().orElseThrow()), opacity, parts);
+      case State.Failed failed -> complain(held, failed.why());
+      case State.Ready ready -> {
+        if (held.marker().embeddedMaterials()) {
+          complain(held, ready.lack());
+        }
+        show(held, ready.surfaces(), place.times(held.look().mesh().orElseThrow()), opacity, parts);
+      }
     }
+  }
+
+  private void complain(Held held, String why) {
+    problem = problem.isEmpty() && !why.isEmpty() ? "marker " + held.id().key() + ": " + why : problem;
   }
 
   private void show(Held held, List<Surface> surfaces, RigidTransform at, double opacity, List<Part> parts) {
@@ -85,7 +95,9 @@ final class MeshParts {
     }
     for (int i = 0; i < surfaces.size(); i++) {
       Rgba paint = paint(held.marker(), surfaces.get(i));
-      parts.add(new Part(new Key(held.id(), i), shapes.shapes().get(i), at, Material.lit(paint.withAlpha(paint.alpha() * opacity)), held.describer()));
+      Optional<Texture> texture = surfaces.get(i).texture().filter(picture -> held.marker().embeddedMaterials());
+      Material material = new Material(paint.withAlpha(paint.alpha() * opacity), true, texture, Material.Depth.TESTED);
+      parts.add(new Part(new Key(held.id(), i), shapes.shapes().get(i), at, material, held.describer()));
     }
   }
 
@@ -95,13 +107,13 @@ final class MeshParts {
     if (!marker.embeddedMaterials()) {
       return tint;
     }
-    Rgba own = surface.color().orElse(PLAIN);
+    Rgba own = surface.texture().isPresent() ? Rgba.WHITE.withAlpha(surface.color().map(Rgba::alpha).orElse(1f)) : surface.color().orElse(PLAIN);
     boolean none = marker.color().equals(new Color(0, 0, 0, 0));
     return none ? own
         : new Rgba(own.red() * tint.red(), own.green() * tint.green(), own.blue() * tint.blue(), own.alpha() * tint.alpha());
   }
 
-  /** Which mesh cannot be shown, and why; empty where all can. */
+  /** Which mesh cannot be shown, or not as it should be, and why; empty where all can. */
   String problem() {
     return problem;
   }

@@ -3,7 +3,7 @@ package org.robotui.entity.marker.internal;
 import java.io.IOException;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
-import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Rgba;
+import org.robotui.gl.shape.Texture;
 import org.robotui.gl.shape.TriangleMesh;
 import org.robotui.urdf.mesh.Mesh;
 import org.robotui.urdf.mesh.MeshRead;
@@ -40,8 +41,13 @@ final class MeshShelf {
     /** It is being read. */
     record Reading() implements State {}
 
-    /** It can be shown. */
-    record Ready(List<Surface> surfaces) implements State {}
+    /**
+     * It can be shown.
+     *
+     * @param surfaces of it
+     * @param lack what is missing of them, as a sentence; empty where all is there
+     */
+    record Ready(List<Surface> surfaces, String lack) implements State {}
 
     /** It cannot be shown. */
     record Failed(String why) implements State {}
@@ -52,8 +58,13 @@ final class MeshShelf {
    *
    * @param mesh the triangles
    * @param color as the file says
+   * @param texture its picture
    */
-  record Surface(TriangleMesh mesh, Optional<Rgba> color) {}
+  record Surface(TriangleMesh mesh, Optional<Rgba> color, Optional<Texture> texture) {
+    private long bytes() {
+      return mesh.bytes() + texture.map(picture -> picture.rgba().remaining()).orElse(0);
+    }
+  }
 
   /** Answers at once; a mesh that is asked for the first time is read in the background, and the scene woken when that is done. */
   State of(String uri, PackageFolders folders) {
@@ -92,20 +103,20 @@ final class MeshShelf {
       MeshRead read = MeshReader.read(uri, file.bytes(), name -> beside(folders, file, name));
       return switch (read) {
         case MeshRead.Refused refused -> new State.Failed(uri + ": " + refused.why());
-        case MeshRead.Ok ok -> kept(uri, surfaces(ok.mesh()));
+        case MeshRead.Ok ok -> kept(uri, surfaces(ok), ok.warnings().stream().findFirst().map(words -> uri + ": " + words).orElse(""));
       };
     } catch (IOException e) {
       return new State.Failed(uri + " cannot be read: " + e.getMessage());
     }
   }
 
-  private State kept(String uri, List<Surface> surfaces) {
-    long size = surfaces.stream().mapToLong(s -> s.mesh().bytes()).sum();
+  private State kept(String uri, List<Surface> surfaces, String lack) {
+    long size = surfaces.stream().mapToLong(Surface::bytes).sum();
     if (bytes.addAndGet(size) > MOST_BYTES) {
       bytes.addAndGet(-size);
       return new State.Failed(uri + ": meshes would take more than " + (MOST_BYTES >> 20) + " MiB");
     }
-    return new State.Ready(surfaces);
+    return new State.Ready(surfaces, lack);
   }
 
   private static Optional<byte[]> beside(PackageFolders folders, PackageFile.Found file, String name) {
@@ -118,18 +129,30 @@ final class MeshShelf {
     });
   }
 
-  private static List<Surface> surfaces(Mesh mesh) {
-    List<Surface> surfaces = new ArrayList<>();
-    for (Mesh.Part part : mesh.parts()) {
-      FloatBuffer xyz = mesh.xyz().slice(3 * part.firstCorner(), 3 * part.corners());
-      FloatBuffer normals = mesh.normals().slice(3 * part.firstCorner(), 3 * part.corners());
-      IntBuffer triangles = IntBuffer.allocate(3 * part.triangles());
-      for (int i = 0; i < triangles.capacity(); i++) {
-        triangles.put(i, mesh.triangles().get(3 * part.firstTriangle() + i) - part.firstCorner());
-      }
-      TriangleMesh shape = new TriangleMesh(xyz, Optional.of(normals), Optional.empty(), Optional.empty(), triangles, Box3.around(xyz));
-      surfaces.add(new Surface(shape, part.color().map(c -> new Rgba(c.red(), c.green(), c.blue(), c.alpha()))));
+  private static List<Surface> surfaces(MeshRead.Ok read) {
+    Map<String, Texture> textures = new HashMap<>();
+    read.pictures().forEach((name, picture) -> textures.put(name, new Texture(picture.width(), picture.height(), picture.rgba(), true, true)));
+    return read.mesh().parts().stream().map(part -> surface(read.mesh(), part, part.texture().map(textures::get))).toList();
+  }
+
+  private static Surface surface(Mesh mesh, Mesh.Part part, Optional<Texture> texture) {
+    FloatBuffer xyz = mesh.xyz().slice(3 * part.firstCorner(), 3 * part.corners());
+    FloatBuffer normals = mesh.normals().slice(3 * part.firstCorner(), 3 * part.corners());
+    Optional<FloatBuffer> uv = texture.flatMap(picture -> mesh.uv()).map(places -> places(places, part));
+    IntBuffer triangles = IntBuffer.allocate(3 * part.triangles());
+    for (int i = 0; i < triangles.capacity(); i++) {
+      triangles.put(i, mesh.triangles().get(3 * part.firstTriangle() + i) - part.firstCorner());
     }
-    return surfaces;
+    TriangleMesh shape = new TriangleMesh(xyz, Optional.of(normals), uv, Optional.empty(), triangles, Box3.around(xyz));
+    return new Surface(shape, part.color().map(c -> new Rgba(c.red(), c.green(), c.blue(), c.alpha())), texture);
+  }
+
+  /** Files count from the bottom of the picture, textures from its first row. */
+  private static FloatBuffer places(FloatBuffer from, Mesh.Part part) {
+    FloatBuffer places = FloatBuffer.allocate(2 * part.corners());
+    for (int i = part.firstCorner(); i < part.firstCorner() + part.corners(); i++) {
+      places.put(from.get(2 * i)).put(1 - from.get(2 * i + 1));
+    }
+    return places.flip();
   }
 }

@@ -34,8 +34,11 @@ import org.robotui.gl.shape.Label;
 import org.robotui.gl.shape.LineSet;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.PointSet;
+import org.robotui.gl.shape.Rgba;
 import org.robotui.gl.shape.Shape;
 import org.robotui.gl.shape.TriangleMesh;
+import org.robotui.testkit.SceneImage;
+import org.robotui.testkit.ScenePictures;
 
 class MarkersDisplayTest {
   private static final float[] SIX = {0, 0, 0, 1, 0, 0, 1, 1, 0, 2, 1, 0, 3, 1, 0, 3, 2, 0};
@@ -231,6 +234,29 @@ class MarkersDisplayTest {
     assertEquals(2f, mesh.placings().get(7));
     assertSame(mesh, display.update(scene.of()).parts().getFirst().shape());
     assertEquals("1 marker: things 1", shown.status().words());
+  }
+
+  @Test
+  void aMeshHasItsPictureWhereTheMarkerTakesItsMaterials(@TempDir Path folder) throws IOException {
+    Files.createDirectories(folder.resolve("p"));
+    Files.writeString(folder.resolve("p/package.xml"), "<package><name>p</name></package>");
+    Files.writeString(folder.resolve("p/a.obj"),
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n");
+    Files.writeString(folder.resolve("p/a.mtl"), "newmtl m\nKd 0.1 0.2 0.3\nmap_Kd a.png\n");
+    ScenePictures.write(folder.resolve("p/a.png"), new SceneImage(2, 1, new int[] {0xff0000, 0x00ff00}));
+    scene.values.put(MarkersType.PACKAGES, List.of(folder.toString()));
+    show(Sample.of(1, Type.MESH).mesh("package://p/a.obj").withMaterials(), Sample.of(2, Type.MESH).mesh("package://p/a.obj"));
+    background.remove().run();
+    List<Part> parts = display.update(scene.of()).parts();
+    assertEquals(2, parts.getFirst().material().texture().orElseThrow().width());
+    assertEquals(new Rgba(1, 0, 0, 1), parts.getFirst().material().color(), "the marker's colour tints the picture");
+    assertTrue(parts.getLast().material().texture().isEmpty(), "this one has its own colour only");
+    Files.delete(folder.resolve("p/a.png"));
+    scene.values.put(MarkersType.PACKAGES, List.of(folder.toString(), "/nowhere"));
+    display.update(scene.of());
+    background.remove().run();
+    assertEquals(2, display.update(scene.of()).parts().size());
+    assertTrue(partly().contains("its picture 'a.png' is not shown"), partly());
   }
 
   @Test

@@ -1,7 +1,9 @@
 package org.robotui.entity.robotmodel.internal;
 
+import java.util.Optional;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.shape.Rgba;
+import org.robotui.gl.shape.Texture;
 import org.robotui.gl.shape.TriangleMesh;
 
 /**
@@ -13,8 +15,14 @@ import org.robotui.gl.shape.TriangleMesh;
  * @param shape with its own colours
  * @param plain the same without, where one colour is for all
  * @param color the material of the shape
+ * @param texture on the shape
  */
-record Form(Kind kind, int index, RigidTransform linkFromForm, TriangleMesh shape, TriangleMesh plain, Rgba color) {
+record Form(Kind kind, int index, RigidTransform linkFromForm, TriangleMesh shape, TriangleMesh plain, Rgba color, Optional<Texture> texture) {
+  /** One without a texture. */
+  Form(Kind kind, int index, RigidTransform linkFromForm, TriangleMesh shape, TriangleMesh plain, Rgba color) {
+    this(kind, index, linkFromForm, shape, plain, color, Optional.empty());
+  }
+
   /** What of a link is shown. */
   enum Kind {
     /** How it looks. */

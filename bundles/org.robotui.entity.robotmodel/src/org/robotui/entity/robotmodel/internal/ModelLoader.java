@@ -83,10 +83,10 @@ final class ModelLoader {
   private List<Form> forms(Link link) {
     List<Form> forms = new ArrayList<>();
     boolean whole = true;
-    for (int i = 0; i < link.visuals().size(); i++) {
-      Optional<Form> form = visual(link.visuals().get(i), i);
-      form.ifPresent(forms::add);
-      whole &= form.isPresent();
+    for (Visual visual : link.visuals()) {
+      List<Form> found = visual(visual, forms.size());
+      forms.addAll(found);
+      whole &= !found.isEmpty();
     }
     if (!whole) {
       forms.addAll(touching(link, Form.Kind.PLACEHOLDER, IN_PLACE));
@@ -98,13 +98,14 @@ final class ModelLoader {
     return List.copyOf(forms);
   }
 
-  private Optional<Form> visual(Visual visual, int index) {
-    Optional<Rgba> painted = visual.surface().flatMap(Surface::color).map(Shapes::rgba);
-    return shapes.plain(visual.geometry()).map(plain -> {
-      Optional<TriangleMesh> colored = shapes.colored(visual.geometry(), plain, painted.orElse(UNPAINTED));
-      return new Form(Form.Kind.VISUAL, index, visual.linkFromForm(), colored.orElse(plain), plain,
-          colored.isPresent() ? Rgba.WHITE : painted.orElse(UNPAINTED));
-    });
+  private List<Form> visual(Visual visual, int index) {
+    Rgba painted = visual.surface().flatMap(Surface::color).map(Shapes::rgba).orElse(UNPAINTED);
+    List<Form> forms = new ArrayList<>();
+    for (Skin skin : shapes.skins(visual.geometry(), painted, visual.surface().flatMap(Surface::texture))) {
+      forms.add(new Form(Form.Kind.VISUAL, index + forms.size(), visual.linkFromForm(), skin.shape(), skin.plain(), skin.own() ? Rgba.WHITE : painted,
+          skin.texture()));
+    }
+    return forms;
   }
 
   /** Forms that can touch; in place of what is missing only those that need no file. */

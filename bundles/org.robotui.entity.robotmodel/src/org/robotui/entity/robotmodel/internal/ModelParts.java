@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.robotui.api.config.Settings;
@@ -107,7 +108,8 @@ final class ModelParts {
 
     Material material(Form form) {
       Rgba color = keeps(form) ? form.color() : marked ? MARKED : robotColor;
-      return Material.lit(color.withAlpha(color.alpha() * opacity));
+      Rgba seen = color.withAlpha(color.alpha() * opacity);
+      return new Material(seen, true, keeps(form) ? form.texture() : Optional.empty(), Material.Depth.TESTED);
     }
   }
 }

@@ -3,12 +3,14 @@ package org.robotui.entity.robotmodel.internal;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Meshes;
 import org.robotui.gl.shape.Rgba;
+import org.robotui.gl.shape.Texture;
 import org.robotui.gl.shape.TriangleMesh;
 import org.robotui.urdf.Color;
 import org.robotui.urdf.Geometry;
@@ -21,15 +23,15 @@ final class Shapes {
 
   private final MeshCache meshes;
   private final Map<Geometry, Optional<TriangleMesh>> plain = new HashMap<>();
-  private final Map<Colored, TriangleMesh> colored = new HashMap<>();
+  private final Map<Looks, List<Skin>> skins = new HashMap<>();
   private long bytes;
 
   Shapes(MeshCache meshes) {
     this.meshes = meshes;
   }
 
-  /** A mesh whose own colours are filled up with that of the model. */
-  private record Colored(Geometry geometry, Rgba otherwise) {}
+  /** A form whose own colours are filled up with what the model says. */
+  private record Looks(Geometry geometry, Rgba otherwise, Optional<String> texture) {}
 
   long bytes() {
     return bytes;
@@ -50,11 +52,35 @@ final class Shapes {
     return known;
   }
 
-  /** With the colours of the file, as RViz shows it: they go before the model's material. Empty where the file has none. */
-  Optional<TriangleMesh> colored(Geometry geometry, TriangleMesh shape, Rgba otherwise) {
-    Optional<Mesh> mesh = geometry instanceof Geometry.MeshFile file ? meshes.mesh(file.uri()) : Optional.empty();
-    return mesh.filter(m -> m.parts().stream().anyMatch(part -> part.color().isPresent()))
-        .map(m -> colored.computeIfAbsent(new Colored(geometry, otherwise), key -> colored(m, shape, otherwise)));
+  /**
+   * As it looks by itself: with colours and pictures of its file, as RViz shows it; they go before the model's material.
+   *
+   * @param geometry the form
+   * @param otherwise colour of what the file leaves open
+   * @param texture URI of a picture on what the file leaves open
+   * @return one surface or several; none where its file cannot be read
+   */
+  List<Skin> skins(Geometry geometry, Rgba otherwise, Optional<String> texture) {
+    Looks looks = new Looks(geometry, otherwise, texture);
+    List<Skin> known = skins.get(looks);
+    if (known == null) {
+      known = skins(looks);
+      skins.put(looks, known);
+    }
+    return known;
+  }
+
+  private List<Skin> skins(Looks looks) {
+    Optional<MeshFile> file = looks.geometry instanceof Geometry.MeshFile named ? meshes.mesh(named.uri()) : Optional.empty();
+    Optional<Texture> fallback = looks.texture.filter(uri -> file.flatMap(f -> f.mesh().uv()).isPresent()).flatMap(meshes::texture);
+    if (file.isPresent() && (fallback.isPresent() || !file.get().textures().isEmpty()) && looks.geometry instanceof Geometry.MeshFile named) {
+      List<Skin> cut = new Skins(file.get(), named.scale(), looks.otherwise, fallback).cut();
+      bytes += cut.stream().mapToLong(skin -> skin.shape().bytes() + skin.texture().map(t -> t.rgba().remaining()).orElse(0)).sum();
+      return cut;
+    }
+    Optional<Mesh> colors = file.map(MeshFile::mesh).filter(mesh -> mesh.parts().stream().anyMatch(part -> part.color().isPresent()));
+    return plain(looks.geometry).map(plain -> new Skin(colors.map(mesh -> colored(mesh, plain, looks.otherwise)).orElse(plain), plain,
+        Optional.empty(), colors.isPresent())).stream().toList();
   }
 
   private TriangleMesh colored(Mesh mesh, TriangleMesh shape, Rgba otherwise) {
@@ -78,7 +104,7 @@ final class Shapes {
       case Geometry.Box box -> Optional.of(Scaled.by(Meshes.cube(), box.size()));
       case Geometry.Sphere sphere -> Optional.of(round(Meshes.sphere(), 2 * sphere.radius(), 2 * sphere.radius()));
       case Geometry.Cylinder cylinder -> Optional.of(round(Meshes.cylinder(), 2 * cylinder.radius(), cylinder.length()));
-      case Geometry.MeshFile file -> meshes.mesh(file.uri()).map(mesh -> surface(mesh, file.scale()));
+      case Geometry.MeshFile file -> meshes.mesh(file.uri()).map(found -> surface(found.mesh(), file.scale()));
     };
   }
 

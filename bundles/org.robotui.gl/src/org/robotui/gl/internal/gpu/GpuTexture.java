@@ -39,6 +39,9 @@ public final class GpuTexture {
     GpuTexture made = new GpuTexture(gpu, texture.smooth() ? base + base / 3 : base, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE);
     made.send(GL.GL_RGBA8, texture.width(), texture.height(), direct(texture.rgba()));
     made.filter(texture.smooth() ? GL.GL_LINEAR_MIPMAP_LINEAR : GL.GL_NEAREST, texture.smooth() ? GL.GL_LINEAR : GL.GL_NEAREST);
+    if (texture.repeats()) {
+      made.wrap(GL.GL_REPEAT);
+    }
     if (texture.smooth()) {
       gpu.gl().glGenerateMipmap(GL.GL_TEXTURE_2D);
     }
@@ -109,8 +112,12 @@ public final class GpuTexture {
   private void filter(int smaller, int larger) {
     gpu.gl().glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, smaller);
     gpu.gl().glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAG_FILTER, larger);
-    gpu.gl().glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_S, GL.GL_CLAMP_TO_EDGE);
-    gpu.gl().glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_T, GL.GL_CLAMP_TO_EDGE);
+    wrap(GL.GL_CLAMP_TO_EDGE);
+  }
+
+  private void wrap(int outside) {
+    gpu.gl().glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_S, outside);
+    gpu.gl().glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_T, outside);
   }
 
   /** Makes it the one that is drawn with. */

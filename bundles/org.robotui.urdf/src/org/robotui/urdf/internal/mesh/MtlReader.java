@@ -3,11 +3,14 @@ package org.robotui.urdf.internal.mesh;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.robotui.urdf.Color;
 import org.robotui.urdf.internal.Refusal;
 
 /** Reads the materials of OBJ files: colours, opacity and the picture. */
 final class MtlReader {
+  /** What may stand before the name of a picture, for example {@code -s 1 1 1}. */
+  private static final Pattern OPTIONS = Pattern.compile("^(?:-[a-z]+(?:\\s+(?:on|off|[-+.\\d]+))*\\s+)+");
   private static final Color GREY = new Color(0.8f, 0.8f, 0.8f, 1);
 
   private MtlReader() {}
@@ -33,7 +36,7 @@ final class MtlReader {
         case "Kd" -> color = new Color(words.number(), words.number(), words.number(), color.alpha());
         case "d" -> color = alpha(color, words.number());
         case "Tr" -> color = alpha(color, 1 - words.number());
-        case "map_Kd" -> texture = Optional.of(words.rest());
+        case "map_Kd" -> texture = Optional.of(OPTIONS.matcher(words.rest()).replaceFirst("")).filter(file -> !file.isEmpty());
         default -> { }
       }
       words.skipLine();
