@@ -8,10 +8,11 @@ cmd_bench() {
   local names name results failed=()
   names=$(bench_names "${1:-}")
   [[ -n $names ]] || no_bench "${1:-}"
-  [[ $# -le 1 || $1 == rt ]] || usage_error "the benchmark $1 takes no options"
+  [[ $# -le 1 || $1 == rt || $1 == scene ]] || usage_error "the benchmark $1 takes no options"
   [[ ${2:-} != --help ]] || exec "$BENCHES/$1/run" --help
   [[ $# -eq 0 ]] || shift
   need_packages "The benchmarks" "${PEER_PACKAGES[@]}" || true
+  [[ " $names " != *scene* ]] || need_packages "The benchmark scene" "${DISPLAY_PACKAGES[@]}" "${SCENE_BENCH_PACKAGES[@]}" || true
   need_product
   results=$(mktemp)
   for name in $names; do

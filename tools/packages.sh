@@ -11,6 +11,7 @@ readonly PEER_PACKAGES=(
   python3-actionlib python3-dynamic-reconfigure python3-move-base-msgs
   libroscpp-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libnav-msgs-dev libtf2-msgs-dev g++ pkg-config
 )
+readonly SCENE_BENCH_PACKAGES=(rviz ros-robot-state-publisher libvisualization-msgs-dev python3-xlib)
 readonly RT_BENCH_PACKAGES=(rt-tests stress-ng libbenchmark-dev)
 
 # need_packages PURPOSE PACKAGE...: fails when something is missing and cannot be installed.

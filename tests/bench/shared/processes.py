@@ -3,6 +3,7 @@ import contextlib
 import os
 import pathlib
 import queue
+import re
 import signal
 import socket
 import subprocess
@@ -81,6 +82,23 @@ class Programs(contextlib.ExitStack):
         program = Program(name, command, self.environment, self.folder)
         self.callback(program.end)
         return program
+
+
+def family(pid):
+    """A process and all below it: a launcher is a script or a small program, and what is measured runs below."""
+    found, open_list = [], [pid]
+    while open_list:
+        pid = open_list.pop()
+        found.append(pid)
+        children = pathlib.Path(f"/proc/{pid}/task/{pid}/children")
+        open_list += [int(child) for child in children.read_text().split()] if children.exists() else []
+    return found
+
+
+def pss_megabytes(pid):
+    """The proportional set size of a family."""
+    sizes = (pathlib.Path(f"/proc/{each}/smaps_rollup").read_text() for each in family(pid))
+    return sum(int(re.search(r"^Pss:\s+(\d+) kB", text, re.M)[1]) for text in sizes) / 1000
 
 
 def wait_for_port(port, program):

@@ -2,47 +2,18 @@
 import json
 import os
 import pathlib
-import re
 import signal
 import subprocess
 import time
 
 import building
 from building import CannotMeasure, variable
-from processes import Programs
+from display import wait_for
+from processes import Programs, family, pss_megabytes
 
 CROWD = pathlib.Path(__file__).resolve().parents[2] / "e2e" / "peers" / "many_topics.py"
-SCREEN = "1600x1000x24"
 PATIENCE = 60
 SETTLED, MEASURED = 10, 12            # seconds after the first picture: the virtual machine compiles until then
-
-
-class Display:
-    """A display with a window manager, and a home that keeps nothing of the user's."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        self.number = next(n for n in range(90, 400) if not pathlib.Path(f"/tmp/.X{n}-lock").exists())
-        self.environment = dict(os.environ, DISPLAY=f":{self.number}", GDK_BACKEND="x11", NO_AT_BRIDGE="1",
-                                XDG_STATE_HOME=str(folder / "state"), HOME=str(folder), ROS_IP="127.0.0.1")
-        for name in ("WAYLAND_DISPLAY", "ROS_HOSTNAME"):
-            self.environment.pop(name, None)
-        self.processes = []
-
-    def __enter__(self):
-        self._start("Xvfb", f":{self.number}", "-screen", "0", SCREEN, "-nolisten", "tcp")
-        wait_for(lambda: pathlib.Path(f"/tmp/.X11-unix/X{self.number}").exists(), "the display")
-        self._start("openbox")
-        return self
-
-    def _start(self, *command):
-        with (self.folder / f"{command[0]}.log").open("w") as log:
-            self.processes.append(subprocess.Popen(command, env=self.environment, stdout=log, stderr=log))
-
-    def __exit__(self, *_):
-        for process in reversed(self.processes):
-            process.terminate()
-            process.wait(10)
 
 
 class Workbench:
@@ -55,28 +26,15 @@ class Workbench:
             self.process = subprocess.Popen([product, "-config", configuration, "-measure", self.file],
                                             env={**display.environment, **environment}, stdout=log, stderr=log)
 
-    def descendants(self):
-        """The launcher is a script or a small program; the virtual machine is below it."""
-        found, open_list = [], [self.process.pid]
-        while open_list:
-            pid = open_list.pop()
-            found.append(pid)
-            children = pathlib.Path(f"/proc/{pid}/task/{pid}/children")
-            open_list += [int(child) for child in children.read_text().split()] if children.exists() else []
-        return found
-
     def cpu_seconds(self):
         ticks = 0
-        for pid in self.descendants():
+        for pid in family(self.process.pid):
             fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
             ticks += int(fields[11]) + int(fields[12])
         return ticks / os.sysconf("SC_CLK_TCK")
 
     def pss_megabytes(self):
-        total = 0
-        for pid in self.descendants():
-            total += int(re.search(r"^Pss:\s+(\d+) kB", pathlib.Path(f"/proc/{pid}/smaps_rollup").read_text(), re.M)[1])
-        return total / 1000
+        return pss_megabytes(self.process.pid)
 
     def said(self):
         """It writes anew every second."""
@@ -92,17 +50,9 @@ class Workbench:
         try:
             self.process.wait(PATIENCE)
         except subprocess.TimeoutExpired:
-            for pid in reversed(self.descendants()):
+            for pid in reversed(family(self.process.pid)):
                 os.kill(pid, signal.SIGKILL)
             self.process.wait()
-
-
-def wait_for(condition, what, seconds=PATIENCE):
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            raise CannotMeasure(f"{what} did not come")
-        time.sleep(0.02)
 
 
 def measured(workbench):
