@@ -20,6 +20,7 @@ import org.robotui.gl.render.Pick;
 import org.robotui.gl.render.RenderRequest;
 import org.robotui.gl.render.Rendered;
 import org.robotui.gl.render.Renderer;
+import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Describer;
 import org.robotui.gl.shape.Material;
 import org.robotui.gl.shape.Meshes;
@@ -48,6 +49,7 @@ public final class ScenePictures implements AutoCloseable {
   private static final double PIXEL_TOLERANCE = 0.01;
   private static final double DRAWN_TOLERANCE = 0.1;
   private static final long SECONDS = 60;
+  private static final int SEEN = 20;
   private static final double NEAR = 0.05;
   private static final double FAR = 200;
 
@@ -71,6 +73,33 @@ public final class ScenePictures implements AutoCloseable {
     double yaw = Math.atan2(ahead.y(), ahead.x());
     double pitch = Math.atan2(-ahead.z(), Math.hypot(ahead.x(), ahead.y()));
     return new Eye(new RigidTransform(from, Quaternion.fromRollPitchYaw(0, pitch, yaw)), new Perspective(Math.toRadians(60)), NEAR, FAR);
+  }
+
+  /**
+   * An eye that sees everything, from behind and above.
+   *
+   * @param parts what is drawn
+   * @return the eye, for a picture that is wider than high
+   */
+  public static Eye overview(List<Part> parts) {
+    Box3 box = parts.stream().flatMap(part -> part.bounds().stream()).reduce(Box3::union).orElse(new Box3(Vector3.ZERO, Vector3.ZERO));
+    double away = 2 * Math.max(box.radius(), NEAR);
+    Eye near = eye(box.center().plus(new Vector3(-0.6 * away, -0.3 * away, 0.74 * away)), box.center());
+    return new Eye(near.fixedFromEye(), near.projection(), away / 1000, 2 * away);
+  }
+
+  /**
+   * Fails where nothing is seen.
+   *
+   * @param what it is, for the message
+   * @param parts what is drawn
+   */
+  public void assertSeen(String what, List<Part> parts) {
+    SceneImage image = picture(request(parts, overview(parts)));
+    int seen = image.rgb().length - image.count(DARK.packed() >>> Byte.SIZE, 2);
+    if (seen < SEEN) {
+      throw new AssertionError("only " + seen + " pixels are seen of " + what);
+    }
   }
 
   /**

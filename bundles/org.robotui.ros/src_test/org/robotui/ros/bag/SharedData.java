@@ -2,7 +2,6 @@ package org.robotui.ros.bag;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 
 import org.junit.jupiter.api.Assumptions;
 
@@ -13,23 +12,9 @@ final class SharedData {
     }
 
     static Path bag(String name) {
-        Optional<Path> found = root().map(root -> root.resolve("data/bags").resolve(name)).filter(Files::isReadable);
-        Assumptions.assumeTrue(found.isPresent(), "no shared recording " + name + " (set ROBOTUI_SHARED)");
-        return found.orElseThrow();
-    }
-
-    private static Optional<Path> root() {
-        String configured = System.getenv("ROBOTUI_SHARED");
-        return configured != null
-                ? Optional.of(Path.of(configured))
-                : repository().map(repository -> repository.resolveSibling("shared"));
-    }
-
-    private static Optional<Path> repository() {
-        Path folder = Path.of("").toAbsolutePath();
-        while (folder != null && !Files.isDirectory(folder.resolve("bundles"))) {
-            folder = folder.getParent();
-        }
-        return Optional.ofNullable(folder);
+        Assumptions.assumeTrue(org.robotui.testkit.recorded.SharedData.available(), org.robotui.testkit.recorded.SharedData.REASON);
+        Path bag = org.robotui.testkit.recorded.SharedData.file("bags/" + name);
+        Assumptions.assumeTrue(Files.isReadable(bag), "no shared recording " + name);
+        return bag;
     }
 }

@@ -16,6 +16,7 @@ public final class FakePlaces implements Places {
 
   private final Map<FrameId, RigidTransform> known = new LinkedHashMap<>();
   private FrameId fixed = frame("map");
+  private boolean everywhere;
 
   /** Knows the fixed frame only. */
   public FakePlaces() {
@@ -52,6 +53,11 @@ public final class FakePlaces implements Places {
     known.put(fixed, RigidTransform.IDENTITY);
   }
 
+  /** Puts every frame that no test put elsewhere where the fixed one is. */
+  public void knowAll() {
+    everywhere = true;
+  }
+
   @Override
   public FrameId fixed() {
     return fixed;
@@ -59,8 +65,8 @@ public final class FakePlaces implements Places {
 
   @Override
   public Place at(FrameId frame, Optional<Stamp> stamp) {
-    return Optional.ofNullable(known.get(frame)).<Place>map(Place.At::new)
-        .orElseGet(() -> new Place.Missing("no transform leads from " + frame.name() + " to " + fixed.name()));
+    return Optional.ofNullable(known.get(frame)).or(() -> everywhere ? Optional.of(RigidTransform.IDENTITY) : Optional.empty())
+        .<Place>map(Place.At::new).orElseGet(() -> new Place.Missing("no transform leads from " + frame.name() + " to " + fixed.name()));
   }
 
   @Override

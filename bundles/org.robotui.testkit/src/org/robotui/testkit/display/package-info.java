@@ -1,3 +1,3 @@
 /** Displays of scenes, driven without a scene. */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.testkit.display;

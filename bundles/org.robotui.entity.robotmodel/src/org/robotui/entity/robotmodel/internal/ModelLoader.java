@@ -53,7 +53,6 @@ final class ModelLoader {
   }
 
   private Loaded load(RobotModel model, List<Problem> warnings) {
-    warnings.forEach(warning -> problems.add(request.description().name() + ", " + warning));
     Map<String, List<Form>> forms = new HashMap<>();
     for (Link link : model.links()) {
       if (Thread.currentThread().isInterrupted()) {
@@ -65,6 +64,8 @@ final class ModelLoader {
       }
       forms.put(link.name(), forms(link));
     }
+    // Last: a mesh that is absent matters more than a colour.
+    warnings.forEach(warning -> problems.add(request.description().name() + ", " + warning));
     return new Loaded.Model(model, new Kinematics(model), semantics(model), Map.copyOf(forms), shapes.bytes(), List.copyOf(problems));
   }
 
