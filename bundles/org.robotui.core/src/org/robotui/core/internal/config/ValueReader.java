@@ -136,6 +136,9 @@ final class ValueReader {
   }
 
   private Optional<Object> anyOf(YamlValue value, ValueType.AnyOf type, String name) {
+    if (isQuoted(value) && type.alternatives().stream().anyMatch(ValueType.Text.class::isInstance)) {
+      return read(value, new ValueType.Text(), name);
+    }
     for (ValueType alternative : type.alternatives()) {
       List<Problem> tried = new ArrayList<>();
       Optional<Object> read = new ValueReader(tried).read(value, alternative, name);
@@ -144,6 +147,11 @@ final class ValueReader {
       }
     }
     return sameShape(value, type).flatMap(shape -> read(value, shape, name)).or(() -> anyWrong(value, type, name));
+  }
+
+  /** What stands in quotes is a text where it may be one: "007" and "#4da3ff" are no numbers. */
+  private static boolean isQuoted(YamlValue value) {
+    return value instanceof YamlValue.Scalar scalar && !scalar.plain();
   }
 
   /** The alternative of the same shape: its own problems say more than "none of these". */
