@@ -18,6 +18,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.data.Data;
 import org.robotui.data.Marker;
@@ -269,6 +271,26 @@ class MarkersDisplayTest {
     show(Sample.of(1, Type.MESH).mesh("http://somewhere/a.dae"));
     background.remove().run();
     assertTrue(partly().contains("nothing is fetched from elsewhere"), partly());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"file:///etc/passwd", "/etc/passwd", "package://p/../secret.stl", "package:///etc/passwd", "https://somewhere/a.stl"})
+  void nothingIsReadOutsideOfPackages(String uri, @TempDir Path folder) throws IOException {
+    Files.createDirectories(folder.resolve("p"));
+    Files.writeString(folder.resolve("p/package.xml"), "<package><name>p</name></package>");
+    Files.writeString(folder.resolve("secret.stl"), "solid s\nendsolid s\n");
+    scene.values.put(MarkersType.PACKAGES, List.of(folder.toString()));
+    show(Sample.of(1, Type.MESH).mesh(uri));
+    background.remove().run();
+    assertEquals(0, display.update(scene.of()).parts().size());
+    assertTrue(partly().startsWith("marker things/1: "), partly());
+  }
+
+  @Test
+  void aMillionPointsAreOneShape() {
+    DisplayResult crowd = show(Sample.of(1, Type.POINTS).scale(0.1, 0.1, 0).points(new float[3_000_000]));
+    assertEquals(1, crowd.parts().size());
+    assertEquals(1_000_000, crowd.parts().getFirst().shape().elements());
   }
 
   @Test
