@@ -20,7 +20,7 @@ cmd_run() {
   esac
   need_product
   trap end_everything EXIT
-  ! wants_simulator "${configs[@]}" || start_simulator "$stay"
+  start_simulators "$stay" "$(simulators_wanted "${configs[@]}")"
   start_controls "${configs[@]}"
   run_application "$mode" -config "${configs[@]}" "${options[@]}"
 }
@@ -67,7 +67,7 @@ cmd_check() {
   [[ -n $config ]] || usage_error "check needs a configuration"
   need_product
   trap end_everything EXIT
-  [[ ${#live[@]} -eq 0 ]] || ! wants_simulator "$config" || start_simulator ''
+  [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$(simulators_wanted "$config")"
   run_application check -application org.robotui.headless.application -check "$config" "${live[@]}"
 }
 
@@ -105,25 +105,43 @@ mode_for_display() {
   printf '%s' "$mode"
 }
 
-# ---- the simulated robot --------------------------------------------------------------------------------------------
+# ---- the simulated robots -------------------------------------------------------------------------------------------
 
-wants_simulator() { grep -qsE '^simulator:[[:space:]]*["'\'']?mobile-base' "$@"; }
+simulators=() simulator_dirs=()
+
+# How many the configuration that wants most asks for: `simulator: mobile-base`, or a list of such words.
+simulators_wanted() {
+  local config
+  for config in "$@"; do
+    awk '/^simulator:/ { count += gsub(/mobile-base/, "") } END { print count + 0 }' "$config"
+  done | sort -n | tail -n 1
+}
+
+# Each has a ROS master of its own: that of the first is ROS_MASTER_URI, that of the second ROS_MASTER_URI_2, and so on.
+start_simulators() {
+  local stay=$1 count=$2 number
+  for ((number = 1; number <= count; number++)); do
+    start_simulator "$stay" "$number"
+  done
+  for ((number = 1; number <= count; number++)); do
+    await_simulator "$number"
+  done
+}
 
 start_simulator() {
-  local stay=$1 out prefix=() options=()
+  local stay=$1 number=$2 out prefix=() options=(--seed "$number")
   out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
-  simulator_dir=$out
+  simulator_dirs+=("$out")
   : >"$out/out"
   if [[ -n $stay ]]; then
     simulator_stays=yes
     prefix=(setsid nohup)
   else
-    options=(--parent $$)           # so that it also ends when this script is killed without a chance to tell
+    options+=(--parent $$)          # so that it also ends when this script is killed without a chance to tell
   fi
   "${prefix[@]}" "$JAVA_HOME/bin/java" "${SIMULATOR_JVM[@]}" -cp "$(simulator_classpath)" org.robotui.sim.Main "${options[@]}" \
     >"$out/out" 2>"$out/err" </dev/null &
-  simulator=$!
-  await_simulator "$out"
+  simulators+=($!)
 }
 
 # The simulator needs no OSGi: the same bundles are plain jars.
@@ -136,20 +154,26 @@ simulator_classpath() {
 }
 
 await_simulator() {
-  local out=$1 uri='' tries=0
+  local number=$1 uri='' tries=0 variable=ROS_MASTER_URI
+  local process=${simulators[$1 - 1]} out=${simulator_dirs[$1 - 1]}
   while uri=$(sed -n 's/^ROS_MASTER_URI=//p' "$out/out"); [[ -z $uri ]]; do
-    if ! kill -0 "$simulator" 2>/dev/null || ((++tries > 600)); then
+    if ! kill -0 "$process" 2>/dev/null || ((++tries > 600)); then
       say "robotui: the simulated robot did not start:"
       tail -n 20 "$out/err" >&2
       exit 1
     fi
     sleep 0.05
   done
+  [[ $number -eq 1 ]] || variable+=_$number
   unset ROS_HOSTNAME
-  export ROS_MASTER_URI=$uri ROS_IP=127.0.0.1
-  say "The simulated robot speaks ROS here. For rostopic and others:"
+  export "$variable=$uri" ROS_IP=127.0.0.1
+  if [[ $number -eq 1 ]]; then
+    say "The simulated robot speaks ROS here. For rostopic and others:"
+  else
+    say "Simulated robot $number speaks ROS here (the configuration knows it as $variable):"
+  fi
   say "  export ROS_MASTER_URI=$uri ROS_IP=127.0.0.1"
-  [[ -z ${simulator_stays:-} ]] || say "  It stays when RobotUI ends. To end it:  kill $simulator"
+  [[ -z ${simulator_stays:-} ]] || say "  It stays when RobotUI ends. To end it:  kill $process"
 }
 
 # ---- the application ------------------------------------------------------------------------------------------------
@@ -179,11 +203,16 @@ stop_application() {
 end_everything() {
   trap '' INT TERM HUP
   [[ -z ${application:-} ]] || end_process "$application"
-  if [[ -n ${simulator:-} && -z ${simulator_stays:-} ]]; then
-    end_process "$simulator"
-    rm -rf "$simulator_dir"
-  fi
+  [[ -n ${simulator_stays:-} ]] || end_simulators
   end_controls
+}
+
+end_simulators() {
+  local process
+  for process in "${simulators[@]}"; do
+    end_process "$process"
+  done
+  rm -rf "${simulator_dirs[@]}"
 }
 
 # Politely, and after five seconds not.
