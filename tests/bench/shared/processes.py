@@ -28,7 +28,7 @@ class Program:
         self.log = folder / f"{name}.log"
         with self.log.open("w") as log:
             self.process = subprocess.Popen([str(word) for word in command], env=environment, stdin=subprocess.PIPE,
-                                            stdout=subprocess.PIPE, stderr=log, text=True, start_new_session=True)
+                                            stdout=subprocess.PIPE, stderr=log, text=True, start_new_session=True, cwd=folder)
         self.answers = queue.Queue()
         threading.Thread(target=self._read, daemon=True).start()
 
