@@ -95,6 +95,8 @@ final class DisplayTree {
     boolean news = row.isPresent() != (split.getMaximizedControl() == null);
     if (news) {
       split.setMaximizedControl(row.isPresent() ? null : list.control());
+      // The list has become shorter: what was pressed may lie below its edge.
+      row.ifPresent(r -> list.select(r.spec().id()));
     }
   }
 
