@@ -103,9 +103,9 @@ class View:
                 if last is not None and not numpy.array_equal(pixels, last) and now > begun:
                     times.append(time.monotonic())
                 last = pixels
-        if len(times) < 2:
-            raise CannotMeasure(f"{self.program.name} changed its view {len(times)} times in {PATIENCE} s of turning")
-        return (len(times) - 1) / (times[-1] - times[0])
+        if not times:
+            raise CannotMeasure(f"{self.program.name} did not change its view in {PATIENCE} s of turning")
+        return (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else 1 / (time.monotonic() - begun)
 
     def latencies(self, moves, pause):
         """Seconds from a jump of the mouse, PAUSE seconds after the answer to the one before, to pixels that show the other side."""
