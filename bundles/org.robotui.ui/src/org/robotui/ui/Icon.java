@@ -17,6 +17,8 @@ public enum Icon {
   RULER("M 1.5 11 L 11 1.5 L 14.5 5 L 5 14.5 Z M 4.5 8 L 6 9.5 M 7.5 5 L 9 6.5"),
   /** A goal to go to. */
   TARGET("O 8 8 6 O 8 8 2.2"),
+  /** Places to go to, one after the other. */
+  ROUTE("O 3.2 12.8 1.8 O 12.8 3.2 1.8 M 5 12.6 C 12.5 12 3.5 4 11 3.4"),
   /** Where the robot is. */
   POSE("M 8 1.5 L 13 14 L 8 11 L 3 14 Z"),
   /** What is shown. */

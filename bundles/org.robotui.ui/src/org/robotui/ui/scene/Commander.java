@@ -70,7 +70,16 @@ public final class Commander {
     return send(poses, estimate, "Pose " + words(pose) + " sent");
   }
 
-  private <T extends Data> Told send(Output<T> output, T command, String done) {
+  /**
+   * Sends a command of any kind.
+   *
+   * @param <T> the type of the command
+   * @param output where to
+   * @param command what
+   * @param done what is said where it was taken
+   * @return what became of it
+   */
+  public <T extends Data> Told send(Output<T> output, T command, String done) {
     if (output.state() instanceof InputState.Unconnected u) {
       return new Told(Health.BAD, "Not sent: " + u.explanation());
     }

@@ -39,6 +39,8 @@ public record RosSettings(
       Setting.of("velocity", TEXTS, List.of(), "topics for velocity commands, also while nobody subscribes to them"),
       Setting.of("goal", TEXTS, List.of(), "topics for navigation goals, also while nobody subscribes to them"),
       Setting.of("initial_pose", TEXTS, List.of(), "topics for initial poses, also while nobody subscribes to them"),
+      Setting.of("path", TEXTS, List.of(), "topics to which waypoints are sent as a path"),
+      Setting.of("poses", TEXTS, List.of(), "topics to which waypoints are sent as an array of poses"),
       Setting.of("node", TEXT, "robotui", "first part of the name of our node"),
       Setting.of("tf", new ValueType.Flag(), true, "whether transforms are listened to"));
 
@@ -54,7 +56,9 @@ public record RosSettings(
         texts(settings, "topics").stream().map(RosSettings::pattern).toList(),
         Map.of("geometry_msgs/Twist", texts(settings, "velocity"),
             "geometry_msgs/PoseStamped", texts(settings, "goal"),
-            "geometry_msgs/PoseWithCovarianceStamped", texts(settings, "initial_pose")),
+            "geometry_msgs/PoseWithCovarianceStamped", texts(settings, "initial_pose"),
+            "nav_msgs/Path", texts(settings, "path"),
+            "geometry_msgs/PoseArray", texts(settings, "poses")),
         settings.text("node"), settings.flag("tf"));
   }
 

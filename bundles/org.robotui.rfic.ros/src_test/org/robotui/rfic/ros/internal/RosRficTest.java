@@ -31,6 +31,7 @@ import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.ClockKind;
+import org.robotui.data.Data;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldPath;
 import org.robotui.data.FieldShape;
@@ -38,10 +39,13 @@ import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
 import org.robotui.data.LaserScan;
 import org.robotui.data.MessageCommand;
+import org.robotui.data.Path;
+import org.robotui.data.PoseArray;
 import org.robotui.data.RecordShape;
 import org.robotui.data.RobotDescription;
 import org.robotui.data.Stamp;
 import org.robotui.data.VelocityCommand;
+import org.robotui.geometry.RigidTransform;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.Publisher;
@@ -174,6 +178,38 @@ class RosRficTest {
     await(() -> context.commands.containsKey("base/cmd"));
     Sent sent = send("base/cmd", VelocityCommand.ZERO);
     assertEquals("nobody listens on /base/cmd now", assertInstanceOf(Sent.Refused.class, sent).reason());
+  }
+
+  @Test
+  void sendsWaypointsToTheTopicsThatAreNamed() {
+    Deque<org.robotui.ros.msgs.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
+    Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/follow", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> paths.add(p));
+    robot.subscriber("/visit", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, SubscriberOptions.standard(), (p, r) -> arrays.add(p));
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))));
+    rfic.start();
+    await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
+    FrameId map = new FrameId("robby", "map");
+    List<RigidTransform> poses = List.of(RigidTransform.planar(1, 2, 0), RigidTransform.planar(3, 4, 0));
+    await(() -> send("follow", new Path(map, poses)) instanceof Sent.Out);
+    await(() -> send("visit", new PoseArray(map, poses)) instanceof Sent.Out);
+    await(() -> !paths.isEmpty() && !arrays.isEmpty());
+    assertEquals("map", paths.getFirst().header().frameId());
+    assertEquals("map", paths.getFirst().poses().getLast().header().frameId());
+    assertEquals(4, paths.getFirst().poses().getLast().pose().position().y());
+    assertEquals(List.of(1.0, 3.0), arrays.getFirst().poses().stream().map(pose -> pose.position().x()).toList());
+  }
+
+  @Test
+  void aPlanThatOthersLookAtStaysNewsAndIsNoCommand() throws IOException {
+    robot.publisher("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, PublisherOptions.standard());
+    RosNode viewer = node("viewer");
+    viewer.subscriber("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> { });
+    viewer.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    rfic.start();
+    await(() -> context.commands.containsKey("cmd_vel") && context.streams.containsKey("plan"));
+    assertFalse(context.commands.containsKey("plan"));
+    viewer.close();
   }
 
   @Test
@@ -355,8 +391,8 @@ class RosRficTest {
   }
 
   @SuppressWarnings("unchecked")
-  private Sent send(String port, VelocityCommand command) {
-    return ((CommandSink<VelocityCommand>) context.sinks.get(port)).send(command);
+  private Sent send(String port, Data command) {
+    return ((CommandSink<Data>) context.sinks.get(port)).send(command);
   }
 
   @SuppressWarnings("unchecked")

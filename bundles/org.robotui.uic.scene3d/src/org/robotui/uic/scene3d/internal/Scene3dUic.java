@@ -13,6 +13,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.scene.Commander;
+import org.robotui.ui.scene.Told;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Rig;
 import org.robotui.uic.scene3d.internal.model.Edits;
@@ -23,6 +24,9 @@ import org.robotui.uic.scene3d.internal.model.Stage;
 import org.robotui.uic.scene3d.internal.studio.Studio;
 import org.robotui.uic.scene3d.internal.view.SceneActions;
 import org.robotui.uic.scene3d.internal.view.SceneSurface;
+import org.robotui.uic.scene3d.internal.waypoint.Tour;
+import org.robotui.uic.scene3d.internal.waypoint.WaypointSender;
+import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
 /** A scene: ticks prepare it, the studio has it drawn, the surface paints pictures. While nobody sees it, it asks for nothing. */
 final class Scene3dUic implements SwtUic {
@@ -33,6 +37,7 @@ final class Scene3dUic implements SwtUic {
   private final SceneModel model;
   private final SceneParts parts;
   private final Followed followed;
+  private final Driver driver;
   private final SceneActions actions = new SceneActions();
   private volatile Optional<SceneSurface> surface = Optional.empty();
   private long probedNanos;
@@ -42,19 +47,25 @@ final class Scene3dUic implements SwtUic {
   private String figures = "";
 
   Scene3dUic(UicContext context, Supplier<List<DisplayType>> kinds, Supplier<Optional<Gl>> graphics) {
-    model = new SceneModel(context, kinds, new SceneDisplays(context));
+    Commander commander = new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE);
+    Waypoints waypoints = new Waypoints(context.settings(),
+        new Tour(commander, context.output(ScenePorts.GOAL), context.principal(), told -> tell(context, told)));
+    model = new SceneModel(context, kinds, new SceneDisplays(context), waypoints);
+    driver = new Driver(context, waypoints);
     Edits edits = new Edits(context.settings(), model::specs);
     Rig rig = new Rig(edits.start().orElse(CameraPose.START));
     fits = edits.start().isPresent() ? 2 : 0;
     Studio studio = new Studio(graphics, rig, System::nanoTime,
         (picture, from) -> surface.ifPresent(s -> s.take(picture, from)), () -> surface.ifPresent(SceneSurface::paintSoon));
     followed = new Followed(context.frames(), rig);
-    parts = new SceneParts(model, studio, rig, new Picks(), edits,
-        new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), context.settings(), kinds, context.background());
+    parts = new SceneParts(model, studio, rig, new Picks(), edits, commander, waypoints,
+        new WaypointSender(commander, context.output(ScenePorts.PATH), context.output(ScenePorts.POSES)), context.settings(), kinds,
+        context.background());
   }
 
   @Override
   public boolean tick(long nowNanos) {
+    driver.tick(nowNanos);
     if (surface.isEmpty() || !seen(surface.get(), nowNanos)) {
       return false;
     }
@@ -70,6 +81,11 @@ final class Scene3dUic implements SwtUic {
     changed |= !next.equals(figures);
     figures = next;
     return changed;
+  }
+
+  /** In the scene where it is seen, else wherever the workbench says such things. */
+  private void tell(UicContext context, Told told) {
+    surface.filter(SceneSurface::seen).ifPresentOrElse(shown -> shown.say(told), () -> context.alert(told.text()));
   }
 
   /** Whether somebody looks; after a while without, all is given up. */

@@ -20,6 +20,10 @@ public final class SceneOptions {
   public static final String VIEWS = "views";
   public static final String TREE = "tree";
   public static final String THINNING = "thinning";
+  public static final String WAYPOINTS = "waypoints";
+  public static final String WAYPOINT_FRAME = "waypoint_frame";
+  public static final String WAYPOINT_SIZE = "waypoint_size";
+  public static final String WAYPOINT_TOLERANCE = "waypoint_tolerance";
 
   public static final String TYPE = "type";
   public static final String ID = "id";
@@ -59,6 +63,12 @@ public final class SceneOptions {
       Setting.of("pitch", ANGLE, 0.0, "Turn of the child about y."),
       Setting.of("yaw", ANGLE, 0.0, "Turn of the child about z."));
 
+  private static final Schema WAYPOINT = Schema.of(
+      Setting.of("x", NUMBER, 0.0, "Where it is in the frame of the waypoints."),
+      Setting.of("y", NUMBER, 0.0, "Where it is in the frame of the waypoints."),
+      Setting.of("z", NUMBER, 0.0, "Where it is in the frame of the waypoints."),
+      Setting.of("yaw", ANGLE, 0.0, "Where the robot looks."));
+
   private static final List<Setting> POSE = List.of(
       Setting.of(KIND, new ValueType.Choice(List.of(CameraKind.ORBIT.word(), CameraKind.FLY.word(), CameraKind.TOP.word())),
           CameraKind.ORBIT.word(), "How it is moved."),
@@ -81,6 +91,10 @@ public final class SceneOptions {
       Setting.of(VIEWS, new ValueType.MapOf(new ValueType.Section(new Schema(POSE))), Map.of(), "Views by name; the one that is named start is where the scene begins."),
       Setting.of(FOLLOW, new ValueType.Text(), "", "The frame that the camera keeps up with; empty for none."),
       Setting.of(FOLLOW_YAW, new ValueType.Flag(), false, "Whether the camera also turns with it."),
+      Setting.of(WAYPOINTS, new ValueType.ListOf(new ValueType.Section(WAYPOINT)), List.of(), "Places to go to one after the other."),
+      Setting.of(WAYPOINT_FRAME, new ValueType.Text(), "", "The frame of the waypoints as robot/frame; empty for the fixed frame."),
+      Setting.of(WAYPOINT_SIZE, new ValueType.Num(0.02, 100, "m"), 0.4, "How large waypoints are drawn."),
+      Setting.of(WAYPOINT_TOLERANCE, new ValueType.Num(0.01, 100, "m"), 0.3, "How near the robot must come before it is sent to the next waypoint."),
       Setting.of(THINNING, new ValueType.Flag(), true, "Whether clouds are thinned while the camera moves, so that it moves fluidly."),
       Setting.of(TREE, new ValueType.Flag(), true, "Whether the list of displays is seen."));
 

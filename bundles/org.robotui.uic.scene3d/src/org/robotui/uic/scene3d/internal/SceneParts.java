@@ -11,6 +11,8 @@ import org.robotui.uic.scene3d.internal.model.Edits;
 import org.robotui.uic.scene3d.internal.model.Picks;
 import org.robotui.uic.scene3d.internal.model.SceneModel;
 import org.robotui.uic.scene3d.internal.studio.Studio;
+import org.robotui.uic.scene3d.internal.waypoint.WaypointSender;
+import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
 /**
  * What a scene consists of.
@@ -21,9 +23,11 @@ import org.robotui.uic.scene3d.internal.studio.Studio;
  * @param picks what is selected
  * @param edits what the user changes
  * @param commander sends goals and poses
+ * @param waypoints places to go to
+ * @param sender sends the waypoints as a list
  * @param settings as chosen
  * @param kinds of displays that are there
  * @param background for files
  */
-public record SceneParts(SceneModel model, Studio studio, Rig rig, Picks picks, Edits edits, Commander commander, SettingsStore settings,
-    Supplier<List<DisplayType>> kinds, Executor background) {}
+public record SceneParts(SceneModel model, Studio studio, Rig rig, Picks picks, Edits edits, Commander commander, Waypoints waypoints,
+    WaypointSender sender, SettingsStore settings, Supplier<List<DisplayType>> kinds, Executor background) {}

@@ -9,6 +9,8 @@ import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
 import org.robotui.data.MarkerFeedback;
 import org.robotui.data.NavigationGoal;
+import org.robotui.data.Path;
+import org.robotui.data.PoseArray;
 import org.robotui.data.PoseEstimate;
 
 /** The ports of the scene. */
@@ -22,8 +24,13 @@ public final class ScenePorts {
   public static final CommandPort<MarkerFeedback> MARKERS =
       new CommandPort<>("marker_feedback", MarkerFeedback.class, Arity.OPTIONAL, "What hands do with interactive markers.");
 
+  public static final CommandPort<Path> PATH =
+      new CommandPort<>("path", Path.class, Arity.OPTIONAL, "The waypoints of the scene, as a way.");
+  public static final CommandPort<PoseArray> POSES =
+      new CommandPort<>("poses", PoseArray.class, Arity.OPTIONAL, "The waypoints of the scene, as poses.");
+
   /** All of them. */
-  public static final List<Port> ALL = List.of(DATA, GOAL, INITIAL_POSE, MARKERS);
+  public static final List<Port> ALL = List.of(DATA, GOAL, INITIAL_POSE, MARKERS, PATH, POSES);
 
   private ScenePorts() {}
 }

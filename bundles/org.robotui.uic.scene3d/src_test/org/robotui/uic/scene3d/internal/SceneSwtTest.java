@@ -33,12 +33,15 @@ import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Properties;
 import org.robotui.gl.shape.Ray;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.uic.scene3d.internal.model.FakeKind;
 import org.robotui.uic.scene3d.internal.studio.FakeGl;
+import org.robotui.uic.scene3d.internal.waypoint.Route;
+import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class SceneSwtTest {
@@ -171,6 +174,78 @@ class SceneSwtTest {
     assertEquals(1, window.context.output(ScenePorts.GOAL).sent().size());
     assertEquals(MAP, window.context.output(ScenePorts.GOAL).sent().getFirst().command().frame());
     assertEquals(0, window.context.output(ScenePorts.GOAL).sent().getFirst().command().pose().translation().z(), 1e-9);
+  }
+
+  private List<Part> marks() {
+    return gl.requests.getLast().parts().getOrDefault(Waypoints.DISPLAY, List.of());
+  }
+
+  private void place(int x, int y) {
+    drag(1, 0, x, y, x + 60, y);
+    window.tick();
+    window.tick();
+  }
+
+  private Route route() {
+    return Route.read(window.context.settings().current());
+  }
+
+  @Test
+  void waypointsArePlacedMovedAndRemovedByMouseAndKeys() {
+    gl.hit = Optional.empty();
+    window.act("waypoints");
+    place(300, 300);
+    place(350, 330);
+    assertEquals(2, route().poses().size());
+    assertEquals(Optional.of(MAP), route().frame());
+    assertTrue(window.until(() -> marks().size() == 7));
+    RigidTransform first = route().poses().getFirst();
+    Part disc = marks().getFirst();
+    gl.hit = Optional.of(new Pick(Waypoints.DISPLAY, disc, 0, first.translation()));
+    drag(1, 0, 300, 300, 340, 320);
+    window.tick();
+    assertNotEquals(first.translation(), route().poses().getFirst().translation());
+    assertEquals(first.rotation(), route().poses().getFirst().rotation());
+    assertEquals(2, route().poses().size(), "a press on a waypoint adds none");
+    key(SWT.PAGE_DOWN, 0);
+    window.tick();
+    assertEquals(first.rotation(), route().poses().getLast().rotation());
+    key('z', SWT.MOD1);
+    key('z', SWT.MOD1);
+    window.tick();
+    assertEquals(first, route().poses().getFirst());
+    key(SWT.DEL, 0);
+    window.tick();
+    assertEquals(1, route().poses().size());
+  }
+
+  @Test
+  void enterDrivesToTheWaypointsAndTheStopEndsIt() {
+    gl.hit = Optional.empty();
+    window.act("waypoints");
+    place(300, 300);
+    place(350, 330);
+    key(SWT.CR, 0);
+    window.tick();
+    RigidTransform first = route().poses().getFirst();
+    assertEquals(List.of(first), window.context.output(ScenePorts.GOAL).sent().stream().map(s -> s.command().pose()).toList());
+    window.frames.fix(MAP, BASE, first);
+    window.tick();
+    assertEquals(route().poses(), window.context.output(ScenePorts.GOAL).sent().stream().map(s -> s.command().pose()).toList());
+    window.context.authority().stop(FakeAuthority.ANNA);
+    window.tick();
+    window.frames.fix(MAP, BASE, route().poses().getLast());
+    window.tick();
+    assertEquals(2, window.context.output(ScenePorts.GOAL).sent().size());
+  }
+
+  private void key(int code, int mask) {
+    Event event = new Event();
+    event.keyCode = code;
+    event.stateMask = mask;
+    window.canvas().notifyListeners(SWT.KeyDown, event);
+    window.turn();
+    window.tick();
   }
 
   @Test

@@ -7,6 +7,8 @@ import org.robotui.data.Data;
 import org.robotui.data.Doubles;
 import org.robotui.data.NavigationGoal;
 import org.robotui.data.Odometry;
+import org.robotui.data.Path;
+import org.robotui.data.PoseArray;
 import org.robotui.data.PoseEstimate;
 import org.robotui.data.VelocityCommand;
 import org.robotui.ros.message.MessageCodec;
@@ -26,10 +28,11 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param data the data type
  * @param codec writes the messages
  * @param message turns one into the other, with the present time in nanoseconds
+ * @param named whether only topics that the configuration names take it: of others that are subscribed to, most show what the robot plans
  * @param help a sentence for users
  */
 public record CommandType<D extends Data, M>(
-    String type, Class<D> data, MessageCodec<M> codec, Stamped<D, M> message, String help) {
+    String type, Class<D> data, MessageCodec<M> codec, Stamped<D, M> message, boolean named, String help) {
   /**
    * Makes a message.
    *
@@ -49,15 +52,20 @@ public record CommandType<D extends Data, M>(
   }
 
   private static final List<CommandType<?, ?>> ALL = List.of(
-      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, Twist.CODEC, (c, now) -> twist(c),
+      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, Twist.CODEC, (c, now) -> twist(c), false,
           "Velocity of the base."),
       new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, TwistStamped.CODEC,
-          (c, now) -> new TwistStamped(new Header(0, now, ""), twist(c)), "Velocity of the base."),
+          (c, now) -> new TwistStamped(new Header(0, now, ""), twist(c)), false, "Velocity of the base."),
       new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, PoseStamped.CODEC,
-          (c, now) -> new PoseStamped(new Header(0, now, c.frame().name()), Geometry.pose(c.pose())),
+          (c, now) -> new PoseStamped(new Header(0, now, c.frame().name()), Geometry.pose(c.pose())), false,
           "Where the robot shall go."),
       new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, PoseWithCovarianceStamped.CODEC,
-          CommandType::estimate, "Where the robot is, for its localisation."));
+          CommandType::estimate, false, "Where the robot is, for its localisation."),
+      new CommandType<>("nav_msgs/Path", Path.class, org.robotui.ros.msgs.nav_msgs.Path.CODEC, CommandType::path, true,
+          "Places to go to one after the other."),
+      new CommandType<>("geometry_msgs/PoseArray", PoseArray.class, org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC,
+          (c, now) -> new org.robotui.ros.msgs.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
+              c.poses().stream().map(Geometry::pose).toList()), true, "Places to go to one after the other."));
 
   /**
    * The command for a topic's type.
@@ -76,6 +84,11 @@ public record CommandType<D extends Data, M>(
   private static PoseWithCovarianceStamped estimate(PoseEstimate c, long now) {
     return new PoseWithCovarianceStamped(new Header(0, now, c.frame().name()),
         new PoseWithCovariance(Geometry.pose(c.pose()), covariance(c.covariance())));
+  }
+
+  private static org.robotui.ros.msgs.nav_msgs.Path path(Path c, long now) {
+    Header header = new Header(0, now, c.frame().name());
+    return new org.robotui.ros.msgs.nav_msgs.Path(header, c.poses().stream().map(pose -> new PoseStamped(header, Geometry.pose(pose))).toList());
   }
 
   private static double[] covariance(Doubles given) {

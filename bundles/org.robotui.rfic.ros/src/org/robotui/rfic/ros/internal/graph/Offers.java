@@ -120,7 +120,8 @@ final class Offers implements AutoCloseable {
     Map<String, String> topics = new HashMap<>();
     subscribed.forEach((topic, type) -> {
       // a topic that carries the name of a port for all topics would hide it
-      if (settings.offers(topic) && !OWN.contains(settings.portName(topic))) {
+      boolean free = CommandType.of(type).filter(CommandType::named).isEmpty();
+      if (free && settings.offers(topic) && !OWN.contains(settings.portName(topic))) {
         topics.put(topic, type);
       }
     });

@@ -1,6 +1,7 @@
 package org.robotui.uic.scene3d.internal.model;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +16,12 @@ final class Robots {
   private static final List<String> BASES = List.of("base_footprint", "base_link", "base", "pelvis");
 
   private Robots() {}
+
+  /** The base frame of a robot; where no robot has the name, that of the first one. */
+  static Optional<FrameId> base(String robot, List<FrameId> frames) {
+    Comparator<FrameId> likely = Comparator.comparing((FrameId f) -> !f.robot().equals(robot)).thenComparing(f -> BASES.indexOf(f.name()));
+    return frames.stream().filter(f -> BASES.contains(f.name())).min(likely);
+  }
 
   static List<Stage.Robot> find(ScenePlaces places, Collection<FrameId> named, Function<String, Rgba> colors) {
     Map<String, Optional<RigidTransform>> found = new LinkedHashMap<>();

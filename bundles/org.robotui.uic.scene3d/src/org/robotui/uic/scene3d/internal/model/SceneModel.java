@@ -27,6 +27,7 @@ import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.shape.Part;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.ScenePorts;
+import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 import org.robotui.ui.scene.FixedFrame;
 
 /** Drains, routes to displays, and makes the stage. Worker thread, where nothing else is said. */
@@ -39,16 +40,18 @@ public final class SceneModel {
   private final RobotClock clock;
   private final Supplier<List<DisplayType>> kinds;
   private final DisplayContext context;
+  private final Waypoints waypoints;
   private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
   private final Map<String, DisplaySlot> slots = new LinkedHashMap<>();
   private final RobotColors colors = new RobotColors();
   private final Set<FrameId> named = new LinkedHashSet<>();
   private Set<SourceId> chosen = Set.of();
   private long epoch;
+  private List<Part> marks = List.of();
   private volatile Stage stage = Stage.NONE;
 
   /** A scene of a view. */
-  public SceneModel(UicContext context, Supplier<List<DisplayType>> kinds, DisplayContext displays) {
+  public SceneModel(UicContext context, Supplier<List<DisplayType>> kinds, DisplayContext displays, Waypoints waypoints) {
     input = context.input(ScenePorts.DATA);
     known = context.frames();
     settings = context.settings();
@@ -56,6 +59,7 @@ public final class SceneModel {
     epoch = clock.epoch();
     this.kinds = kinds;
     this.context = displays;
+    this.waypoints = waypoints;
   }
 
   /** What the last tick made; any thread. */
@@ -88,6 +92,9 @@ public final class SceneModel {
     ScenePlaces places = new ScenePlaces(frames, fixed.orElse(new FrameId("scene", "fixed")));
     boolean changed = runTasks();
     changed |= update(places, now, nowNanos);
+    List<Part> before = marks;
+    marks = waypoints.tick(places);
+    changed |= !PartsCheck.same(before, marks);
     List<Stage.Robot> robots = Robots.find(places, named, r -> colors.of(r, now));
     return show(fixed, places.all(), robots, changed);
   }
@@ -160,6 +167,9 @@ public final class SceneModel {
         parts.put(id, slot.result().parts());
       }
     });
+    if (!marks.isEmpty()) {
+      parts.put(Waypoints.DISPLAY, marks);
+    }
     boolean other = changed || !parts.keySet().equals(stage.parts().keySet());
     List<DisplayRow> rows = new ArrayList<>();
     slots.values().forEach(s -> rows.add(s.row()));

@@ -31,6 +31,7 @@ final class Hands {
   private final PaintedCanvas canvas;
   private final Display display;
   private final Runnable rest;
+  private final WaypointKeys waypoints;
   private Optional<Press> press = Optional.empty();
   private Optional<Grip> grip = Optional.empty();
   private Point pointer = new Point(0, 0);
@@ -53,6 +54,7 @@ final class Hands {
     this.parts = parts;
     canvas = scene.surface().control();
     display = canvas.getDisplay();
+    waypoints = new WaypointKeys(scene, parts);
     rest = this::rested;
   }
 
@@ -75,16 +77,20 @@ final class Hands {
     display.timerExec(-1, rest);
     boolean shift = (e.stateMask & SWT.SHIFT) != 0;
     press = Optional.of(new Press(e.button, shift, new Point(e.x, e.y), new Point(e.x, e.y), false, true));
-    if (e.button == 1 && scene.tools().points()) {
-      scene.tools().press(scene.lens(), e.x, e.y);
-    } else if (e.button == 1 && !shift && scene.tools().kind().isEmpty() && parts.model().stage().handled()) {
+    boolean handles = scene.tools().kind().isEmpty() && !shift || scene.tools().using(ToolKind.WAYPOINTS);
+    if (e.button == 1 && handles && parts.model().stage().handled()) {
       press = press.map(p -> new Press(p.button(), shift, p.from(), p.last(), false, false));
       pick(e.x, e.y, hit -> gripped(hit, e.x, e.y));
+    } else if (e.button == 1 && scene.tools().points()) {
+      scene.tools().press(scene.lens(), e.x, e.y);
     }
   }
 
-  /** The answer to what was pressed: a handle is gripped, everything else turns the camera. */
+  /** The answer to what was pressed: a handle is gripped, everything else turns the camera or is a place for a waypoint. */
   private void gripped(Optional<Pick> hit, int x, int y) {
+    if (scene.tools().using(ToolKind.WAYPOINTS)) {
+      pointed(hit.filter(h -> h.part().handle().isPresent()), x, y);
+    }
     if (press.isEmpty()) {
       return;
     }
@@ -92,6 +98,16 @@ final class Hands {
     if (grip.isEmpty()) {
       press = press.map(Press::turns);
     }
+  }
+
+  /** With the tool for waypoints: a handle is selected, everything else is a place; the hand may have moved on or let go meanwhile. */
+  private void pointed(Optional<Pick> handle, int x, int y) {
+    if (handle.isPresent()) {
+      parts.model().soon(() -> parts.picks().select(handle.map(Picks::of)));
+      return;
+    }
+    scene.tools().press(scene.lens(), x, y);
+    press.ifPresentOrElse(p -> scene.tools().drag(scene.lens(), p.last().x, p.last().y), scene.tools()::release);
   }
 
   private void move(Event e) {
@@ -194,6 +210,9 @@ final class Hands {
   }
 
   private void key(Event e) {
+    if (waypoints.key(e)) {
+      return;
+    }
     switch (e.keyCode) {
       case SWT.ARROW_LEFT -> moveCamera(pose -> Moves.turn(pose, KEY_TURN, 0));
       case SWT.ARROW_RIGHT -> moveCamera(pose -> Moves.turn(pose, -KEY_TURN, 0));
@@ -218,6 +237,7 @@ final class Hands {
       case 'l' -> scene.toggleTree();
       case 'm' -> scene.tools().toggle(ToolKind.MEASURE);
       case 'p' -> scene.tools().toggle(ToolKind.POSE);
+      case 'r' -> scene.tools().toggle(ToolKind.WAYPOINTS);
       case 'v' -> scene.menus().camera(canvas);
       default -> walk(character);
     }

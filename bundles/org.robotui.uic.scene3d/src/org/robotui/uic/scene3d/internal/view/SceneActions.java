@@ -15,6 +15,7 @@ public final class SceneActions {
       tool(ToolKind.MEASURE, Icon.RULER),
       tool(ToolKind.GOAL, Icon.TARGET),
       tool(ToolKind.POSE, Icon.POSE),
+      tool(ToolKind.WAYPOINTS, Icon.ROUTE),
       made.action("screenshot", "Save a picture\u2026", Icon.CAMERA, s -> s.menus().screenshot(s.canvas())),
       made.switched("displays", "Displays (L)", Icon.LAYERS, SceneSurface::treeOpen, SceneSurface::toggleTree));
 

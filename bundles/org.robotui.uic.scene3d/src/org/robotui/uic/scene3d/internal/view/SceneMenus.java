@@ -18,6 +18,8 @@ import org.robotui.uic.scene3d.internal.camera.CameraKind;
 import org.robotui.uic.scene3d.internal.model.Edits;
 import org.robotui.uic.scene3d.internal.model.Picks;
 import org.robotui.uic.scene3d.internal.model.Selection;
+import org.robotui.uic.scene3d.internal.waypoint.Route;
+import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
 /** The menus of a scene, made when opened and disposed when closed. Display thread. */
 final class SceneMenus {
@@ -41,6 +43,7 @@ final class SceneMenus {
     });
     place.ifPresent(p -> place(menu, p));
     menu.line();
+    waypoints(menu.under("Waypoints"));
     fixed(menu.under("Fixed frame"));
     cameras(menu.under("Camera"));
     menu.push("Show all", scene::fit);
@@ -105,7 +108,9 @@ final class SceneMenus {
       parts.picks().select(Optional.of(selection));
       scene.focusSelection();
     });
-    under.push("Hide its display", () -> parts.edits().change(selection.display(), s -> s.show(false)));
+    if (parts.model().stage().rows().stream().anyMatch(row -> row.spec().id().equals(selection.display()))) {
+      under.push("Hide its display", () -> parts.edits().change(selection.display(), s -> s.show(false)));
+    }
     under.line();
     selection.properties().entries().forEach(e -> under.push(e.name() + ":  " + e.value(), () -> Clipboards.copy(e.value())));
   }
@@ -116,6 +121,7 @@ final class SceneMenus {
     menu.line();
     menu.push("Go here", () -> scene.tools().send(ToolKind.GOAL, pose));
     menu.push("The robot is here", () -> scene.tools().send(ToolKind.POSE, pose));
+    menu.push("Add a waypoint here", () -> scene.tools().send(ToolKind.WAYPOINTS, pose));
     menu.push("Look here", () -> scene.go(parts.rig().aim().at(place)));
     menu.push("Measure from here", () -> {
       scene.tools().toggle(ToolKind.MEASURE);
@@ -123,6 +129,21 @@ final class SceneMenus {
     });
     menu.push("Copy coordinates", () -> Clipboards.copy((Figures.fixed(place.x(), 3) + ' ' + Figures.fixed(place.y(), 3) + ' '
         + Figures.fixed(place.z(), 3)).replace('\u2212', '-')));
+  }
+
+  private void waypoints(PopupMenu menu) {
+    Waypoints waypoints = parts.waypoints();
+    Route route = waypoints.route();
+    WaypointKeys keys = new WaypointKeys(scene, parts);
+    boolean some = !route.poses().isEmpty();
+    menu.check("Place and move (R)", scene.tools().using(ToolKind.WAYPOINTS), on -> scene.tools().toggle(ToolKind.WAYPOINTS));
+    menu.push(waypoints.tour().driving().isPresent() ? "End the drive (Enter)" : "Drive to all (Enter)", some, keys::drive);
+    menu.push("Send all as a path", some && parts.sender().takesPath(), () -> scene.say(parts.sender().path(route)));
+    menu.push("Send all as poses", some && parts.sender().takesPoses(), () -> scene.say(parts.sender().poses(route)));
+    menu.line();
+    menu.push("Take the last change back (Ctrl+Z)", keys::undo);
+    menu.push("Copy all as YAML", some, () -> Clipboards.copy(route.yaml()));
+    menu.push("Remove all", some, () -> parts.model().soon(waypoints::clear));
   }
 
   private void cameras(PopupMenu menu) {

@@ -9,6 +9,7 @@ import org.eclipse.swt.widgets.Display;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.scene.Told;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
@@ -38,7 +39,7 @@ public final class SceneSurface {
     display = parent.getDisplay();
     root = Boxes.root(parent, context.theme(), this::focus);
     ((GridLayout) root.getLayout()).numColumns = 2;
-    tools = new Tools(parts, this::refresh);
+    tools = new Tools(parts, this::say, this::refresh);
     menus = new SceneMenus(this, parts);
     tree = new DisplayTree(root, context.theme(), this, parts);
     GridData side = new GridData(SWT.FILL, SWT.FILL, false, true);
@@ -81,6 +82,17 @@ public final class SceneSurface {
   /** Something is to be said or shown; any thread. */
   public void paintSoon() {
     canvas.control().requestPaint();
+  }
+
+  /** Says for a moment what became of something; any thread. */
+  public void say(Told told) {
+    if (!display.isDisposed()) {
+      display.asyncExec(() -> {
+        if (!root.isDisposed()) {
+          tools.say(told);
+        }
+      });
+    }
   }
 
   /** Looks soon whether it is seen; any thread. */

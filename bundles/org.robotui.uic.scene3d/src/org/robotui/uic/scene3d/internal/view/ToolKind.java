@@ -4,7 +4,9 @@ package org.robotui.uic.scene3d.internal.view;
 enum ToolKind {
   MEASURE("measure", "Measure (M)", "Measure: click two places \u00b7 Esc ends"),
   GOAL("goal", "Send a goal (G)", "Goal: press where, drag to where it shall look \u00b7 Esc ends"),
-  POSE("initial_pose", "Set the pose (P)", "Pose: press where the robot is, drag to where it looks \u00b7 Esc ends");
+  POSE("initial_pose", "Set the pose (P)", "Pose: press where the robot is, drag to where it looks \u00b7 Esc ends"),
+  WAYPOINTS("waypoints", "Waypoints (R)",
+      "Waypoints: press where, drag to where it looks \u00b7 discs move, arrows turn \u00b7 Ctrl+Z takes back \u00b7 Enter drives \u00b7 Esc ends");
 
   private final String id;
   private final String label;

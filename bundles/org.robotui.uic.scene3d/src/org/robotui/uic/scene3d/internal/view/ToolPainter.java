@@ -30,9 +30,9 @@ final class ToolPainter {
 
   void paint(GC gc, Rectangle area, Lens lens, Tools tools) {
     measured(gc, lens, tools.measured());
-    tools.pose().ifPresent(pose -> arrow(gc, lens, pose, tools.using(ToolKind.GOAL) ? Role.PLAN : Role.WARNING));
+    tools.pose().ifPresent(pose -> arrow(gc, lens, pose, tools.using(ToolKind.POSE) ? Role.WARNING : Role.PLAN));
     tools.toast().at(System.nanoTime()).ifPresentOrElse(t -> states.banner(gc, area, t.health(), t.text()),
-        () -> tools.kind().ifPresent(k -> states.banner(gc, area, Health.NONE, k.hint())));
+        () -> tools.hint().ifPresent(words -> states.banner(gc, area, Health.NONE, words)));
   }
 
   /** Distance, and its parts along the axes. */

@@ -3,6 +3,8 @@ package org.robotui.uic.scene3d.internal.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
@@ -17,6 +19,7 @@ final class Tools {
   private static final double LEAST_DRAG = 8;
 
   private final SceneParts parts;
+  private final Consumer<Told> soon;
   private final Runnable changed;
   private final Toast toast = new Toast();
   private final List<Vector3> measured = new ArrayList<>();
@@ -24,8 +27,9 @@ final class Tools {
   private Optional<Vector3> pressed = Optional.empty();
   private Optional<Vector3> dragged = Optional.empty();
 
-  Tools(SceneParts parts, Runnable changed) {
+  Tools(SceneParts parts, Consumer<Told> soon, Runnable changed) {
     this.parts = parts;
+    this.soon = soon;
     this.changed = changed;
   }
 
@@ -45,6 +49,14 @@ final class Tools {
     kind = using(wanted) ? Optional.empty() : Optional.of(wanted);
     forget();
     changed.run();
+  }
+
+  /** What is to be known now: where the robot drives, or how the tool in hand is used. */
+  Optional<String> hint() {
+    OptionalInt driving = parts.waypoints().tour().driving();
+    return driving.isPresent()
+        ? Optional.of("Driving to waypoint " + (driving.getAsInt() + 1) + " of " + parts.waypoints().route().poses().size() + " \u00b7 Enter ends it")
+        : kind.map(ToolKind::hint);
   }
 
   /** Ends the tool; false where there was none. */
@@ -108,6 +120,13 @@ final class Tools {
 
   void send(ToolKind what, RigidTransform pose) {
     Optional<FrameId> frame = parts.model().stage().fixed();
+    if (what == ToolKind.WAYPOINTS) {
+      frame.ifPresent(f -> parts.model().soon(() -> soon.accept(parts.waypoints().add(f, pose))));
+      return;
+    }
+    if (what == ToolKind.GOAL && parts.waypoints().tour().driving().isPresent()) {
+      parts.waypoints().tour().cede("another goal was given");
+    }
     Told told = frame.map(f -> what == ToolKind.GOAL ? parts.commander().goal(f, pose) : parts.commander().initialPose(f, pose))
         .orElse(new Told(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
     kind = Optional.empty();

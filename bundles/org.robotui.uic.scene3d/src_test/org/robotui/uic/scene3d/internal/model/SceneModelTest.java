@@ -27,8 +27,11 @@ import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.Commander;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.ScenePorts;
+import org.robotui.uic.scene3d.internal.waypoint.Tour;
+import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
 class SceneModelTest {
   private static final FrameId MAP = new FrameId("a", "map");
@@ -62,7 +65,8 @@ class SceneModelTest {
       public CommandOutcome send(Data command) {
         return new CommandOutcome.Accepted();
       }
-    });
+    }, new Waypoints(context.settings(), new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE),
+        context.output(ScenePorts.GOAL), context.principal(), told -> { })));
     edits = new Edits(context.settings(), model::specs);
   }
 
