@@ -62,7 +62,8 @@ class ClientServerTest {
     }
 
     static List<String> interfaces() {
-        return Layouts.standard().all().stream().map(InterfaceLayout::name).filter(name -> !List.of("any", "player").contains(name)).sorted().toList();
+        return Layouts.standard().all().stream().map(InterfaceLayout::name).filter(name -> !List.of("any", "player").contains(name)).sorted()
+                .toList();
     }
 
     /** Answers every request of its interface with zeros, and keeps what was commanded. */
@@ -146,7 +147,8 @@ class ClientServerTest {
         assertTrue(device.command(Position2d.VELOCITY, forward));
         Eventually.await("it drives", () -> forward.equals(driven.get()));
         assertEquals(new Empty(), World.value(device.request(Position2d.SET_ODOMETRY, new Position2d.Odometry(ZERO))));
-        assertEquals(new AnyDevice.IntProperty("mass", 42), World.value(device.request(AnyDevice.GET_INT_PROPERTY, new AnyDevice.IntProperty("mass", 0))));
+        assertEquals(new AnyDevice.IntProperty("mass", 42),
+                World.value(device.request(AnyDevice.GET_INT_PROPERTY, new AnyDevice.IntProperty("mass", 0))));
         assertInstanceOf(Outcome.Refused.class, World.outcome(device.request(Position2d.VELOCITY_PID, new Gains(1, 2, 3))));
         assertEquals("sim", World.value(client.driver(client.devices().getFirst())));
         assertEquals(1, clients.get());

@@ -140,7 +140,8 @@ class RecordedSessionsTest {
     @Test
     void mapsAreThere() throws PlayerException {
         PlayerMessage answer = Captures.fromServer("simulation_map_properties").stream()
-                .filter(each -> each.device().interfaceCode() == 42 && each.subtype() == 3 && each.type() == MessageType.ACK).findFirst().orElseThrow();
+                .filter(each -> each.device().interfaceCode() == 42 && each.subtype() == 3 && each.type() == MessageType.ACK)
+                .findFirst().orElseThrow();
         PlayerMap.Vector lines = layouts.answer(PlayerMap.GET_VECTOR).decode(answer.payload());
 
         assertEquals(5, lines.segments().size());

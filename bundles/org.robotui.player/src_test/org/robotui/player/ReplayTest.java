@@ -54,6 +54,7 @@ class ReplayTest {
         PlayerClient client = world.connected(server.port());
 
         int turn = 0;
+        long expected = 0;
         for (Recording.Turn each : recording.turns()) {
             say(client, each);
             turn++;
@@ -61,8 +62,12 @@ class ReplayTest {
             Eventually.await("turn " + turn + " of " + connection + " is over, " + server.differences(), () -> server.played() >= over
                     || !server.differences().isEmpty());
             assertEquals(List.of(), server.differences());
+            expected += each.followed().stream().filter(message -> message.type() == MessageType.DATA && open.containsKey(message.device().id()))
+                    .count();
+            long all = expected;
+            Eventually.await("all data of turn " + turn + " of " + connection + " came", () -> data.get() >= all);
         }
-        assertTrue(data.get() > 0 || connection.endsWith("_list"), "no data came");
+        assertEquals(expected, data.get());
     }
 
     private void say(PlayerClient client, Recording.Turn turn) throws PlayerException {

@@ -82,7 +82,8 @@ final class LineReader {
         if (dot < 0) {
             map.put(path, value);
         } else {
-            put((Map<String, Object>) map.computeIfAbsent(path.substring(0, dot), none -> new HashMap<String, Object>()), path.substring(dot + 1), value);
+            Object inner = map.computeIfAbsent(path.substring(0, dot), none -> new HashMap<String, Object>());
+            put((Map<String, Object>) inner, path.substring(dot + 1), value);
         }
     }
 

@@ -31,9 +31,13 @@ final class LineWriter {
                 out.add(count.format().write(length));
             }
             case LinePart.Each each -> each(each.parts());
-            case LinePart.Hex hex -> out.add(array(hex.path()) instanceof FieldValue.Bytes bytes ? HexFormat.of().withUpperCase().formatHex(bytes.value()) : "");
+            case LinePart.Hex hex -> out.add(hex(array(hex.path())));
             case LinePart.Element element -> throw new IllegalStateException(element + " stands outside of brackets");
         }
+    }
+
+    private static String hex(FieldValue value) {
+        return value instanceof FieldValue.Bytes bytes ? HexFormat.of().withUpperCase().formatHex(bytes.value()) : "";
     }
 
     private void each(List<LinePart.Element> parts) {

@@ -96,10 +96,12 @@ public final class LogFormat {
         InterfaceLayout known = layouts.byName(words[3]).orElseThrow(() -> new PlayerException("there is no interface '" + words[3] + "'"));
         DeviceAddress device = new DeviceAddress(Integer.parseUnsignedInt(words[1]), Integer.parseUnsignedInt(words[2]), known.code(),
                 Integer.parseInt(words[4]));
-        MessageType type = MessageType.of(Integer.parseInt(words[TYPE])).orElseThrow(() -> new PlayerException("there is no message type " + words[TYPE]));
+        MessageType type = MessageType.of(Integer.parseInt(words[TYPE]))
+                .orElseThrow(() -> new PlayerException("there is no message type " + words[TYPE]));
         int subtype = Integer.parseInt(words[HEAD - 1]);
         LineLayout line = lines.get(new Key(known.name(), type, subtype));
-        Optional<StructLayout> struct = known.message(type, subtype).flatMap(type == MessageType.ACK ? MessageLayout::answer : MessageLayout::payload);
+        Optional<StructLayout> struct = known.message(type, subtype)
+                .flatMap(type == MessageType.ACK ? MessageLayout::answer : MessageLayout::payload);
         if (line == null || struct.isEmpty()) {
             return Optional.empty();
         }

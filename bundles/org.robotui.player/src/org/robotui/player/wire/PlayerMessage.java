@@ -24,7 +24,6 @@ public record PlayerMessage(DeviceAddress device, MessageType type, int subtype,
     /** The bytes of the server's greeting. */
     public static final int BANNER_BYTES = 32;
 
-    /** The bytes of a message without a body. */
     private static final ByteBuffer NOTHING = ByteBuffer.allocate(0).asReadOnlyBuffer();
 
     /** Keeps a read-only view of the body. */

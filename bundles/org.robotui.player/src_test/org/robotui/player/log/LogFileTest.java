@@ -85,9 +85,11 @@ class LogFileTest {
         for (InterfaceLayout known : layouts.all()) {
             for (MessageLayout message : known.messages()) {
                 MessageType type = message.type() == MessageType.REQUEST ? MessageType.ACK : message.type();
-                Optional<PlayerRecord> body = (type == MessageType.ACK ? message.answer() : message.payload()).map(struct -> PlayerRecord.of(struct, Map.of()));
+                Optional<PlayerRecord> body = (type == MessageType.ACK ? message.answer() : message.payload())
+                        .map(struct -> PlayerRecord.of(struct, Map.of()));
                 if (body.isPresent()) {
-                    PlayerMessage zeros = PlayerMessage.of(new DeviceAddress(0, 6665, known.code(), 3), type, message.subtype(), layouts.encode(body.get()));
+                    DeviceAddress device = new DeviceAddress(0, 6665, known.code(), 3);
+                    PlayerMessage zeros = PlayerMessage.of(device, type, message.subtype(), layouts.encode(body.get()));
                     Optional<String> line = format.line(zeros);
                     line.ifPresent(each -> kinds.add(known.name() + " " + type + " " + message.subtype()));
                     if (line.isPresent()) {

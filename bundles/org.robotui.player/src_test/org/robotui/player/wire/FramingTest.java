@@ -39,7 +39,8 @@ class FramingTest {
     void theEndBetweenMessagesIsNotThatInsideOne() {
         byte[] bytes = Framing.bytes(MESSAGE).array();
 
-        assertEquals("the peer closed the connection", assertThrows(EOFException.class, () -> Framing.read(stream(ByteBuffer.allocate(0)))).getMessage());
+        assertEquals("the peer closed the connection",
+                assertThrows(EOFException.class, () -> Framing.read(stream(ByteBuffer.allocate(0)))).getMessage());
         EOFException cut = assertThrows(EOFException.class, () -> Framing.read(new ByteArrayInputStream(bytes, 0, bytes.length - 1)));
         assertTrue(cut.getMessage().contains("3 of 4 bytes"), cut.getMessage());
     }
