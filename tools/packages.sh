@@ -10,6 +10,7 @@ readonly PEER_PACKAGES=(
   python3-sensor-msgs python3-nav-msgs python3-tf2-msgs python3-std-srvs python3-diagnostic-msgs
   python3-actionlib python3-dynamic-reconfigure python3-move-base-msgs
   libroscpp-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libnav-msgs-dev libtf2-msgs-dev g++ pkg-config
+  liblcm-bin liblcm-dev liblcm-java
 )
 readonly SCENE_BENCH_PACKAGES=(rviz ros-robot-state-publisher libvisualization-msgs-dev python3-xlib)
 readonly RT_BENCH_PACKAGES=(rt-tests stress-ng libbenchmark-dev)
