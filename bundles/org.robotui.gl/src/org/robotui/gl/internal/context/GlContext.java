@@ -43,8 +43,13 @@ final class GlContext implements AutoCloseable {
       throw new NoOpenGl("The X display " + System.getenv(DISPLAY) + " does not open for OpenGL.", SESSION);
     } catch (RuntimeException e) {
       LOG.debug("No context of OpenGL", e);
-      throw new NoOpenGl("OpenGL does not start: " + e.getMessage() + ".", PACKAGES);
+      throw new NoOpenGl("OpenGL does not start: " + words(e) + ".", PACKAGES);
     }
+  }
+
+  /** Without the device, which JOGL names with the inner state of its objects. */
+  private static String words(RuntimeException failure) {
+    return String.valueOf(failure.getMessage()).split(" on device ", 2)[0];
   }
 
   /** Without a display JOGL fails late, and prints. */
