@@ -18,6 +18,7 @@ INEXACT = 2                                                         # pixels
 STRIP = 8                                                           # rows that are compared
 LEAST_PICTURES, PATIENCE = 4, 15                                    # where they are slow
 START_PATIENCE = 120
+DRAG, ENOUGH = 8, 8                                                 # seconds, rectangles
 STILL = 1.5                                                         # seconds in which nothing more comes
 PATCH = 20                                                          # pixels that tell how the camera stands
 HALTS = 50                                                          # attempts
@@ -59,15 +60,22 @@ class View:
 
     def _found(self):
         """The largest rectangle that is drawn again and again while the middle of the window is dragged."""
-        counts = collections.Counter()
-        place = self.screen.place(self.window)
         end = time.monotonic() + START_PATIENCE
-        with self.screen.drawn(damage.DamageReportRawRectangles) as drawn, windows.turning(self.screen.name, place):
-            while time.monotonic() < end:
-                counts.update(each for each in drawn(0.1) if each.within(place) and each.size > place.size / 2)
-                if counts and counts.most_common(1)[0][1] >= LEAST_PICTURES:
-                    return counts.most_common(1)[0][0]
+        while time.monotonic() < end:
+            counts = collections.Counter(self._drawn())             # a new drag each time: one that began too early moves nothing
+            if counts and counts.most_common(1)[0][1] >= LEAST_PICTURES:
+                return counts.most_common(1)[0][0]
         raise CannotMeasure(f"{self.program.name} shows no view that can be turned\n{self.program.log.read_text()[-2000:]}")
+
+    def _drawn(self):
+        """Large rectangles that are drawn in a few seconds of dragging, until there are some."""
+        place = self.screen.place(self.window)
+        found = []
+        end = time.monotonic() + DRAG
+        with self.screen.drawn(damage.DamageReportRawRectangles) as drawn, windows.turning(self.screen.name, place):
+            while time.monotonic() < end and len(found) < ENOUGH:
+                found += [each for each in drawn(0.1) if each.within(place) and each.size > place.size / 2]
+        return found
 
     def picture(self):
         return self.screen.pixels(self.area)[:, :, :3].astype(int)

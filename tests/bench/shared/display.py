@@ -16,6 +16,7 @@ class Display:
         self.folder = folder
         self.screen = screen
         self.window_environment = {"GDK_BACKEND": "x11", "QT_QPA_PLATFORM": "xcb", "NO_AT_BRIDGE": "1", "LIBGL_ALWAYS_SOFTWARE": "1",
+                                   "DBUS_SESSION_BUS_ADDRESS": "disabled:",   # else one is started that stays
                                    "XDG_STATE_HOME": str(folder / "state"), "HOME": str(folder)}
         self.processes = []
 
