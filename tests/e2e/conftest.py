@@ -194,7 +194,7 @@ def start_simulator(processes, environment, port, name):
                 return line.split("=", 1)[1]
         return None
 
-    robot = Robot(processes, wait_for(uri, what="the simulator"), environment)
+    robot = Robot(processes, wait_for(uri, seconds=90, what="the simulator"), environment)
     robot.core = process
     robot.port = int(robot.uri.rstrip("/").rsplit(":", 1)[1])
     return robot
