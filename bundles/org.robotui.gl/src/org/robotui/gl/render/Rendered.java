@@ -16,7 +16,7 @@ public sealed interface Rendered {
    */
   record Picture(int width, int height, int[] rgb, Figures figures, List<String> problems) implements Rendered {}
 
-  /** A newer request took its place. */
+  /** A newer request took its place, or it was given up. */
   record Skipped() implements Rendered {}
 
   /**

@@ -18,7 +18,13 @@ public interface Renderer extends AutoCloseable {
   CompletionStage<Rendered> render(RenderRequest request);
 
   /**
-   * Finds what lies under a pixel.
+   * Gives up what is in work or waits: it completes with {@link Rendered.Skipped}, soon also where it has millions of points. For a view that
+   * wants something else at once, as when the camera is moved while a picture of all points is drawn.
+   */
+  void giveUp();
+
+  /**
+   * Finds what lies under a pixel. A picture in work is given up for it.
    *
    * @param request what is drawn
    * @param x pixels from the left

@@ -8,7 +8,8 @@ import java.util.Optional;
  * Many points. One with a coordinate that is not finite is not drawn. Order matters for thinning only: while the camera moves, a
  * renderer draws every n-th.
  *
- * @param xyz x, y, z in turn, metres; direct buffers are sent to the graphics card without a copy
+ * @param xyz x, y, z in turn, metres; on the heap where sets come many a second, so that the memory of old ones is soon
+ *     free; direct buffers are sent to the graphics card without a copy
  * @param rgba four bytes red, green, blue, alpha a point; empty where the material colours all
  * @param size edge or diameter of a point
  * @param unit what the size is in

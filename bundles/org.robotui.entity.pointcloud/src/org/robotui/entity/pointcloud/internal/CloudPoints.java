@@ -1,7 +1,6 @@
 package org.robotui.entity.pointcloud.internal;
 
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.Optional;
 import org.robotui.data.PointCloud;
@@ -28,7 +27,8 @@ record CloudPoints(FloatBuffer xyz, Order order) {
       return Optional.empty();
     }
     Order order = Order.of(cloud, Math.min(most, MOST));
-    FloatBuffer xyz = ByteBuffer.allocateDirect(3 * FLOAT * order.count()).order(ByteOrder.nativeOrder()).asFloatBuffer();
+    // On the heap, where the memory of clouds that are shown no more is free with the next collection, however many come a second.
+    float[] xyz = new float[3 * order.count()];
     PointField[] fields = {x.get(), y.get(), z.get()};
     ByteBuffer bytes = cloud.points().buffer(cloud.order());
     if (isPlain(fields) && order.contiguous()) {
@@ -36,7 +36,7 @@ record CloudPoints(FloatBuffer xyz, Order order) {
     } else {
       copyAny(bytes, fields, order, xyz);
     }
-    return Optional.of(new CloudPoints(xyz, order));
+    return Optional.of(new CloudPoints(FloatBuffer.wrap(xyz), order));
   }
 
   /** Nearly all clouds: three floats in turn. */
@@ -48,23 +48,23 @@ record CloudPoints(FloatBuffer xyz, Order order) {
         && fields[2].offset() == fields[1].offset() + FLOAT;
   }
 
-  private static void copyFloats(ByteBuffer bytes, int offset, Order order, FloatBuffer xyz) {
+  private static void copyFloats(ByteBuffer bytes, int offset, Order order, float... xyz) {
     int source = 0;
-    for (int i = 0; i < 3 * order.count(); i += 3) {
+    for (int i = 0; i < xyz.length; i += 3) {
       int at = source * order.pointStep() + offset;
-      xyz.put(i, bytes.getFloat(at));
-      xyz.put(i + 1, bytes.getFloat(at + FLOAT));
-      xyz.put(i + 2, bytes.getFloat(at + 2 * FLOAT));
+      xyz[i] = bytes.getFloat(at);
+      xyz[i + 1] = bytes.getFloat(at + FLOAT);
+      xyz[i + 2] = bytes.getFloat(at + 2 * FLOAT);
       source = order.after(source);
     }
   }
 
-  private static void copyAny(ByteBuffer bytes, PointField[] fields, Order order, FloatBuffer xyz) {
+  private static void copyAny(ByteBuffer bytes, PointField[] fields, Order order, float... xyz) {
     int source = 0;
     for (int i = 0; i < order.count(); i++) {
       int at = order.offset(source);
       for (int axis = 0; axis < 3; axis++) {
-        xyz.put(3 * i + axis, (float) Numbers.read(bytes, at + fields[axis].offset(), fields[axis].format()));
+        xyz[3 * i + axis] = (float) Numbers.read(bytes, at + fields[axis].offset(), fields[axis].format());
       }
       source = order.after(source);
     }

@@ -18,7 +18,7 @@ final class Packed {
 
   static ByteBuffer colors(PointCloud cloud, PointField field, Order order) {
     ByteBuffer bytes = cloud.points().buffer(cloud.order());
-    ByteBuffer rgba = ByteBuffer.allocateDirect(Integer.BYTES * order.count());
+    ByteBuffer rgba = ByteBuffer.allocate(Integer.BYTES * order.count());
     boolean alpha = field.name().equals("rgba");
     int source = 0;
     for (int i = 0; i < order.count(); i++) {

@@ -46,11 +46,12 @@ final class Values {
 
   /** The colours of numbers: between limits that are set, else between their own least and greatest. */
   static ByteBuffer colors(float[] values, Look look) {
-    float low = look.min().map(Double::floatValue).orElseGet(() -> least(values));
-    float high = look.max().map(Double::floatValue).orElseGet(() -> greatest(values));
+    Range own = look.min().isPresent() && look.max().isPresent() ? Range.NONE : Range.of(values);
+    float low = look.min().map(Double::floatValue).orElse(own.least());
+    float high = look.max().map(Double::floatValue).orElse(own.greatest());
     int[] table = look.colors().table(STEPS, look.reverse());
     float scale = high > low ? (STEPS - 1) / (high - low) : 0;
-    ByteBuffer rgba = ByteBuffer.allocateDirect(Integer.BYTES * values.length);
+    ByteBuffer rgba = ByteBuffer.allocate(Integer.BYTES * values.length);
     for (int i = 0; i < values.length; i++) {
       float at = (values[i] - low) * scale;
       rgba.putInt(Integer.BYTES * i, at != at ? NOTHING : table[Math.min(Math.max((int) at, 0), STEPS - 1)] << Byte.SIZE | OPAQUE);
@@ -58,19 +59,18 @@ final class Values {
     return rgba;
   }
 
-  private static float least(float... values) {
-    float least = Float.POSITIVE_INFINITY;
-    for (float value : values) {
-      least = value < least && value > Float.NEGATIVE_INFINITY ? value : least;
-    }
-    return least;
-  }
+  /** The least and the greatest finite number; the other way round where there is none. */
+  private record Range(float least, float greatest) {
+    static final Range NONE = new Range(Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
 
-  private static float greatest(float... values) {
-    float greatest = Float.NEGATIVE_INFINITY;
-    for (float value : values) {
-      greatest = value > greatest && value < Float.POSITIVE_INFINITY ? value : greatest;
+    static Range of(float... values) {
+      float least = NONE.least;
+      float greatest = NONE.greatest;
+      for (float value : values) {
+        least = value < least && value > Float.NEGATIVE_INFINITY ? value : least;
+        greatest = value > greatest && value < Float.POSITIVE_INFINITY ? value : greatest;
+      }
+      return new Range(least, greatest);
     }
-    return greatest;
   }
 }

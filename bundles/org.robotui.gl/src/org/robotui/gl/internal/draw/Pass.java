@@ -2,6 +2,7 @@ package org.robotui.gl.internal.draw;
 
 import com.jogamp.opengl.GL3;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.internal.gpu.Gpu;
 import org.robotui.gl.internal.gpu.Program;
@@ -25,6 +26,7 @@ public final class Pass {
   private final Optional<Splats> splats;
   private final boolean picking;
   private final int every;
+  private final BooleanSupplier givenUp;
   private final Tally tally = new Tally();
 
   /**
@@ -37,8 +39,9 @@ public final class Pass {
    * @param splats where points are written that OpenGL does not draw; none where it draws all
    * @param picking whether parts and elements are drawn in place of colours
    * @param every n-th point is drawn
+   * @param givenUp whether the rest need not be drawn
    */
-  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every) {
+  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every, BooleanSupplier givenUp) {
     this.gpu = gpu;
     this.camera = camera;
     this.programs = tools.programs();
@@ -47,6 +50,7 @@ public final class Pass {
     this.splats = splats;
     this.picking = picking;
     this.every = every;
+    this.givenUp = givenUp;
   }
 
   GL3 gl() {
@@ -79,6 +83,11 @@ public final class Pass {
 
   int every() {
     return every;
+  }
+
+  /** Asked between pieces of what takes long. */
+  BooleanSupplier givenUp() {
+    return givenUp;
   }
 
   boolean picking() {

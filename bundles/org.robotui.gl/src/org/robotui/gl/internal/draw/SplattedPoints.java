@@ -43,7 +43,7 @@ final class SplattedPoints implements Drawn {
   public void draw(Pass pass, Look look) {
     Optional<Splats> splats = pass.splats();
     if (splats.isPresent() && (pass.picking() || !translucent && look.color().alpha() == 1)) {
-      int count = new PointPainter(splats.get(), brush(pass, look)).paint(points, pass.every());
+      int count = new PointPainter(splats.get(), brush(pass, look)).paint(points, pass.every(), pass.givenUp());
       pass.tally().points(count, points.elements() - count);
     } else {
       inOpenGl().draw(pass, look);

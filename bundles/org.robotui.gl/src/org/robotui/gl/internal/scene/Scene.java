@@ -2,6 +2,7 @@ package org.robotui.gl.internal.scene;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.robotui.gl.internal.draw.Camera;
 import org.robotui.gl.internal.draw.Pass;
 import org.robotui.gl.internal.draw.Tools;
@@ -22,11 +23,20 @@ final class Scene {
   private final Tools tools;
   private final Residents residents;
   private final PixelShelf shelf;
+  private final BooleanSupplier givenUp;
   private Optional<Pixels> pixels = Optional.empty();
 
-  Scene(Gpu gpu, PixelShelf shelf) {
+  /**
+   * An empty one.
+   *
+   * @param gpu the context
+   * @param shelf pixels to write into
+   * @param givenUp whether the picture in work is wanted no more
+   */
+  Scene(Gpu gpu, PixelShelf shelf, BooleanSupplier givenUp) {
     this.gpu = gpu;
     this.shelf = shelf;
+    this.givenUp = givenUp;
     tools = Tools.of(gpu);
     residents = new Residents(gpu, Residents.MOST_BYTES);
   }
@@ -47,11 +57,14 @@ final class Scene {
     Camera camera = Camera.of(request);
     Order order = Order.of(residents.all(), camera);
     Pixels target = fitting(request);
-    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()));
+    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()), givenUp);
     target.bind();
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
     canvas.clear(request.background());
     canvas.draw(order, () -> target.drawSplats(gpu, pass.overlay()));
+    if (givenUp.getAsBoolean()) {
+      return new Rendered.Skipped();
+    }
     int[] rgb = shelf.take(request.width() * request.height());
     target.read(gpu, request.width(), request.height(), rgb);
     gpu.check("drawing");
@@ -65,7 +78,7 @@ final class Scene {
     Camera camera = whole.around(x, y, Picker.SIDE);
     Order order = Order.of(residents.all(), camera);
     Splats splats = new Splats(Picker.SIDE, Picker.SIDE, true);
-    Pass pass = new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1);
+    Pass pass = new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1, () -> false);
     Canvas canvas = new Canvas(gpu, pass, camera, List.of());
     Picker pixelsAround = new Picker(gpu);
     pixelsAround.begin();

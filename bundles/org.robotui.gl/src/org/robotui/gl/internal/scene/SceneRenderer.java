@@ -28,6 +28,8 @@ public final class SceneRenderer implements Renderer {
   private final AtomicInteger picks = new AtomicInteger();
   private Optional<Waiting> waiting = Optional.empty();
   private boolean closed;
+  /** Looked at between the pieces of a picture in work. */
+  private volatile boolean givenUp;
   /** On the thread of OpenGL only. */
   private Optional<Scene> scene = Optional.empty();
 
@@ -69,6 +71,7 @@ public final class SceneRenderer implements Renderer {
   private synchronized Optional<Waiting> takeWaiting() {
     Optional<Waiting> next = waiting;
     waiting = Optional.empty();
+    givenUp = false;
     return next;
   }
 
@@ -81,7 +84,19 @@ public final class SceneRenderer implements Renderer {
   }
 
   @Override
+  public void giveUp() {
+    Optional<Waiting> left;
+    synchronized (this) {
+      givenUp = true;
+      left = waiting;
+      waiting = Optional.empty();
+    }
+    left.ifPresent(last -> last.answer.complete(new Rendered.Skipped()));
+  }
+
+  @Override
   public CompletionStage<Optional<Pick>> pick(RenderRequest request, int x, int y) {
+    givenUp = true;
     CompletableFuture<Optional<Pick>> answer = new CompletableFuture<>();
     boolean taken = picks.incrementAndGet() <= MOST_PICKS && !isClosed() && thread.execute(() -> {
       picks.decrementAndGet();
@@ -105,7 +120,7 @@ public final class SceneRenderer implements Renderer {
 
   /** The scene in the present context: another one after a context was lost. */
   private Scene in(Gpu gpu) {
-    Scene present = scene.filter(old -> old.isIn(gpu)).orElseGet(() -> new Scene(gpu, shelf));
+    Scene present = scene.filter(old -> old.isIn(gpu)).orElseGet(() -> new Scene(gpu, shelf, () -> givenUp));
     scene = Optional.of(present);
     return present;
   }
@@ -126,6 +141,7 @@ public final class SceneRenderer implements Renderer {
     Optional<Waiting> left;
     synchronized (this) {
       closed = true;
+      givenUp = true;
       left = waiting;
       waiting = Optional.empty();
     }

@@ -2,6 +2,7 @@ package org.robotui.gl.internal.splat;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.function.BooleanSupplier;
 import org.robotui.gl.shape.PointSet;
 import org.robotui.gl.shape.PointSet.Style;
 
@@ -37,12 +38,13 @@ public final class PointPainter {
    *
    * @param points the set
    * @param every n-th of them
+   * @param givenUp asked between pieces: whether the rest is wanted no more
    * @return how many there were to write
    */
-  public int paint(PointSet points, int every) {
+  public int paint(PointSet points, int every, BooleanSupplier givenUp) {
     splats.use();
     int count = Math.ceilDiv(points.elements(), every);
-    for (int first = 0; first < count; first += PIECE) {
+    for (int first = 0; first < count && !givenUp.getAsBoolean(); first += PIECE) {
       int size = Math.min(PIECE, count - first);
       load(points, first, size, every);
       paintPiece(first, size, every);

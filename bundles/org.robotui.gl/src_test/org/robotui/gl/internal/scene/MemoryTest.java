@@ -22,6 +22,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
@@ -196,6 +197,32 @@ class MemoryTest {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  @Test
+  void aPictureIsGivenUpBetweenThePiecesOfACloud() throws Exception {
+    stage.picture(request());
+    RenderRequest many = request(flat("p", Stage.points(1, new float[3_000_000]), RED));
+    AtomicInteger asked = new AtomicInteger();
+    Rendered answer = stage.there(() -> {
+      Scene scene = new Scene(stage.thread().present().orElseThrow(), new PixelShelf(), () -> asked.incrementAndGet() > 0);
+      Rendered made = scene.render(many);
+      scene.delete();
+      return made;
+    });
+    assertInstanceOf(Rendered.Skipped.class, answer);
+    assertEquals(2, asked.get(), "before the first piece, and at the end");
+  }
+
+  @Test
+  void whatIsGivenUpIsSkippedAndTheNextIsDrawn() throws Exception {
+    CountDownLatch busy = new CountDownLatch(1);
+    stage.thread().execute(() -> await(busy));
+    var first = stage.renderer().render(request());
+    stage.renderer().giveUp();
+    assertInstanceOf(Rendered.Skipped.class, first.toCompletableFuture().get(60, TimeUnit.SECONDS));
+    busy.countDown();
+    assertInstanceOf(Rendered.Picture.class, stage.rendered(request()));
   }
 
   @Test

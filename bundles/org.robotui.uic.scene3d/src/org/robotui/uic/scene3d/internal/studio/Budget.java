@@ -10,11 +10,14 @@ final class Budget {
   /** Fewer would show nothing. */
   static final int LEAST = 20_000;
 
+  /** What may be drawn where nothing as large was drawn yet: what software manages in time. */
+  static final int UNTRIED = 500_000;
+
   private static final double TOO_SLOW = 1.15;
   private static final double IDLE = 0.75;
   private static final double FASTEST_GROWTH = 2;
 
-  private int points = Integer.MAX_VALUE;
+  private int points = UNTRIED;
 
   int points() {
     return points;
@@ -28,7 +31,7 @@ final class Budget {
     } else if (figures.seconds() < TARGET_SECONDS * IDLE && figures.pointsLeftOut() > 0) {
       points = bounded(drawn * Math.min(FASTEST_GROWTH, possible));
     } else if (figures.pointsLeftOut() == 0 && figures.seconds() < TARGET_SECONDS * IDLE) {
-      points = Integer.MAX_VALUE;
+      points = bounded(Math.max(UNTRIED, drawn * possible));
     }
   }
 

@@ -50,12 +50,15 @@ public final class Studio implements AutoCloseable {
   private long movedNanos;
   private long failedNanos;
   private boolean busy;
+  /** Whether the picture in work is one of all points for a camera that stands. */
+  private boolean unhurriedly;
+  private boolean complete;
   private boolean thinning = true;
   private boolean closed;
 
   private record Open(Gl gl, Renderer renderer) {}
 
-  private record Asked(long version, CameraPose pose, Look look, List<Selected> selection, boolean thinned) {}
+  private record Asked(long version, CameraPose pose, Look look, List<Selected> selection) {}
 
   private record Snapshot(int width, int height, CompletableFuture<Rendered> done) {}
 
@@ -112,9 +115,12 @@ public final class Studio implements AutoCloseable {
 
   /** The camera was moved by hand. */
   public void moved() {
+    Optional<Renderer> unhurried;
     synchronized (this) {
       movedNanos = clock.getAsLong();
+      unhurried = open.map(Open::renderer).filter(r -> busy && unhurriedly && thinning);
     }
+    unhurried.ifPresent(Renderer::giveUp);
     pump();
   }
 
@@ -189,19 +195,21 @@ public final class Studio implements AutoCloseable {
   }
 
   private Runnable frame(Renderer renderer, long now) {
-    boolean thinned = thinning && (now - movedNanos < REST_NANOS || rig.travels(now));
-    Asked due = new Asked(stage.version(), rig.at(now), look, selection, thinned && budget.points() < Integer.MAX_VALUE);
-    if (unavailable.isEmpty() && asked.equals(Optional.of(due))) {
+    boolean hurry = thinning && (now - movedNanos < REST_NANOS || rig.travels(now));
+    Asked due = new Asked(stage.version(), rig.at(now), look, selection);
+    if (unavailable.isEmpty() && asked.equals(Optional.of(due)) && (hurry || complete)) {
       return () -> { };
     }
     asked = Optional.of(due);
     busy = true;
-    RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection, thinned ? budget.points() : Integer.MAX_VALUE);
+    unhurriedly = !hurry;
+    RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection, hurry ? budget.points() : Integer.MAX_VALUE);
     return () -> renderer.render(request).whenComplete((rendered, error) -> made(renderer, due.pose(), rendered, error));
   }
 
   private Runnable snapshot(Renderer renderer, Snapshot wanted, long now) {
     busy = true;
+    unhurriedly = false;
     float scale = Math.max(1, look.scale() * wanted.height() / look.height());
     RenderRequest request = request(wanted.width(), wanted.height(), scale, rig.at(now), List.of(), Integer.MAX_VALUE);
     return () -> renderer.render(request).whenComplete((rendered, error) -> {
@@ -234,6 +242,7 @@ public final class Studio implements AutoCloseable {
     switch (rendered) {
       case Rendered.Picture made -> {
         figures = Optional.of(made.figures());
+        complete = made.figures().pointsLeftOut() == 0;
         unavailable = Optional.empty();
         budget.learn(made.figures());
         meter.count(clock.getAsLong());

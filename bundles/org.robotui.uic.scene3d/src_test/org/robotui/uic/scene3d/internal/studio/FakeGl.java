@@ -23,6 +23,7 @@ public final class FakeGl implements Gl {
   public Optional<Rendered.Unavailable> none = Optional.empty();
   public int open;
   public int recycled;
+  public int givenUp;
 
   @Override
   public Renderer open(String name) {
@@ -42,6 +43,12 @@ public final class FakeGl implements Gl {
       @Override
       public CompletionStage<Optional<Pick>> pick(RenderRequest request, int x, int y) {
         return CompletableFuture.completedFuture(hit);
+      }
+
+      @Override
+      public void giveUp() {
+        givenUp++;
+        answers.getLast().complete(new Rendered.Skipped());
       }
 
       @Override

@@ -82,7 +82,44 @@ class StudioTest {
     gl.answer(0.005, 1_000_000, 0);
     rig.move(p -> Moves.turn(p, 5, 0));
     studio.moved();
+    assertTrue(gl.requests.getLast().pointBudget() > 1_000_000);
+    gl.answer(0.005, 1_000_000, 0);
+    now += Studio.REST_NANOS;
+    int before = gl.requests.size();
+    studio.pump();
+    assertEquals(before, gl.requests.size(), "it is complete");
+  }
+
+  @Test
+  void aPictureOfAllPointsIsGivenUpWhenTheCameraIsMovedAndDrawnWhenItStands() {
+    studio.look(LOOK);
+    gl.answer(0.4, 5_000_000, 0);
+    studio.show(stage(1), List.of());
     assertEquals(Integer.MAX_VALUE, gl.requests.getLast().pointBudget());
+    rig.move(p -> Moves.turn(p, 5, 0));
+    studio.moved();
+    assertEquals(1, gl.givenUp);
+    assertEquals(500_000, gl.requests.getLast().pointBudget(), 1);
+    rig.move(p -> Moves.turn(p, 5, 0));
+    studio.moved();
+    assertEquals(1, gl.givenUp, "one of few points is not");
+    gl.answer(0.04, 500_000, 4_500_000);
+    gl.answer(0.04, 500_000, 4_500_000);
+    now += Studio.REST_NANOS;
+    studio.pump();
+    assertEquals(Integer.MAX_VALUE, gl.requests.getLast().pointBudget());
+    int before = gl.requests.size();
+    gl.answer(0.4, 5_000_000, 0);
+    studio.pump();
+    assertEquals(before, gl.requests.size());
+  }
+
+  @Test
+  void whileNothingWasTriedACloudIsThinnedAsWell() {
+    studio.look(LOOK);
+    rig.move(p -> Moves.turn(p, 5, 0));
+    studio.moved();
+    assertEquals(Budget.UNTRIED, gl.requests.getLast().pointBudget());
   }
 
   @Test
