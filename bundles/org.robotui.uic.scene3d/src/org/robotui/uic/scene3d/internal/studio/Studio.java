@@ -18,6 +18,8 @@ import org.robotui.gl.shape.Box3;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Rig;
 import org.robotui.uic.scene3d.internal.model.Stage;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Asks for pictures: when something changed or the camera moves, one at a time, so that what is asked for is never old. Opens the
@@ -27,6 +29,8 @@ public final class Studio implements AutoCloseable {
   /** After the camera stood still for so long, a picture is complete. */
   public static final long REST_NANOS = 300_000_000L;
 
+  private static final Logger LOG = LoggerFactory.getLogger(Studio.class);
+  private static final String LOOK_THERE = "See the log.";
   private static final long RETRY_NANOS = 5_000_000_000L;
   private static final Rendered.Unavailable NO_BUNDLE = new Rendered.Unavailable(
       "The bundle org.robotui.gl, which draws scenes, is not there.", "Install it, or start it in the list of bundles.");
@@ -226,16 +230,26 @@ public final class Studio implements AutoCloseable {
   }
 
   private void made(Renderer renderer, CameraPose pose, Rendered rendered, Throwable error) {
-    if (rendered instanceof Rendered.Picture picture) {
-      screen.take(picture, pose);
-      renderer.recycle(picture);
-    }
+    Rendered outcome = error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), LOOK_THERE);
+    Rendered seen = outcome instanceof Rendered.Picture picture ? shown(renderer, pose, picture) : outcome;
     synchronized (this) {
       busy = false;
-      take(error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), "See the log."));
+      take(seen);
     }
     arrived.run();
     pump();
+  }
+
+  /** A screen that fails must not end all pictures. */
+  private Rendered shown(Renderer renderer, CameraPose pose, Rendered.Picture picture) {
+    try {
+      screen.take(picture, pose);
+      renderer.recycle(picture);
+      return picture;
+    } catch (RuntimeException e) {
+      LOG.warn("A picture cannot be shown", e);
+      return new Rendered.Unavailable("The picture cannot be shown: " + e.getMessage(), LOOK_THERE);
+    }
   }
 
   private void take(Rendered rendered) {
