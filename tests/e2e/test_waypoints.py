@@ -62,8 +62,8 @@ def begin(window, motion):
     def drives():
         if motion.drives():
             return True
+        Keys.press("Escape")            # a click with the tool in hand would place another waypoint
         window.click((window.picture().width - 200, window.picture().height // 2))
-        Keys.press("Escape")
         Keys.press("r")
         Keys.press("Return")
         try:
