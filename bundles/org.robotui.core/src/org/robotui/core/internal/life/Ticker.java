@@ -23,6 +23,7 @@ final class Ticker implements Watched, AutoCloseable {
   private final Consumer<String> failed;
   private final NanoClock clock;
   private final Thread thread;
+  private final TickDoubt doubt;
   private volatile long tickSince = NOT_TICKING;
   private volatile Duration limit = Limits.FIRST;
   private boolean selected;
@@ -45,6 +46,7 @@ final class Ticker implements Watched, AutoCloseable {
     this.failed = failed;
     this.clock = clock;
     this.thread = threads.newThread(this::run);
+    this.doubt = new TickDoubt(thread);
   }
 
   void start() {
@@ -112,7 +114,7 @@ final class Ticker implements Watched, AutoCloseable {
   public void check(long now) {
     Duration most = limit; // before the time: the limit of a tick that has just ended is never the shorter one
     long since = tickSince;
-    if (since != NOT_TICKING && now - since > most.toNanos()) {
+    if (since != NOT_TICKING && now - since > most.toNanos() && doubt.hangs(since, Duration.ofNanos(now - since), most)) {
       giveUp("did not return from tick within " + most.toSeconds() + " s");
       thread.interrupt();
     }
