@@ -23,7 +23,7 @@ import org.robotui.ui.UiContext;
 
 /** A scene in a window, ticked by hand. */
 final class SceneWindow {
-  private static final long PATIENCE_NANOS = 20_000_000_000L;
+  private static final long PATIENCE_NANOS = 60_000_000_000L;
 
   final FakeUicContext context = new FakeUicContext("scene", SceneOptions.schema());
   final FakeFrames frames = new FakeFrames();
