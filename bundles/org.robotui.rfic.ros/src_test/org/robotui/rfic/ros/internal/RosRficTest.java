@@ -7,85 +7,35 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.URI;
-import java.time.Duration;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentLinkedDeque;
-import java.util.concurrent.ThreadFactory;
-import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.robotui.api.config.Setting;
-import org.robotui.api.config.Settings;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Browser;
-import org.robotui.api.port.CallException;
-import org.robotui.api.port.CallHandler;
-import org.robotui.api.port.CommandSink;
-import org.robotui.api.port.CommandSink.Sent;
-import org.robotui.api.port.ServiceReply;
-import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.ClockKind;
-import org.robotui.data.Data;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldPath;
 import org.robotui.data.FieldShape;
 import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
 import org.robotui.data.LaserScan;
-import org.robotui.data.MessageCommand;
-import org.robotui.data.Path;
-import org.robotui.data.PoseArray;
 import org.robotui.data.RecordShape;
 import org.robotui.data.RobotDescription;
 import org.robotui.data.Stamp;
-import org.robotui.data.VelocityCommand;
-import org.robotui.geometry.RigidTransform;
-import org.robotui.ros.GraphName;
-import org.robotui.ros.NodeOptions;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
-import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 
-class RosRficTest {
-  private static final ThreadFactory DAEMONS = Thread.ofPlatform().daemon().factory();
-  private static final Duration PATIENCE = Duration.ofSeconds(15);
-
-  private final FakeRficContext context = new FakeRficContext();
-  private RosMaster master;
-  private RosNode robot;
-  private RosRfic rfic;
-
-  @BeforeEach
-  void openRobot() throws IOException {
-    master = RosMaster.open(MasterOptions.standard(DAEMONS));
-    robot = node("robot");
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString())));
-  }
-
-  @AfterEach
-  void closeAll() {
-    rfic.close();
-    robot.close();
-    master.close();
-  }
-
+/** What comes from the robot, and the link to it. */
+class RosRficTest extends RosRficCase {
   @Test
   void offersTopicsWhileTheyArePublishedAndAsksForThemOnlyWhenWanted() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
@@ -158,61 +108,6 @@ class RosRficTest {
   }
 
   @Test
-  void commandsOnlyThoseWhoListen() {
-    Deque<Twist> heard = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> heard.add(t));
-    rfic.start();
-    await(() -> context.commands.containsKey("cmd_vel"));
-    assertTrue(context.commands.get("cmd_vel").isMotion());
-    await(() -> send("cmd_vel", VelocityCommand.planar(0.25, -0.5)) instanceof Sent.Out);
-    await(() -> !heard.isEmpty());
-    assertEquals(0.25, heard.getFirst().linear().x());
-    assertEquals(-0.5, heard.getFirst().angular().z());
-    assertFalse(context.commands.containsKey("goal"));
-  }
-
-  @Test
-  void offersConfiguredCommandsAlsoWhileNobodyListens() {
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))));
-    rfic.start();
-    await(() -> context.commands.containsKey("base/cmd"));
-    Sent sent = send("base/cmd", VelocityCommand.ZERO);
-    assertEquals("nobody listens on /base/cmd now", assertInstanceOf(Sent.Refused.class, sent).reason());
-  }
-
-  @Test
-  void sendsWaypointsToTheTopicsThatAreNamed() {
-    Deque<org.robotui.ros.msgs.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
-    Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/follow", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> paths.add(p));
-    robot.subscriber("/visit", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, SubscriberOptions.standard(), (p, r) -> arrays.add(p));
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))));
-    rfic.start();
-    await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
-    FrameId map = new FrameId("robby", "map");
-    List<RigidTransform> poses = List.of(RigidTransform.planar(1, 2, 0), RigidTransform.planar(3, 4, 0));
-    await(() -> send("follow", new Path(map, poses)) instanceof Sent.Out);
-    await(() -> send("visit", new PoseArray(map, poses)) instanceof Sent.Out);
-    await(() -> !paths.isEmpty() && !arrays.isEmpty());
-    assertEquals("map", paths.getFirst().header().frameId());
-    assertEquals("map", paths.getFirst().poses().getLast().header().frameId());
-    assertEquals(4, paths.getFirst().poses().getLast().pose().position().y());
-    assertEquals(List.of(1.0, 3.0), arrays.getFirst().poses().stream().map(pose -> pose.position().x()).toList());
-  }
-
-  @Test
-  void aPlanThatOthersLookAtStaysNewsAndIsNoCommand() throws IOException {
-    robot.publisher("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, PublisherOptions.standard());
-    RosNode viewer = node("viewer");
-    viewer.subscriber("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> { });
-    viewer.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
-    rfic.start();
-    await(() -> context.commands.containsKey("cmd_vel") && context.streams.containsKey("plan"));
-    assertFalse(context.commands.containsKey("plan"));
-    viewer.close();
-  }
-
-  @Test
   void seesOnlyItsNamespace() throws IOException {
     robot.publisher("/r1/value", StdFloat64.CODEC, PublisherOptions.standard());
     robot.publisher("/r2/value", StdFloat64.CODEC, PublisherOptions.standard());
@@ -220,35 +115,6 @@ class RosRficTest {
     rfic.start();
     await(() -> context.streams.containsKey("value"));
     assertEquals(2, context.streams.size(), () -> context.streams.keySet().toString());
-  }
-
-  @Test
-  void doesNotTakeOrdersOfOthersForNewsOfTheRobot() throws IOException {
-    robot.subscriber("/initialpose", PoseWithCovarianceStamped.CODEC, SubscriberOptions.standard(), (m, r) -> { });
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (m, r) -> { });
-    RosNode other = node("other_workbench");
-    other.publisher("/initialpose", PoseWithCovarianceStamped.CODEC, PublisherOptions.standard());
-    other.publisher("/cmd_vel", Twist.CODEC, PublisherOptions.standard());
-    rfic.start();
-    await(() -> context.commands.containsKey("initialpose") && context.streams.containsKey("cmd_vel"));
-    assertFalse(context.streams.containsKey("initialpose"));
-    other.close();
-  }
-
-  @Test
-  void callsServicesByNameAndSaysWhyNot() throws Exception {
-    robot.serviceServer("/motors", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(request.data(), "done"));
-    rfic.start();
-    await(() -> context.handlers.containsKey("services"));
-    assertTrue(robot.awaitRegistered(PATIENCE));
-    ServiceReply reply = call(new ServiceRequest("/motors", Map.of("data", true)));
-    assertEquals(new FieldValue.Flag(true), reply.value().field("success").orElseThrow());
-    CallException wrong = org.junit.jupiter.api.Assertions.assertThrows(
-        CallException.class, () -> call(new ServiceRequest("/motors", Map.of("dta", true))));
-    assertTrue(wrong.getMessage().contains("dta"), wrong.getMessage());
-    CallException none = org.junit.jupiter.api.Assertions.assertThrows(
-        CallException.class, () -> call(new ServiceRequest("/nowhere", Map.of())));
-    assertTrue(none.getMessage().contains("/nowhere"), none.getMessage());
   }
 
   @Test
@@ -266,35 +132,6 @@ class RosRficTest {
     browser.setParameter("/gains", Map.of("p", 1.5, "names", List.of("a", "b"), "count", 3L, "on", true));
     assertEquals(1.5, ((Map<?, ?>) browser.parameter("/gains").orElseThrow()).get("p"));
     assertTrue(browser.parameter("/none").isEmpty());
-  }
-
-  @Test
-  void saysAMessageOnceToAllWhoListenAndNeverOnTopicsThatMoveTheRobot() {
-    Deque<Double> first = new ConcurrentLinkedDeque<>();
-    Deque<Double> second = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> first.add(m.data()));
-    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> second.add(m.data()));
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
-    rfic.start();
-    await(() -> context.commands.containsKey("cmd_vel"));
-    await(() -> say("/gain", "std_msgs/Float64", Map.of("data", 2.5)) instanceof Sent.Out);
-    await(() -> first.size() == 1 && second.size() == 1);
-    assertEquals(2.5, first.getFirst());
-    assertInstanceOf(Sent.Out.class, say("/gain", "std_msgs/Float64", Map.of("data", 3)));
-    await(() -> first.size() == 2);
-    assertTrue(refusal(say("/gain", "std_msgs/String", Map.of())).contains("carries std_msgs/Float64"));
-    assertTrue(refusal(say("/gain", "std_msgs/Float64", Map.of("data", "much"))).contains("data"));
-    assertTrue(refusal(say("/nobody", "std_msgs/Float64", Map.of())).contains("nobody listens on /nobody"));
-    assertTrue(refusal(say("/cmd_vel", "geometry_msgs/Twist", Map.of())).contains("moves the robot"));
-  }
-
-  private static String refusal(Sent sent) {
-    return assertInstanceOf(Sent.Refused.class, sent).reason();
-  }
-
-  @SuppressWarnings("unchecked")
-  private Sent say(String topic, String type, Map<String, Object> fields) {
-    return ((CommandSink<MessageCommand>) context.sinks.get("publish")).send(new MessageCommand(topic, type, fields));
   }
 
   @Test
@@ -361,72 +198,5 @@ class RosRficTest {
     await(() -> context.alive().isEmpty());
     assertEquals(Map.of(), new HashMap<>(context.streams));
     assertEquals(Map.of(), new HashMap<>(context.commands));
-  }
-
-  private RosNode node(String name) throws IOException {
-    return RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of(name), NodeOptions.standard(DAEMONS));
-  }
-
-  private static RosSettings settings(Map<String, Object> written) {
-    Map<String, Object> values = new HashMap<>();
-    RosSettings.SCHEMA.settings().forEach(s -> s.fallback().ifPresent(f -> values.put(s.name(), f)));
-    values.putAll(written);
-    written.keySet().forEach(k -> assertTrue(RosSettings.SCHEMA.find(k).map(Setting::name).isPresent()));
-    return RosSettings.of(new Settings(RosSettings.SCHEMA, values), Map.of());
-  }
-
-  private static org.robotui.ros.msgs.sensor_msgs.LaserScan scan(float[] ranges) {
-    Header header = new Header(0, Stamp.of(12, 500, ClockKind.ROBOT).nanos(), "/laser");
-    return new org.robotui.ros.msgs.sensor_msgs.LaserScan(header, -1, 1, 0.5f, 0, 0, 0.1f, 30, ranges, new float[0]);
-  }
-
-  private FakeRficContext.Published first(String port) {
-    await(() -> context.published.containsKey(port) && !context.published.get(port).isEmpty());
-    return context.published.get(port).getFirst();
-  }
-
-  private static double number(FakeRficContext.Published published) {
-    FieldValue value = ((DynamicRecord) published.value()).at(FieldPath.parse("data")).orElseThrow();
-    return ((FieldValue.Num) value).value();
-  }
-
-  @SuppressWarnings("unchecked")
-  private Sent send(String port, Data command) {
-    return ((CommandSink<Data>) context.sinks.get(port)).send(command);
-  }
-
-  @SuppressWarnings("unchecked")
-  private ServiceReply call(ServiceRequest request) throws CallException, InterruptedException {
-    CallHandler<ServiceRequest, ServiceReply> handler =
-        (CallHandler<ServiceRequest, ServiceReply>) context.handlers.get("services");
-    return handler.handle(new CallHandler.Invocation<>() {
-      @Override
-      public ServiceRequest request() {
-        return request;
-      }
-
-      @Override
-      public long deadlineNanos() {
-        return System.nanoTime() + Duration.ofSeconds(3).toNanos();
-      }
-
-      @Override
-      public void progress(double fraction, String message) {
-        // services have no progress
-      }
-
-      @Override
-      public void feedback(DynamicRecord record) {
-        // nor feedback
-      }
-    });
-  }
-
-  private static void await(BooleanSupplier condition) {
-    long end = System.nanoTime() + PATIENCE.toNanos();
-    while (!condition.getAsBoolean()) {
-      assertTrue(System.nanoTime() < end, "waited in vain");
-      LockSupport.parkNanos(5_000_000);
-    }
   }
 }

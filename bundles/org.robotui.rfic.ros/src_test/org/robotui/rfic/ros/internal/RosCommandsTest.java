@@ -1,0 +1,179 @@
+package org.robotui.rfic.ros.internal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentLinkedDeque;
+import org.junit.jupiter.api.Test;
+import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.CommandSink;
+import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.ServiceReply;
+import org.robotui.api.port.ServiceRequest;
+import org.robotui.data.DynamicRecord;
+import org.robotui.data.FieldValue;
+import org.robotui.data.FrameId;
+import org.robotui.data.MessageCommand;
+import org.robotui.data.Path;
+import org.robotui.data.PoseArray;
+import org.robotui.data.VelocityCommand;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.RosNode;
+import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.msgs.StandardServices;
+import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.ros.msgs.geometry_msgs.Twist;
+import org.robotui.ros.msgs.std_msgs.StdFloat64;
+import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
+
+/** What goes to the robot: commands, single messages, calls. */
+class RosCommandsTest extends RosRficCase {
+  @Test
+  void commandsOnlyThoseWhoListen() {
+    Deque<Twist> heard = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> heard.add(t));
+    rfic.start();
+    await(() -> context.commands.containsKey("cmd_vel"));
+    assertTrue(context.commands.get("cmd_vel").isMotion());
+    await(() -> send("cmd_vel", VelocityCommand.planar(0.25, -0.5)) instanceof Sent.Out);
+    await(() -> !heard.isEmpty());
+    assertEquals(0.25, heard.getFirst().linear().x());
+    assertEquals(-0.5, heard.getFirst().angular().z());
+    assertFalse(context.commands.containsKey("goal"));
+  }
+
+  @Test
+  void offersConfiguredCommandsAlsoWhileNobodyListens() {
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))));
+    rfic.start();
+    await(() -> context.commands.containsKey("base/cmd"));
+    Sent sent = send("base/cmd", VelocityCommand.ZERO);
+    assertEquals("nobody listens on /base/cmd now", assertInstanceOf(Sent.Refused.class, sent).reason());
+  }
+
+  @Test
+  void sendsWaypointsToTheTopicsThatAreNamed() {
+    Deque<org.robotui.ros.msgs.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
+    Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/follow", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> paths.add(p));
+    robot.subscriber("/visit", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, SubscriberOptions.standard(), (p, r) -> arrays.add(p));
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))));
+    rfic.start();
+    await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
+    FrameId map = new FrameId("robby", "map");
+    List<RigidTransform> poses = List.of(RigidTransform.planar(1, 2, 0), RigidTransform.planar(3, 4, 0));
+    await(() -> send("follow", new Path(map, poses)) instanceof Sent.Out);
+    await(() -> send("visit", new PoseArray(map, poses)) instanceof Sent.Out);
+    await(() -> !paths.isEmpty() && !arrays.isEmpty());
+    assertEquals("map", paths.getFirst().header().frameId());
+    assertEquals("map", paths.getFirst().poses().getLast().header().frameId());
+    assertEquals(4, paths.getFirst().poses().getLast().pose().position().y());
+    assertEquals(List.of(1.0, 3.0), arrays.getFirst().poses().stream().map(pose -> pose.position().x()).toList());
+  }
+
+  @Test
+  void aPlanThatOthersLookAtStaysNewsAndIsNoCommand() throws IOException {
+    robot.publisher("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, PublisherOptions.standard());
+    RosNode viewer = node("viewer");
+    viewer.subscriber("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> { });
+    viewer.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    rfic.start();
+    await(() -> context.commands.containsKey("cmd_vel") && context.streams.containsKey("plan"));
+    assertFalse(context.commands.containsKey("plan"));
+    viewer.close();
+  }
+
+  @Test
+  void doesNotTakeOrdersOfOthersForNewsOfTheRobot() throws IOException {
+    robot.subscriber("/initialpose", PoseWithCovarianceStamped.CODEC, SubscriberOptions.standard(), (m, r) -> { });
+    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (m, r) -> { });
+    RosNode other = node("other_workbench");
+    other.publisher("/initialpose", PoseWithCovarianceStamped.CODEC, PublisherOptions.standard());
+    other.publisher("/cmd_vel", Twist.CODEC, PublisherOptions.standard());
+    rfic.start();
+    await(() -> context.commands.containsKey("initialpose") && context.streams.containsKey("cmd_vel"));
+    assertFalse(context.streams.containsKey("initialpose"));
+    other.close();
+  }
+
+  @Test
+  void callsServicesByNameAndSaysWhyNot() throws Exception {
+    robot.serviceServer("/motors", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(request.data(), "done"));
+    rfic.start();
+    await(() -> context.handlers.containsKey("services"));
+    assertTrue(robot.awaitRegistered(PATIENCE));
+    ServiceReply reply = call(new ServiceRequest("/motors", Map.of("data", true)));
+    assertEquals(new FieldValue.Flag(true), reply.value().field("success").orElseThrow());
+    CallException wrong = org.junit.jupiter.api.Assertions.assertThrows(
+        CallException.class, () -> call(new ServiceRequest("/motors", Map.of("dta", true))));
+    assertTrue(wrong.getMessage().contains("dta"), wrong.getMessage());
+    CallException none = org.junit.jupiter.api.Assertions.assertThrows(
+        CallException.class, () -> call(new ServiceRequest("/nowhere", Map.of())));
+    assertTrue(none.getMessage().contains("/nowhere"), none.getMessage());
+  }
+
+  @Test
+  void saysAMessageOnceToAllWhoListenAndNeverOnTopicsThatMoveTheRobot() {
+    Deque<Double> first = new ConcurrentLinkedDeque<>();
+    Deque<Double> second = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> first.add(m.data()));
+    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> second.add(m.data()));
+    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    rfic.start();
+    await(() -> context.commands.containsKey("cmd_vel"));
+    await(() -> say("/gain", "std_msgs/Float64", Map.of("data", 2.5)) instanceof Sent.Out);
+    await(() -> first.size() == 1 && second.size() == 1);
+    assertEquals(2.5, first.getFirst());
+    assertInstanceOf(Sent.Out.class, say("/gain", "std_msgs/Float64", Map.of("data", 3)));
+    await(() -> first.size() == 2);
+    assertTrue(refusal(say("/gain", "std_msgs/String", Map.of())).contains("carries std_msgs/Float64"));
+    assertTrue(refusal(say("/gain", "std_msgs/Float64", Map.of("data", "much"))).contains("data"));
+    assertTrue(refusal(say("/nobody", "std_msgs/Float64", Map.of())).contains("nobody listens on /nobody"));
+    assertTrue(refusal(say("/cmd_vel", "geometry_msgs/Twist", Map.of())).contains("moves the robot"));
+  }
+
+  private static String refusal(Sent sent) {
+    return assertInstanceOf(Sent.Refused.class, sent).reason();
+  }
+
+  @SuppressWarnings("unchecked")
+  private Sent say(String topic, String type, Map<String, Object> fields) {
+    return ((CommandSink<MessageCommand>) context.sinks.get("publish")).send(new MessageCommand(topic, type, fields));
+  }
+
+  @SuppressWarnings("unchecked")
+  private ServiceReply call(ServiceRequest request) throws CallException, InterruptedException {
+    CallHandler<ServiceRequest, ServiceReply> handler =
+        (CallHandler<ServiceRequest, ServiceReply>) context.handlers.get("services");
+    return handler.handle(new CallHandler.Invocation<>() {
+      @Override
+      public ServiceRequest request() {
+        return request;
+      }
+
+      @Override
+      public long deadlineNanos() {
+        return System.nanoTime() + Duration.ofSeconds(3).toNanos();
+      }
+
+      @Override
+      public void progress(double fraction, String message) {
+        // services have no progress
+      }
+
+      @Override
+      public void feedback(DynamicRecord record) {
+        // nor feedback
+      }
+    });
+  }
+}
