@@ -13,18 +13,18 @@ import java.nio.ByteBuffer;
  */
 public record LcmMessage(String channel, ByteBuffer data, String sender, long received, long utime) {
 
-    /** Sees to it that nobody can change the bytes. */
-    public LcmMessage {
-        data = data.slice().asReadOnlyBuffer();
-    }
+  /** Sees to it that nobody can change the bytes. */
+  public LcmMessage {
+    data = data.slice().asReadOnlyBuffer();
+  }
 
-    /**
-     * The bytes.
-     *
-     * @return a view of its own for each call
-     */
-    @Override
-    public ByteBuffer data() {
-        return data.duplicate();
-    }
+  /**
+   * The bytes.
+   *
+   * @return a view of its own for each call
+   */
+  @Override
+  public ByteBuffer data() {
+    return data.duplicate();
+  }
 }

@@ -18,63 +18,63 @@ import java.util.concurrent.ThreadFactory;
  * @param maxBackoff      the longest pause between attempts
  */
 public record LcmOptions(ThreadFactory threads, LcmStateListener states, int maxMessageBytes, long partialBytes, Duration partialTime,
-        int receiveBuffer, Duration connectTime, Duration minBackoff, Duration maxBackoff) {
+    int receiveBuffer, Duration connectTime, Duration minBackoff, Duration maxBackoff) {
 
-    /** Checks the bounds. */
-    public LcmOptions {
-        Objects.requireNonNull(threads, "threads");
-        Objects.requireNonNull(states, "states");
-        if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || partialBytes < 1 || receiveBuffer < 1) {
-            throw new IllegalArgumentException("messages of " + maxMessageBytes + ", partial ones of " + partialBytes
-                    + ", a receive buffer of " + receiveBuffer + " bytes");
-        }
-        if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
-            throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
-        }
+  /** Checks the bounds. */
+  public LcmOptions {
+    Objects.requireNonNull(threads, "threads");
+    Objects.requireNonNull(states, "states");
+    if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || partialBytes < 1 || receiveBuffer < 1) {
+      throw new IllegalArgumentException("messages of " + maxMessageBytes + ", partial ones of " + partialBytes
+          + ", a receive buffer of " + receiveBuffer + " bytes");
     }
+    if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
+      throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
+    }
+  }
 
-    /**
-     * Messages up to 64 MiB, as much for partial ones, which wait for 1 s; a receive buffer of 16 MiB, if the kernel gives
-     * it; 5 s for a server, back-off from 0.1 to 5 s.
-     *
-     * @param threads makes all threads of the connection
-     * @return the default
-     */
-    public static LcmOptions standard(ThreadFactory threads) {
-        return new LcmOptions(threads, LcmStateListener.none(), 64 << 20, 64L << 20, Duration.ofSeconds(1), 16 << 20, Duration.ofSeconds(5),
-                Duration.ofMillis(100), Duration.ofSeconds(5));
-    }
+  /**
+   * Messages up to 64 MiB, as much for partial ones, which wait for 1 s; a receive buffer of 16 MiB, if the kernel gives
+   * it; 5 s for a server, back-off from 0.1 to 5 s.
+   *
+   * @param threads makes all threads of the connection
+   * @return the default
+   */
+  public static LcmOptions standard(ThreadFactory threads) {
+    return new LcmOptions(threads, LcmStateListener.none(), 64 << 20, 64L << 20, Duration.ofSeconds(1), 16 << 20, Duration.ofSeconds(5),
+        Duration.ofMillis(100), Duration.ofSeconds(5));
+  }
 
-    /**
-     * The same options with a listener.
-     *
-     * @param listener hears of the state
-     * @return the changed options
-     */
-    public LcmOptions withStates(LcmStateListener listener) {
-        return new LcmOptions(threads, listener, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff);
-    }
+  /**
+   * The same options with a listener.
+   *
+   * @param listener hears of the state
+   * @return the changed options
+   */
+  public LcmOptions withStates(LcmStateListener listener) {
+    return new LcmOptions(threads, listener, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff);
+  }
 
-    /**
-     * The same options with other bounds.
-     *
-     * @param messageBytes the longest message that is accepted
-     * @param partial      how much memory messages may hold of which fragments are missing
-     * @param wait         how long such a message waits for its next fragment
-     * @return the changed options
-     */
-    public LcmOptions withBounds(int messageBytes, long partial, Duration wait) {
-        return new LcmOptions(threads, states, messageBytes, partial, wait, receiveBuffer, connectTime, minBackoff, maxBackoff);
-    }
+  /**
+   * The same options with other bounds.
+   *
+   * @param messageBytes the longest message that is accepted
+   * @param partial      how much memory messages may hold of which fragments are missing
+   * @param wait         how long such a message waits for its next fragment
+   * @return the changed options
+   */
+  public LcmOptions withBounds(int messageBytes, long partial, Duration wait) {
+    return new LcmOptions(threads, states, messageBytes, partial, wait, receiveBuffer, connectTime, minBackoff, maxBackoff);
+  }
 
-    /**
-     * The same options with other times.
-     *
-     * @param connect how long a server may take to answer
-     * @param longest the longest pause between attempts
-     * @return the changed options
-     */
-    public LcmOptions withTimes(Duration connect, Duration longest) {
-        return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connect, minBackoff, longest);
-    }
+  /**
+   * The same options with other times.
+   *
+   * @param connect how long a server may take to answer
+   * @param longest the longest pause between attempts
+   * @return the changed options
+   */
+  public LcmOptions withTimes(Duration connect, Duration longest) {
+    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connect, minBackoff, longest);
+  }
 }

@@ -4,19 +4,19 @@ package org.robotui.lcm;
 @FunctionalInterface
 public interface LcmStateListener {
 
-    /**
-     * The state changed. Called on the connection's thread; must not block.
-     *
-     * @param state the new state
-     */
-    void onState(LcmState state);
+  /**
+   * The state changed. Called on the connection's thread; must not block.
+   *
+   * @param state the new state
+   */
+  void onState(LcmState state);
 
-    /**
-     * A listener that does nothing.
-     *
-     * @return the listener
-     */
-    static LcmStateListener none() {
-        return state -> { };
-    }
+  /**
+   * A listener that does nothing.
+   *
+   * @return the listener
+   */
+  static LcmStateListener none() {
+    return state -> { };
+  }
 }

@@ -17,4 +17,4 @@ package org.robotui.lcm;
  * @param lastDamage          why the last damaged one was refused, for a user to read; empty if there was none
  */
 public record LcmStatistics(long received, long receivedBytes, long published, long publishedBytes, long lost, long incomplete, long damaged,
-        long dropped, long listenerErrors, int receiveBufferWanted, int receiveBuffer, String lastDamage) { }
+    long dropped, long listenerErrors, int receiveBufferWanted, int receiveBuffer, String lastDamage) { }

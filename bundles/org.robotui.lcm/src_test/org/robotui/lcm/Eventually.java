@@ -9,31 +9,31 @@ import org.junit.jupiter.api.Assertions;
 /** Waits for conditions of other threads. */
 public final class Eventually {
 
-    private Eventually() {
-    }
+  private Eventually() {
+  }
 
-    /** Waits up to a minute and fails if the condition never held. */
-    public static void await(String what, BooleanSupplier condition) {
-        await(what, Duration.ofSeconds(60), condition);
-    }
+  /** Waits up to a minute and fails if the condition never held. */
+  public static void await(String what, BooleanSupplier condition) {
+    await(what, Duration.ofSeconds(60), condition);
+  }
 
-    /** Waits so long at most and fails if the condition never held. */
-    public static void await(String what, Duration time, BooleanSupplier condition) {
-        await(() -> what, time, condition);
-    }
+  /** Waits so long at most and fails if the condition never held. */
+  public static void await(String what, Duration time, BooleanSupplier condition) {
+    await(() -> what, time, condition);
+  }
 
-    /** Waits up to a minute and fails with what is known then. */
-    public static void await(Supplier<String> what, BooleanSupplier condition) {
-        await(what, Duration.ofSeconds(60), condition);
-    }
+  /** Waits up to a minute and fails with what is known then. */
+  public static void await(Supplier<String> what, BooleanSupplier condition) {
+    await(what, Duration.ofSeconds(60), condition);
+  }
 
-    private static void await(Supplier<String> what, Duration time, BooleanSupplier condition) {
-        long deadline = System.nanoTime() + time.toNanos();
-        while (!condition.getAsBoolean()) {
-            if (System.nanoTime() > deadline) {
-                Assertions.fail("waited " + time.toMillis() + " ms in vain for: " + what.get());
-            }
-            LockSupport.parkNanos(2_000_000);
-        }
+  private static void await(Supplier<String> what, Duration time, BooleanSupplier condition) {
+    long deadline = System.nanoTime() + time.toNanos();
+    while (!condition.getAsBoolean()) {
+      if (System.nanoTime() > deadline) {
+        Assertions.fail("waited " + time.toMillis() + " ms in vain for: " + what.get());
+      }
+      LockSupport.parkNanos(2_000_000);
     }
+  }
 }

@@ -8,22 +8,22 @@ import org.junit.jupiter.api.Assertions;
 /** Waits for conditions of other threads. */
 public final class Eventually {
 
-    private Eventually() {
-    }
+  private Eventually() {
+  }
 
-    /** Waits up to a minute and fails if the condition never held. */
-    public static void await(String what, BooleanSupplier condition) {
-        await(what, Duration.ofSeconds(60), condition);
-    }
+  /** Waits up to a minute and fails if the condition never held. */
+  public static void await(String what, BooleanSupplier condition) {
+    await(what, Duration.ofSeconds(60), condition);
+  }
 
-    /** Waits so long at most and fails if the condition never held. */
-    public static void await(String what, Duration time, BooleanSupplier condition) {
-        long deadline = System.nanoTime() + time.toNanos();
-        while (!condition.getAsBoolean()) {
-            if (System.nanoTime() > deadline) {
-                Assertions.fail("waited " + time.toMillis() + " ms in vain for: " + what);
-            }
-            LockSupport.parkNanos(2_000_000);
-        }
+  /** Waits so long at most and fails if the condition never held. */
+  public static void await(String what, Duration time, BooleanSupplier condition) {
+    long deadline = System.nanoTime() + time.toNanos();
+    while (!condition.getAsBoolean()) {
+      if (System.nanoTime() > deadline) {
+        Assertions.fail("waited " + time.toMillis() + " ms in vain for: " + what);
+      }
+      LockSupport.parkNanos(2_000_000);
     }
+  }
 }

@@ -10,15 +10,15 @@ package org.robotui.ros;
  */
 public record LinkEvent(Kind kind, String name, String peer, LinkState state) {
 
-    /** What a link is for. */
-    public enum Kind {
-        /** The registration of this node at the master. */
-        MASTER,
-        /** Messages from a publisher to a subscriber of this node. */
-        SUBSCRIPTION,
-        /** Messages from a publisher of this node to a subscriber. */
-        PUBLICATION,
-        /** Calls of a client to a service of this node; reported only when the client is refused or breaks the protocol. */
-        SERVICE
-    }
+  /** What a link is for. */
+  public enum Kind {
+    /** The registration of this node at the master. */
+    MASTER,
+    /** Messages from a publisher to a subscriber of this node. */
+    SUBSCRIPTION,
+    /** Messages from a publisher of this node to a subscriber. */
+    PUBLICATION,
+    /** Calls of a client to a service of this node; reported only when the client is refused or breaks the protocol. */
+    SERVICE
+  }
 }

@@ -4,19 +4,19 @@ package org.robotui.ros;
 @FunctionalInterface
 public interface LinkListener {
 
-    /**
-     * A link changed its state. Called on the link's I/O thread, also several threads at once; must not block.
-     *
-     * @param event what changed
-     */
-    void onLink(LinkEvent event);
+  /**
+   * A link changed its state. Called on the link's I/O thread, also several threads at once; must not block.
+   *
+   * @param event what changed
+   */
+  void onLink(LinkEvent event);
 
-    /**
-     * A listener that does nothing.
-     *
-     * @return the listener
-     */
-    static LinkListener none() {
-        return event -> { };
-    }
+  /**
+   * A listener that does nothing.
+   *
+   * @return the listener
+   */
+  static LinkListener none() {
+    return event -> { };
+  }
 }

@@ -12,42 +12,42 @@ import java.util.Map;
  */
 public record NameResolver(GraphName node, GraphName namespace, Map<GraphName, GraphName> remappings) {
 
-    /** Copies the remappings. */
-    public NameResolver {
-        remappings = Map.copyOf(remappings);
-    }
+  /** Copies the remappings. */
+  public NameResolver {
+    remappings = Map.copyOf(remappings);
+  }
 
-    /**
-     * The resolver of a node.
-     *
-     * @param node       the node's global name
-     * @param namespace  the namespace of relative names
-     * @param remappings from name to name as the user wrote them
-     * @return a resolver with both sides of each remapping resolved
-     */
-    public static NameResolver of(GraphName node, GraphName namespace, Map<String, String> remappings) {
-        NameResolver plain = new NameResolver(node, namespace, Map.of());
-        Map<GraphName, GraphName> resolved = new LinkedHashMap<>();
-        remappings.forEach((from, to) -> resolved.put(plain.globalize(GraphName.of(from)), plain.globalize(GraphName.of(to))));
-        return new NameResolver(node, namespace, resolved);
-    }
+  /**
+   * The resolver of a node.
+   *
+   * @param node       the node's global name
+   * @param namespace  the namespace of relative names
+   * @param remappings from name to name as the user wrote them
+   * @return a resolver with both sides of each remapping resolved
+   */
+  public static NameResolver of(GraphName node, GraphName namespace, Map<String, String> remappings) {
+    NameResolver plain = new NameResolver(node, namespace, Map.of());
+    Map<GraphName, GraphName> resolved = new LinkedHashMap<>();
+    remappings.forEach((from, to) -> resolved.put(plain.globalize(GraphName.of(from)), plain.globalize(GraphName.of(to))));
+    return new NameResolver(node, namespace, resolved);
+  }
 
-    /**
-     * Resolves a name.
-     *
-     * @param name a global, relative or private name
-     * @return the global name, remapped if there is a remapping for it
-     * @throws InvalidNameException if the text is no name
-     */
-    public GraphName resolve(String name) {
-        GraphName global = globalize(GraphName.of(name));
-        return remappings.getOrDefault(global, global);
-    }
+  /**
+   * Resolves a name.
+   *
+   * @param name a global, relative or private name
+   * @return the global name, remapped if there is a remapping for it
+   * @throws InvalidNameException if the text is no name
+   */
+  public GraphName resolve(String name) {
+    GraphName global = globalize(GraphName.of(name));
+    return remappings.getOrDefault(global, global);
+  }
 
-    private GraphName globalize(GraphName name) {
-        if (name.isGlobal()) {
-            return name;
-        }
-        return (name.isPrivate() ? node : namespace).join(name);
+  private GraphName globalize(GraphName name) {
+    if (name.isGlobal()) {
+      return name;
     }
+    return (name.isPrivate() ? node : namespace).join(name);
+  }
 }

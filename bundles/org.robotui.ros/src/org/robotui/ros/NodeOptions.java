@@ -20,74 +20,74 @@ import java.util.concurrent.ThreadFactory;
  * @param records          a folder where the node keeps a note of itself while it is registered, see {@link Leftovers}; none if empty
  */
 public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMessageBytes, int maxHeaderBytes,
-        Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records) {
+    Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records) {
 
-    /** Checks the bounds. */
-    public NodeOptions {
-        Objects.requireNonNull(threads, "threads");
-        Objects.requireNonNull(links, "links");
-        Objects.requireNonNull(records, "records");
-        if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || maxHeaderBytes < 64) {
-            throw new IllegalArgumentException("messages of " + maxMessageBytes + " and headers of " + maxHeaderBytes + " bytes");
-        }
-        if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
-            throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
-        }
+  /** Checks the bounds. */
+  public NodeOptions {
+    Objects.requireNonNull(threads, "threads");
+    Objects.requireNonNull(links, "links");
+    Objects.requireNonNull(records, "records");
+    if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || maxHeaderBytes < 64) {
+      throw new IllegalArgumentException("messages of " + maxMessageBytes + " and headers of " + maxHeaderBytes + " bytes");
     }
+    if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
+      throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
+    }
+  }
 
-    /**
-     * Messages up to 1 GiB, headers up to 1 MiB, 5 s for a handshake, a master check every 2 s, back-off from 0.1 to 5 s.
-     *
-     * @param threads makes all threads of the node
-     * @return the default
-     */
-    public static NodeOptions standard(ThreadFactory threads) {
-        return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5), Duration.ofSeconds(2),
-                Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty());
-    }
+  /**
+   * Messages up to 1 GiB, headers up to 1 MiB, 5 s for a handshake, a master check every 2 s, back-off from 0.1 to 5 s.
+   *
+   * @param threads makes all threads of the node
+   * @return the default
+   */
+  public static NodeOptions standard(ThreadFactory threads) {
+    return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5), Duration.ofSeconds(2),
+        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty());
+  }
 
-    /**
-     * The same options with a listener.
-     *
-     * @param listener hears of the state of all links
-     * @return the changed options
-     */
-    public NodeOptions withLinks(LinkListener listener) {
-        return new NodeOptions(threads, listener, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
-                maxBackoff, records);
-    }
+  /**
+   * The same options with a listener.
+   *
+   * @param listener hears of the state of all links
+   * @return the changed options
+   */
+  public NodeOptions withLinks(LinkListener listener) {
+    return new NodeOptions(threads, listener, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
+        maxBackoff, records);
+  }
 
-    /**
-     * The same options with another bound of messages.
-     *
-     * @param bytes the longest message that is accepted
-     * @return the changed options
-     */
-    public NodeOptions withMaxMessageBytes(long bytes) {
-        return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records);
-    }
+  /**
+   * The same options with another bound of messages.
+   *
+   * @param bytes the longest message that is accepted
+   * @return the changed options
+   */
+  public NodeOptions withMaxMessageBytes(long bytes) {
+    return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records);
+  }
 
-    /**
-     * The same options with other times.
-     *
-     * @param handshake   for connecting and for each header
-     * @param check       how often the node checks that the master still knows it
-     * @param longestWait the longest pause between attempts to reach a peer
-     * @return the changed options
-     */
-    public NodeOptions withTimes(Duration handshake, Duration check, Duration longestWait) {
-        return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait, records);
-    }
+  /**
+   * The same options with other times.
+   *
+   * @param handshake   for connecting and for each header
+   * @param check       how often the node checks that the master still knows it
+   * @param longestWait the longest pause between attempts to reach a peer
+   * @return the changed options
+   */
+  public NodeOptions withTimes(Duration handshake, Duration check, Duration longestWait) {
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait, records);
+  }
 
-    /**
-     * The same options with a folder for notes.
-     *
-     * @param folder where the node keeps a note of itself, so that {@link Leftovers} can clear up after a kill; made if
-     *               it is not there
-     * @return the changed options
-     */
-    public NodeOptions withRecords(Path folder) {
-        return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff,
-                Optional.of(folder));
-    }
+  /**
+   * The same options with a folder for notes.
+   *
+   * @param folder where the node keeps a note of itself, so that {@link Leftovers} can clear up after a kill; made if
+   *               it is not there
+   * @return the changed options
+   */
+  public NodeOptions withRecords(Path folder) {
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff,
+        Optional.of(folder));
+  }
 }

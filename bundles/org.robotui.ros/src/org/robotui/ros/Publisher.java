@@ -9,50 +9,50 @@ import java.util.Set;
  */
 public interface Publisher<T> extends AutoCloseable {
 
-    /**
-     * Encodes the message and queues it for each subscriber; never waits for one. Nothing is encoded while nobody
-     * subscribes, unless the publisher latches. Does nothing once closed.
-     *
-     * @param message the message
-     */
-    void publish(T message);
+  /**
+   * Encodes the message and queues it for each subscriber; never waits for one. Nothing is encoded while nobody
+   * subscribes, unless the publisher latches. Does nothing once closed.
+   *
+   * @param message the message
+   */
+  void publish(T message);
 
-    /**
-     * Sends a message next, and drops those that still wait: a stop comes right behind what is on its way already.
-     *
-     * @param message the message
-     */
-    void publishUrgently(T message);
+  /**
+   * Sends a message next, and drops those that still wait: a stop comes right behind what is on its way already.
+   *
+   * @param message the message
+   */
+  void publishUrgently(T message);
 
-    /**
-     * The topic.
-     *
-     * @return its global name
-     */
-    GraphName topic();
+  /**
+   * The topic.
+   *
+   * @return its global name
+   */
+  GraphName topic();
 
-    /**
-     * How many subscribers are connected.
-     *
-     * @return the number of links
-     */
-    int numSubscribers();
+  /**
+   * How many subscribers are connected.
+   *
+   * @return the number of links
+   */
+  int numSubscribers();
 
-    /**
-     * Who is connected.
-     *
-     * @return the node names the subscribers announced
-     */
-    Set<String> subscribers();
+  /**
+   * Who is connected.
+   *
+   * @return the node names the subscribers announced
+   */
+  Set<String> subscribers();
 
-    /**
-     * How many messages were dropped because a subscriber was too slow, over all subscribers so far.
-     *
-     * @return the number of messages
-     */
-    long dropped();
+  /**
+   * How many messages were dropped because a subscriber was too slow, over all subscribers so far.
+   *
+   * @return the number of messages
+   */
+  long dropped();
 
-    /** Unregisters from the master, in the background, and closes all links. */
-    @Override
-    void close();
+  /** Unregisters from the master, in the background, and closes all links. */
+  @Override
+  void close();
 }

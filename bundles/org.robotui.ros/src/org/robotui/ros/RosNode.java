@@ -13,141 +13,141 @@ import org.robotui.ros.message.ServiceCodec;
  */
 public interface RosNode extends AutoCloseable {
 
-    /**
-     * Opens a node. The master need not be there yet.
-     *
-     * @param environment the surroundings
-     * @param name        the node's name, relative to the environment's namespace; a name given on the command line wins
-     * @param options     what the owner gives it
-     * @return the open node
-     * @throws IOException if it cannot listen on its own address
-     */
-    static RosNode open(RosEnvironment environment, GraphName name, NodeOptions options) throws IOException {
-        return NodeRuntime.open(environment, name, options);
-    }
+  /**
+   * Opens a node. The master need not be there yet.
+   *
+   * @param environment the surroundings
+   * @param name        the node's name, relative to the environment's namespace; a name given on the command line wins
+   * @param options     what the owner gives it
+   * @return the open node
+   * @throws IOException if it cannot listen on its own address
+   */
+  static RosNode open(RosEnvironment environment, GraphName name, NodeOptions options) throws IOException {
+    return NodeRuntime.open(environment, name, options);
+  }
 
-    /**
-     * The node's name.
-     *
-     * @return a global name
-     */
-    GraphName name();
+  /**
+   * The node's name.
+   *
+   * @return a global name
+   */
+  GraphName name();
 
-    /**
-     * The address of the node's own API.
-     *
-     * @return an {@code http} URI
-     */
-    String uri();
+  /**
+   * The address of the node's own API.
+   *
+   * @return an {@code http} URI
+   */
+  String uri();
 
-    /**
-     * Resolves names as seen from this node.
-     *
-     * @return the resolver, with the environment's remappings
-     */
-    NameResolver names();
+  /**
+   * Resolves names as seen from this node.
+   *
+   * @return the resolver, with the environment's remappings
+   */
+  NameResolver names();
 
-    /**
-     * Publishes a topic.
-     *
-     * @param topic   the topic's name
-     * @param codec   the codec of its messages
-     * @param options how to send
-     * @param <T>     the Java value of a message
-     * @return the publisher
-     * @throws IllegalStateException if this node publishes the topic already, or is closed
-     * @throws InvalidNameException  if the topic is no name
-     */
-    <T> Publisher<T> publisher(String topic, MessageCodec<T> codec, PublisherOptions options);
+  /**
+   * Publishes a topic.
+   *
+   * @param topic   the topic's name
+   * @param codec   the codec of its messages
+   * @param options how to send
+   * @param <T>     the Java value of a message
+   * @return the publisher
+   * @throws IllegalStateException if this node publishes the topic already, or is closed
+   * @throws InvalidNameException  if the topic is no name
+   */
+  <T> Publisher<T> publisher(String topic, MessageCodec<T> codec, PublisherOptions options);
 
-    /**
-     * Subscribes to a topic. There may be several subscribers to one topic, each with links of its own.
-     *
-     * @param topic    the topic's name
-     * @param codec    the codec of its messages
-     * @param options  how to receive
-     * @param listener hears of the messages
-     * @param <T>      the Java value of a message
-     * @return the subscriber
-     * @throws IllegalStateException if the node is closed
-     * @throws InvalidNameException  if the topic is no name
-     */
-    <T> Subscriber subscriber(String topic, MessageCodec<T> codec, SubscriberOptions options, MessageListener<T> listener);
+  /**
+   * Subscribes to a topic. There may be several subscribers to one topic, each with links of its own.
+   *
+   * @param topic    the topic's name
+   * @param codec    the codec of its messages
+   * @param options  how to receive
+   * @param listener hears of the messages
+   * @param <T>      the Java value of a message
+   * @return the subscriber
+   * @throws IllegalStateException if the node is closed
+   * @throws InvalidNameException  if the topic is no name
+   */
+  <T> Subscriber subscriber(String topic, MessageCodec<T> codec, SubscriberOptions options, MessageListener<T> listener);
 
-    /**
-     * Offers a service.
-     *
-     * @param service the service's name
-     * @param codec   the codec of its calls
-     * @param handler answers the calls
-     * @param <Q>     the Java value of a request
-     * @param <R>     the Java value of a response
-     * @return the server
-     * @throws IllegalStateException if this node offers the service already, or is closed
-     * @throws InvalidNameException  if the service is no name
-     */
-    <Q, R> ServiceServer serviceServer(String service, ServiceCodec<Q, R> codec, ServiceHandler<Q, R> handler);
+  /**
+   * Offers a service.
+   *
+   * @param service the service's name
+   * @param codec   the codec of its calls
+   * @param handler answers the calls
+   * @param <Q>     the Java value of a request
+   * @param <R>     the Java value of a response
+   * @return the server
+   * @throws IllegalStateException if this node offers the service already, or is closed
+   * @throws InvalidNameException  if the service is no name
+   */
+  <Q, R> ServiceServer serviceServer(String service, ServiceCodec<Q, R> codec, ServiceHandler<Q, R> handler);
 
-    /**
-     * Prepares calls to a service. Nothing is sent before the first call.
-     *
-     * @param service    the service's name
-     * @param codec      the codec of its calls
-     * @param persistent whether the connection stays open between calls; it is made again when it broke
-     * @param <Q>        the Java value of a request
-     * @param <R>        the Java value of a response
-     * @return the client
-     * @throws InvalidNameException if the service is no name
-     */
-    <Q, R> ServiceClient<Q, R> serviceClient(String service, ServiceCodec<Q, R> codec, boolean persistent);
+  /**
+   * Prepares calls to a service. Nothing is sent before the first call.
+   *
+   * @param service    the service's name
+   * @param codec      the codec of its calls
+   * @param persistent whether the connection stays open between calls; it is made again when it broke
+   * @param <Q>        the Java value of a request
+   * @param <R>        the Java value of a response
+   * @return the client
+   * @throws InvalidNameException if the service is no name
+   */
+  <Q, R> ServiceClient<Q, R> serviceClient(String service, ServiceCodec<Q, R> codec, boolean persistent);
 
-    /**
-     * Asks a service's server for the service's type.
-     *
-     * @param service the service's name
-     * @param timeout for the whole call
-     * @return what the server says
-     */
-    Outcome<ServiceIdentity> probeService(String service, Duration timeout);
+  /**
+   * Asks a service's server for the service's type.
+   *
+   * @param service the service's name
+   * @param timeout for the whole call
+   * @return what the server says
+   */
+  Outcome<ServiceIdentity> probeService(String service, Duration timeout);
 
-    /**
-     * The parameter server.
-     *
-     * @return reads and writes parameters
-     */
-    Parameters parameters();
+  /**
+   * The parameter server.
+   *
+   * @return reads and writes parameters
+   */
+  Parameters parameters();
 
-    /**
-     * The graph around this node.
-     *
-     * @return asks the master
-     */
-    MasterGraph master();
+  /**
+   * The graph around this node.
+   *
+   * @return asks the master
+   */
+  MasterGraph master();
 
-    /**
-     * The node's time.
-     *
-     * @return wall or simulated time
-     */
-    NodeClock clock();
+  /**
+   * The node's time.
+   *
+   * @return wall or simulated time
+   */
+  NodeClock clock();
 
-    /**
-     * Waits until the master knows all that was made with this node so far.
-     *
-     * @param timeout how long to wait at most
-     * @return whether the master knows it all
-     */
-    boolean awaitRegistered(Duration timeout);
+  /**
+   * Waits until the master knows all that was made with this node so far.
+   *
+   * @param timeout how long to wait at most
+   * @return whether the master knows it all
+   */
+  boolean awaitRegistered(Duration timeout);
 
-    /**
-     * The end of the node.
-     *
-     * @return completes with the reason once the node is closed, by its owner or because the master asked it to (another
-     *         node took its name)
-     */
-    CompletionStage<String> whenClosed();
+  /**
+   * The end of the node.
+   *
+   * @return completes with the reason once the node is closed, by its owner or because the master asked it to (another
+   *         node took its name)
+   */
+  CompletionStage<String> whenClosed();
 
-    /** Closes everything in less than a second, also when peers or the master hang. Unregisters from the master meanwhile. */
-    @Override
-    void close();
+  /** Closes everything in less than a second, also when peers or the master hang. Unregisters from the master meanwhile. */
+  @Override
+  void close();
 }

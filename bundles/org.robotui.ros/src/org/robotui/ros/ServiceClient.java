@@ -10,16 +10,16 @@ import java.time.Duration;
  */
 public interface ServiceClient<Q, R> extends AutoCloseable {
 
-    /**
-     * Calls the service and waits for the answer.
-     *
-     * @param request the request
-     * @param timeout for the whole call, with finding and reaching the server
-     * @return the response, or why there is none
-     */
-    Outcome<R> call(Q request, Duration timeout);
+  /**
+   * Calls the service and waits for the answer.
+   *
+   * @param request the request
+   * @param timeout for the whole call, with finding and reaching the server
+   * @return the response, or why there is none
+   */
+  Outcome<R> call(Q request, Duration timeout);
 
-    /** Closes the connection; a running call fails. */
-    @Override
-    void close();
+  /** Closes the connection; a running call fails. */
+  @Override
+  void close();
 }

@@ -9,14 +9,14 @@ package org.robotui.ros;
 @FunctionalInterface
 public interface ServiceHandler<Q, R> {
 
-    /**
-     * Answers one call. Called on the thread of the client's connection, several at once if there are several clients;
-     * may take its time.
-     *
-     * @param request  the request
-     * @param callerId the client's node name
-     * @return the response
-     * @throws ServiceException to refuse the call; the message is sent to the client
-     */
-    R handle(Q request, String callerId) throws ServiceException;
+  /**
+   * Answers one call. Called on the thread of the client's connection, several at once if there are several clients;
+   * may take its time.
+   *
+   * @param request  the request
+   * @param callerId the client's node name
+   * @return the response
+   * @throws ServiceException to refuse the call; the message is sent to the client
+   */
+  R handle(Q request, String callerId) throws ServiceException;
 }

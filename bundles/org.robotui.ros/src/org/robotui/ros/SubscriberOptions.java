@@ -9,21 +9,21 @@ package org.robotui.ros;
  */
 public record SubscriberOptions(boolean tcpNoDelay, boolean announcesType) {
 
-    /**
-     * Small messages at once; the type is announced, so that publishers can be found for it.
-     *
-     * @return the default
-     */
-    public static SubscriberOptions standard() {
-        return new SubscriberOptions(true, true);
-    }
+  /**
+   * Small messages at once; the type is announced, so that publishers can be found for it.
+   *
+   * @return the default
+   */
+  public static SubscriberOptions standard() {
+    return new SubscriberOptions(true, true);
+  }
 
-    /**
-     * The default for those who leave no trace: the master does not learn a type from them.
-     *
-     * @return the options
-     */
-    public static SubscriberOptions observing() {
-        return new SubscriberOptions(true, false);
-    }
+  /**
+   * The default for those who leave no trace: the master does not learn a type from them.
+   *
+   * @return the options
+   */
+  public static SubscriberOptions observing() {
+    return new SubscriberOptions(true, false);
+  }
 }

@@ -15,121 +15,121 @@ import org.robotui.ros.message.ServiceCodec;
 
 class CloseTest {
 
-    private static final TextCodec TEXT = new TextCodec();
+  private static final TextCodec TEXT = new TextCodec();
 
-    private static void assertQuick(RosNode node) {
-        long start = System.nanoTime();
-        node.close();
-        long millis = (System.nanoTime() - start) / 1_000_000;
-        assertTrue(millis < 1_000, "close took " + millis + " ms");
+  private static void assertQuick(RosNode node) {
+    long start = System.nanoTime();
+    node.close();
+    long millis = (System.nanoTime() - start) / 1_000_000;
+    assertTrue(millis < 1_000, "close took " + millis + " ms");
+  }
+
+  @Test
+  void closingUnregistersEverything() throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode node = graph.node("node");
+      RosNode watcher = graph.node("watcher");
+      for (int i = 0; i < 20; i++) {
+        node.publisher("out" + i, TEXT, PublisherOptions.standard());
+        node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+      }
+      node.serviceServer("service", new ServiceCodec<>("a/B", "*", TEXT, TEXT), (request, caller) -> request);
+      assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
+      assertTrue(watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
+      assertQuick(node);
+      SystemState after = watcher.master().systemState().toOptional().orElseThrow();
+      assertTrue(!after.nodes().contains("/node"), after.toString());
+      assertTrue(watcher.master().lookupNode("/node") instanceof Outcome.Refused);
+      assertEquals("closed by its owner", node.whenClosed().toCompletableFuture().get());
+      assertThrows(IllegalStateException.class, () -> node.publisher("late", TEXT, PublisherOptions.standard()));
     }
+  }
 
-    @Test
-    void closingUnregistersEverything() throws Exception {
-        try (Graph graph = new Graph()) {
-            RosNode node = graph.node("node");
-            RosNode watcher = graph.node("watcher");
-            for (int i = 0; i < 20; i++) {
-                node.publisher("out" + i, TEXT, PublisherOptions.standard());
-                node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> { });
-            }
-            node.serviceServer("service", new ServiceCodec<>("a/B", "*", TEXT, TEXT), (request, caller) -> request);
-            assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
-            assertTrue(watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
-            assertQuick(node);
-            SystemState after = watcher.master().systemState().toOptional().orElseThrow();
-            assertTrue(!after.nodes().contains("/node"), after.toString());
-            assertTrue(watcher.master().lookupNode("/node") instanceof Outcome.Refused);
-            assertEquals("closed by its owner", node.whenClosed().toCompletableFuture().get());
-            assertThrows(IllegalStateException.class, () -> node.publisher("late", TEXT, PublisherOptions.standard()));
-        }
+  @Test
+  void aMasterThatHangsDoesNotHoldUpClose() throws Exception {
+    TestThreads threads = new TestThreads();
+    try (ServerSocket silent = new ServerSocket(0, 50, InetAddress.getByName("127.0.0.1"))) {
+      RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:" + silent.getLocalPort())),
+          GraphName.of("node"), NodeOptions.standard(threads));
+      node.publisher("out", TEXT, PublisherOptions.standard());
+      node.subscriber("in", TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+      assertQuick(node);
+      threads.assertNoneLeft();
     }
+  }
 
-    @Test
-    void aMasterThatHangsDoesNotHoldUpClose() throws Exception {
-        TestThreads threads = new TestThreads();
-        try (ServerSocket silent = new ServerSocket(0, 50, InetAddress.getByName("127.0.0.1"))) {
-            RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:" + silent.getLocalPort())),
-                    GraphName.of("node"), NodeOptions.standard(threads));
-            node.publisher("out", TEXT, PublisherOptions.standard());
-            node.subscriber("in", TEXT, SubscriberOptions.standard(), (text, reception) -> { });
-            assertQuick(node);
-            threads.assertNoneLeft();
-        }
-    }
-
-    @Test
-    void aMasterThatHangsLaterDoesNotHoldUpCloseEither() throws Exception {
-        try (Graph graph = new Graph()) {
-            RosNode node = graph.node("node");
-            node.publisher("out", TEXT, PublisherOptions.standard());
-            assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
-            int port = graph.master().uri().getPort();
-            graph.master().close();
-            try (ServerSocket silent = new ServerSocket()) {
-                silent.setReuseAddress(true);
-                silent.bind(new java.net.InetSocketAddress("127.0.0.1", port));
-                assertQuick(node);
-            }
-        }
-    }
-
-    @Test
-    void aMasterThatIsNotThereDoesNotHoldUpClose() throws Exception {
-        TestThreads threads = new TestThreads();
-        RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:1")), GraphName.of("node"), NodeOptions.standard(threads));
-        node.publisher("out", TEXT, PublisherOptions.standard());
+  @Test
+  void aMasterThatHangsLaterDoesNotHoldUpCloseEither() throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode node = graph.node("node");
+      node.publisher("out", TEXT, PublisherOptions.standard());
+      assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
+      int port = graph.master().uri().getPort();
+      graph.master().close();
+      try (ServerSocket silent = new ServerSocket()) {
+        silent.setReuseAddress(true);
+        silent.bind(new java.net.InetSocketAddress("127.0.0.1", port));
         assertQuick(node);
-        threads.assertNoneLeft();
+      }
     }
+  }
 
-    @Test
-    void aSubscriberThatReadsNothingDoesNotHoldUpClose() throws Exception {
-        CountDownLatch release = new CountDownLatch(1);
-        try (Graph graph = new Graph()) {
-            RosNode talker = graph.node("talker");
-            Publisher<String> publisher = talker.publisher("chatter", TEXT, PublisherOptions.standard());
-            graph.node("slow").subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> await(release));
-            Eventually.await("a link", () -> publisher.numSubscribers() == 1);
-            for (int i = 0; i < 30; i++) {
-                publisher.publish("x".repeat(1 << 20));
-            }
-            assertQuick(talker);
-            release.countDown();
-        }
-    }
+  @Test
+  void aMasterThatIsNotThereDoesNotHoldUpClose() throws Exception {
+    TestThreads threads = new TestThreads();
+    RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:1")), GraphName.of("node"), NodeOptions.standard(threads));
+    node.publisher("out", TEXT, PublisherOptions.standard());
+    assertQuick(node);
+    threads.assertNoneLeft();
+  }
 
-    private static void await(CountDownLatch latch) {
-        try {
-            latch.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+  @Test
+  void aSubscriberThatReadsNothingDoesNotHoldUpClose() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    try (Graph graph = new Graph()) {
+      RosNode talker = graph.node("talker");
+      Publisher<String> publisher = talker.publisher("chatter", TEXT, PublisherOptions.standard());
+      graph.node("slow").subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> await(release));
+      Eventually.await("a link", () -> publisher.numSubscribers() == 1);
+      for (int i = 0; i < 30; i++) {
+        publisher.publish("x".repeat(1 << 20));
+      }
+      assertQuick(talker);
+      release.countDown();
     }
+  }
 
-    @Test
-    void aListenerMayCloseItsOwnNode() throws Exception {
-        try (Graph graph = new Graph()) {
-            RosNode listener = graph.node("listener");
-            Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.latched());
-            listener.subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> listener.close());
-            publisher.publish("end");
-            assertEquals("closed by its owner", listener.whenClosed().toCompletableFuture().get(5, java.util.concurrent.TimeUnit.SECONDS));
-        }
+  private static void await(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
+  }
 
-    @Test
-    void anotherNodeOfTheSameNameEndsTheFirst() throws Exception {
-        try (Graph graph = new Graph()) {
-            RosNode first = graph.node("twin");
-            first.publisher("one", TEXT, PublisherOptions.standard());
-            assertTrue(first.awaitRegistered(Duration.ofSeconds(10)));
-            RosNode second = graph.node("twin");
-            second.publisher("two", TEXT, PublisherOptions.standard());
-            String reason = first.whenClosed().toCompletableFuture().get(10, java.util.concurrent.TimeUnit.SECONDS);
-            assertTrue(reason.contains("/master") && reason.contains("new node registered with same name"), reason);
-            Eventually.await("the second one's topic alone", () -> second.master().publishedTopics().toOptional().orElseThrow()
-                    .stream().map(TopicInfo::name).toList().equals(List.of("/rosout_agg", "/two")));
-        }
+  @Test
+  void aListenerMayCloseItsOwnNode() throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode listener = graph.node("listener");
+      Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.latched());
+      listener.subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> listener.close());
+      publisher.publish("end");
+      assertEquals("closed by its owner", listener.whenClosed().toCompletableFuture().get(5, java.util.concurrent.TimeUnit.SECONDS));
     }
+  }
+
+  @Test
+  void anotherNodeOfTheSameNameEndsTheFirst() throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode first = graph.node("twin");
+      first.publisher("one", TEXT, PublisherOptions.standard());
+      assertTrue(first.awaitRegistered(Duration.ofSeconds(10)));
+      RosNode second = graph.node("twin");
+      second.publisher("two", TEXT, PublisherOptions.standard());
+      String reason = first.whenClosed().toCompletableFuture().get(10, java.util.concurrent.TimeUnit.SECONDS);
+      assertTrue(reason.contains("/master") && reason.contains("new node registered with same name"), reason);
+      Eventually.await("the second one's topic alone", () -> second.master().publishedTopics().toOptional().orElseThrow()
+          .stream().map(TopicInfo::name).toList().equals(List.of("/rosout_agg", "/two")));
+    }
+  }
 }

@@ -15,39 +15,39 @@ import org.junit.jupiter.api.Assertions;
  */
 public final class Corpus {
 
-    private static final String PLACE = "src_test/org/robotui/ros/corpus";
+  private static final String PLACE = "src_test/org/robotui/ros/corpus";
 
-    /** A decoder under test. */
-    @FunctionalInterface
-    public interface Decoder {
+  /** A decoder under test. */
+  @FunctionalInterface
+  public interface Decoder {
 
-        /** Decodes, or refuses with what the decoder declares; answers whether it accepted. */
-        boolean accepts(byte[] input);
+    /** Decodes, or refuses with what the decoder declares; answers whether it accepted. */
+    boolean accepts(byte[] input);
+  }
+
+  private Corpus() {
+  }
+
+  /** The inputs for one decoder. */
+  public static List<Path> of(String decoder) throws IOException {
+    try (Stream<Path> files = Files.list(folder().resolve(decoder))) {
+      return files.sorted().toList();
     }
+  }
 
-    private Corpus() {
-    }
+  private static Path folder() {
+    Stream<Path> places = Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of), Stream.of(Path.of("")))
+        .flatMap(root -> Stream.of(root.resolve("bundles/org.robotui.ros").resolve(PLACE), root.resolve(PLACE)));
+    return places.filter(Files::isDirectory).findFirst()
+        .orElseThrow(() -> new AssertionError("the corpus is not found: set ROBOTUI_ROOT to the repository"));
+  }
 
-    /** The inputs for one decoder. */
-    public static List<Path> of(String decoder) throws IOException {
-        try (Stream<Path> files = Files.list(folder().resolve(decoder))) {
-            return files.sorted().toList();
-        }
+  /** Tries one input; what the decoder does not declare fails the test with the input, ready to be kept. */
+  public static boolean accepts(String name, Decoder decoder, byte[] input) {
+    try {
+      return decoder.accepts(input);
+    } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
+      return Assertions.fail("put this into " + PLACE + "/" + name + " (base64): " + Base64.getEncoder().encodeToString(input), e);
     }
-
-    private static Path folder() {
-        Stream<Path> places = Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of), Stream.of(Path.of("")))
-                .flatMap(root -> Stream.of(root.resolve("bundles/org.robotui.ros").resolve(PLACE), root.resolve(PLACE)));
-        return places.filter(Files::isDirectory).findFirst()
-                .orElseThrow(() -> new AssertionError("the corpus is not found: set ROBOTUI_ROOT to the repository"));
-    }
-
-    /** Tries one input; what the decoder does not declare fails the test with the input, ready to be kept. */
-    public static boolean accepts(String name, Decoder decoder, byte[] input) {
-        try {
-            return decoder.accepts(input);
-        } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-            return Assertions.fail("put this into " + PLACE + "/" + name + " (base64): " + Base64.getEncoder().encodeToString(input), e);
-        }
-    }
+  }
 }

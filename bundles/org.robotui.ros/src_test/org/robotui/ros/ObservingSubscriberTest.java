@@ -12,42 +12,42 @@ import org.junit.jupiter.api.Test;
 /** What the master remembers of a subscriber to a topic that nobody publishes. */
 class ObservingSubscriberTest {
 
-    private Graph graph;
-    private RosNode node;
+  private Graph graph;
+  private RosNode node;
 
-    @BeforeEach
-    void start() throws Exception {
-        graph = new Graph();
-        node = graph.node("observer");
-    }
+  @BeforeEach
+  void start() throws Exception {
+    graph = new Graph();
+    node = graph.node("observer");
+  }
 
-    @AfterEach
-    void stop() {
-        graph.close();
-    }
+  @AfterEach
+  void stop() {
+    graph.close();
+  }
 
-    private List<TopicInfo> typesAfter(SubscriberOptions options) {
-        node.subscriber("nothing", new TextCodec(), options, (text, reception) -> { });
-        assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
-        return node.master().topicTypes().toOptional().orElseThrow().stream().filter(topic -> topic.name().equals("/nothing")).toList();
-    }
+  private List<TopicInfo> typesAfter(SubscriberOptions options) {
+    node.subscriber("nothing", new TextCodec(), options, (text, reception) -> { });
+    assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
+    return node.master().topicTypes().toOptional().orElseThrow().stream().filter(topic -> topic.name().equals("/nothing")).toList();
+  }
 
-    @Test
-    void anObserverTeachesTheMasterNothing() {
-        assertEquals(List.of(), typesAfter(SubscriberOptions.observing()));
-    }
+  @Test
+  void anObserverTeachesTheMasterNothing() {
+    assertEquals(List.of(), typesAfter(SubscriberOptions.observing()));
+  }
 
-    @Test
-    void othersAnnounceWhichTypeTheyWant() {
-        assertEquals(List.of(new TopicInfo("/nothing", "std_msgs/String")), typesAfter(SubscriberOptions.standard()));
-    }
+  @Test
+  void othersAnnounceWhichTypeTheyWant() {
+    assertEquals(List.of(new TopicInfo("/nothing", "std_msgs/String")), typesAfter(SubscriberOptions.standard()));
+  }
 
-    @Test
-    void anObserverHearsWhatIsPublishedLater() throws Exception {
-        List<String> heard = new java.util.concurrent.CopyOnWriteArrayList<>();
-        node.subscriber("chatter", new TextCodec(), SubscriberOptions.observing(), (text, reception) -> heard.add(text));
-        Publisher<String> publisher = graph.node("talker").publisher("chatter", new TextCodec(), PublisherOptions.latched());
-        publisher.publish("hello");
-        Eventually.await("the message", () -> heard.contains("hello"));
-    }
+  @Test
+  void anObserverHearsWhatIsPublishedLater() throws Exception {
+    List<String> heard = new java.util.concurrent.CopyOnWriteArrayList<>();
+    node.subscriber("chatter", new TextCodec(), SubscriberOptions.observing(), (text, reception) -> heard.add(text));
+    Publisher<String> publisher = graph.node("talker").publisher("chatter", new TextCodec(), PublisherOptions.latched());
+    publisher.publish("hello");
+    Eventually.await("the message", () -> heard.contains("hello"));
+  }
 }

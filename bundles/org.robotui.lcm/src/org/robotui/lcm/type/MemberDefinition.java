@@ -12,25 +12,25 @@ import java.util.List;
  */
 public record MemberDefinition(String name, String type, List<Dimension> dimensions, Place place) {
 
-    /** Copies the list. */
-    public MemberDefinition {
-        dimensions = List.copyOf(dimensions);
-    }
+  /** Copies the list. */
+  public MemberDefinition {
+    dimensions = List.copyOf(dimensions);
+  }
 
-    /**
-     * Whether this is an array.
-     *
-     * @return true if there are dimensions
-     */
-    public boolean isArray() {
-        return !dimensions.isEmpty();
-    }
+  /**
+   * Whether this is an array.
+   *
+   * @return true if there are dimensions
+   */
+  public boolean isArray() {
+    return !dimensions.isEmpty();
+  }
 
-    /** As it stands in a file. */
-    @Override
-    public String toString() {
-        StringBuilder text = new StringBuilder(type).append(' ').append(name);
-        dimensions.forEach(dimension -> text.append('[').append(dimension.text()).append(']'));
-        return text.toString();
-    }
+  /** As it stands in a file. */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder(type).append(' ').append(name);
+    dimensions.forEach(dimension -> text.append('[').append(dimension.text()).append(']'));
+    return text.toString();
+  }
 }

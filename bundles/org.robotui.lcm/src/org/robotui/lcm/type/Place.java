@@ -9,9 +9,9 @@ package org.robotui.lcm.type;
  */
 public record Place(String file, int line, int column) {
 
-    /** As compilers write places. */
-    @Override
-    public String toString() {
-        return file + ":" + line + ":" + column;
-    }
+  /** As compilers write places. */
+  @Override
+  public String toString() {
+    return file + ":" + line + ":" + column;
+  }
 }

@@ -22,79 +22,79 @@ import java.util.concurrent.ThreadFactory;
  * @param maxBackoff  the longest pause between attempts
  */
 public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<byte[]> key, Optional<Duration> pull, boolean newestOnly,
-        Duration handshake, Duration messageTime, Duration answerTime, int maxRequests, Duration minBackoff, Duration maxBackoff) {
+    Duration handshake, Duration messageTime, Duration answerTime, int maxRequests, Duration minBackoff, Duration maxBackoff) {
 
-    private static final int KEY_BYTES = 32;
+  private static final int KEY_BYTES = 32;
 
-    /** Checks the bounds. */
-    public ClientOptions {
-        Objects.requireNonNull(threads, "threads");
-        Objects.requireNonNull(links, "links");
-        if (key.filter(bytes -> bytes.length > KEY_BYTES).isPresent() || maxRequests < 1) {
-            throw new IllegalArgumentException("a key has at most 32 bytes, and at least one request must be possible");
-        }
-        if (pull.filter(period -> period.isNegative() || period.isZero()).isPresent()) {
-            throw new IllegalArgumentException("data cannot be fetched every " + pull.get());
-        }
-        if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
-            throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
-        }
+  /** Checks the bounds. */
+  public ClientOptions {
+    Objects.requireNonNull(threads, "threads");
+    Objects.requireNonNull(links, "links");
+    if (key.filter(bytes -> bytes.length > KEY_BYTES).isPresent() || maxRequests < 1) {
+      throw new IllegalArgumentException("a key has at most 32 bytes, and at least one request must be possible");
     }
-
-    /**
-     * No key, data as they come, 5 s for the handshake, 5 s for a message, 5 s for an answer, 256 requests, back-off from 0.1 to 5 s.
-     *
-     * @param threads makes the client's threads
-     * @return the default
-     */
-    public static ClientOptions standard(ThreadFactory threads) {
-        return new ClientOptions(threads, LinkListener.none(), Optional.empty(), Optional.empty(), false, Duration.ofSeconds(5),
-                Duration.ofSeconds(5), Duration.ofSeconds(5), 256, Duration.ofMillis(100), Duration.ofSeconds(5));
+    if (pull.filter(period -> period.isNegative() || period.isZero()).isPresent()) {
+      throw new IllegalArgumentException("data cannot be fetched every " + pull.get());
     }
-
-    /**
-     * The same options with a listener.
-     *
-     * @param listener hears of the state of the link
-     * @return the changed options
-     */
-    public ClientOptions withLinks(LinkListener listener) {
-        return new ClientOptions(threads, listener, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests, minBackoff,
-                maxBackoff);
+    if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
+      throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
     }
+  }
 
-    /**
-     * The same options with a key.
-     *
-     * @param bytes at most 32
-     * @return the changed options
-     */
-    public ClientOptions withKey(byte[] bytes) {
-        return new ClientOptions(threads, links, Optional.of(bytes.clone()), pull, newestOnly, handshake, messageTime, answerTime, maxRequests,
-                minBackoff, maxBackoff);
-    }
+  /**
+   * No key, data as they come, 5 s for the handshake, 5 s for a message, 5 s for an answer, 256 requests, back-off from 0.1 to 5 s.
+   *
+   * @param threads makes the client's threads
+   * @return the default
+   */
+  public static ClientOptions standard(ThreadFactory threads) {
+    return new ClientOptions(threads, LinkListener.none(), Optional.empty(), Optional.empty(), false, Duration.ofSeconds(5),
+        Duration.ofSeconds(5), Duration.ofSeconds(5), 256, Duration.ofMillis(100), Duration.ofSeconds(5));
+  }
 
-    /**
-     * The same options, fetching the newest data.
-     *
-     * @param period how often
-     * @return the changed options
-     */
-    public ClientOptions withPull(Duration period) {
-        return new ClientOptions(threads, links, key, Optional.of(period), true, handshake, messageTime, answerTime, maxRequests, minBackoff,
-                maxBackoff);
-    }
+  /**
+   * The same options with a listener.
+   *
+   * @param listener hears of the state of the link
+   * @return the changed options
+   */
+  public ClientOptions withLinks(LinkListener listener) {
+    return new ClientOptions(threads, listener, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests, minBackoff,
+        maxBackoff);
+  }
 
-    /**
-     * The same options with other times.
-     *
-     * @param beginning   for the handshake
-     * @param message     for the rest of a message
-     * @param answer      for an answer
-     * @param longestWait the longest pause between attempts
-     * @return the changed options
-     */
-    public ClientOptions withTimes(Duration beginning, Duration message, Duration answer, Duration longestWait) {
-        return new ClientOptions(threads, links, key, pull, newestOnly, beginning, message, answer, maxRequests, minBackoff, longestWait);
-    }
+  /**
+   * The same options with a key.
+   *
+   * @param bytes at most 32
+   * @return the changed options
+   */
+  public ClientOptions withKey(byte[] bytes) {
+    return new ClientOptions(threads, links, Optional.of(bytes.clone()), pull, newestOnly, handshake, messageTime, answerTime, maxRequests,
+        minBackoff, maxBackoff);
+  }
+
+  /**
+   * The same options, fetching the newest data.
+   *
+   * @param period how often
+   * @return the changed options
+   */
+  public ClientOptions withPull(Duration period) {
+    return new ClientOptions(threads, links, key, Optional.of(period), true, handshake, messageTime, answerTime, maxRequests, minBackoff,
+        maxBackoff);
+  }
+
+  /**
+   * The same options with other times.
+   *
+   * @param beginning   for the handshake
+   * @param message     for the rest of a message
+   * @param answer      for an answer
+   * @param longestWait the longest pause between attempts
+   * @return the changed options
+   */
+  public ClientOptions withTimes(Duration beginning, Duration message, Duration answer, Duration longestWait) {
+    return new ClientOptions(threads, links, key, pull, newestOnly, beginning, message, answer, maxRequests, minBackoff, longestWait);
+  }
 }

@@ -6,19 +6,19 @@ import org.robotui.player.wire.PlayerMessage;
 @FunctionalInterface
 public interface DeviceListener {
 
-    /**
-     * Data came.
-     *
-     * @param message      as it is on the wire, its stamp in seconds of the server's clock
-     * @param receiveNanos when its last byte was read, by {@link System#nanoTime()}
-     */
-    void onData(PlayerMessage message, long receiveNanos);
+  /**
+   * Data came.
+   *
+   * @param message      as it is on the wire, its stamp in seconds of the server's clock
+   * @param receiveNanos when its last byte was read, by {@link System#nanoTime()}
+   */
+  void onData(PlayerMessage message, long receiveNanos);
 
-    /**
-     * The state of the device changed.
-     *
-     * @param state the new state
-     */
-    default void onState(DeviceState state) {
-    }
+  /**
+   * The state of the device changed.
+   *
+   * @param state the new state
+   */
+  default void onState(DeviceState state) {
+  }
 }

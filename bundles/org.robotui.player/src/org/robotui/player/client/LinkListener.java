@@ -4,19 +4,19 @@ package org.robotui.player.client;
 @FunctionalInterface
 public interface LinkListener {
 
-    /**
-     * The link changed its state. Called on the receiving thread; must not block.
-     *
-     * @param state the new state
-     */
-    void onLink(LinkState state);
+  /**
+   * The link changed its state. Called on the receiving thread; must not block.
+   *
+   * @param state the new state
+   */
+  void onLink(LinkState state);
 
-    /**
-     * A listener that does nothing.
-     *
-     * @return the listener
-     */
-    static LinkListener none() {
-        return state -> { };
-    }
+  /**
+   * A listener that does nothing.
+   *
+   * @return the listener
+   */
+  static LinkListener none() {
+    return state -> { };
+  }
 }

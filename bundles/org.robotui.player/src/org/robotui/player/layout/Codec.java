@@ -13,54 +13,54 @@ import org.robotui.player.wire.XdrWriter;
  */
 public final class Codec<T> {
 
-    private final String name;
-    private final Class<T> type;
-    private final Optional<StructCodec> struct;
+  private final String name;
+  private final Class<T> type;
+  private final Optional<StructCodec> struct;
 
-    private Codec(String name, Class<T> type, Optional<StructCodec> struct) {
-        this.name = name;
-        this.type = type;
-        this.struct = struct;
-    }
+  private Codec(String name, Class<T> type, Optional<StructCodec> struct) {
+    this.name = name;
+    this.type = type;
+    this.struct = struct;
+  }
 
-    static Codec<PlayerRecord> browsing(String name, StructLayout struct) {
-        return new Codec<>(name, PlayerRecord.class, Optional.of(new StructCodec(struct, new BrowsableShape(struct))));
-    }
+  static Codec<PlayerRecord> browsing(String name, StructLayout struct) {
+    return new Codec<>(name, PlayerRecord.class, Optional.of(new StructCodec(struct, new BrowsableShape(struct))));
+  }
 
-    static <T> Codec<T> of(String name, Optional<StructLayout> struct, Class<T> type) {
-        if (struct.isEmpty() != (type == Empty.class)) {
-            throw new LayoutException(name + " is " + (struct.isEmpty() ? "" : "not ") + "empty, but its Java type is " + type.getName());
-        }
-        return new Codec<>(name, type, struct.map(layout -> new StructCodec(layout, RecordShape.of(layout, type))));
+  static <T> Codec<T> of(String name, Optional<StructLayout> struct, Class<T> type) {
+    if (struct.isEmpty() != (type == Empty.class)) {
+      throw new LayoutException(name + " is " + (struct.isEmpty() ? "" : "not ") + "empty, but its Java type is " + type.getName());
     }
+    return new Codec<>(name, type, struct.map(layout -> new StructCodec(layout, RecordShape.of(layout, type))));
+  }
 
-    /**
-     * Reads a body.
-     *
-     * @param payload the whole body
-     * @return its object
-     * @throws PlayerException if it is no such body; says which message and field, and why
-     */
-    public T decode(ByteBuffer payload) throws PlayerException {
-        XdrReader in = new XdrReader(payload);
-        try {
-            Object built = struct.isPresent() ? struct.get().read(in) : new Empty();
-            in.end();
-            return type.cast(built);
-        } catch (PlayerException e) {
-            throw e.within(name);
-        }
+  /**
+   * Reads a body.
+   *
+   * @param payload the whole body
+   * @return its object
+   * @throws PlayerException if it is no such body; says which message and field, and why
+   */
+  public T decode(ByteBuffer payload) throws PlayerException {
+    XdrReader in = new XdrReader(payload);
+    try {
+      Object built = struct.isPresent() ? struct.get().read(in) : new Empty();
+      in.end();
+      return type.cast(built);
+    } catch (PlayerException e) {
+      throw e.within(name);
     }
+  }
 
-    /**
-     * Writes a body.
-     *
-     * @param value its object
-     * @return the bytes, read only
-     */
-    public ByteBuffer encode(T value) {
-        XdrWriter out = new XdrWriter();
-        struct.ifPresent(codec -> codec.write(value, out));
-        return out.buffer();
-    }
+  /**
+   * Writes a body.
+   *
+   * @param value its object
+   * @return the bytes, read only
+   */
+  public ByteBuffer encode(T value) {
+    XdrWriter out = new XdrWriter();
+    struct.ifPresent(codec -> codec.write(value, out));
+    return out.buffer();
+  }
 }

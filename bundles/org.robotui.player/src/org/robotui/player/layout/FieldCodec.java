@@ -10,147 +10,147 @@ import org.robotui.player.wire.XdrWriter;
 /** Between one field's bytes and its Java value: one element, or an array of them. */
 final class FieldCodec {
 
-    /** One element. */
-    private interface Element {
+  /** One element. */
+  private interface Element {
 
-        Object read(XdrReader in) throws PlayerException;
+    Object read(XdrReader in) throws PlayerException;
 
-        void write(Object value, XdrWriter out);
+    void write(Object value, XdrWriter out);
 
-        int minBytes();
+    int minBytes();
 
-        Object readMany(int count, XdrReader in) throws PlayerException;
+    Object readMany(int count, XdrReader in) throws PlayerException;
+  }
+
+  private record Builtin(Primitive primitive) implements Element {
+
+    @Override
+    public Object read(XdrReader in) throws PlayerException {
+      return primitive.read(in);
     }
 
-    private record Builtin(Primitive primitive) implements Element {
-
-        @Override
-        public Object read(XdrReader in) throws PlayerException {
-            return primitive.read(in);
-        }
-
-        @Override
-        public void write(Object value, XdrWriter out) {
-            primitive.write(value, out);
-        }
-
-        @Override
-        public int minBytes() {
-            return primitive.minBytes();
-        }
-
-        @Override
-        public Object readMany(int count, XdrReader in) throws PlayerException {
-            Object array = primitive.zeros(count);
-            for (int i = 0; i < count; i++) {
-                Array.set(array, i, primitive.read(in));
-            }
-            return array;
-        }
+    @Override
+    public void write(Object value, XdrWriter out) {
+      primitive.write(value, out);
     }
 
-    private record Structure(StructCodec codec, int minBytes) implements Element {
-
-        @Override
-        public Object read(XdrReader in) throws PlayerException {
-            return codec.read(in);
-        }
-
-        @Override
-        public void write(Object value, XdrWriter out) {
-            codec.write(value, out);
-        }
-
-        @Override
-        public Object readMany(int count, XdrReader in) throws PlayerException {
-            List<Object> list = new ArrayList<>(count);
-            for (int i = 0; i < count; i++) {
-                list.add(codec.read(in));
-            }
-            return List.copyOf(list);
-        }
+    @Override
+    public int minBytes() {
+      return primitive.minBytes();
     }
 
-    private final FieldLayout field;
-    private final Element element;
-    private final boolean bytes;
+    @Override
+    public Object readMany(int count, XdrReader in) throws PlayerException {
+      Object array = primitive.zeros(count);
+      for (int i = 0; i < count; i++) {
+        Array.set(array, i, primitive.read(in));
+      }
+      return array;
+    }
+  }
 
-    private FieldCodec(FieldLayout field, Element element) {
-        this.field = field;
-        this.element = element;
-        this.bytes = field.isArray() && field.primitive().filter(Primitive::isByte).isPresent();
+  private record Structure(StructCodec codec, int minBytes) implements Element {
+
+    @Override
+    public Object read(XdrReader in) throws PlayerException {
+      return codec.read(in);
     }
 
-    static FieldCodec of(FieldLayout field, int index, Shape shape) {
-        if (field.primitive().isPresent()) {
-            return new FieldCodec(field, new Builtin(field.primitive().get()));
-        }
-        StructCodec nested = new StructCodec(field.struct().orElseThrow(), shape.nested(index, field));
-        return new FieldCodec(field, new Structure(nested, nested.minBytes()));
+    @Override
+    public void write(Object value, XdrWriter out) {
+      codec.write(value, out);
     }
 
-    int minBytes() {
-        return switch (field.arity()) {
-            case ONE -> element.minBytes();
-            case FIXED -> bytes ? field.length() : field.length() * element.minBytes();
-            default -> Integer.BYTES;
-        };
+    @Override
+    public Object readMany(int count, XdrReader in) throws PlayerException {
+      List<Object> list = new ArrayList<>(count);
+      for (int i = 0; i < count; i++) {
+        list.add(codec.read(in));
+      }
+      return List.copyOf(list);
     }
+  }
 
-    /** Reads the value; {@code earlier} is the count that stood in an earlier place, if there is one. */
-    Object read(XdrReader in, int earlier) throws PlayerException {
-        return switch (field.arity()) {
-            case ONE -> element.read(in);
-            case FIXED -> many(field.length(), in);
-            case COUNTED_EARLIER -> counted(earlier, in);
-            default -> counted(in.count(1), in);
-        };
-    }
+  private final FieldLayout field;
+  private final Element element;
+  private final boolean bytes;
 
-    private Object counted(int count, XdrReader in) throws PlayerException {
-        in.sameCount(count);
-        return many(count, in);
-    }
+  private FieldCodec(FieldLayout field, Element element) {
+    this.field = field;
+    this.element = element;
+    this.bytes = field.isArray() && field.primitive().filter(Primitive::isByte).isPresent();
+  }
 
-    private Object many(int count, XdrReader in) throws PlayerException {
-        int each = bytes ? 1 : element.minBytes();
-        if ((long) count * each > in.remaining()) {
-            throw new PlayerException(count + " elements of " + each + " bytes or more announced, but " + in.remaining() + " bytes follow");
-        }
-        return bytes ? in.bytes(count) : element.readMany(count, in);
+  static FieldCodec of(FieldLayout field, int index, Shape shape) {
+    if (field.primitive().isPresent()) {
+      return new FieldCodec(field, new Builtin(field.primitive().get()));
     }
+    StructCodec nested = new StructCodec(field.struct().orElseThrow(), shape.nested(index, field));
+    return new FieldCodec(field, new Structure(nested, nested.minBytes()));
+  }
 
-    void write(Object value, XdrWriter out) {
-        if (field.arity() == FieldLayout.Arity.ONE) {
-            element.write(value, out);
-            return;
-        }
-        int length = length(value);
-        switch (field.arity()) {
-            case FIXED -> requireLength(length);
-            case COUNTED_EARLIER -> out.i32(length);
-            default -> out.i32(length).i32(length);
-        }
-        elements(value, length, out);
-    }
+  int minBytes() {
+    return switch (field.arity()) {
+      case ONE -> element.minBytes();
+      case FIXED -> bytes ? field.length() : field.length() * element.minBytes();
+      default -> Integer.BYTES;
+    };
+  }
 
-    private void requireLength(int length) {
-        if (length != field.length()) {
-            throw new IllegalArgumentException(field.name() + " has " + field.length() + " elements, not " + length);
-        }
-    }
+  /** Reads the value; {@code earlier} is the count that stood in an earlier place, if there is one. */
+  Object read(XdrReader in, int earlier) throws PlayerException {
+    return switch (field.arity()) {
+      case ONE -> element.read(in);
+      case FIXED -> many(field.length(), in);
+      case COUNTED_EARLIER -> counted(earlier, in);
+      default -> counted(in.count(1), in);
+    };
+  }
 
-    private void elements(Object value, int length, XdrWriter out) {
-        if (value instanceof byte[] packed) {
-            out.bytes(packed);
-            return;
-        }
-        for (int i = 0; i < length; i++) {
-            element.write(value instanceof List<?> list ? list.get(i) : Array.get(value, i), out);
-        }
-    }
+  private Object counted(int count, XdrReader in) throws PlayerException {
+    in.sameCount(count);
+    return many(count, in);
+  }
 
-    static int length(Object value) {
-        return value instanceof List<?> list ? list.size() : Array.getLength(value);
+  private Object many(int count, XdrReader in) throws PlayerException {
+    int each = bytes ? 1 : element.minBytes();
+    if ((long) count * each > in.remaining()) {
+      throw new PlayerException(count + " elements of " + each + " bytes or more announced, but " + in.remaining() + " bytes follow");
     }
+    return bytes ? in.bytes(count) : element.readMany(count, in);
+  }
+
+  void write(Object value, XdrWriter out) {
+    if (field.arity() == FieldLayout.Arity.ONE) {
+      element.write(value, out);
+      return;
+    }
+    int length = length(value);
+    switch (field.arity()) {
+      case FIXED -> requireLength(length);
+      case COUNTED_EARLIER -> out.i32(length);
+      default -> out.i32(length).i32(length);
+    }
+    elements(value, length, out);
+  }
+
+  private void requireLength(int length) {
+    if (length != field.length()) {
+      throw new IllegalArgumentException(field.name() + " has " + field.length() + " elements, not " + length);
+    }
+  }
+
+  private void elements(Object value, int length, XdrWriter out) {
+    if (value instanceof byte[] packed) {
+      out.bytes(packed);
+      return;
+    }
+    for (int i = 0; i < length; i++) {
+      element.write(value instanceof List<?> list ? list.get(i) : Array.get(value, i), out);
+    }
+  }
+
+  static int length(Object value) {
+    return value instanceof List<?> list ? list.size() : Array.getLength(value);
+  }
 }

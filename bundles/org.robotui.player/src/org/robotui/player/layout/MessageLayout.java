@@ -14,5 +14,5 @@ import org.robotui.player.wire.MessageType;
  * @param comment what it is for; empty if the layout says nothing
  */
 public record MessageLayout(
-        MessageType type, int subtype, String name, Optional<StructLayout> payload, Optional<StructLayout> answer, String comment) {
+    MessageType type, int subtype, String name, Optional<StructLayout> payload, Optional<StructLayout> answer, String comment) {
 }

@@ -11,67 +11,67 @@ import org.robotui.player.wire.DeviceId;
 /** A device of a server. Any thread may use it; nothing waits for a client. */
 public final class ServedDevice {
 
-    private final DeviceId id;
-    private final Registry registry;
-    private final Layouts layouts;
+  private final DeviceId id;
+  private final Registry registry;
+  private final Layouts layouts;
 
-    ServedDevice(DeviceId id, Registry registry, Layouts layouts) {
-        this.id = id;
-        this.registry = registry;
-        this.layouts = layouts;
-    }
+  ServedDevice(DeviceId id, Registry registry, Layouts layouts) {
+    this.id = id;
+    this.registry = registry;
+    this.layouts = layouts;
+  }
 
-    /**
-     * Which device it is.
-     *
-     * @return interface and index
-     */
-    public DeviceId id() {
-        return id;
-    }
+  /**
+   * Which device it is.
+   *
+   * @return interface and index
+   */
+  public DeviceId id() {
+    return id;
+  }
 
-    /**
-     * Sends data to all clients that have the device open.
-     *
-     * @param kind  the kind
-     * @param value the data
-     * @param stamp when they were measured, seconds
-     * @param <T>   their record
-     */
-    public <T> void publish(Kind.Data<T> kind, T value, double stamp) {
-        if (clients() > 0) {
-            publish(layouts.message(kind).subtype(), layouts.codec(kind).encode(value), stamp);
-        }
+  /**
+   * Sends data to all clients that have the device open.
+   *
+   * @param kind  the kind
+   * @param value the data
+   * @param stamp when they were measured, seconds
+   * @param <T>   their record
+   */
+  public <T> void publish(Kind.Data<T> kind, T value, double stamp) {
+    if (clients() > 0) {
+      publish(layouts.message(kind).subtype(), layouts.codec(kind).encode(value), stamp);
     }
+  }
 
-    /**
-     * Sends data to all clients that have the device open.
-     *
-     * @param message which data
-     * @param value   the data
-     * @param stamp   when they were measured, seconds
-     */
-    public void publish(MessageLayout message, PlayerRecord value, double stamp) {
-        publish(message.subtype(), layouts.encode(value), stamp);
-    }
+  /**
+   * Sends data to all clients that have the device open.
+   *
+   * @param message which data
+   * @param value   the data
+   * @param stamp   when they were measured, seconds
+   */
+  public void publish(MessageLayout message, PlayerRecord value, double stamp) {
+    publish(message.subtype(), layouts.encode(value), stamp);
+  }
 
-    /**
-     * Sends data to all clients that have the device open.
-     *
-     * @param subtype which data
-     * @param payload their body
-     * @param stamp   when they were measured, seconds
-     */
-    public void publish(int subtype, ByteBuffer payload, double stamp) {
-        registry.publish(id, subtype, payload, stamp);
-    }
+  /**
+   * Sends data to all clients that have the device open.
+   *
+   * @param subtype which data
+   * @param payload their body
+   * @param stamp   when they were measured, seconds
+   */
+  public void publish(int subtype, ByteBuffer payload, double stamp) {
+    registry.publish(id, subtype, payload, stamp);
+  }
 
-    /**
-     * How many clients have the device open.
-     *
-     * @return the number now
-     */
-    public int clients() {
-        return registry.clients(id);
-    }
+  /**
+   * How many clients have the device open.
+   *
+   * @return the number now
+   */
+  public int clients() {
+    return registry.clients(id);
+  }
 }

@@ -10,99 +10,99 @@ import java.nio.charset.StandardCharsets;
 /** Messages and the server's greeting as bytes of a stream. */
 public final class Framing {
 
-    private static final String GREETING = "Player v.";
+  private static final String GREETING = "Player v.";
 
-    private Framing() {
-    }
+  private Framing() {
+  }
 
-    /**
-     * Reads the greeting that a server sends first.
-     *
-     * @param in the stream
-     * @return the server's version, such as {@code 3.1.1-dev}
-     * @throws IOException     if the stream fails or ends
-     * @throws PlayerException if it is another greeting
-     */
-    public static String readBanner(InputStream in) throws IOException, PlayerException {
-        byte[] bytes = exactly(in, PlayerMessage.BANNER_BYTES, "the greeting");
-        int end = 0;
-        while (end < bytes.length && bytes[end] >= ' ' && bytes[end] < 0x7f) {
-            end++;
-        }
-        String text = new String(bytes, 0, end, StandardCharsets.US_ASCII);
-        if (!text.startsWith(GREETING)) {
-            throw new PlayerException("the peer is no Player server: it greets with '" + text + "'");
-        }
-        return text.substring(GREETING.length());
+  /**
+   * Reads the greeting that a server sends first.
+   *
+   * @param in the stream
+   * @return the server's version, such as {@code 3.1.1-dev}
+   * @throws IOException     if the stream fails or ends
+   * @throws PlayerException if it is another greeting
+   */
+  public static String readBanner(InputStream in) throws IOException, PlayerException {
+    byte[] bytes = exactly(in, PlayerMessage.BANNER_BYTES, "the greeting");
+    int end = 0;
+    while (end < bytes.length && bytes[end] >= ' ' && bytes[end] < 0x7f) {
+      end++;
     }
+    String text = new String(bytes, 0, end, StandardCharsets.US_ASCII);
+    if (!text.startsWith(GREETING)) {
+      throw new PlayerException("the peer is no Player server: it greets with '" + text + "'");
+    }
+    return text.substring(GREETING.length());
+  }
 
-    /**
-     * The greeting of a server.
-     *
-     * @param version its version; what is longer than 22 characters is cut
-     * @return 32 bytes
-     */
-    public static ByteBuffer banner(String version) {
-        byte[] text = (GREETING + version).getBytes(StandardCharsets.US_ASCII);
-        ByteBuffer banner = ByteBuffer.allocate(PlayerMessage.BANNER_BYTES);
-        return banner.put(text, 0, Math.min(text.length, PlayerMessage.BANNER_BYTES - 1)).rewind().asReadOnlyBuffer();
-    }
+  /**
+   * The greeting of a server.
+   *
+   * @param version its version; what is longer than 22 characters is cut
+   * @return 32 bytes
+   */
+  public static ByteBuffer banner(String version) {
+    byte[] text = (GREETING + version).getBytes(StandardCharsets.US_ASCII);
+    ByteBuffer banner = ByteBuffer.allocate(PlayerMessage.BANNER_BYTES);
+    return banner.put(text, 0, Math.min(text.length, PlayerMessage.BANNER_BYTES - 1)).rewind().asReadOnlyBuffer();
+  }
 
-    /**
-     * Reads one message.
-     *
-     * @param in the stream
-     * @return the message
-     * @throws EOFException    if the stream ends, also between two messages
-     * @throws IOException     if the stream fails
-     * @throws PlayerException if the header is none; the stream is of no use after that
-     */
-    public static PlayerMessage read(InputStream in) throws IOException, PlayerException {
-        XdrReader xdr = new XdrReader(ByteBuffer.wrap(exactly(in, PlayerMessage.HEADER_BYTES, "a header")));
-        try {
-            int host = xdr.i32();
-            DeviceAddress device = new DeviceAddress(host, xdr.i32(), xdr.within(0, 0xffff), xdr.within(0, 0xffff));
-            int code = xdr.i32();
-            MessageType type = MessageType.of(code).orElseThrow(() -> new PlayerException("there is no message type " + code));
-            int subtype = xdr.within(0, 0xff);
-            double stamp = xdr.f64();
-            long sequence = xdr.u32();
-            return new PlayerMessage(device, type, subtype, stamp, sequence, ByteBuffer.wrap(body(xdr.u32(), device, in)));
-        } catch (PlayerException e) {
-            throw e.within("header of a message");
-        }
+  /**
+   * Reads one message.
+   *
+   * @param in the stream
+   * @return the message
+   * @throws EOFException    if the stream ends, also between two messages
+   * @throws IOException     if the stream fails
+   * @throws PlayerException if the header is none; the stream is of no use after that
+   */
+  public static PlayerMessage read(InputStream in) throws IOException, PlayerException {
+    XdrReader xdr = new XdrReader(ByteBuffer.wrap(exactly(in, PlayerMessage.HEADER_BYTES, "a header")));
+    try {
+      int host = xdr.i32();
+      DeviceAddress device = new DeviceAddress(host, xdr.i32(), xdr.within(0, 0xffff), xdr.within(0, 0xffff));
+      int code = xdr.i32();
+      MessageType type = MessageType.of(code).orElseThrow(() -> new PlayerException("there is no message type " + code));
+      int subtype = xdr.within(0, 0xff);
+      double stamp = xdr.f64();
+      long sequence = xdr.u32();
+      return new PlayerMessage(device, type, subtype, stamp, sequence, ByteBuffer.wrap(body(xdr.u32(), device, in)));
+    } catch (PlayerException e) {
+      throw e.within("header of a message");
     }
+  }
 
-    private static byte[] body(long size, DeviceAddress device, InputStream in) throws IOException, PlayerException {
-        if (size > PlayerMessage.MAX_BYTES - PlayerMessage.HEADER_BYTES) {
-            throw new PlayerException("a message of " + size + " bytes from device " + device + " is longer than Player's messages can be");
-        }
-        return exactly(in, (int) size, "a message of device " + device);
+  private static byte[] body(long size, DeviceAddress device, InputStream in) throws IOException, PlayerException {
+    if (size > PlayerMessage.MAX_BYTES - PlayerMessage.HEADER_BYTES) {
+      throw new PlayerException("a message of " + size + " bytes from device " + device + " is longer than Player's messages can be");
     }
+    return exactly(in, (int) size, "a message of device " + device);
+  }
 
-    /**
-     * Writes one message.
-     *
-     * @param message the message
-     * @return header and body, big endian, position 0
-     */
-    public static ByteBuffer bytes(PlayerMessage message) {
-        ByteBuffer payload = message.payload();
-        ByteBuffer out = ByteBuffer.allocate(PlayerMessage.HEADER_BYTES + payload.remaining()).order(ByteOrder.BIG_ENDIAN);
-        DeviceAddress device = message.device();
-        out.putInt(device.host()).putInt(device.robot()).putInt(device.interfaceCode()).putInt(device.index());
-        out.putInt(message.type().code()).putInt(message.subtype());
-        out.putLong(Double.doubleToRawLongBits(message.stamp())).putInt((int) message.sequence());
-        return out.putInt(payload.remaining()).put(payload).flip();
-    }
+  /**
+   * Writes one message.
+   *
+   * @param message the message
+   * @return header and body, big endian, position 0
+   */
+  public static ByteBuffer bytes(PlayerMessage message) {
+    ByteBuffer payload = message.payload();
+    ByteBuffer out = ByteBuffer.allocate(PlayerMessage.HEADER_BYTES + payload.remaining()).order(ByteOrder.BIG_ENDIAN);
+    DeviceAddress device = message.device();
+    out.putInt(device.host()).putInt(device.robot()).putInt(device.interfaceCode()).putInt(device.index());
+    out.putInt(message.type().code()).putInt(message.subtype());
+    out.putLong(Double.doubleToRawLongBits(message.stamp())).putInt((int) message.sequence());
+    return out.putInt(payload.remaining()).put(payload).flip();
+  }
 
-    /** Reads as the bytes come: what a peer only announces takes no memory. */
-    private static byte[] exactly(InputStream in, int size, String what) throws IOException {
-        byte[] bytes = in.readNBytes(size);
-        if (bytes.length < size) {
-            throw new EOFException(bytes.length == 0 ? "the peer closed the connection"
-                    : "the peer closed the connection after " + bytes.length + " of " + size + " bytes of " + what);
-        }
-        return bytes;
+  /** Reads as the bytes come: what a peer only announces takes no memory. */
+  private static byte[] exactly(InputStream in, int size, String what) throws IOException {
+    byte[] bytes = in.readNBytes(size);
+    if (bytes.length < size) {
+      throw new EOFException(bytes.length == 0 ? "the peer closed the connection"
+          : "the peer closed the connection after " + bytes.length + " of " + size + " bytes of " + what);
     }
+    return bytes;
+  }
 }

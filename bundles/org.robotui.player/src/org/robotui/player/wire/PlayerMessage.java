@@ -15,81 +15,81 @@ import java.util.Objects;
  */
 public record PlayerMessage(DeviceAddress device, MessageType type, int subtype, double stamp, long sequence, ByteBuffer payload) {
 
-    /** The most bytes of a message with its header. */
-    public static final int MAX_BYTES = 8 * 1024 * 1024;
+  /** The most bytes of a message with its header. */
+  public static final int MAX_BYTES = 8 * 1024 * 1024;
 
-    /** The bytes of a header. */
-    public static final int HEADER_BYTES = 40;
+  /** The bytes of a header. */
+  public static final int HEADER_BYTES = 40;
 
-    /** The bytes of the server's greeting. */
-    public static final int BANNER_BYTES = 32;
+  /** The bytes of the server's greeting. */
+  public static final int BANNER_BYTES = 32;
 
-    private static final ByteBuffer NOTHING = ByteBuffer.allocate(0).asReadOnlyBuffer();
+  private static final ByteBuffer NOTHING = ByteBuffer.allocate(0).asReadOnlyBuffer();
 
-    /** Keeps a read-only view of the body. */
-    public PlayerMessage {
-        Objects.requireNonNull(device, "device");
-        Objects.requireNonNull(type, "type");
-        payload = payload.slice().asReadOnlyBuffer();
-    }
+  /** Keeps a read-only view of the body. */
+  public PlayerMessage {
+    Objects.requireNonNull(device, "device");
+    Objects.requireNonNull(type, "type");
+    payload = payload.slice().asReadOnlyBuffer();
+  }
 
-    /**
-     * A message without a body.
-     *
-     * @param device  which device it is for
-     * @param type    what it is for
-     * @param subtype which message
-     * @return the message, with stamp and sequence 0
-     */
-    public static PlayerMessage empty(DeviceAddress device, MessageType type, int subtype) {
-        return new PlayerMessage(device, type, subtype, 0, 0, NOTHING);
-    }
+  /**
+   * A message without a body.
+   *
+   * @param device  which device it is for
+   * @param type    what it is for
+   * @param subtype which message
+   * @return the message, with stamp and sequence 0
+   */
+  public static PlayerMessage empty(DeviceAddress device, MessageType type, int subtype) {
+    return new PlayerMessage(device, type, subtype, 0, 0, NOTHING);
+  }
 
-    /**
-     * A message with a body.
-     *
-     * @param device  which device it is for
-     * @param type    what it is for
-     * @param subtype which message
-     * @param payload the body
-     * @return the message, with stamp and sequence 0
-     */
-    public static PlayerMessage of(DeviceAddress device, MessageType type, int subtype, ByteBuffer payload) {
-        return new PlayerMessage(device, type, subtype, 0, 0, payload);
-    }
+  /**
+   * A message with a body.
+   *
+   * @param device  which device it is for
+   * @param type    what it is for
+   * @param subtype which message
+   * @param payload the body
+   * @return the message, with stamp and sequence 0
+   */
+  public static PlayerMessage of(DeviceAddress device, MessageType type, int subtype, ByteBuffer payload) {
+    return new PlayerMessage(device, type, subtype, 0, 0, payload);
+  }
 
-    /**
-     * The same message with another number.
-     *
-     * @param number the sequence number
-     * @return the message
-     */
-    public PlayerMessage withSequence(long number) {
-        return new PlayerMessage(device, type, subtype, stamp, number, payload);
-    }
+  /**
+   * The same message with another number.
+   *
+   * @param number the sequence number
+   * @return the message
+   */
+  public PlayerMessage withSequence(long number) {
+    return new PlayerMessage(device, type, subtype, stamp, number, payload);
+  }
 
-    /**
-     * The same message at another time.
-     *
-     * @param seconds the stamp
-     * @return the message
-     */
-    public PlayerMessage withStamp(double seconds) {
-        return new PlayerMessage(device, type, subtype, seconds, sequence, payload);
-    }
+  /**
+   * The same message at another time.
+   *
+   * @param seconds the stamp
+   * @return the message
+   */
+  public PlayerMessage withStamp(double seconds) {
+    return new PlayerMessage(device, type, subtype, seconds, sequence, payload);
+  }
 
-    /**
-     * The body.
-     *
-     * @return a view of its own, read only, position 0
-     */
-    @Override
-    public ByteBuffer payload() {
-        return payload.duplicate();
-    }
+  /**
+   * The body.
+   *
+   * @return a view of its own, read only, position 0
+   */
+  @Override
+  public ByteBuffer payload() {
+    return payload.duplicate();
+  }
 
-    @Override
-    public String toString() {
-        return type + " " + subtype + " of " + device + ", " + payload.remaining() + " bytes";
-    }
+  @Override
+  public String toString() {
+    return type + " " + subtype + " of " + device + ", " + payload.remaining() + " bytes";
+  }
 }

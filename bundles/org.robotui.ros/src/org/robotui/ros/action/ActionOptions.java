@@ -13,21 +13,21 @@ import java.util.concurrent.ThreadFactory;
  */
 public record ActionOptions(ThreadFactory threads, Duration silence, int maxGoals) {
 
-    /** Checks the bounds. */
-    public ActionOptions {
-        Objects.requireNonNull(threads, "threads");
-        if (silence.isNegative() || silence.isZero() || maxGoals < 1) {
-            throw new IllegalArgumentException("a silence of " + silence + " and " + maxGoals + " goals");
-        }
+  /** Checks the bounds. */
+  public ActionOptions {
+    Objects.requireNonNull(threads, "threads");
+    if (silence.isNegative() || silence.isZero() || maxGoals < 1) {
+      throw new IllegalArgumentException("a silence of " + silence + " and " + maxGoals + " goals");
     }
+  }
 
-    /**
-     * Five seconds of silence, a hundred goals.
-     *
-     * @param threads makes the client's thread
-     * @return the default
-     */
-    public static ActionOptions standard(ThreadFactory threads) {
-        return new ActionOptions(threads, Duration.ofSeconds(5), 100);
-    }
+  /**
+   * Five seconds of silence, a hundred goals.
+   *
+   * @param threads makes the client's thread
+   * @return the default
+   */
+  public static ActionOptions standard(ThreadFactory threads) {
+    return new ActionOptions(threads, Duration.ofSeconds(5), 100);
+  }
 }

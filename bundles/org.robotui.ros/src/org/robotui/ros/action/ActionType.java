@@ -19,38 +19,38 @@ import org.robotui.ros.message.SchemaLookup;
  */
 public record ActionType(String name, MessageSchema sent, MessageSchema goal, MessageSchema result, MessageSchema feedback) {
 
-    private static final String SUFFIX = "Action";
+  private static final String SUFFIX = "Action";
 
-    /** Checks that nothing is missing. */
-    public ActionType {
-        Objects.requireNonNull(name, "name");
-        Objects.requireNonNull(sent, "sent");
-        Objects.requireNonNull(goal, "goal");
-        Objects.requireNonNull(result, "result");
-        Objects.requireNonNull(feedback, "feedback");
-    }
+  /** Checks that nothing is missing. */
+  public ActionType {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(sent, "sent");
+    Objects.requireNonNull(goal, "goal");
+    Objects.requireNonNull(result, "result");
+    Objects.requireNonNull(feedback, "feedback");
+  }
 
-    /**
-     * Finds the definitions of a type. May read files: not for I/O threads.
-     *
-     * @param name     the type's name; it ends in {@code Action}
-     * @param registry knows the definitions
-     * @return the type, or which definition is missing
-     */
-    public static SchemaLookup<ActionType> find(String name, MessageRegistry registry) {
-        if (!name.endsWith(SUFFIX)) {
-            return new SchemaLookup.Missing<>("'" + name + "' is no type of an action: its name does not end in " + SUFFIX);
-        }
-        String base = name.substring(0, name.length() - SUFFIX.length());
-        List<MessageSchema> parts = new ArrayList<>();
-        for (String part : List.of(name + "Goal", base + "Goal", base + "Result", base + "Feedback")) {
-            switch (registry.message(part)) {
-                case SchemaLookup.Missing<MessageSchema> missing -> {
-                    return new SchemaLookup.Missing<>(missing.reason());
-                }
-                case SchemaLookup.Found<MessageSchema> found -> parts.add(found.schema());
-            }
-        }
-        return new SchemaLookup.Found<>(new ActionType(name, parts.get(0), parts.get(1), parts.get(2), parts.get(3)));
+  /**
+   * Finds the definitions of a type. May read files: not for I/O threads.
+   *
+   * @param name     the type's name; it ends in {@code Action}
+   * @param registry knows the definitions
+   * @return the type, or which definition is missing
+   */
+  public static SchemaLookup<ActionType> find(String name, MessageRegistry registry) {
+    if (!name.endsWith(SUFFIX)) {
+      return new SchemaLookup.Missing<>("'" + name + "' is no type of an action: its name does not end in " + SUFFIX);
     }
+    String base = name.substring(0, name.length() - SUFFIX.length());
+    List<MessageSchema> parts = new ArrayList<>();
+    for (String part : List.of(name + "Goal", base + "Goal", base + "Result", base + "Feedback")) {
+      switch (registry.message(part)) {
+        case SchemaLookup.Missing<MessageSchema> missing -> {
+          return new SchemaLookup.Missing<>(missing.reason());
+        }
+        case SchemaLookup.Found<MessageSchema> found -> parts.add(found.schema());
+      }
+    }
+    return new SchemaLookup.Found<>(new ActionType(name, parts.get(0), parts.get(1), parts.get(2), parts.get(3)));
+  }
 }

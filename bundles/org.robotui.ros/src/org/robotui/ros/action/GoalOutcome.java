@@ -13,14 +13,14 @@ import org.robotui.ros.message.DynamicMessage;
  */
 public record GoalOutcome(GoalEnd end, String text, Optional<DynamicMessage> result) {
 
-    /** Checks that nothing is missing. */
-    public GoalOutcome {
-        Objects.requireNonNull(end, "end");
-        Objects.requireNonNull(text, "text");
-        Objects.requireNonNull(result, "result");
-    }
+  /** Checks that nothing is missing. */
+  public GoalOutcome {
+    Objects.requireNonNull(end, "end");
+    Objects.requireNonNull(text, "text");
+    Objects.requireNonNull(result, "result");
+  }
 
-    static GoalOutcome lost(String reason) {
-        return new GoalOutcome(GoalEnd.LOST, reason, Optional.empty());
-    }
+  static GoalOutcome lost(String reason) {
+    return new GoalOutcome(GoalEnd.LOST, reason, Optional.empty());
+  }
 }

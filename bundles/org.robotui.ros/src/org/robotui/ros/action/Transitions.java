@@ -16,98 +16,98 @@ import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
  */
 final class Transitions {
 
-    private Transitions() {
-    }
+  private Transitions() {
+  }
 
-    /** The phases to go through; none if the status tells nothing new; empty if no server may report it in this phase. */
-    static Optional<List<GoalPhase>> next(GoalPhase from, int status) {
-        return switch (from) {
-            case WAITING_FOR_ACKNOWLEDGEMENT -> unacknowledged(status);
-            case PENDING -> pending(status);
-            case ACTIVE -> active(status);
-            case WAITING_FOR_CANCEL -> isEarly(status) ? to() : cancelled(status);
-            case RECALLING -> recalling(status);
-            case PREEMPTING -> preempting(status);
-            case WAITING_FOR_RESULT, DONE -> isEnd(status) || status == GoalStatus.ACTIVE && from == WAITING_FOR_RESULT ? to() : Optional.empty();
-        };
-    }
+  /** The phases to go through; none if the status tells nothing new; empty if no server may report it in this phase. */
+  static Optional<List<GoalPhase>> next(GoalPhase from, int status) {
+    return switch (from) {
+      case WAITING_FOR_ACKNOWLEDGEMENT -> unacknowledged(status);
+      case PENDING -> pending(status);
+      case ACTIVE -> active(status);
+      case WAITING_FOR_CANCEL -> isEarly(status) ? to() : cancelled(status);
+      case RECALLING -> recalling(status);
+      case PREEMPTING -> preempting(status);
+      case WAITING_FOR_RESULT, DONE -> isEnd(status) || status == GoalStatus.ACTIVE && from == WAITING_FOR_RESULT ? to() : Optional.empty();
+    };
+  }
 
-    private static Optional<List<GoalPhase>> to(GoalPhase... phases) {
-        return Optional.of(List.of(phases));
-    }
+  private static Optional<List<GoalPhase>> to(GoalPhase... phases) {
+    return Optional.of(List.of(phases));
+  }
 
-    private static boolean isEarly(int status) {
-        return status == GoalStatus.PENDING || status == GoalStatus.ACTIVE;
-    }
+  private static boolean isEarly(int status) {
+    return status == GoalStatus.PENDING || status == GoalStatus.ACTIVE;
+  }
 
-    private static boolean isEnd(int status) {
-        return status != GoalStatus.LOST && GoalEnd.of(status).isPresent();
-    }
+  private static boolean isEnd(int status) {
+    return status != GoalStatus.LOST && GoalEnd.of(status).isPresent();
+  }
 
-    private static Optional<List<GoalPhase>> unacknowledged(int status) {
-        return switch (status) {
-            case GoalStatus.PENDING -> to(PENDING);
-            case GoalStatus.REJECTED, GoalStatus.RECALLED -> to(PENDING, WAITING_FOR_RESULT);
-            case GoalStatus.RECALLING -> to(PENDING, RECALLING);
-            default -> begun(status);
-        };
-    }
+  private static Optional<List<GoalPhase>> unacknowledged(int status) {
+    return switch (status) {
+      case GoalStatus.PENDING -> to(PENDING);
+      case GoalStatus.REJECTED, GoalStatus.RECALLED -> to(PENDING, WAITING_FOR_RESULT);
+      case GoalStatus.RECALLING -> to(PENDING, RECALLING);
+      default -> begun(status);
+    };
+  }
 
-    private static Optional<List<GoalPhase>> pending(int status) {
-        return switch (status) {
-            case GoalStatus.PENDING -> to();
-            case GoalStatus.REJECTED -> to(WAITING_FOR_RESULT);
-            case GoalStatus.RECALLING -> to(RECALLING);
-            case GoalStatus.RECALLED -> to(RECALLING, WAITING_FOR_RESULT);
-            default -> begun(status);
-        };
-    }
+  private static Optional<List<GoalPhase>> pending(int status) {
+    return switch (status) {
+      case GoalStatus.PENDING -> to();
+      case GoalStatus.REJECTED -> to(WAITING_FOR_RESULT);
+      case GoalStatus.RECALLING -> to(RECALLING);
+      case GoalStatus.RECALLED -> to(RECALLING, WAITING_FOR_RESULT);
+      default -> begun(status);
+    };
+  }
 
-    /** Statuses that show that the server began with the goal. */
-    private static Optional<List<GoalPhase>> begun(int status) {
-        return switch (status) {
-            case GoalStatus.ACTIVE -> to(ACTIVE);
-            case GoalStatus.PREEMPTING -> to(ACTIVE, PREEMPTING);
-            case GoalStatus.PREEMPTED -> to(ACTIVE, PREEMPTING, WAITING_FOR_RESULT);
-            case GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(ACTIVE, WAITING_FOR_RESULT);
-            default -> Optional.empty();
-        };
-    }
+  /** Statuses that show that the server began with the goal. */
+  private static Optional<List<GoalPhase>> begun(int status) {
+    return switch (status) {
+      case GoalStatus.ACTIVE -> to(ACTIVE);
+      case GoalStatus.PREEMPTING -> to(ACTIVE, PREEMPTING);
+      case GoalStatus.PREEMPTED -> to(ACTIVE, PREEMPTING, WAITING_FOR_RESULT);
+      case GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(ACTIVE, WAITING_FOR_RESULT);
+      default -> Optional.empty();
+    };
+  }
 
-    private static Optional<List<GoalPhase>> active(int status) {
-        return switch (status) {
-            case GoalStatus.ACTIVE -> to();
-            case GoalStatus.PREEMPTING -> to(PREEMPTING);
-            case GoalStatus.PREEMPTED -> to(PREEMPTING, WAITING_FOR_RESULT);
-            case GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(WAITING_FOR_RESULT);
-            default -> Optional.empty();
-        };
-    }
+  private static Optional<List<GoalPhase>> active(int status) {
+    return switch (status) {
+      case GoalStatus.ACTIVE -> to();
+      case GoalStatus.PREEMPTING -> to(PREEMPTING);
+      case GoalStatus.PREEMPTED -> to(PREEMPTING, WAITING_FOR_RESULT);
+      case GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(WAITING_FOR_RESULT);
+      default -> Optional.empty();
+    };
+  }
 
-    private static Optional<List<GoalPhase>> cancelled(int status) {
-        return switch (status) {
-            case GoalStatus.REJECTED -> to(WAITING_FOR_RESULT);
-            case GoalStatus.RECALLING -> to(RECALLING);
-            case GoalStatus.RECALLED -> to(RECALLING, WAITING_FOR_RESULT);
-            case GoalStatus.PREEMPTING -> to(PREEMPTING);
-            case GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(PREEMPTING, WAITING_FOR_RESULT);
-            default -> Optional.empty();
-        };
-    }
+  private static Optional<List<GoalPhase>> cancelled(int status) {
+    return switch (status) {
+      case GoalStatus.REJECTED -> to(WAITING_FOR_RESULT);
+      case GoalStatus.RECALLING -> to(RECALLING);
+      case GoalStatus.RECALLED -> to(RECALLING, WAITING_FOR_RESULT);
+      case GoalStatus.PREEMPTING -> to(PREEMPTING);
+      case GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(PREEMPTING, WAITING_FOR_RESULT);
+      default -> Optional.empty();
+    };
+  }
 
-    private static Optional<List<GoalPhase>> recalling(int status) {
-        return switch (status) {
-            case GoalStatus.RECALLING -> to();
-            case GoalStatus.RECALLED -> to(WAITING_FOR_RESULT);
-            default -> cancelled(status);
-        };
-    }
+  private static Optional<List<GoalPhase>> recalling(int status) {
+    return switch (status) {
+      case GoalStatus.RECALLING -> to();
+      case GoalStatus.RECALLED -> to(WAITING_FOR_RESULT);
+      default -> cancelled(status);
+    };
+  }
 
-    private static Optional<List<GoalPhase>> preempting(int status) {
-        return switch (status) {
-            case GoalStatus.PREEMPTING -> to();
-            case GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(WAITING_FOR_RESULT);
-            default -> Optional.empty();
-        };
-    }
+  private static Optional<List<GoalPhase>> preempting(int status) {
+    return switch (status) {
+      case GoalStatus.PREEMPTING -> to();
+      case GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED -> to(WAITING_FOR_RESULT);
+      default -> Optional.empty();
+    };
+  }
 }

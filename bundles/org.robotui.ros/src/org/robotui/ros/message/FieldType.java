@@ -11,45 +11,45 @@ import java.util.Optional;
  */
 public record FieldType(String base, Arity arity, int length) {
 
-    /** How many values a field holds. */
-    public enum Arity {
-        /** Exactly one value. */
-        ONE,
-        /** An array whose length the definition gives. */
-        FIXED,
-        /** An array whose length is sent with it. */
-        VARIABLE
-    }
+  /** How many values a field holds. */
+  public enum Arity {
+    /** Exactly one value. */
+    ONE,
+    /** An array whose length the definition gives. */
+    FIXED,
+    /** An array whose length is sent with it. */
+    VARIABLE
+  }
 
-    /**
-     * The built-in type of the value or of the elements.
-     *
-     * @return empty for a message type
-     */
-    public Optional<Primitive> primitive() {
-        return Primitive.of(base);
-    }
+  /**
+   * The built-in type of the value or of the elements.
+   *
+   * @return empty for a message type
+   */
+  public Optional<Primitive> primitive() {
+    return Primitive.of(base);
+  }
 
-    /**
-     * Whether the field is an array of either kind.
-     *
-     * @return false for a single value
-     */
-    public boolean isArray() {
-        return arity != Arity.ONE;
-    }
+  /**
+   * Whether the field is an array of either kind.
+   *
+   * @return false for a single value
+   */
+  public boolean isArray() {
+    return arity != Arity.ONE;
+  }
 
-    /**
-     * The type as definitions write it.
-     *
-     * @return such as {@code float64[36]}
-     */
-    @Override
-    public String toString() {
-        return switch (arity) {
-            case ONE -> base;
-            case FIXED -> base + "[" + length + "]";
-            case VARIABLE -> base + "[]";
-        };
-    }
+  /**
+   * The type as definitions write it.
+   *
+   * @return such as {@code float64[36]}
+   */
+  @Override
+  public String toString() {
+    return switch (arity) {
+      case ONE -> base;
+      case FIXED -> base + "[" + length + "]";
+      case VARIABLE -> base + "[]";
+    };
+  }
 }

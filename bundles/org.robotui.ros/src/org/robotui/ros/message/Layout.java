@@ -13,46 +13,46 @@ import java.util.Optional;
  */
 record Layout(String type, List<Field> fields, long minSize, boolean fixedSize) {
 
-    /** Elements without bytes cannot be bounded by the bytes that are there. */
-    static final int MAX_EMPTY_ELEMENTS = 1 << 16;
+  /** Elements without bytes cannot be bounded by the bytes that are there. */
+  static final int MAX_EMPTY_ELEMENTS = 1 << 16;
 
-    /**
-     * One field.
-     *
-     * @param name      the name
-     * @param type      the type
-     * @param primitive the built-in type of the value or of the elements, null for a message type
-     * @param nested    the layout of the message type, null for a built-in type
-     * @param element   the fewest bytes of the value or of one element
-     * @param fixedElement whether every value or element has exactly that size
-     */
-    record Field(String name, FieldType type, Primitive primitive, Layout nested, long element, boolean fixedElement) {
+  /**
+   * One field.
+   *
+   * @param name      the name
+   * @param type      the type
+   * @param primitive the built-in type of the value or of the elements, null for a message type
+   * @param nested    the layout of the message type, null for a built-in type
+   * @param element   the fewest bytes of the value or of one element
+   * @param fixedElement whether every value or element has exactly that size
+   */
+  record Field(String name, FieldType type, Primitive primitive, Layout nested, long element, boolean fixedElement) {
 
-        boolean isFixed() {
-            return fixedElement && type.arity() != FieldType.Arity.VARIABLE;
-        }
-
-        /** The fewest bytes of the whole field. */
-        long minSize() {
-            return switch (type.arity()) {
-                case ONE -> element;
-                case FIXED -> saturatedProduct(element, type.length());
-                case VARIABLE -> Integer.BYTES;
-            };
-        }
+    boolean isFixed() {
+      return fixedElement && type.arity() != FieldType.Arity.VARIABLE;
     }
 
-    Optional<Field> field(String name) {
-        return fields.stream().filter(f -> f.name().equals(name)).findFirst();
+    /** The fewest bytes of the whole field. */
+    long minSize() {
+      return switch (type.arity()) {
+        case ONE -> element;
+        case FIXED -> saturatedProduct(element, type.length());
+        case VARIABLE -> Integer.BYTES;
+      };
     }
+  }
 
-    static long saturatedProduct(long a, long b) {
-        long high = Math.multiplyHigh(a, b);
-        long low = a * b;
-        return high != 0 || low < 0 ? Long.MAX_VALUE : low;
-    }
+  Optional<Field> field(String name) {
+    return fields.stream().filter(f -> f.name().equals(name)).findFirst();
+  }
 
-    static long saturatedSum(long a, long b) {
-        return a > Long.MAX_VALUE - b ? Long.MAX_VALUE : a + b;
-    }
+  static long saturatedProduct(long a, long b) {
+    long high = Math.multiplyHigh(a, b);
+    long low = a * b;
+    return high != 0 || low < 0 ? Long.MAX_VALUE : low;
+  }
+
+  static long saturatedSum(long a, long b) {
+    return a > Long.MAX_VALUE - b ? Long.MAX_VALUE : a + b;
+  }
 }

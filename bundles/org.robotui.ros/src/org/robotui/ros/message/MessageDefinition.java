@@ -11,20 +11,20 @@ import java.util.List;
  * @param fields    in the order of the text, which is the order on the wire
  */
 public record MessageDefinition(
-        String type, String text, List<ConstantDefinition> constants, List<FieldDefinition> fields) {
+    String type, String text, List<ConstantDefinition> constants, List<FieldDefinition> fields) {
 
-    /** Keeps copies of the lists. */
-    public MessageDefinition {
-        constants = List.copyOf(constants);
-        fields = List.copyOf(fields);
-    }
+  /** Keeps copies of the lists. */
+  public MessageDefinition {
+    constants = List.copyOf(constants);
+    fields = List.copyOf(fields);
+  }
 
-    /**
-     * The package part of the type's name.
-     *
-     * @return such as {@code nav_msgs}
-     */
-    public String packageName() {
-        return type.substring(0, Math.max(0, type.indexOf('/')));
-    }
+  /**
+   * The package part of the type's name.
+   *
+   * @return such as {@code nav_msgs}
+   */
+  public String packageName() {
+    return type.substring(0, Math.max(0, type.indexOf('/')));
+  }
 }

@@ -10,259 +10,259 @@ import java.util.Arrays;
  */
 public final class MessageWriter {
 
-    private static final int MAX_CAPACITY = Integer.MAX_VALUE - 8;
+  private static final int MAX_CAPACITY = Integer.MAX_VALUE - 8;
 
-    private byte[] array;
-    private ByteBuffer buffer;
+  private byte[] array;
+  private ByteBuffer buffer;
 
-    /** Creates an empty writer with a small capacity. */
-    public MessageWriter() {
-        this(256);
+  /** Creates an empty writer with a small capacity. */
+  public MessageWriter() {
+    this(256);
+  }
+
+  /**
+   * Creates an empty writer.
+   *
+   * @param capacity how many bytes fit before the writer grows for the first time
+   */
+  public MessageWriter(int capacity) {
+    adopt(new byte[Math.max(16, capacity)], 0);
+  }
+
+  /**
+   * Appends the low eight bits.
+   *
+   * @param value a signed or an unsigned byte
+   * @return this
+   */
+  public MessageWriter u8(int value) {
+    room(1).put((byte) value);
+    return this;
+  }
+
+  /**
+   * Appends one byte that is 1 or 0.
+   *
+   * @param value a ROS bool
+   * @return this
+   */
+  public MessageWriter bool(boolean value) {
+    return u8(value ? 1 : 0);
+  }
+
+  /**
+   * Appends the low 16 bits.
+   *
+   * @param value a signed or an unsigned 16-bit integer
+   * @return this
+   */
+  public MessageWriter i16(int value) {
+    room(2).putShort((short) value);
+    return this;
+  }
+
+  /**
+   * Appends 32 bits.
+   *
+   * @param value a signed or (by its bits) an unsigned 32-bit integer
+   * @return this
+   */
+  public MessageWriter i32(int value) {
+    room(4).putInt(value);
+    return this;
+  }
+
+  /**
+   * Appends 64 bits.
+   *
+   * @param value a signed or (by its bits) an unsigned 64-bit integer
+   * @return this
+   */
+  public MessageWriter i64(long value) {
+    room(8).putLong(value);
+    return this;
+  }
+
+  /**
+   * Appends a 32-bit float.
+   *
+   * @param value the number
+   * @return this
+   */
+  public MessageWriter f32(float value) {
+    room(4).putFloat(value);
+    return this;
+  }
+
+  /**
+   * Appends a 64-bit float.
+   *
+   * @param value the number
+   * @return this
+   */
+  public MessageWriter f64(double value) {
+    room(8).putDouble(value);
+    return this;
+  }
+
+  /**
+   * Appends a string with its length, as UTF-8.
+   *
+   * @param value the text
+   * @return this
+   */
+  public MessageWriter string(String value) {
+    byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
+    return array(utf8.length).bytes(utf8, 0, utf8.length);
+  }
+
+  /**
+   * Appends a ROS time or duration.
+   *
+   * @param seconds     whole seconds
+   * @param nanoseconds nanoseconds within the second
+   * @return this
+   */
+  public MessageWriter time(int seconds, int nanoseconds) {
+    room(8).putInt(seconds).putInt(nanoseconds);
+    return this;
+  }
+
+  /**
+   * Starts an array of variable length: appends the number of its elements.
+   *
+   * @param count how many elements follow
+   * @return this
+   */
+  public MessageWriter array(int count) {
+    return i32(count);
+  }
+
+  /**
+   * Appends bytes as they are.
+   *
+   * @param source holds the bytes
+   * @param offset of the first byte
+   * @param length how many bytes
+   * @return this
+   */
+  public MessageWriter bytes(byte[] source, int offset, int length) {
+    room(length).put(source, offset, length);
+    return this;
+  }
+
+  /**
+   * Appends the remaining bytes of a buffer as they are; the buffer's position stays where it is.
+   *
+   * @param source holds the bytes
+   * @return this
+   */
+  public MessageWriter bytes(ByteBuffer source) {
+    room(source.remaining()).put(source.duplicate());
+    return this;
+  }
+
+  /**
+   * Appends 32-bit floats without a count.
+   *
+   * @param values the numbers
+   * @return this
+   */
+  public MessageWriter floats(float[] values) {
+    ByteBuffer out = room((long) values.length * Float.BYTES);
+    out.asFloatBuffer().put(values);
+    out.position(out.position() + values.length * Float.BYTES);
+    return this;
+  }
+
+  /**
+   * Appends 64-bit floats without a count.
+   *
+   * @param values the numbers
+   * @return this
+   */
+  public MessageWriter doubles(double[] values) {
+    ByteBuffer out = room((long) values.length * Double.BYTES);
+    out.asDoubleBuffer().put(values);
+    out.position(out.position() + values.length * Double.BYTES);
+    return this;
+  }
+
+  /**
+   * Appends 32-bit integers without a count.
+   *
+   * @param values the numbers
+   * @return this
+   */
+  public MessageWriter ints(int[] values) {
+    ByteBuffer out = room((long) values.length * Integer.BYTES);
+    out.asIntBuffer().put(values);
+    out.position(out.position() + values.length * Integer.BYTES);
+    return this;
+  }
+
+  /**
+   * How much was written.
+   *
+   * @return the number of bytes so far
+   */
+  public int size() {
+    return buffer.position();
+  }
+
+  /** Forgets what was written and keeps the capacity. */
+  public void clear() {
+    buffer.clear();
+  }
+
+  /**
+   * Replaces 32 bits written earlier, for lengths that are known only afterwards.
+   *
+   * @param offset where they were written, from the start
+   * @param value  the new value
+   */
+  public void patchI32(int offset, int value) {
+    if (offset + Integer.BYTES > size()) {
+      throw new IllegalArgumentException("nothing was written at " + offset);
     }
+    buffer.putInt(offset, value);
+  }
 
-    /**
-     * Creates an empty writer.
-     *
-     * @param capacity how many bytes fit before the writer grows for the first time
-     */
-    public MessageWriter(int capacity) {
-        adopt(new byte[Math.max(16, capacity)], 0);
-    }
+  /**
+   * What was written, without copying it.
+   *
+   * @return a little-endian view that is valid until the next change of this writer
+   */
+  public ByteBuffer view() {
+    return ByteBuffer.wrap(array, 0, size()).slice().order(ByteOrder.LITTLE_ENDIAN);
+  }
 
-    /**
-     * Appends the low eight bits.
-     *
-     * @param value a signed or an unsigned byte
-     * @return this
-     */
-    public MessageWriter u8(int value) {
-        room(1).put((byte) value);
-        return this;
-    }
+  /**
+   * What was written, as a copy.
+   *
+   * @return a fresh array
+   */
+  public byte[] toByteArray() {
+    return Arrays.copyOf(array, size());
+  }
 
-    /**
-     * Appends one byte that is 1 or 0.
-     *
-     * @param value a ROS bool
-     * @return this
-     */
-    public MessageWriter bool(boolean value) {
-        return u8(value ? 1 : 0);
+  private ByteBuffer room(long bytes) {
+    if (bytes > buffer.remaining()) {
+      grow(buffer.position() + bytes);
     }
+    return buffer;
+  }
 
-    /**
-     * Appends the low 16 bits.
-     *
-     * @param value a signed or an unsigned 16-bit integer
-     * @return this
-     */
-    public MessageWriter i16(int value) {
-        room(2).putShort((short) value);
-        return this;
+  private void grow(long needed) {
+    if (needed > MAX_CAPACITY) {
+      throw new IllegalArgumentException("a message of " + needed + " bytes is too long");
     }
+    int capacity = (int) Math.min(MAX_CAPACITY, Math.max(needed, array.length * 2L));
+    adopt(Arrays.copyOf(array, capacity), buffer.position());
+  }
 
-    /**
-     * Appends 32 bits.
-     *
-     * @param value a signed or (by its bits) an unsigned 32-bit integer
-     * @return this
-     */
-    public MessageWriter i32(int value) {
-        room(4).putInt(value);
-        return this;
-    }
-
-    /**
-     * Appends 64 bits.
-     *
-     * @param value a signed or (by its bits) an unsigned 64-bit integer
-     * @return this
-     */
-    public MessageWriter i64(long value) {
-        room(8).putLong(value);
-        return this;
-    }
-
-    /**
-     * Appends a 32-bit float.
-     *
-     * @param value the number
-     * @return this
-     */
-    public MessageWriter f32(float value) {
-        room(4).putFloat(value);
-        return this;
-    }
-
-    /**
-     * Appends a 64-bit float.
-     *
-     * @param value the number
-     * @return this
-     */
-    public MessageWriter f64(double value) {
-        room(8).putDouble(value);
-        return this;
-    }
-
-    /**
-     * Appends a string with its length, as UTF-8.
-     *
-     * @param value the text
-     * @return this
-     */
-    public MessageWriter string(String value) {
-        byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
-        return array(utf8.length).bytes(utf8, 0, utf8.length);
-    }
-
-    /**
-     * Appends a ROS time or duration.
-     *
-     * @param seconds     whole seconds
-     * @param nanoseconds nanoseconds within the second
-     * @return this
-     */
-    public MessageWriter time(int seconds, int nanoseconds) {
-        room(8).putInt(seconds).putInt(nanoseconds);
-        return this;
-    }
-
-    /**
-     * Starts an array of variable length: appends the number of its elements.
-     *
-     * @param count how many elements follow
-     * @return this
-     */
-    public MessageWriter array(int count) {
-        return i32(count);
-    }
-
-    /**
-     * Appends bytes as they are.
-     *
-     * @param source holds the bytes
-     * @param offset of the first byte
-     * @param length how many bytes
-     * @return this
-     */
-    public MessageWriter bytes(byte[] source, int offset, int length) {
-        room(length).put(source, offset, length);
-        return this;
-    }
-
-    /**
-     * Appends the remaining bytes of a buffer as they are; the buffer's position stays where it is.
-     *
-     * @param source holds the bytes
-     * @return this
-     */
-    public MessageWriter bytes(ByteBuffer source) {
-        room(source.remaining()).put(source.duplicate());
-        return this;
-    }
-
-    /**
-     * Appends 32-bit floats without a count.
-     *
-     * @param values the numbers
-     * @return this
-     */
-    public MessageWriter floats(float[] values) {
-        ByteBuffer out = room((long) values.length * Float.BYTES);
-        out.asFloatBuffer().put(values);
-        out.position(out.position() + values.length * Float.BYTES);
-        return this;
-    }
-
-    /**
-     * Appends 64-bit floats without a count.
-     *
-     * @param values the numbers
-     * @return this
-     */
-    public MessageWriter doubles(double[] values) {
-        ByteBuffer out = room((long) values.length * Double.BYTES);
-        out.asDoubleBuffer().put(values);
-        out.position(out.position() + values.length * Double.BYTES);
-        return this;
-    }
-
-    /**
-     * Appends 32-bit integers without a count.
-     *
-     * @param values the numbers
-     * @return this
-     */
-    public MessageWriter ints(int[] values) {
-        ByteBuffer out = room((long) values.length * Integer.BYTES);
-        out.asIntBuffer().put(values);
-        out.position(out.position() + values.length * Integer.BYTES);
-        return this;
-    }
-
-    /**
-     * How much was written.
-     *
-     * @return the number of bytes so far
-     */
-    public int size() {
-        return buffer.position();
-    }
-
-    /** Forgets what was written and keeps the capacity. */
-    public void clear() {
-        buffer.clear();
-    }
-
-    /**
-     * Replaces 32 bits written earlier, for lengths that are known only afterwards.
-     *
-     * @param offset where they were written, from the start
-     * @param value  the new value
-     */
-    public void patchI32(int offset, int value) {
-        if (offset + Integer.BYTES > size()) {
-            throw new IllegalArgumentException("nothing was written at " + offset);
-        }
-        buffer.putInt(offset, value);
-    }
-
-    /**
-     * What was written, without copying it.
-     *
-     * @return a little-endian view that is valid until the next change of this writer
-     */
-    public ByteBuffer view() {
-        return ByteBuffer.wrap(array, 0, size()).slice().order(ByteOrder.LITTLE_ENDIAN);
-    }
-
-    /**
-     * What was written, as a copy.
-     *
-     * @return a fresh array
-     */
-    public byte[] toByteArray() {
-        return Arrays.copyOf(array, size());
-    }
-
-    private ByteBuffer room(long bytes) {
-        if (bytes > buffer.remaining()) {
-            grow(buffer.position() + bytes);
-        }
-        return buffer;
-    }
-
-    private void grow(long needed) {
-        if (needed > MAX_CAPACITY) {
-            throw new IllegalArgumentException("a message of " + needed + " bytes is too long");
-        }
-        int capacity = (int) Math.min(MAX_CAPACITY, Math.max(needed, array.length * 2L));
-        adopt(Arrays.copyOf(array, capacity), buffer.position());
-    }
-
-    private void adopt(byte[] bytes, int position) {
-        array = bytes;
-        buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).position(position);
-    }
+  private void adopt(byte[] bytes, int position) {
+    array = bytes;
+    buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).position(position);
+  }
 }

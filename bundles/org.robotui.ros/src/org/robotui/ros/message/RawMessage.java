@@ -13,15 +13,15 @@ import java.util.Objects;
  */
 public record RawMessage(MessageInfo info, ByteBuffer bytes) {
 
-    /** Keeps a read-only view of the bytes. */
-    public RawMessage {
-        Objects.requireNonNull(info, "info");
-        bytes = bytes.asReadOnlyBuffer();
-    }
+  /** Keeps a read-only view of the bytes. */
+  public RawMessage {
+    Objects.requireNonNull(info, "info");
+    bytes = bytes.asReadOnlyBuffer();
+  }
 
-    /** The message's bytes as a fresh little-endian view, from position 0 on. */
-    @Override
-    public ByteBuffer bytes() {
-        return bytes.duplicate().order(ByteOrder.LITTLE_ENDIAN);
-    }
+  /** The message's bytes as a fresh little-endian view, from position 0 on. */
+  @Override
+  public ByteBuffer bytes() {
+    return bytes.duplicate().order(ByteOrder.LITTLE_ENDIAN);
+  }
 }

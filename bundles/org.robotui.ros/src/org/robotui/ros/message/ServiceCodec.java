@@ -14,11 +14,11 @@ import java.util.Objects;
  */
 public record ServiceCodec<Q, R>(String type, String md5, MessageCodec<Q> request, MessageCodec<R> response) {
 
-    /** Checks that nothing is missing. */
-    public ServiceCodec {
-        Objects.requireNonNull(type, "type");
-        Objects.requireNonNull(md5, "md5");
-        Objects.requireNonNull(request, "request");
-        Objects.requireNonNull(response, "response");
-    }
+  /** Checks that nothing is missing. */
+  public ServiceCodec {
+    Objects.requireNonNull(type, "type");
+    Objects.requireNonNull(md5, "md5");
+    Objects.requireNonNull(request, "request");
+    Objects.requireNonNull(response, "response");
+  }
 }

@@ -10,18 +10,18 @@ package org.robotui.ros.message;
  */
 public record ServiceSchema(String type, String md5, MessageSchema request, MessageSchema response) {
 
-    /**
-     * Puts a type together from its definition and a source of the types it refers to.
-     *
-     * @param definition the service type
-     * @param source     where to find message types
-     * @return the complete type
-     * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
-     */
-    public static ServiceSchema resolve(ServiceDefinition definition, DefinitionSource source)
-            throws DefinitionException {
-        MessageSchema request = MessageSchema.resolve(definition.request(), source);
-        MessageSchema response = MessageSchema.resolve(definition.response(), source);
-        return new ServiceSchema(definition.type(), Md5.ofService(request, response), request, response);
-    }
+  /**
+   * Puts a type together from its definition and a source of the types it refers to.
+   *
+   * @param definition the service type
+   * @param source     where to find message types
+   * @return the complete type
+   * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
+   */
+  public static ServiceSchema resolve(ServiceDefinition definition, DefinitionSource source)
+      throws DefinitionException {
+    MessageSchema request = MessageSchema.resolve(definition.request(), source);
+    MessageSchema response = MessageSchema.resolve(definition.response(), source);
+    return new ServiceSchema(definition.type(), Md5.ofService(request, response), request, response);
+  }
 }

@@ -22,32 +22,32 @@ import org.robotui.ros.msgs.std_srvs.TriggerResponse;
 /** The service types with compiled codecs. */
 public final class StandardServices {
 
-    /** An action without arguments or result. */
-    public static final ServiceCodec<EmptyRequest, EmptyResponse> EMPTY =
-            RecordCodec.service("std_srvs/Empty", EmptyRequest.CODEC, EmptyResponse.CODEC);
-    /** A switch. */
-    public static final ServiceCodec<SetBoolRequest, SetBoolResponse> SET_BOOL =
-            RecordCodec.service("std_srvs/SetBool", SetBoolRequest.CODEC, SetBoolResponse.CODEC);
-    /** An action without arguments that may fail. */
-    public static final ServiceCodec<TriggerRequest, TriggerResponse> TRIGGER =
-            RecordCodec.service("std_srvs/Trigger", TriggerRequest.CODEC, TriggerResponse.CODEC);
-    /** The current map. */
-    public static final ServiceCodec<GetMapRequest, GetMapResponse> GET_MAP =
-            RecordCodec.service("nav_msgs/GetMap", GetMapRequest.CODEC, GetMapResponse.CODEC);
-    /** Stores a calibration in a camera. */
-    public static final ServiceCodec<SetCameraInfoRequest, SetCameraInfoResponse> SET_CAMERA_INFO = RecordCodec.service(
-            "sensor_msgs/SetCameraInfo", SetCameraInfoRequest.CODEC, SetCameraInfoResponse.CODEC);
-    /** The loggers of a node. */
-    public static final ServiceCodec<GetLoggersRequest, GetLoggersResponse> GET_LOGGERS =
-            RecordCodec.service("roscpp/GetLoggers", GetLoggersRequest.CODEC, GetLoggersResponse.CODEC);
-    /** Sets the level of a node's logger. */
-    public static final ServiceCodec<SetLoggerLevelRequest, SetLoggerLevelResponse> SET_LOGGER_LEVEL =
-            RecordCodec.service(
-                    "roscpp/SetLoggerLevel", SetLoggerLevelRequest.CODEC, SetLoggerLevelResponse.CODEC);
-    /** Changes parameters of a running node. */
-    public static final ServiceCodec<ReconfigureRequest, ReconfigureResponse> RECONFIGURE = RecordCodec.service(
-            "dynamic_reconfigure/Reconfigure", ReconfigureRequest.CODEC, ReconfigureResponse.CODEC);
+  /** An action without arguments or result. */
+  public static final ServiceCodec<EmptyRequest, EmptyResponse> EMPTY =
+      RecordCodec.service("std_srvs/Empty", EmptyRequest.CODEC, EmptyResponse.CODEC);
+  /** A switch. */
+  public static final ServiceCodec<SetBoolRequest, SetBoolResponse> SET_BOOL =
+      RecordCodec.service("std_srvs/SetBool", SetBoolRequest.CODEC, SetBoolResponse.CODEC);
+  /** An action without arguments that may fail. */
+  public static final ServiceCodec<TriggerRequest, TriggerResponse> TRIGGER =
+      RecordCodec.service("std_srvs/Trigger", TriggerRequest.CODEC, TriggerResponse.CODEC);
+  /** The current map. */
+  public static final ServiceCodec<GetMapRequest, GetMapResponse> GET_MAP =
+      RecordCodec.service("nav_msgs/GetMap", GetMapRequest.CODEC, GetMapResponse.CODEC);
+  /** Stores a calibration in a camera. */
+  public static final ServiceCodec<SetCameraInfoRequest, SetCameraInfoResponse> SET_CAMERA_INFO = RecordCodec.service(
+      "sensor_msgs/SetCameraInfo", SetCameraInfoRequest.CODEC, SetCameraInfoResponse.CODEC);
+  /** The loggers of a node. */
+  public static final ServiceCodec<GetLoggersRequest, GetLoggersResponse> GET_LOGGERS =
+      RecordCodec.service("roscpp/GetLoggers", GetLoggersRequest.CODEC, GetLoggersResponse.CODEC);
+  /** Sets the level of a node's logger. */
+  public static final ServiceCodec<SetLoggerLevelRequest, SetLoggerLevelResponse> SET_LOGGER_LEVEL =
+      RecordCodec.service(
+          "roscpp/SetLoggerLevel", SetLoggerLevelRequest.CODEC, SetLoggerLevelResponse.CODEC);
+  /** Changes parameters of a running node. */
+  public static final ServiceCodec<ReconfigureRequest, ReconfigureResponse> RECONFIGURE = RecordCodec.service(
+      "dynamic_reconfigure/Reconfigure", ReconfigureRequest.CODEC, ReconfigureResponse.CODEC);
 
-    private StandardServices() {
-    }
+  private StandardServices() {
+  }
 }

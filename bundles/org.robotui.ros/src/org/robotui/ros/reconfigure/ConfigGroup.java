@@ -13,8 +13,8 @@ import java.util.List;
  */
 public record ConfigGroup(String name, String type, int id, int parent, List<ConfigParameter> parameters) {
 
-    /** Copies the parameters. */
-    public ConfigGroup {
-        parameters = List.copyOf(parameters);
-    }
+  /** Copies the parameters. */
+  public ConfigGroup {
+    parameters = List.copyOf(parameters);
+  }
 }

@@ -17,10 +17,10 @@ import java.util.Optional;
  * @param choicesDescription what the choice is about; may be empty
  */
 public record ConfigParameter(String name, ConfigKind kind, String description, long level, Optional<ConfigValue> min,
-        Optional<ConfigValue> max, Optional<ConfigValue> initial, List<ConfigChoice> choices, String choicesDescription) {
+    Optional<ConfigValue> max, Optional<ConfigValue> initial, List<ConfigChoice> choices, String choicesDescription) {
 
-    /** Copies the choices. */
-    public ConfigParameter {
-        choices = List.copyOf(choices);
-    }
+  /** Copies the choices. */
+  public ConfigParameter {
+    choices = List.copyOf(choices);
+  }
 }

@@ -12,9 +12,9 @@ import java.util.Map;
  */
 public record ConfigValues(Map<String, ConfigValue> values, Map<Integer, Boolean> groups) {
 
-    /** Copies the maps. */
-    public ConfigValues {
-        values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
-        groups = Map.copyOf(groups);
-    }
+  /** Copies the maps. */
+  public ConfigValues {
+    values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
+    groups = Map.copyOf(groups);
+  }
 }

@@ -25,92 +25,92 @@ import org.slf4j.LoggerFactory;
 /** The two topics and the service of a server, from the client's side. */
 final class ReconfigureLinks implements ReconfigureClient {
 
-    private static final Logger LOG = LoggerFactory.getLogger(ReconfigureLinks.class);
+  private static final Logger LOG = LoggerFactory.getLogger(ReconfigureLinks.class);
 
-    private final GraphName server;
-    private final ReconfigureListener listener;
-    private final Subscriber descriptions;
-    private final Subscriber updates;
-    private final ServiceClient<ReconfigureRequest, ReconfigureResponse> service;
-    private final CountDownLatch described = new CountDownLatch(1);
-    private final CountDownLatch told = new CountDownLatch(1);
-    private volatile Optional<ServerDescription> description = Optional.empty();
-    private volatile Optional<ConfigValues> values = Optional.empty();
+  private final GraphName server;
+  private final ReconfigureListener listener;
+  private final Subscriber descriptions;
+  private final Subscriber updates;
+  private final ServiceClient<ReconfigureRequest, ReconfigureResponse> service;
+  private final CountDownLatch described = new CountDownLatch(1);
+  private final CountDownLatch told = new CountDownLatch(1);
+  private volatile Optional<ServerDescription> description = Optional.empty();
+  private volatile Optional<ConfigValues> values = Optional.empty();
 
-    ReconfigureLinks(RosNode node, GraphName name, ReconfigureListener listener) {
-        this.listener = listener;
-        server = node.names().resolve(name.text());
-        SubscriberOptions standard = SubscriberOptions.standard();
-        descriptions = node.subscriber(server + "/parameter_descriptions", ConfigDescription.CODEC, standard, (message, from) -> describe(message));
-        updates = node.subscriber(server + "/parameter_updates", Config.CODEC, standard, (message, from) -> update(Configs.values(message)));
-        service = node.serviceClient(server + "/set_parameters", StandardServices.RECONFIGURE, false);
+  ReconfigureLinks(RosNode node, GraphName name, ReconfigureListener listener) {
+    this.listener = listener;
+    server = node.names().resolve(name.text());
+    SubscriberOptions standard = SubscriberOptions.standard();
+    descriptions = node.subscriber(server + "/parameter_descriptions", ConfigDescription.CODEC, standard, (message, from) -> describe(message));
+    updates = node.subscriber(server + "/parameter_updates", Config.CODEC, standard, (message, from) -> update(Configs.values(message)));
+    service = node.serviceClient(server + "/set_parameters", StandardServices.RECONFIGURE, false);
+  }
+
+  private void describe(ConfigDescription message) {
+    Optional<ServerDescription> read = Configs.description(message);
+    if (read.isEmpty()) {
+      LOG.warn("{} describes more than {} parameters: ignored", server, Configs.MAX_PARAMETERS);
+      return;
     }
+    description = read;
+    described.countDown();
+    listener.onDescription(read.get());
+  }
 
-    private void describe(ConfigDescription message) {
-        Optional<ServerDescription> read = Configs.description(message);
-        if (read.isEmpty()) {
-            LOG.warn("{} describes more than {} parameters: ignored", server, Configs.MAX_PARAMETERS);
-            return;
-        }
-        description = read;
-        described.countDown();
-        listener.onDescription(read.get());
-    }
+  private void update(ConfigValues now) {
+    values = Optional.of(now);
+    told.countDown();
+    listener.onValues(now);
+  }
 
-    private void update(ConfigValues now) {
-        values = Optional.of(now);
-        told.countDown();
-        listener.onValues(now);
-    }
+  @Override
+  public Optional<ServerDescription> description() {
+    return description;
+  }
 
-    @Override
-    public Optional<ServerDescription> description() {
-        return description;
-    }
+  @Override
+  public Optional<ConfigValues> values() {
+    return values;
+  }
 
-    @Override
-    public Optional<ConfigValues> values() {
-        return values;
+  @Override
+  public boolean await(Duration patience) {
+    long deadline = System.nanoTime() + patience.toNanos();
+    try {
+      return described.await(patience.toNanos(), TimeUnit.NANOSECONDS) && told.await(deadline - System.nanoTime(), TimeUnit.NANOSECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
     }
+  }
 
-    @Override
-    public boolean await(Duration patience) {
-        long deadline = System.nanoTime() + patience.toNanos();
-        try {
-            return described.await(patience.toNanos(), TimeUnit.NANOSECONDS) && told.await(deadline - System.nanoTime(), TimeUnit.NANOSECONDS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            return false;
-        }
+  @Override
+  public Outcome<ConfigValues> set(Map<String, ?> changes, Duration timeout) {
+    Optional<ServerDescription> known = description;
+    if (known.isEmpty()) {
+      return new Outcome.Refused<>(server + " did not describe its parameters yet");
     }
+    List<String> problems = new ArrayList<>();
+    Map<String, ConfigValue> wanted = new LinkedHashMap<>();
+    changes.forEach((name, value) -> read(known.get(), name, value, wanted, problems));
+    if (!problems.isEmpty()) {
+      return new Outcome.Refused<>(server + ": " + String.join("; ", problems));
+    }
+    return service.call(new ReconfigureRequest(Configs.message(wanted)), timeout).map(response -> Configs.values(response.config()));
+  }
 
-    @Override
-    public Outcome<ConfigValues> set(Map<String, ?> changes, Duration timeout) {
-        Optional<ServerDescription> known = description;
-        if (known.isEmpty()) {
-            return new Outcome.Refused<>(server + " did not describe its parameters yet");
-        }
-        List<String> problems = new ArrayList<>();
-        Map<String, ConfigValue> wanted = new LinkedHashMap<>();
-        changes.forEach((name, value) -> read(known.get(), name, value, wanted, problems));
-        if (!problems.isEmpty()) {
-            return new Outcome.Refused<>(server + ": " + String.join("; ", problems));
-        }
-        return service.call(new ReconfigureRequest(Configs.message(wanted)), timeout).map(response -> Configs.values(response.config()));
-    }
+  private static void read(ServerDescription known, String name, Object value, Map<String, ConfigValue> wanted, List<String> problems) {
+    known.parameter(name).ifPresentOrElse(
+        parameter -> ConfigValue.of(parameter.kind(), value).ifPresentOrElse(
+            fitting -> wanted.put(name, fitting),
+            () -> problems.add("'" + value + "' is no " + parameter.kind() + " for " + name)),
+        () -> problems.add("there is no parameter " + name));
+  }
 
-    private static void read(ServerDescription known, String name, Object value, Map<String, ConfigValue> wanted, List<String> problems) {
-        known.parameter(name).ifPresentOrElse(
-                parameter -> ConfigValue.of(parameter.kind(), value).ifPresentOrElse(
-                        fitting -> wanted.put(name, fitting),
-                        () -> problems.add("'" + value + "' is no " + parameter.kind() + " for " + name)),
-                () -> problems.add("there is no parameter " + name));
-    }
-
-    @Override
-    public void close() {
-        descriptions.close();
-        updates.close();
-        service.close();
-    }
+  @Override
+  public void close() {
+    descriptions.close();
+    updates.close();
+    service.close();
+  }
 }

@@ -19,58 +19,58 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record FrameTransform(String parent, String child, long stampNanos, RigidTransform parentFromChild) {
 
-    /** Strips leading slashes, which frames had in the old tf. */
-    public FrameTransform {
-        parent = withoutSlash(parent);
-        child = withoutSlash(child);
-        Objects.requireNonNull(parentFromChild, "parentFromChild");
-    }
+  /** Strips leading slashes, which frames had in the old tf. */
+  public FrameTransform {
+    parent = withoutSlash(parent);
+    child = withoutSlash(child);
+    Objects.requireNonNull(parentFromChild, "parentFromChild");
+  }
 
-    /**
-     * The name of a frame as all of this library uses it.
-     *
-     * @param frame as sent
-     * @return without leading slashes
-     */
-    public static String withoutSlash(String frame) {
-        int start = 0;
-        while (start < frame.length() && frame.charAt(start) == '/') {
-            start++;
-        }
-        return frame.substring(start);
+  /**
+   * The name of a frame as all of this library uses it.
+   *
+   * @param frame as sent
+   * @return without leading slashes
+   */
+  public static String withoutSlash(String frame) {
+    int start = 0;
+    while (start < frame.length() && frame.charAt(start) == '/') {
+      start++;
     }
+    return frame.substring(start);
+  }
 
-    /**
-     * Reads a message.
-     *
-     * @param message the message
-     * @return what it says
-     */
-    public static FrameTransform of(TransformStamped message) {
-        return new FrameTransform(message.header().frameId(), message.childFrameId(), message.header().stamp(),
-                rigid(message.transform()));
-    }
+  /**
+   * Reads a message.
+   *
+   * @param message the message
+   * @return what it says
+   */
+  public static FrameTransform of(TransformStamped message) {
+    return new FrameTransform(message.header().frameId(), message.childFrameId(), message.header().stamp(),
+        rigid(message.transform()));
+  }
 
-    /**
-     * Makes a message.
-     *
-     * @return the message, with sequence number 0
-     */
-    public TransformStamped toMessage() {
-        return new TransformStamped(new Header(0, stampNanos, parent), child, message(parentFromChild));
-    }
+  /**
+   * Makes a message.
+   *
+   * @return the message, with sequence number 0
+   */
+  public TransformStamped toMessage() {
+    return new TransformStamped(new Header(0, stampNanos, parent), child, message(parentFromChild));
+  }
 
-    private static RigidTransform rigid(Transform message) {
-        var t = message.translation();
-        var r = message.rotation();
-        return new RigidTransform(new Vector3(t.x(), t.y(), t.z()), new Quaternion(r.x(), r.y(), r.z(), r.w()));
-    }
+  private static RigidTransform rigid(Transform message) {
+    var t = message.translation();
+    var r = message.rotation();
+    return new RigidTransform(new Vector3(t.x(), t.y(), t.z()), new Quaternion(r.x(), r.y(), r.z(), r.w()));
+  }
 
-    private static Transform message(RigidTransform transform) {
-        Vector3 t = transform.translation();
-        Quaternion r = transform.rotation();
-        return new Transform(
-                new org.robotui.ros.msgs.geometry_msgs.Vector3(t.x(), t.y(), t.z()),
-                new org.robotui.ros.msgs.geometry_msgs.Quaternion(r.x(), r.y(), r.z(), r.w()));
-    }
+  private static Transform message(RigidTransform transform) {
+    Vector3 t = transform.translation();
+    Quaternion r = transform.rotation();
+    return new Transform(
+        new org.robotui.ros.msgs.geometry_msgs.Vector3(t.x(), t.y(), t.z()),
+        new org.robotui.ros.msgs.geometry_msgs.Quaternion(r.x(), r.y(), r.z(), r.w()));
+  }
 }

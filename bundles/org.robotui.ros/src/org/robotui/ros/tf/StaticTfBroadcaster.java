@@ -15,35 +15,35 @@ import org.robotui.ros.msgs.tf2_msgs.TFMessage;
  */
 public final class StaticTfBroadcaster implements AutoCloseable {
 
-    private final Publisher<TFMessage> publisher;
-    private final Map<String, FrameTransform> byChild = new LinkedHashMap<>();
+  private final Publisher<TFMessage> publisher;
+  private final Map<String, FrameTransform> byChild = new LinkedHashMap<>();
 
-    /**
-     * Starts to publish.
-     *
-     * @param node   publishes; the broadcaster does not close it
-     * @param topics where to
-     * @throws IllegalStateException if the node publishes the topic already, or is closed
-     */
-    public StaticTfBroadcaster(RosNode node, TfTopics topics) {
-        publisher = node.publisher(topics.fixed(), TFMessage.CODEC, PublisherOptions.latched());
-    }
+  /**
+   * Starts to publish.
+   *
+   * @param node   publishes; the broadcaster does not close it
+   * @param topics where to
+   * @throws IllegalStateException if the node publishes the topic already, or is closed
+   */
+  public StaticTfBroadcaster(RosNode node, TfTopics topics) {
+    publisher = node.publisher(topics.fixed(), TFMessage.CODEC, PublisherOptions.latched());
+  }
 
-    /**
-     * Adds transforms, or replaces those of the same child frames.
-     *
-     * @param transforms the transforms
-     */
-    public void send(List<FrameTransform> transforms) {
-        synchronized (byChild) {
-            transforms.forEach(t -> byChild.put(t.child(), t));
-            publisher.publish(new TFMessage(byChild.values().stream().map(FrameTransform::toMessage).toList()));
-        }
+  /**
+   * Adds transforms, or replaces those of the same child frames.
+   *
+   * @param transforms the transforms
+   */
+  public void send(List<FrameTransform> transforms) {
+    synchronized (byChild) {
+      transforms.forEach(t -> byChild.put(t.child(), t));
+      publisher.publish(new TFMessage(byChild.values().stream().map(FrameTransform::toMessage).toList()));
     }
+  }
 
-    /** Ends the publication. */
-    @Override
-    public void close() {
-        publisher.close();
-    }
+  /** Ends the publication. */
+  @Override
+  public void close() {
+    publisher.close();
+  }
 }

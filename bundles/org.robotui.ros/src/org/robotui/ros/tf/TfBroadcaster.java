@@ -10,33 +10,33 @@ import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 /** Sends transforms that change. Any thread may use it. */
 public final class TfBroadcaster implements AutoCloseable {
 
-    private static final int QUEUE = 100;
+  private static final int QUEUE = 100;
 
-    private final Publisher<TFMessage> publisher;
+  private final Publisher<TFMessage> publisher;
 
-    /**
-     * Starts to publish.
-     *
-     * @param node   publishes; the broadcaster does not close it
-     * @param topics where to
-     * @throws IllegalStateException if the node publishes the topic already, or is closed
-     */
-    public TfBroadcaster(RosNode node, TfTopics topics) {
-        publisher = node.publisher(topics.moving(), TFMessage.CODEC, PublisherOptions.standard().withQueue(QUEUE));
-    }
+  /**
+   * Starts to publish.
+   *
+   * @param node   publishes; the broadcaster does not close it
+   * @param topics where to
+   * @throws IllegalStateException if the node publishes the topic already, or is closed
+   */
+  public TfBroadcaster(RosNode node, TfTopics topics) {
+    publisher = node.publisher(topics.moving(), TFMessage.CODEC, PublisherOptions.standard().withQueue(QUEUE));
+  }
 
-    /**
-     * Sends transforms in one message.
-     *
-     * @param transforms the transforms
-     */
-    public void send(List<FrameTransform> transforms) {
-        publisher.publish(new TFMessage(transforms.stream().map(FrameTransform::toMessage).toList()));
-    }
+  /**
+   * Sends transforms in one message.
+   *
+   * @param transforms the transforms
+   */
+  public void send(List<FrameTransform> transforms) {
+    publisher.publish(new TFMessage(transforms.stream().map(FrameTransform::toMessage).toList()));
+  }
 
-    /** Ends the publication. */
-    @Override
-    public void close() {
-        publisher.close();
-    }
+  /** Ends the publication. */
+  @Override
+  public void close() {
+    publisher.close();
+  }
 }

@@ -8,6 +8,6 @@ package org.robotui.ros.tf;
  */
 public record TfTopics(String moving, String fixed) {
 
-    /** The topics every ROS robot uses: {@code /tf} and {@code /tf_static}. */
-    public static final TfTopics STANDARD = new TfTopics("/tf", "/tf_static");
+  /** The topics every ROS robot uses: {@code /tf} and {@code /tf_static}. */
+  public static final TfTopics STANDARD = new TfTopics("/tf", "/tf_static");
 }

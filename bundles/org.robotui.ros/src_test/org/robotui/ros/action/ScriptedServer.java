@@ -23,36 +23,36 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /** The five topics of an action whose server says whatever a test wants. */
 final class ScriptedServer {
 
-    static final Header HEADER = new Header(0, 0, "");
+  static final Header HEADER = new Header(0, 0, "");
 
-    final List<MoveBaseActionGoal> goals = new CopyOnWriteArrayList<>();
-    final List<GoalID> cancelled = new CopyOnWriteArrayList<>();
-    private final Publisher<GoalStatusArray> status;
-    private final Publisher<MoveBaseActionFeedback> feedback;
-    private final Publisher<MoveBaseActionResult> result;
+  final List<MoveBaseActionGoal> goals = new CopyOnWriteArrayList<>();
+  final List<GoalID> cancelled = new CopyOnWriteArrayList<>();
+  private final Publisher<GoalStatusArray> status;
+  private final Publisher<MoveBaseActionFeedback> feedback;
+  private final Publisher<MoveBaseActionResult> result;
 
-    ScriptedServer(RosNode node) {
-        node.subscriber("/drive/goal", MoveBaseActionGoal.CODEC, SubscriberOptions.standard(), (goal, from) -> goals.add(goal));
-        node.subscriber("/drive/cancel", GoalID.CODEC, SubscriberOptions.standard(), (id, from) -> cancelled.add(id));
-        status = node.publisher("/drive/status", GoalStatusArray.CODEC, PublisherOptions.standard());
-        feedback = node.publisher("/drive/feedback", MoveBaseActionFeedback.CODEC, PublisherOptions.standard());
-        result = node.publisher("/drive/result", MoveBaseActionResult.CODEC, PublisherOptions.standard());
-    }
+  ScriptedServer(RosNode node) {
+    node.subscriber("/drive/goal", MoveBaseActionGoal.CODEC, SubscriberOptions.standard(), (goal, from) -> goals.add(goal));
+    node.subscriber("/drive/cancel", GoalID.CODEC, SubscriberOptions.standard(), (id, from) -> cancelled.add(id));
+    status = node.publisher("/drive/status", GoalStatusArray.CODEC, PublisherOptions.standard());
+    feedback = node.publisher("/drive/feedback", MoveBaseActionFeedback.CODEC, PublisherOptions.standard());
+    result = node.publisher("/drive/result", MoveBaseActionResult.CODEC, PublisherOptions.standard());
+  }
 
-    static GoalStatus about(String id, int code, String text) {
-        return new GoalStatus(new GoalID(0, id), code, text);
-    }
+  static GoalStatus about(String id, int code, String text) {
+    return new GoalStatus(new GoalID(0, id), code, text);
+  }
 
-    void report(GoalStatus... all) {
-        status.publish(new GoalStatusArray(HEADER, List.of(all)));
-    }
+  void report(GoalStatus... all) {
+    status.publish(new GoalStatusArray(HEADER, List.of(all)));
+  }
 
-    void feedback(String id, double x) {
-        PoseStamped pose = new PoseStamped(HEADER, new Pose(new Point(x, 0, 0), new Quaternion(0, 0, 0, 1)));
-        feedback.publish(new MoveBaseActionFeedback(HEADER, about(id, GoalStatus.ACTIVE, ""), new MoveBaseFeedback(pose)));
-    }
+  void feedback(String id, double x) {
+    PoseStamped pose = new PoseStamped(HEADER, new Pose(new Point(x, 0, 0), new Quaternion(0, 0, 0, 1)));
+    feedback.publish(new MoveBaseActionFeedback(HEADER, about(id, GoalStatus.ACTIVE, ""), new MoveBaseFeedback(pose)));
+  }
 
-    void result(String id, int code, String text) {
-        result.publish(new MoveBaseActionResult(HEADER, about(id, code, text), new MoveBaseResult()));
-    }
+  void result(String id, int code, String text) {
+    result.publish(new MoveBaseActionResult(HEADER, about(id, code, text), new MoveBaseResult()));
+  }
 }

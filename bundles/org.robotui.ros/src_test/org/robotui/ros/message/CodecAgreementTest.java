@@ -18,57 +18,57 @@ import org.robotui.ros.msgs.StandardServices;
 /** Compiled codecs and the codec that works from the definition agree on every byte. */
 class CodecAgreementTest {
 
-    private static final int ROUNDS = 20;
+  private static final int ROUNDS = 20;
 
-    static Stream<RecordCodec<?>> codecs() throws Exception {
-        Stream<RecordCodec<?>> messages = WellKnownSumsTest.vectors("md5_messages.txt").keySet().stream()
-                .map(StandardCodecs::forType).flatMap(Optional::stream);
-        Stream<RecordCodec<?>> services = Stream.of(StandardServices.EMPTY, StandardServices.SET_BOOL,
-                StandardServices.TRIGGER, StandardServices.GET_MAP, StandardServices.SET_CAMERA_INFO,
-                StandardServices.GET_LOGGERS, StandardServices.SET_LOGGER_LEVEL, StandardServices.RECONFIGURE)
-                .flatMap(s -> Stream.of((RecordCodec<?>) s.request(), (RecordCodec<?>) s.response()));
-        return Stream.concat(messages, services);
-    }
+  static Stream<RecordCodec<?>> codecs() throws Exception {
+    Stream<RecordCodec<?>> messages = WellKnownSumsTest.vectors("md5_messages.txt").keySet().stream()
+        .map(StandardCodecs::forType).flatMap(Optional::stream);
+    Stream<RecordCodec<?>> services = Stream.of(StandardServices.EMPTY, StandardServices.SET_BOOL,
+        StandardServices.TRIGGER, StandardServices.GET_MAP, StandardServices.SET_CAMERA_INFO,
+        StandardServices.GET_LOGGERS, StandardServices.SET_LOGGER_LEVEL, StandardServices.RECONFIGURE)
+        .flatMap(s -> Stream.of((RecordCodec<?>) s.request(), (RecordCodec<?>) s.response()));
+    return Stream.concat(messages, services);
+  }
 
-    @ParameterizedTest
-    @MethodSource("codecs")
-    void randomMessagesSurviveBothCodecs(RecordCodec<?> codec) throws Exception {
-        DynamicCodec dynamic = new DynamicCodec(ShippedDefinitions.schema(codec.info().type()));
-        RandomTrees trees = new RandomTrees(new SplittableRandom(7));
-        Layout layout = ShippedDefinitions.schema(codec.info().type()).layout();
-        for (int round = 0; round < ROUNDS; round++) {
-            DynamicMessage message = dynamic.build(trees.tree(layout));
-            byte[] bytes = array(message.bytes());
-            byte[] again = reencode(codec, bytes);
-            assertArrayEquals(bytes, again, codec.info().type());
-            assertTrue(message.equals(dynamic.decode(ByteBuffer.wrap(again))));
-        }
+  @ParameterizedTest
+  @MethodSource("codecs")
+  void randomMessagesSurviveBothCodecs(RecordCodec<?> codec) throws Exception {
+    DynamicCodec dynamic = new DynamicCodec(ShippedDefinitions.schema(codec.info().type()));
+    RandomTrees trees = new RandomTrees(new SplittableRandom(7));
+    Layout layout = ShippedDefinitions.schema(codec.info().type()).layout();
+    for (int round = 0; round < ROUNDS; round++) {
+      DynamicMessage message = dynamic.build(trees.tree(layout));
+      byte[] bytes = array(message.bytes());
+      byte[] again = reencode(codec, bytes);
+      assertArrayEquals(bytes, again, codec.info().type());
+      assertTrue(message.equals(dynamic.decode(ByteBuffer.wrap(again))));
     }
+  }
 
-    @ParameterizedTest
-    @MethodSource("codecs")
-    void everyTruncatedOrOverlongMessageIsRefusedByBoth(RecordCodec<?> codec) throws Exception {
-        DynamicCodec dynamic = new DynamicCodec(ShippedDefinitions.schema(codec.info().type()));
-        Layout layout = ShippedDefinitions.schema(codec.info().type()).layout();
-        byte[] bytes = array(dynamic.build(new RandomTrees(new SplittableRandom(3)).tree(layout)).bytes());
-        for (int length = 0; length <= bytes.length + 1; length++) {
-            ByteBuffer cut = ByteBuffer.wrap(Arrays.copyOf(bytes, length));
-            if (length != bytes.length) {
-                assertThrows(MessageException.class, () -> codec.decode(cut.duplicate()));
-                assertThrows(MessageException.class, () -> dynamic.decode(cut.duplicate()));
-            }
-        }
+  @ParameterizedTest
+  @MethodSource("codecs")
+  void everyTruncatedOrOverlongMessageIsRefusedByBoth(RecordCodec<?> codec) throws Exception {
+    DynamicCodec dynamic = new DynamicCodec(ShippedDefinitions.schema(codec.info().type()));
+    Layout layout = ShippedDefinitions.schema(codec.info().type()).layout();
+    byte[] bytes = array(dynamic.build(new RandomTrees(new SplittableRandom(3)).tree(layout)).bytes());
+    for (int length = 0; length <= bytes.length + 1; length++) {
+      ByteBuffer cut = ByteBuffer.wrap(Arrays.copyOf(bytes, length));
+      if (length != bytes.length) {
+        assertThrows(MessageException.class, () -> codec.decode(cut.duplicate()));
+        assertThrows(MessageException.class, () -> dynamic.decode(cut.duplicate()));
+      }
     }
+  }
 
-    private static <T> byte[] reencode(RecordCodec<T> codec, byte[] bytes) throws MessageException {
-        MessageWriter out = new MessageWriter();
-        codec.encode(codec.decode(ByteBuffer.wrap(bytes)), out);
-        return out.toByteArray();
-    }
+  private static <T> byte[] reencode(RecordCodec<T> codec, byte[] bytes) throws MessageException {
+    MessageWriter out = new MessageWriter();
+    codec.encode(codec.decode(ByteBuffer.wrap(bytes)), out);
+    return out.toByteArray();
+  }
 
-    private static byte[] array(ByteBuffer buffer) {
-        byte[] bytes = new byte[buffer.remaining()];
-        buffer.get(bytes);
-        return bytes;
-    }
+  private static byte[] array(ByteBuffer buffer) {
+    byte[] bytes = new byte[buffer.remaining()];
+    buffer.get(bytes);
+    return bytes;
+  }
 }

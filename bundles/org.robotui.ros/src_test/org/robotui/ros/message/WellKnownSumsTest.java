@@ -21,75 +21,75 @@ import org.robotui.ros.msgs.geometry_msgs.Quaternion;
 /** The vectors are the sums that the generated Python classes of the ROS packages carry. */
 class WellKnownSumsTest {
 
-    private final ShippedDefinitions shipped = new ShippedDefinitions();
+  private final ShippedDefinitions shipped = new ShippedDefinitions();
 
-    @Test
-    void everyShippedMessageHasTheSumOfTheRealPackage() throws Exception {
-        Map<String, String> actual = new TreeMap<>();
-        Map<String, String> expected = vectors("md5_messages.txt");
-        for (String type : expected.keySet()) {
-            actual.put(type, MessageSchema.resolve(shipped.find(type).orElseThrow(), shipped).info().md5());
-        }
-        assertEquals(expected, actual);
-        assertTrue(expected.size() > 150, "the vectors were read");
+  @Test
+  void everyShippedMessageHasTheSumOfTheRealPackage() throws Exception {
+    Map<String, String> actual = new TreeMap<>();
+    Map<String, String> expected = vectors("md5_messages.txt");
+    for (String type : expected.keySet()) {
+      actual.put(type, MessageSchema.resolve(shipped.find(type).orElseThrow(), shipped).info().md5());
     }
+    assertEquals(expected, actual);
+    assertTrue(expected.size() > 150, "the vectors were read");
+  }
 
-    @Test
-    void everyShippedServiceHasTheSumOfTheRealPackage() throws Exception {
-        Map<String, String> actual = new TreeMap<>();
-        Map<String, String> expected = vectors("md5_services.txt");
-        for (String type : expected.keySet()) {
-            actual.put(type, ServiceSchema.resolve(shipped.service(type).orElseThrow(), shipped).md5());
-        }
-        assertEquals(expected, actual);
+  @Test
+  void everyShippedServiceHasTheSumOfTheRealPackage() throws Exception {
+    Map<String, String> actual = new TreeMap<>();
+    Map<String, String> expected = vectors("md5_services.txt");
+    for (String type : expected.keySet()) {
+      actual.put(type, ServiceSchema.resolve(shipped.service(type).orElseThrow(), shipped).md5());
     }
+    assertEquals(expected, actual);
+  }
 
-    @Test
-    void aCompiledCodecAnnouncesTheTypeItIsFoundUnder() throws Exception {
-        int compiled = 0;
-        for (Map.Entry<String, String> each : vectors("md5_messages.txt").entrySet()) {
-            var codec = StandardCodecs.forType(each.getKey());
-            if (codec.isPresent()) {
-                compiled++;
-                assertEquals(each.getKey(), codec.get().info().type());
-                assertEquals(each.getValue(), codec.get().info().md5());
-            }
-        }
-        assertEquals(121, compiled);
+  @Test
+  void aCompiledCodecAnnouncesTheTypeItIsFoundUnder() throws Exception {
+    int compiled = 0;
+    for (Map.Entry<String, String> each : vectors("md5_messages.txt").entrySet()) {
+      var codec = StandardCodecs.forType(each.getKey());
+      if (codec.isPresent()) {
+        compiled++;
+        assertEquals(each.getKey(), codec.get().info().type());
+        assertEquals(each.getValue(), codec.get().info().md5());
+      }
     }
+    assertEquals(121, compiled);
+  }
 
-    @Test
-    void compiledServicesHaveTheSumOfTheRealPackage() throws Exception {
-        Map<String, String> sums = vectors("md5_services.txt");
-        assertEquals(sums.get("std_srvs/SetBool"), StandardServices.SET_BOOL.md5());
-        assertEquals(sums.get("std_srvs/Empty"), StandardServices.EMPTY.md5());
-        assertEquals(sums.get("nav_msgs/GetMap"), StandardServices.GET_MAP.md5());
-        assertEquals(sums.get("roscpp/GetLoggers"), StandardServices.GET_LOGGERS.md5());
-    }
+  @Test
+  void compiledServicesHaveTheSumOfTheRealPackage() throws Exception {
+    Map<String, String> sums = vectors("md5_services.txt");
+    assertEquals(sums.get("std_srvs/SetBool"), StandardServices.SET_BOOL.md5());
+    assertEquals(sums.get("std_srvs/Empty"), StandardServices.EMPTY.md5());
+    assertEquals(sums.get("nav_msgs/GetMap"), StandardServices.GET_MAP.md5());
+    assertEquals(sums.get("roscpp/GetLoggers"), StandardServices.GET_LOGGERS.md5());
+  }
 
-    @Test
-    void typesWithoutACompiledCodecHaveNone() {
-        for (String type : new String[] {"turtlesim/Pose", "sensor_msgs/Nothing", "LaserScan", "*", ""}) {
-            assertTrue(StandardCodecs.forType(type).isEmpty(), type);
-        }
+  @Test
+  void typesWithoutACompiledCodecHaveNone() {
+    for (String type : new String[] {"turtlesim/Pose", "sensor_msgs/Nothing", "LaserScan", "*", ""}) {
+      assertTrue(StandardCodecs.forType(type).isEmpty(), type);
     }
+  }
 
-    @Test
-    void aRecordRefusesAFixedArrayOfAnotherLength() {
-        Pose pose = new Pose(new Point(0, 0, 0), new Quaternion(0, 0, 0, 1));
-        IllegalArgumentException e =
-                assertThrows(IllegalArgumentException.class, () -> new PoseWithCovariance(pose, new double[9]));
-        assertEquals("covariance has 36 values, not 9", e.getMessage());
-    }
+  @Test
+  void aRecordRefusesAFixedArrayOfAnotherLength() {
+    Pose pose = new Pose(new Point(0, 0, 0), new Quaternion(0, 0, 0, 1));
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> new PoseWithCovariance(pose, new double[9]));
+    assertEquals("covariance has 36 values, not 9", e.getMessage());
+  }
 
-    static Map<String, String> vectors(String name) throws IOException {
-        Map<String, String> sums = new TreeMap<>();
-        try (InputStream in = WellKnownSumsTest.class.getResourceAsStream(name)) {
-            for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
-                String[] words = line.split(" ");
-                sums.put(words[0], words[1]);
-            }
-        }
-        return sums;
+  static Map<String, String> vectors(String name) throws IOException {
+    Map<String, String> sums = new TreeMap<>();
+    try (InputStream in = WellKnownSumsTest.class.getResourceAsStream(name)) {
+      for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
+        String[] words = line.split(" ");
+        sums.put(words[0], words[1]);
+      }
     }
+    return sums;
+  }
 }

@@ -12,25 +12,25 @@ import java.util.stream.Stream;
 /** One bundle: its folder's name, its manifest, its sources and its unit tests. */
 record Bundle(String name, ManifestHeaders manifest, List<SourceFile> sources, List<SourceFile> tests) {
 
-    static Bundle at(Path folder) {
-        return new Bundle(folder.getFileName().toString(), manifestOf(folder),
-                SourceFile.allIn(folder.resolve("src")), SourceFile.allIn(folder.resolve("src_test")));
-    }
+  static Bundle at(Path folder) {
+    return new Bundle(folder.getFileName().toString(), manifestOf(folder),
+        SourceFile.allIn(folder.resolve("src")), SourceFile.allIn(folder.resolve("src_test")));
+  }
 
-    List<SourceFile> allSources() {
-        return Stream.concat(sources.stream(), tests.stream()).toList();
-    }
+  List<SourceFile> allSources() {
+    return Stream.concat(sources.stream(), tests.stream()).toList();
+  }
 
-    /** Whether the name is this one, or starts so when the pattern ends in a star. */
-    boolean matches(String pattern) {
-        return Layers.matches(pattern, name);
-    }
+  /** Whether the name is this one, or starts so when the pattern ends in a star. */
+  boolean matches(String pattern) {
+    return Layers.matches(pattern, name);
+  }
 
-    private static ManifestHeaders manifestOf(Path folder) {
-        try (InputStream in = Files.newInputStream(folder.resolve("META-INF/MANIFEST.MF"))) {
-            return new ManifestHeaders(new Manifest(in));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+  private static ManifestHeaders manifestOf(Path folder) {
+    try (InputStream in = Files.newInputStream(folder.resolve("META-INF/MANIFEST.MF"))) {
+      return new ManifestHeaders(new Manifest(in));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
+  }
 }

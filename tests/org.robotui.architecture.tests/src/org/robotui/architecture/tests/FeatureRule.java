@@ -8,25 +8,25 @@ import java.util.stream.Stream;
 /** Every bundle is shipped, once: in one feature. Only what helps tests is not. */
 final class FeatureRule implements Rule {
 
-    private static final Pattern PLUGIN = Pattern.compile("<plugin\\s+id=\"(org\\.robotui\\.[^\"]+)\"");
+  private static final Pattern PLUGIN = Pattern.compile("<plugin\\s+id=\"(org\\.robotui\\.[^\"]+)\"");
 
-    private static final String FOR_TESTS = "org.robotui.testkit";
+  private static final String FOR_TESTS = "org.robotui.testkit";
 
-    @Override
-    public String statement() {
-        return "every bundle is in exactly one feature";
-    }
+  @Override
+  public String statement() {
+    return "every bundle is in exactly one feature";
+  }
 
-    @Override
-    public Stream<Violation> violations(Repository repository) {
-        List<String> shipped = repository.features().stream().flatMap(FeatureRule::pluginsOf).toList();
-        return repository.bundles().stream().map(Bundle::name)
-                .filter(name -> !name.equals(FOR_TESTS))
-                .filter(name -> shipped.stream().filter(name::equals).count() != 1)
-                .map(name -> new Violation(name, "is in " + shipped.stream().filter(name::equals).count() + " of features/*/feature.xml"));
-    }
+  @Override
+  public Stream<Violation> violations(Repository repository) {
+    List<String> shipped = repository.features().stream().flatMap(FeatureRule::pluginsOf).toList();
+    return repository.bundles().stream().map(Bundle::name)
+        .filter(name -> !name.equals(FOR_TESTS))
+        .filter(name -> shipped.stream().filter(name::equals).count() != 1)
+        .map(name -> new Violation(name, "is in " + shipped.stream().filter(name::equals).count() + " of features/*/feature.xml"));
+  }
 
-    private static Stream<String> pluginsOf(Path feature) {
-        return PLUGIN.matcher(Trees.read(feature)).results().map(found -> found.group(1));
-    }
+  private static Stream<String> pluginsOf(Path feature) {
+    return PLUGIN.matcher(Trees.read(feature)).results().map(found -> found.group(1));
+  }
 }

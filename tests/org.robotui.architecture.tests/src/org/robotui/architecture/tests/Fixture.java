@@ -9,54 +9,54 @@ import java.util.List;
 /** A small repository made for one test, in which everything is right until the test breaks it. */
 final class Fixture {
 
-    static final String LAYERS = """
-            # as in the real file
-            0b  org.robotui.ros
-            0c  org.robotui.sim
-            1   org.robotui.data
-            2   org.robotui.api
-            3   org.robotui.core
-            4   org.robotui.rfic.*
-            5   org.robotui.ui
-            6   org.robotui.entity.*
-            7   org.robotui.uic.*
-            8   org.robotui.ruic.*
-            9   org.robotui.workbench  org.robotui.headless
-            """;
+  static final String LAYERS = """
+      # as in the real file
+      0b  org.robotui.ros
+      0c  org.robotui.sim
+      1   org.robotui.data
+      2   org.robotui.api
+      3   org.robotui.core
+      4   org.robotui.rfic.*
+      5   org.robotui.ui
+      6   org.robotui.entity.*
+      7   org.robotui.uic.*
+      8   org.robotui.ruic.*
+      9   org.robotui.workbench  org.robotui.headless
+      """;
 
-    private final Path root;
+  private final Path root;
 
-    Fixture(Path root) {
-        this.root = root;
-        file("bundles/LAYERS", LAYERS);
-        file("ARCHITECTURE.md", "");
+  Fixture(Path root) {
+    this.root = root;
+    file("bundles/LAYERS", LAYERS);
+    file("ARCHITECTURE.md", "");
+  }
+
+  /** Adds a bundle with these further manifest headers. */
+  Fixture bundle(String name, String... headers) {
+    return file("bundles/" + name + "/META-INF/MANIFEST.MF",
+        "Manifest-Version: 1.0\nBundle-SymbolicName: " + name + "\n"
+            + String.join("", List.of(headers).stream().map(header -> header + "\n").toList()));
+  }
+
+  /** Adds a source to a bundle: a type by its full name, and the text after its package line. */
+  Fixture source(String bundle, String type, String text) {
+    String packageName = type.substring(0, type.lastIndexOf('.'));
+    return file("bundles/" + bundle + "/src/" + type.replace('.', '/') + ".java", "package " + packageName + ";\n" + text);
+  }
+
+  Fixture file(String path, String text) {
+    try {
+      Path file = root.resolve(path);
+      Files.createDirectories(file.getParent());
+      Files.writeString(file, text);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
+    return this;
+  }
 
-    /** Adds a bundle with these further manifest headers. */
-    Fixture bundle(String name, String... headers) {
-        return file("bundles/" + name + "/META-INF/MANIFEST.MF",
-                "Manifest-Version: 1.0\nBundle-SymbolicName: " + name + "\n"
-                        + String.join("", List.of(headers).stream().map(header -> header + "\n").toList()));
-    }
-
-    /** Adds a source to a bundle: a type by its full name, and the text after its package line. */
-    Fixture source(String bundle, String type, String text) {
-        String packageName = type.substring(0, type.lastIndexOf('.'));
-        return file("bundles/" + bundle + "/src/" + type.replace('.', '/') + ".java", "package " + packageName + ";\n" + text);
-    }
-
-    Fixture file(String path, String text) {
-        try {
-            Path file = root.resolve(path);
-            Files.createDirectories(file.getParent());
-            Files.writeString(file, text);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return this;
-    }
-
-    List<String> violationsOf(Rule rule) {
-        return rule.violations(Repository.at(root)).map(Violation::toString).toList();
-    }
+  List<String> violationsOf(Rule rule) {
+    return rule.violations(Repository.at(root)).map(Violation::toString).toList();
+  }
 }

@@ -7,36 +7,36 @@ import java.util.stream.Stream;
 /** Arrows point strictly down the lines of bundles/LAYERS, in manifests and in sources. */
 final class LayerRule implements Rule {
 
-    @Override
-    public String statement() {
-        return "a bundle imports only from layers below its own";
-    }
+  @Override
+  public String statement() {
+    return "a bundle imports only from layers below its own";
+  }
 
-    @Override
-    public Stream<Violation> violations(Repository repository) {
-        return repository.bundles().stream().flatMap(bundle -> violationsOf(bundle, repository));
-    }
+  @Override
+  public Stream<Violation> violations(Repository repository) {
+    return repository.bundles().stream().flatMap(bundle -> violationsOf(bundle, repository));
+  }
 
-    private Stream<Violation> violationsOf(Bundle bundle, Repository repository) {
-        if (repository.layers().height(bundle.name()).isEmpty()) {
-            return Stream.of(new Violation(bundle.name(), "no line of bundles/LAYERS names it"));
-        }
-        return Uses.of(bundle).flatMap(use -> violation(bundle, use, repository).stream());
+  private Stream<Violation> violationsOf(Bundle bundle, Repository repository) {
+    if (repository.layers().height(bundle.name()).isEmpty()) {
+      return Stream.of(new Violation(bundle.name(), "no line of bundles/LAYERS names it"));
     }
+    return Uses.of(bundle).flatMap(use -> violation(bundle, use, repository).stream());
+  }
 
-    private static Optional<Violation> violation(Bundle from, Uses.Use use, Repository repository) {
-        return repository.owner(use.name())
-                .filter(to -> !to.name().equals(from.name()))
-                .flatMap(to -> upward(from, to, use, repository.layers()));
-    }
+  private static Optional<Violation> violation(Bundle from, Uses.Use use, Repository repository) {
+    return repository.owner(use.name())
+        .filter(to -> !to.name().equals(from.name()))
+        .flatMap(to -> upward(from, to, use, repository.layers()));
+  }
 
-    private static Optional<Violation> upward(Bundle from, Bundle to, Uses.Use use, Layers layers) {
-        int own = layers.height(from.name()).orElseThrow();
-        OptionalInt other = layers.height(to.name());
-        if (other.isEmpty() || other.getAsInt() < own) {
-            return Optional.empty();
-        }
-        return Optional.of(new Violation(use.where(), "layer %s uses %s of layer %s".formatted(
-                layers.level(own), use.name(), layers.level(other.getAsInt()))));
+  private static Optional<Violation> upward(Bundle from, Bundle to, Uses.Use use, Layers layers) {
+    int own = layers.height(from.name()).orElseThrow();
+    OptionalInt other = layers.height(to.name());
+    if (other.isEmpty() || other.getAsInt() < own) {
+      return Optional.empty();
     }
+    return Optional.of(new Violation(use.where(), "layer %s uses %s of layer %s".formatted(
+        layers.level(own), use.name(), layers.level(other.getAsInt()))));
+  }
 }

@@ -10,71 +10,71 @@ import org.junit.jupiter.api.io.TempDir;
 
 class LayerRuleTest {
 
-    @TempDir
-    Path folder;
-    private Fixture fixture;
+  @TempDir
+  Path folder;
+  private Fixture fixture;
 
-    @BeforeEach
-    void twoBundlesThatAreRight() {
-        fixture = new Fixture(folder).bundle("org.robotui.data").bundle("org.robotui.core", "Import-Package: org.robotui.data");
-    }
+  @BeforeEach
+  void twoBundlesThatAreRight() {
+    fixture = new Fixture(folder).bundle("org.robotui.data").bundle("org.robotui.core", "Import-Package: org.robotui.data");
+  }
 
-    @Test
-    void accepts_an_arrow_down() {
-        assertEquals(List.of(), violations());
-    }
+  @Test
+  void accepts_an_arrow_down() {
+    assertEquals(List.of(), violations());
+  }
 
-    @Test
-    void refuses_an_upward_import_in_a_manifest() {
-        fixture.bundle("org.robotui.data", "Import-Package: org.slf4j;version=\"[2.0,3)\",org.robotui.core.run");
+  @Test
+  void refuses_an_upward_import_in_a_manifest() {
+    fixture.bundle("org.robotui.data", "Import-Package: org.slf4j;version=\"[2.0,3)\",org.robotui.core.run");
 
-        assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core.run of layer 3"), violations());
-    }
+    assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core.run of layer 3"), violations());
+  }
 
-    @Test
-    void refuses_an_upward_requirement_of_a_bundle() {
-        fixture.bundle("org.robotui.data", "Require-Bundle: org.robotui.core");
+  @Test
+  void refuses_an_upward_requirement_of_a_bundle() {
+    fixture.bundle("org.robotui.data", "Require-Bundle: org.robotui.core");
 
-        assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core of layer 3"), violations());
-    }
+    assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core of layer 3"), violations());
+  }
 
-    @Test
-    void refuses_an_upward_import_in_a_source() {
-        fixture.source("org.robotui.data", "org.robotui.data.Scan", "import org.robotui.core.Core;\nclass Scan { }");
+  @Test
+  void refuses_an_upward_import_in_a_source() {
+    fixture.source("org.robotui.data", "org.robotui.data.Scan", "import org.robotui.core.Core;\nclass Scan { }");
 
-        assertEquals(List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"), violations());
-    }
+    assertEquals(List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"), violations());
+  }
 
-    @Test
-    void refuses_an_upward_qualified_name_in_a_source() {
-        fixture.source("org.robotui.data", "org.robotui.data.Scan", "class Scan { org.robotui.core.Core core; }");
+  @Test
+  void refuses_an_upward_qualified_name_in_a_source() {
+    fixture.source("org.robotui.data", "org.robotui.data.Scan", "class Scan { org.robotui.core.Core core; }");
 
-        assertEquals(List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"), violations());
-    }
+    assertEquals(List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"), violations());
+  }
 
-    @Test
-    void refuses_an_import_on_the_same_level() {
-        fixture.bundle("org.robotui.entity.scan", "Import-Package: org.robotui.entity.path").bundle("org.robotui.entity.path");
+  @Test
+  void refuses_an_import_on_the_same_level() {
+    fixture.bundle("org.robotui.entity.scan", "Import-Package: org.robotui.entity.path").bundle("org.robotui.entity.path");
 
-        assertEquals(List.of("org.robotui.entity.scan/META-INF/MANIFEST.MF: layer 6 uses org.robotui.entity.path of layer 6"), violations());
-    }
+    assertEquals(List.of("org.robotui.entity.scan/META-INF/MANIFEST.MF: layer 6 uses org.robotui.entity.path of layer 6"), violations());
+  }
 
-    @Test
-    void does_not_mistake_a_comment_or_a_text_for_a_use() {
-        fixture.source("org.robotui.data", "org.robotui.data.Scan",
-                "/** See org.robotui.core.Core. */\nclass Scan { String id = \"org.robotui.core.Core\"; }");
+  @Test
+  void does_not_mistake_a_comment_or_a_text_for_a_use() {
+    fixture.source("org.robotui.data", "org.robotui.data.Scan",
+        "/** See org.robotui.core.Core. */\nclass Scan { String id = \"org.robotui.core.Core\"; }");
 
-        assertEquals(List.of(), violations());
-    }
+    assertEquals(List.of(), violations());
+  }
 
-    @Test
-    void refuses_a_bundle_without_a_layer() {
-        fixture.bundle("org.robotui.other");
+  @Test
+  void refuses_a_bundle_without_a_layer() {
+    fixture.bundle("org.robotui.other");
 
-        assertEquals(List.of("org.robotui.other: no line of bundles/LAYERS names it"), violations());
-    }
+    assertEquals(List.of("org.robotui.other: no line of bundles/LAYERS names it"), violations());
+  }
 
-    private List<String> violations() {
-        return fixture.violationsOf(new LayerRule());
-    }
+  private List<String> violations() {
+    return fixture.violationsOf(new LayerRule());
+  }
 }

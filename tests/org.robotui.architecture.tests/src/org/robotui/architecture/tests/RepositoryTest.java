@@ -15,35 +15,35 @@ import org.junit.jupiter.api.TestFactory;
 /** Every rule, on this repository. */
 class RepositoryTest {
 
-    private static Repository repository;
+  private static Repository repository;
 
-    @BeforeAll
-    static void readOnce() {
-        repository = Repository.at(root());
-    }
+  @BeforeAll
+  static void readOnce() {
+    repository = Repository.at(root());
+  }
 
-    @TestFactory
-    Stream<DynamicTest> rules() {
-        return Rules.ALL.stream().map(rule -> DynamicTest.dynamicTest(rule.statement(), () -> check(rule)));
-    }
+  @TestFactory
+  Stream<DynamicTest> rules() {
+    return Rules.ALL.stream().map(rule -> DynamicTest.dynamicTest(rule.statement(), () -> check(rule)));
+  }
 
-    @Test
-    void the_bundles_are_found() {
-        assertFalse(repository.bundles().isEmpty());
-    }
+  @Test
+  void the_bundles_are_found() {
+    assertFalse(repository.bundles().isEmpty());
+  }
 
-    private void check(Rule rule) {
-        List<String> broken = rule.violations(repository).map(Violation::toString).distinct().sorted().toList();
-        if (!broken.isEmpty()) {
-            fail(rule.statement() + ", but:\n  " + String.join("\n  ", broken));
-        }
+  private void check(Rule rule) {
+    List<String> broken = rule.violations(repository).map(Violation::toString).distinct().sorted().toList();
+    if (!broken.isEmpty()) {
+      fail(rule.statement() + ", but:\n  " + String.join("\n  ", broken));
     }
+  }
 
-    private static Path root() {
-        Path folder = Path.of(System.getProperty("robotui.root", "")).toAbsolutePath();
-        while (!Files.exists(folder.resolve("bundles/LAYERS"))) {
-            folder = folder.getParent();
-        }
-        return folder;
+  private static Path root() {
+    Path folder = Path.of(System.getProperty("robotui.root", "")).toAbsolutePath();
+    while (!Files.exists(folder.resolve("bundles/LAYERS"))) {
+      folder = folder.getParent();
     }
+    return folder;
+  }
 }

@@ -6,40 +6,40 @@ import java.util.stream.Stream;
 /** Who may use SWT, the Eclipse workbench, and a framework's protocol library. */
 final class ReservedPackagesRule implements Rule {
 
-    /** Packages with this prefix are reserved for the bundles that match one of the patterns. */
-    private record Reservation(List<String> prefixes, List<String> users) {
+  /** Packages with this prefix are reserved for the bundles that match one of the patterns. */
+  private record Reservation(List<String> prefixes, List<String> users) {
 
-        boolean covers(String name) {
-            return prefixes.stream().anyMatch(prefix -> name.equals(prefix) || name.startsWith(prefix + "."));
-        }
-
-        boolean allows(Bundle bundle) {
-            return users.stream().anyMatch(bundle::matches);
-        }
+    boolean covers(String name) {
+      return prefixes.stream().anyMatch(prefix -> name.equals(prefix) || name.startsWith(prefix + "."));
     }
 
-    private static final List<Reservation> RESERVATIONS = List.of(
-            new Reservation(List.of("org.eclipse.swt", "org.eclipse.jface"),
-                    List.of("org.robotui.ui", "org.robotui.gl", "org.robotui.entity.*", "org.robotui.uic.*", "org.robotui.workbench",
-                            "org.robotui.testkit")),
-            new Reservation(List.of("org.eclipse.ui", "org.eclipse.e4"), List.of("org.robotui.workbench")),
-            new Reservation(List.of("org.robotui.ros"), List.of("org.robotui.ros", "org.robotui.rfic.*", "org.robotui.sim")),
-            new Reservation(List.of("org.robotui.lcm"), List.of("org.robotui.lcm", "org.robotui.rfic.*", "org.robotui.sim")),
-            new Reservation(List.of("org.robotui.player"), List.of("org.robotui.player", "org.robotui.rfic.*", "org.robotui.sim")),
-            new Reservation(List.of("org.robotui.sim"), List.of("org.robotui.sim")));
-
-    @Override
-    public String statement() {
-        return "no SWT below the ui, no Eclipse workbench below ours, no framework's library outside its component";
+    boolean allows(Bundle bundle) {
+      return users.stream().anyMatch(bundle::matches);
     }
+  }
 
-    @Override
-    public Stream<Violation> violations(Repository repository) {
-        return repository.bundles().stream().flatMap(bundle -> RESERVATIONS.stream()
-                .filter(reservation -> !reservation.allows(bundle))
-                .flatMap(reservation -> Uses.of(bundle)
-                        .filter(use -> reservation.covers(use.name()))
-                        .map(use -> new Violation(use.where(),
-                                "uses " + use.name() + ", which only " + reservation.users() + " may"))));
-    }
+  private static final List<Reservation> RESERVATIONS = List.of(
+      new Reservation(List.of("org.eclipse.swt", "org.eclipse.jface"),
+          List.of("org.robotui.ui", "org.robotui.gl", "org.robotui.entity.*", "org.robotui.uic.*", "org.robotui.workbench",
+              "org.robotui.testkit")),
+      new Reservation(List.of("org.eclipse.ui", "org.eclipse.e4"), List.of("org.robotui.workbench")),
+      new Reservation(List.of("org.robotui.ros"), List.of("org.robotui.ros", "org.robotui.rfic.*", "org.robotui.sim")),
+      new Reservation(List.of("org.robotui.lcm"), List.of("org.robotui.lcm", "org.robotui.rfic.*", "org.robotui.sim")),
+      new Reservation(List.of("org.robotui.player"), List.of("org.robotui.player", "org.robotui.rfic.*", "org.robotui.sim")),
+      new Reservation(List.of("org.robotui.sim"), List.of("org.robotui.sim")));
+
+  @Override
+  public String statement() {
+    return "no SWT below the ui, no Eclipse workbench below ours, no framework's library outside its component";
+  }
+
+  @Override
+  public Stream<Violation> violations(Repository repository) {
+    return repository.bundles().stream().flatMap(bundle -> RESERVATIONS.stream()
+        .filter(reservation -> !reservation.allows(bundle))
+        .flatMap(reservation -> Uses.of(bundle)
+            .filter(use -> reservation.covers(use.name()))
+            .map(use -> new Violation(use.where(),
+                "uses " + use.name() + ", which only " + reservation.users() + " may"))));
+  }
 }

@@ -5,11 +5,11 @@ import java.util.List;
 /** All rules of this repository. */
 final class Rules {
 
-    static final List<Rule> ALL = List.of(
-            new LayerRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(), new NamingRule(),
-            new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
-            new ForbiddenTextRule());
+  static final List<Rule> ALL = List.of(
+      new LayerRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(), new NamingRule(),
+      new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
+      new ForbiddenTextRule());
 
-    private Rules() {
-    }
+  private Rules() {
+  }
 }

@@ -18,12 +18,12 @@ import org.robotui.gl.shape.Rgba;
  * @param id of the part where it is searched, from 1
  */
 public record Look(
-    Matrix eyeFromShape,
-    Matrix clipFromShape,
-    Rgba color,
-    boolean lit,
-    Optional<GpuTexture> texture,
-    boolean selected,
-    double near,
-    double far,
-    int id) {}
+  Matrix eyeFromShape,
+  Matrix clipFromShape,
+  Rgba color,
+  boolean lit,
+  Optional<GpuTexture> texture,
+  boolean selected,
+  double near,
+  double far,
+  int id) {}

@@ -18,96 +18,96 @@ import org.robotui.lcm.internal.io.Workers;
 /** One connection: subscriptions on one side, and a link that is opened again when it broke on the other. */
 public final class LcmClient implements Lcm {
 
-    private static final Duration CLOSING = Duration.ofMillis(900);
+  private static final Duration CLOSING = Duration.ofMillis(900);
 
-    private final LcmUrl url;
-    private final Counters counters = new Counters();
-    private final Subscriptions subscriptions = new Subscriptions(counters);
-    private final Workers workers;
-    private final LinkKeeper keeper;
-    private boolean closed;
+  private final LcmUrl url;
+  private final Counters counters = new Counters();
+  private final Subscriptions subscriptions = new Subscriptions(counters);
+  private final Workers workers;
+  private final LinkKeeper keeper;
+  private boolean closed;
 
-    private LcmClient(LcmUrl url, LcmOptions options) {
-        this.url = url;
-        this.workers = new Workers(options.threads());
-        this.keeper = new LinkKeeper(Providers.of(url, options, subscriptions), options, subscriptions);
+  private LcmClient(LcmUrl url, LcmOptions options) {
+    this.url = url;
+    this.workers = new Workers(options.threads());
+    this.keeper = new LinkKeeper(Providers.of(url, options, subscriptions), options, subscriptions);
+  }
+
+  public static LcmClient open(LcmUrl url, LcmOptions options) {
+    LcmClient client = new LcmClient(url, options);
+    client.workers.start("LCM " + url, client.keeper::run);
+    return client;
+  }
+
+  @Override
+  public LcmUrl url() {
+    return url;
+  }
+
+  @Override
+  public void publish(String channel, ByteBuffer data) throws IOException {
+    byte[] name = Channels.encode(channel);
+    int size = data.remaining();
+    try {
+      keeper.link().publish(name, data.duplicate());
+    } catch (IOException e) {
+      throw new IOException("a message of " + size + " bytes for " + channel + " was not sent: " + e.getMessage(), e);
     }
+    counters.published(size);
+  }
 
-    public static LcmClient open(LcmUrl url, LcmOptions options) {
-        LcmClient client = new LcmClient(url, options);
-        client.workers.start("LCM " + url, client.keeper::run);
-        return client;
+  @Override
+  public Subscription subscribe(String channels, SubscriptionOptions options, LcmListener listener) {
+    LiveSubscription subscription = new LiveSubscription(pattern(channels), options, listener, counters, this::forget);
+    synchronized (this) {
+      if (closed) {
+        throw new IllegalStateException(url + " is closed");
+      }
+      if (subscription.isQueued()) {
+        workers.start("LCM queue of " + channels, subscription::work);
+      }
+      subscriptions.add(subscription);
     }
+    keeper.subscribed(channels);
+    return subscription;
+  }
 
-    @Override
-    public LcmUrl url() {
-        return url;
+  private static Pattern pattern(String channels) {
+    try {
+      return Pattern.compile(channels);
+    } catch (PatternSyntaxException e) {
+      throw new IllegalArgumentException("'" + channels + "' is no regular expression of channels: " + e.getDescription()
+          + " at character " + (e.getIndex() + 1) + "; write for example POSE|LASER_.*", e);
     }
+  }
 
-    @Override
-    public void publish(String channel, ByteBuffer data) throws IOException {
-        byte[] name = Channels.encode(channel);
-        int size = data.remaining();
-        try {
-            keeper.link().publish(name, data.duplicate());
-        } catch (IOException e) {
-            throw new IOException("a message of " + size + " bytes for " + channel + " was not sent: " + e.getMessage(), e);
-        }
-        counters.published(size);
+  private void forget(LiveSubscription subscription) {
+    if (subscriptions.remove(subscription)) {
+      keeper.unsubscribed(subscription.channels());
     }
+  }
 
-    @Override
-    public Subscription subscribe(String channels, SubscriptionOptions options, LcmListener listener) {
-        LiveSubscription subscription = new LiveSubscription(pattern(channels), options, listener, counters, this::forget);
-        synchronized (this) {
-            if (closed) {
-                throw new IllegalStateException(url + " is closed");
-            }
-            if (subscription.isQueued()) {
-                workers.start("LCM queue of " + channels, subscription::work);
-            }
-            subscriptions.add(subscription);
-        }
-        keeper.subscribed(channels);
-        return subscription;
-    }
+  @Override
+  public LcmState state() {
+    return keeper.state();
+  }
 
-    private static Pattern pattern(String channels) {
-        try {
-            return Pattern.compile(channels);
-        } catch (PatternSyntaxException e) {
-            throw new IllegalArgumentException("'" + channels + "' is no regular expression of channels: " + e.getDescription()
-                    + " at character " + (e.getIndex() + 1) + "; write for example POSE|LASER_.*", e);
-        }
-    }
+  @Override
+  public LcmStatistics statistics() {
+    keeper.present().ifPresent(Link::tidy);
+    return counters.figures();
+  }
 
-    private void forget(LiveSubscription subscription) {
-        if (subscriptions.remove(subscription)) {
-            keeper.unsubscribed(subscription.channels());
-        }
+  @Override
+  public void close() {
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      closed = true;
     }
-
-    @Override
-    public LcmState state() {
-        return keeper.state();
-    }
-
-    @Override
-    public LcmStatistics statistics() {
-        keeper.present().ifPresent(Link::tidy);
-        return counters.figures();
-    }
-
-    @Override
-    public void close() {
-        synchronized (this) {
-            if (closed) {
-                return;
-            }
-            closed = true;
-        }
-        keeper.close();
-        subscriptions.all().forEach(LiveSubscription::close);
-        workers.join(System.nanoTime() + CLOSING.toNanos());
-    }
+    keeper.close();
+    subscriptions.all().forEach(LiveSubscription::close);
+    workers.join(System.nanoTime() + CLOSING.toNanos());
+  }
 }

@@ -6,6 +6,6 @@ import java.io.IOException;
 @FunctionalInterface
 public interface Provider {
 
-    /** Opens it; the error names what was to be reached and why it was not. */
-    Link open() throws IOException;
+  /** Opens it; the error names what was to be reached and why it was not. */
+  Link open() throws IOException;
 }

@@ -13,38 +13,38 @@ import org.robotui.lcm.log.EventLogWriter;
 /** Writes what is published into a log. */
 final class WriteLink implements Link {
 
-    private final Path path;
-    private final EventLogWriter writer;
-    private final CountDownLatch closing = new CountDownLatch(1);
+  private final Path path;
+  private final EventLogWriter writer;
+  private final CountDownLatch closing = new CountDownLatch(1);
 
-    WriteLink(Path path, EventLogWriter writer) {
-        this.path = path;
-        this.writer = writer;
-    }
+  WriteLink(Path path, EventLogWriter writer) {
+    this.path = path;
+    this.writer = writer;
+  }
 
-    @Override
-    public String where() {
-        return "the log " + path + ", to write";
-    }
+  @Override
+  public String where() {
+    return "the log " + path + ", to write";
+  }
 
-    @Override
-    public String receive() throws IOException {
-        try {
-            closing.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        throw new IOException("closed");
+  @Override
+  public String receive() throws IOException {
+    try {
+      closing.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
+    throw new IOException("closed");
+  }
 
-    @Override
-    public void publish(byte[] channel, ByteBuffer data) throws IOException {
-        writer.write(ChronoUnit.MICROS.between(Instant.EPOCH, Instant.now()), new String(channel, StandardCharsets.UTF_8), data);
-    }
+  @Override
+  public void publish(byte[] channel, ByteBuffer data) throws IOException {
+    writer.write(ChronoUnit.MICROS.between(Instant.EPOCH, Instant.now()), new String(channel, StandardCharsets.UTF_8), data);
+  }
 
-    @Override
-    public void close() throws IOException {
-        closing.countDown();
-        writer.close();
-    }
+  @Override
+  public void close() throws IOException {
+    closing.countDown();
+    writer.close();
+  }
 }

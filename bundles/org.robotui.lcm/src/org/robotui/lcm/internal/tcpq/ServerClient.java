@@ -18,118 +18,118 @@ import org.robotui.lcm.tcpq.TcpqServerOptions;
 /** One client of a server: a thread reads its frames, another one writes what it subscribed to. */
 final class ServerClient {
 
-    private static final int BUFFER = 1 << 16;
-    private static final int MOST_PATTERNS = 1000;
+  private static final int BUFFER = 1 << 16;
+  private static final int MOST_PATTERNS = 1000;
 
-    private final Socket socket;
-    private final TcpqServerOptions options;
-    private final ServerRuntime server;
-    private final List<ChannelPattern> patterns = new CopyOnWriteArrayList<>();
-    private final Deque<ByteBuffer> queue = new ArrayDeque<>();
-    private long queuedBytes;
-    private boolean closed;
-    private volatile boolean greeted;
+  private final Socket socket;
+  private final TcpqServerOptions options;
+  private final ServerRuntime server;
+  private final List<ChannelPattern> patterns = new CopyOnWriteArrayList<>();
+  private final Deque<ByteBuffer> queue = new ArrayDeque<>();
+  private long queuedBytes;
+  private boolean closed;
+  private volatile boolean greeted;
 
-    ServerClient(Socket socket, TcpqServerOptions options, ServerRuntime server) {
-        this.socket = socket;
-        this.options = options;
-        this.server = server;
+  ServerClient(Socket socket, TcpqServerOptions options, ServerRuntime server) {
+    this.socket = socket;
+    this.options = options;
+    this.server = server;
+  }
+
+  boolean isGreeted() {
+    return greeted;
+  }
+
+  /** The work of the thread that reads. */
+  void read() {
+    try {
+      DataInputStream in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), BUFFER));
+      socket.setTcpNoDelay(true);
+      socket.setSoTimeout((int) Math.max(1, options.greetingTime().toMillis()));
+      Frames.expectGreeting(in, Frames.CLIENT);
+      socket.setSoTimeout(0);
+      enqueue(Frames.greeting(Frames.SERVER));
+      server.start("LCM client's queue " + socket.getRemoteSocketAddress(), this::write);
+      greeted = true;
+      while (true) {
+        obey(Frames.read(in, options.maxMessageBytes()));
+      }
+    } catch (EOFException | SocketException e) {
+      // it went away, as clients do
+    } catch (IOException | IllegalArgumentException | OutOfMemoryError e) {
+      server.refused(socket, String.valueOf(e.getMessage()));
+    } finally {
+      close();
     }
+  }
 
-    boolean isGreeted() {
-        return greeted;
-    }
-
-    /** The work of the thread that reads. */
-    void read() {
-        try {
-            DataInputStream in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), BUFFER));
-            socket.setTcpNoDelay(true);
-            socket.setSoTimeout((int) Math.max(1, options.greetingTime().toMillis()));
-            Frames.expectGreeting(in, Frames.CLIENT);
-            socket.setSoTimeout(0);
-            enqueue(Frames.greeting(Frames.SERVER));
-            server.start("LCM client's queue " + socket.getRemoteSocketAddress(), this::write);
-            greeted = true;
-            while (true) {
-                obey(Frames.read(in, options.maxMessageBytes()));
-            }
-        } catch (EOFException | SocketException e) {
-            // it went away, as clients do
-        } catch (IOException | IllegalArgumentException | OutOfMemoryError e) {
-            server.refused(socket, String.valueOf(e.getMessage()));
-        } finally {
-            close();
+  private void obey(Frames.Frame frame) throws IOException {
+    switch (frame) {
+      case Frames.Message message -> server.route(message);
+      case Frames.Subscribe subscribe -> {
+        if (patterns.size() >= MOST_PATTERNS) {
+          throw new IOException("more than " + MOST_PATTERNS + " subscriptions");
         }
+        patterns.add(ChannelPattern.of(subscribe.channels()));
+      }
+      case Frames.Unsubscribe unsubscribe -> patterns.stream()
+          .filter(each -> each.text().equals(unsubscribe.channels())).findFirst().ifPresent(patterns::remove);
     }
+  }
 
-    private void obey(Frames.Frame frame) throws IOException {
-        switch (frame) {
-            case Frames.Message message -> server.route(message);
-            case Frames.Subscribe subscribe -> {
-                if (patterns.size() >= MOST_PATTERNS) {
-                    throw new IOException("more than " + MOST_PATTERNS + " subscriptions");
-                }
-                patterns.add(ChannelPattern.of(subscribe.channels()));
-            }
-            case Frames.Unsubscribe unsubscribe -> patterns.stream()
-                    .filter(each -> each.text().equals(unsubscribe.channels())).findFirst().ifPresent(patterns::remove);
-        }
+  /** Queues a message if this client wants it. */
+  void offer(Frames.Message message) {
+    if (greeted && patterns.stream().anyMatch(pattern -> pattern.matches(message.channel()))) {
+      enqueue(Frames.message(message.channel().getBytes(StandardCharsets.UTF_8), ByteBuffer.wrap(message.data())));
     }
+  }
 
-    /** Queues a message if this client wants it. */
-    void offer(Frames.Message message) {
-        if (greeted && patterns.stream().anyMatch(pattern -> pattern.matches(message.channel()))) {
-            enqueue(Frames.message(message.channel().getBytes(StandardCharsets.UTF_8), ByteBuffer.wrap(message.data())));
-        }
+  private void enqueue(ByteBuffer frame) {
+    synchronized (queue) {
+      queue.addLast(frame);
+      queuedBytes += frame.limit();
+      while (queue.size() > 1 && queuedBytes > options.queueBytes()) {
+        queuedBytes -= queue.removeFirst().limit();
+        server.countDropped();
+      }
+      queue.notifyAll();
     }
+  }
 
-    private void enqueue(ByteBuffer frame) {
-        synchronized (queue) {
-            queue.addLast(frame);
-            queuedBytes += frame.limit();
-            while (queue.size() > 1 && queuedBytes > options.queueBytes()) {
-                queuedBytes -= queue.removeFirst().limit();
-                server.countDropped();
-            }
-            queue.notifyAll();
-        }
+  private void write() {
+    try {
+      for (Optional<ByteBuffer> next = take(); next.isPresent(); next = take()) {
+        socket.getOutputStream().write(next.get().array(), 0, next.get().limit());
+      }
+    } catch (IOException e) {
+      close();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
+  }
 
-    private void write() {
-        try {
-            for (Optional<ByteBuffer> next = take(); next.isPresent(); next = take()) {
-                socket.getOutputStream().write(next.get().array(), 0, next.get().limit());
-            }
-        } catch (IOException e) {
-            close();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+  private Optional<ByteBuffer> take() throws InterruptedException {
+    synchronized (queue) {
+      while (queue.isEmpty() && !closed) {
+        queue.wait();
+      }
+      Optional<ByteBuffer> frame = closed ? Optional.empty() : Optional.of(queue.removeFirst());
+      frame.ifPresent(taken -> queuedBytes -= taken.limit());
+      return frame;
     }
+  }
 
-    private Optional<ByteBuffer> take() throws InterruptedException {
-        synchronized (queue) {
-            while (queue.isEmpty() && !closed) {
-                queue.wait();
-            }
-            Optional<ByteBuffer> frame = closed ? Optional.empty() : Optional.of(queue.removeFirst());
-            frame.ifPresent(taken -> queuedBytes -= taken.limit());
-            return frame;
-        }
+  void close() {
+    synchronized (queue) {
+      closed = true;
+      queue.clear();
+      queue.notifyAll();
     }
-
-    void close() {
-        synchronized (queue) {
-            closed = true;
-            queue.clear();
-            queue.notifyAll();
-        }
-        server.ended(this);
-        try {
-            socket.close();
-        } catch (IOException e) {
-            // it is gone either way
-        }
+    server.ended(this);
+    try {
+      socket.close();
+    } catch (IOException e) {
+      // it is gone either way
     }
+  }
 }

@@ -18,86 +18,86 @@ import org.robotui.lcm.internal.io.PeerText;
 /** A connection to a server of messages. */
 final class TcpqLink implements Link {
 
-    private static final int BUFFER = 1 << 16;
+  private static final int BUFFER = 1 << 16;
 
-    private final Socket socket;
-    private final String server;
-    private final DataInputStream in;
-    private final OutputStream out;
-    private final int maxMessageBytes;
-    private final Inlet inlet;
+  private final Socket socket;
+  private final String server;
+  private final DataInputStream in;
+  private final OutputStream out;
+  private final int maxMessageBytes;
+  private final Inlet inlet;
 
-    private TcpqLink(Socket socket, String server, int maxMessageBytes, Inlet inlet) throws IOException {
-        this.socket = socket;
-        this.server = server;
-        this.in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), BUFFER));
-        this.out = socket.getOutputStream();
-        this.maxMessageBytes = maxMessageBytes;
-        this.inlet = inlet;
+  private TcpqLink(Socket socket, String server, int maxMessageBytes, Inlet inlet) throws IOException {
+    this.socket = socket;
+    this.server = server;
+    this.in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), BUFFER));
+    this.out = socket.getOutputStream();
+    this.maxMessageBytes = maxMessageBytes;
+    this.inlet = inlet;
+  }
+
+  /** Greets the server, which must answer in time. */
+  static TcpqLink greet(Socket socket, String server, LcmOptions options, Inlet inlet) throws IOException {
+    TcpqLink link = new TcpqLink(socket, server, options.maxMessageBytes(), inlet);
+    socket.setSoTimeout((int) Math.max(1, options.connectTime().toMillis()));
+    link.send(Frames.greeting(Frames.CLIENT));
+    Frames.expectGreeting(link.in, Frames.SERVER);
+    socket.setSoTimeout(0);
+    return link;
+  }
+
+  @Override
+  public String where() {
+    return "the server " + server;
+  }
+
+  @Override
+  public String receive() throws IOException {
+    while (true) {
+      Frames.Frame frame = read();
+      if (!(frame instanceof Frames.Message message)) {
+        throw new IOException("the server " + server + " sends requests, as a client does");
+      }
+      if (inlet.wants(message.channel())) {
+        long utime = TimeUnit.MILLISECONDS.toMicros(System.currentTimeMillis());
+        inlet.deliver(new LcmMessage(message.channel(), ByteBuffer.wrap(message.data()), server, System.nanoTime(), utime));
+      }
     }
+  }
 
-    /** Greets the server, which must answer in time. */
-    static TcpqLink greet(Socket socket, String server, LcmOptions options, Inlet inlet) throws IOException {
-        TcpqLink link = new TcpqLink(socket, server, options.maxMessageBytes(), inlet);
-        socket.setSoTimeout((int) Math.max(1, options.connectTime().toMillis()));
-        link.send(Frames.greeting(Frames.CLIENT));
-        Frames.expectGreeting(link.in, Frames.SERVER);
-        socket.setSoTimeout(0);
-        return link;
+  private Frames.Frame read() throws IOException {
+    try {
+      return Frames.read(in, maxMessageBytes);
+    } catch (EOFException e) {
+      throw new IOException("the server " + server + " closed the connection" + Optional.ofNullable(e.getMessage()).map(m -> ": " + m).orElse(""), e);
+    } catch (IOException e) {
+      throw new IOException("the server " + server + ": " + PeerText.brief(String.valueOf(e.getMessage())), e);
     }
+  }
 
-    @Override
-    public String where() {
-        return "the server " + server;
-    }
+  @Override
+  public void publish(byte[] channel, ByteBuffer data) throws IOException {
+    send(Frames.message(channel, data));
+  }
 
-    @Override
-    public String receive() throws IOException {
-        while (true) {
-            Frames.Frame frame = read();
-            if (!(frame instanceof Frames.Message message)) {
-                throw new IOException("the server " + server + " sends requests, as a client does");
-            }
-            if (inlet.wants(message.channel())) {
-                long utime = TimeUnit.MILLISECONDS.toMicros(System.currentTimeMillis());
-                inlet.deliver(new LcmMessage(message.channel(), ByteBuffer.wrap(message.data()), server, System.nanoTime(), utime));
-            }
-        }
-    }
+  @Override
+  public void subscribed(String channels) throws IOException {
+    send(Frames.request(Frames.SUBSCRIBE, channels));
+  }
 
-    private Frames.Frame read() throws IOException {
-        try {
-            return Frames.read(in, maxMessageBytes);
-        } catch (EOFException e) {
-            throw new IOException("the server " + server + " closed the connection" + Optional.ofNullable(e.getMessage()).map(m -> ": " + m).orElse(""), e);
-        } catch (IOException e) {
-            throw new IOException("the server " + server + ": " + PeerText.brief(String.valueOf(e.getMessage())), e);
-        }
-    }
+  @Override
+  public void unsubscribed(String channels) throws IOException {
+    send(Frames.request(Frames.UNSUBSCRIBE, channels));
+  }
 
-    @Override
-    public void publish(byte[] channel, ByteBuffer data) throws IOException {
-        send(Frames.message(channel, data));
+  private void send(ByteBuffer frame) throws IOException {
+    synchronized (out) {
+      out.write(frame.array(), 0, frame.limit());
     }
+  }
 
-    @Override
-    public void subscribed(String channels) throws IOException {
-        send(Frames.request(Frames.SUBSCRIBE, channels));
-    }
-
-    @Override
-    public void unsubscribed(String channels) throws IOException {
-        send(Frames.request(Frames.UNSUBSCRIBE, channels));
-    }
-
-    private void send(ByteBuffer frame) throws IOException {
-        synchronized (out) {
-            out.write(frame.array(), 0, frame.limit());
-        }
-    }
-
-    @Override
-    public void close() throws IOException {
-        socket.close();
-    }
+  @Override
+  public void close() throws IOException {
+    socket.close();
+  }
 }

@@ -8,39 +8,39 @@ import org.robotui.lcm.internal.client.Counters;
 /** Who sends, and how many of their messages never came. The longest silent ones are forgotten first. */
 final class Senders {
 
-    private static final int MOST = 1024;
+  private static final int MOST = 1024;
 
-    private final Counters counters;
-    private final Map<InetSocketAddress, Sender> known = new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
+  private final Counters counters;
+  private final Map<InetSocketAddress, Sender> known = new LinkedHashMap<>(16, 0.75f, true) {
+    private static final long serialVersionUID = 1L;
 
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<InetSocketAddress, Sender> eldest) {
-            return size() > MOST;
-        }
-    };
-
-    Senders(Counters counters) {
-        this.counters = counters;
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<InetSocketAddress, Sender> eldest) {
+      return size() > MOST;
     }
+  };
 
-    /** A sender and the numbers of its messages. */
-    private record Sender(String name, SequenceWatch sequences) { }
+  Senders(Counters counters) {
+    this.counters = counters;
+  }
 
-    /** Notes the number of a message whose first datagram came. */
-    void heard(InetSocketAddress from, int sequence) {
-        counters.lost(of(from).sequences().heard(sequence));
-    }
+  /** A sender and the numbers of its messages. */
+  private record Sender(String name, SequenceWatch sequences) { }
 
-    String nameOf(InetSocketAddress from) {
-        return of(from).name();
-    }
+  /** Notes the number of a message whose first datagram came. */
+  void heard(InetSocketAddress from, int sequence) {
+    counters.lost(of(from).sequences().heard(sequence));
+  }
 
-    private Sender of(InetSocketAddress from) {
-        return known.computeIfAbsent(from, address -> new Sender(name(address), new SequenceWatch()));
-    }
+  String nameOf(InetSocketAddress from) {
+    return of(from).name();
+  }
 
-    static String name(InetSocketAddress from) {
-        return from.getAddress().getHostAddress() + ":" + from.getPort();
-    }
+  private Sender of(InetSocketAddress from) {
+    return known.computeIfAbsent(from, address -> new Sender(name(address), new SequenceWatch()));
+  }
+
+  static String name(InetSocketAddress from) {
+    return from.getAddress().getHostAddress() + ":" + from.getPort();
+  }
 }

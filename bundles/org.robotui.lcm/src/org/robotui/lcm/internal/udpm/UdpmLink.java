@@ -15,72 +15,72 @@ import org.robotui.lcm.internal.client.Link;
 /** The sockets of one multicast group: one that receives, and one that sends, whose port tells this sender from all others. */
 final class UdpmLink implements Link {
 
-    private final DatagramChannel in;
-    private final UdpmSender sender;
-    private final Inbox inbox;
-    private final String where;
+  private final DatagramChannel in;
+  private final UdpmSender sender;
+  private final Inbox inbox;
+  private final String where;
 
-    private UdpmLink(DatagramChannel in, UdpmSender sender, Inbox inbox, String where) {
-        this.in = in;
-        this.sender = sender;
-        this.inbox = inbox;
-        this.where = where;
-    }
+  private UdpmLink(DatagramChannel in, UdpmSender sender, Inbox inbox, String where) {
+    this.in = in;
+    this.sender = sender;
+    this.inbox = inbox;
+    this.where = where;
+  }
 
-    static UdpmLink open(InetSocketAddress group, NetworkInterface over, int ttl, int receiveBuffer, LcmOptions options, Inlet inlet)
-            throws IOException {
-        DatagramChannel in = DatagramChannel.open(StandardProtocolFamily.INET);
-        try {
-            in.setOption(StandardSocketOptions.SO_REUSEADDR, true);
-            in.setOption(StandardSocketOptions.SO_RCVBUF, receiveBuffer);
-            // bound to the group, so that nothing else that is sent to the port gets in
-            in.bind(group);
-            in.join(group.getAddress(), over);
-            int granted = in.getOption(StandardSocketOptions.SO_RCVBUF);
-            String where = "%s:%d on %s, ttl %d, receive buffer %d of %d bytes".formatted(group.getAddress().getHostAddress(), group.getPort(),
-                    over.getName(), ttl, granted, receiveBuffer);
-            return new UdpmLink(in, UdpmSender.open(group, over, ttl), new Inbox(inlet, options), where);
-        } catch (IOException | RuntimeException e) {
-            in.close();
-            throw e;
-        }
+  static UdpmLink open(InetSocketAddress group, NetworkInterface over, int ttl, int receiveBuffer, LcmOptions options, Inlet inlet)
+      throws IOException {
+    DatagramChannel in = DatagramChannel.open(StandardProtocolFamily.INET);
+    try {
+      in.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+      in.setOption(StandardSocketOptions.SO_RCVBUF, receiveBuffer);
+      // bound to the group, so that nothing else that is sent to the port gets in
+      in.bind(group);
+      in.join(group.getAddress(), over);
+      int granted = in.getOption(StandardSocketOptions.SO_RCVBUF);
+      String where = "%s:%d on %s, ttl %d, receive buffer %d of %d bytes".formatted(group.getAddress().getHostAddress(), group.getPort(),
+          over.getName(), ttl, granted, receiveBuffer);
+      return new UdpmLink(in, UdpmSender.open(group, over, ttl), new Inbox(inlet, options), where);
+    } catch (IOException | RuntimeException e) {
+      in.close();
+      throw e;
     }
+  }
 
-    /** What the kernel granted, in bytes. */
-    int receiveBuffer() throws IOException {
-        return in.getOption(StandardSocketOptions.SO_RCVBUF);
-    }
+  /** What the kernel granted, in bytes. */
+  int receiveBuffer() throws IOException {
+    return in.getOption(StandardSocketOptions.SO_RCVBUF);
+  }
 
-    @Override
-    public String where() {
-        return where;
-    }
+  @Override
+  public String where() {
+    return where;
+  }
 
-    @Override
-    public String receive() throws IOException {
-        ByteBuffer datagram = ByteBuffer.allocateDirect(Wire.MOST_DATAGRAM + 1);
-        while (true) {
-            SocketAddress from = in.receive(datagram.clear());
-            inbox.accept((InetSocketAddress) from, datagram.flip(), System.nanoTime());
-        }
+  @Override
+  public String receive() throws IOException {
+    ByteBuffer datagram = ByteBuffer.allocateDirect(Wire.MOST_DATAGRAM + 1);
+    while (true) {
+      SocketAddress from = in.receive(datagram.clear());
+      inbox.accept((InetSocketAddress) from, datagram.flip(), System.nanoTime());
     }
+  }
 
-    @Override
-    public void publish(byte[] channel, ByteBuffer data) throws IOException {
-        sender.publish(channel, data);
-    }
+  @Override
+  public void publish(byte[] channel, ByteBuffer data) throws IOException {
+    sender.publish(channel, data);
+  }
 
-    @Override
-    public void tidy() {
-        inbox.expire(System.nanoTime());
-    }
+  @Override
+  public void tidy() {
+    inbox.expire(System.nanoTime());
+  }
 
-    @Override
-    public void close() throws IOException {
-        try {
-            in.close();
-        } finally {
-            sender.close();
-        }
+  @Override
+  public void close() throws IOException {
+    try {
+      in.close();
+    } finally {
+      sender.close();
     }
+  }
 }

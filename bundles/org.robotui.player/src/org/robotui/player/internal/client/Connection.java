@@ -24,149 +24,149 @@ import org.robotui.player.wire.PlayerMessage;
 /** One connection to a server, from the greeting to its end. */
 final class Connection implements Closeable {
 
-    /** What takes the messages that are no answers. */
-    interface Sink {
+  /** What takes the messages that are no answers. */
+  interface Sink {
 
-        void data(PlayerMessage message);
+    void data(PlayerMessage message);
 
-        void sync(PlayerMessage message);
+    void sync(PlayerMessage message);
 
-        void unexpected(PlayerMessage message);
+    void unexpected(PlayerMessage message);
+  }
+
+  private static final long NEVER = Duration.ofDays(1).toNanos();
+
+  private final String peer;
+  private final ClientOptions options;
+  private final Socket socket = new Socket();
+  private final OutBox out;
+  private final Requests requests;
+  private final AtomicLong sequence = new AtomicLong();
+  private final Optional<Fetcher> fetcher;
+  private TimedStream in;
+  private int host;
+  private int robot;
+  private String version = "";
+
+  Connection(String peer, ClientOptions options) {
+    this.peer = peer;
+    this.options = options;
+    this.out = new OutBox(options.maxRequests());
+    this.requests = new Requests(peer, options.maxRequests());
+    this.fetcher = options.pull().map(period -> new Fetcher(period, options.answerTime()));
+  }
+
+  /** Reaches the server and reads its greeting. */
+  void connect(InetSocketAddress address) throws IOException, PlayerException {
+    if (address.isUnresolved()) {
+      throw new UnknownHostException("the host name cannot be resolved");
     }
+    Sockets.entrustLittle(socket);
+    socket.connect(address, (int) Math.max(1, options.handshake().toMillis()));
+    Sockets.prepare(socket);
+    host = DeviceAddress.host(address.getAddress().getAddress());
+    robot = address.getPort();
+    in = new TimedStream(socket, options.messageTime());
+    in.within(options.handshake());
+    version = Framing.readBanner(in);
+  }
 
-    private static final long NEVER = Duration.ofDays(1).toNanos();
+  String version() {
+    return version;
+  }
 
-    private final String peer;
-    private final ClientOptions options;
-    private final Socket socket = new Socket();
-    private final OutBox out;
-    private final Requests requests;
-    private final AtomicLong sequence = new AtomicLong();
-    private final Optional<Fetcher> fetcher;
-    private TimedStream in;
-    private int host;
-    private int robot;
-    private String version = "";
+  /** The address of a device that the server did not list. */
+  DeviceAddress address(DeviceId id) {
+    return id.at(host, robot);
+  }
 
-    Connection(String peer, ClientOptions options) {
-        this.peer = peer;
-        this.options = options;
-        this.out = new OutBox(options.maxRequests());
-        this.requests = new Requests(peer, options.maxRequests());
-        this.fetcher = options.pull().map(period -> new Fetcher(period, options.answerTime()));
+  /** Asks the server itself and waits, before anything else runs on the connection. */
+  PlayerMessage handshake(PlayerMessage question) throws IOException, PlayerException {
+    PlayerMessage numbered = numbered(question);
+    write(Framing.bytes(numbered));
+    while (true) {
+      PlayerMessage message = Framing.read(in);
+      boolean isAnswer = message.type() == MessageType.ACK || message.type() == MessageType.NACK;
+      if (isAnswer && message.device().id().equals(DeviceId.SERVER) && message.sequence() == numbered.sequence()) {
+        return message;
+      }
     }
+  }
 
-    /** Reaches the server and reads its greeting. */
-    void connect(InetSocketAddress address) throws IOException, PlayerException {
-        if (address.isUnresolved()) {
-            throw new UnknownHostException("the host name cannot be resolved");
+  /** Receives until the connection ends, which is always an exception. */
+  void receive(Sink sink) throws IOException, PlayerException {
+    while (true) {
+      in.nextMessage();
+      PlayerMessage message = Framing.read(in);
+      switch (message.type()) {
+        case DATA -> sink.data(message);
+        case ACK, NACK -> requests.answer(message);
+        case SYNC -> {
+          fetcher.ifPresent(each -> each.synced(message.subtype()));
+          out.wake();
+          sink.sync(message);
         }
-        Sockets.entrustLittle(socket);
-        socket.connect(address, (int) Math.max(1, options.handshake().toMillis()));
-        Sockets.prepare(socket);
-        host = DeviceAddress.host(address.getAddress().getAddress());
-        robot = address.getPort();
-        in = new TimedStream(socket, options.messageTime());
-        in.within(options.handshake());
-        version = Framing.readBanner(in);
+        default -> sink.unexpected(message);
+      }
     }
+  }
 
-    String version() {
-        return version;
+  /** Sends what waits until the connection is closed or fails. */
+  void send() throws IOException, InterruptedException {
+    while (!out.isDone()) {
+      long now = System.nanoTime();
+      requests.expire(now);
+      if (fetcher.filter(each -> each.isDue(now)).isPresent()) {
+        write(Framing.bytes(numbered(PlayerMessage.empty(address(DeviceId.SERVER), MessageType.REQUEST, Fetcher.FETCH))));
+      }
+      long next = requests.nextDeadline(fetcher.map(each -> each.nextLook(now)).orElse(now + NEVER));
+      Optional<ByteBuffer> frame = out.take(next);
+      if (frame.isPresent()) {
+        write(frame.get());
+      }
     }
+  }
 
-    /** The address of a device that the server did not list. */
-    DeviceAddress address(DeviceId id) {
-        return id.at(host, robot);
+  /** Asks a device; never waits. */
+  CompletableFuture<Outcome<PlayerMessage>> request(PlayerMessage question, String name) {
+    PlayerMessage numbered = numbered(question);
+    CompletableFuture<Outcome<PlayerMessage>> answer = requests.add(numbered, name, options.answerTime());
+    if (!answer.isDone() && !out.request(Framing.bytes(numbered))) {
+      answer.complete(new Outcome.Failed<>(name + " at " + peer + ": too many requests wait for the network"));
     }
+    return answer;
+  }
 
-    /** Asks the server itself and waits, before anything else runs on the connection. */
-    PlayerMessage handshake(PlayerMessage question) throws IOException, PlayerException {
-        PlayerMessage numbered = numbered(question);
-        write(Framing.bytes(numbered));
-        while (true) {
-            PlayerMessage message = Framing.read(in);
-            boolean isAnswer = message.type() == MessageType.ACK || message.type() == MessageType.NACK;
-            if (isAnswer && message.device().id().equals(DeviceId.SERVER) && message.sequence() == numbered.sequence()) {
-                return message;
-            }
-        }
-    }
+  /** Commands a device; never waits. */
+  boolean command(PlayerMessage command) {
+    return out.command(new OutBox.Slot(command.device().id(), command.subtype()), Framing.bytes(numbered(command)));
+  }
 
-    /** Receives until the connection ends, which is always an exception. */
-    void receive(Sink sink) throws IOException, PlayerException {
-        while (true) {
-            in.nextMessage();
-            PlayerMessage message = Framing.read(in);
-            switch (message.type()) {
-                case DATA -> sink.data(message);
-                case ACK, NACK -> requests.answer(message);
-                case SYNC -> {
-                    fetcher.ifPresent(each -> each.synced(message.subtype()));
-                    out.wake();
-                    sink.sync(message);
-                }
-                default -> sink.unexpected(message);
-            }
-        }
-    }
+  long replaced() {
+    return out.replaced();
+  }
 
-    /** Sends what waits until the connection is closed or fails. */
-    void send() throws IOException, InterruptedException {
-        while (!out.isDone()) {
-            long now = System.nanoTime();
-            requests.expire(now);
-            if (fetcher.filter(each -> each.isDue(now)).isPresent()) {
-                write(Framing.bytes(numbered(PlayerMessage.empty(address(DeviceId.SERVER), MessageType.REQUEST, Fetcher.FETCH))));
-            }
-            long next = requests.nextDeadline(fetcher.map(each -> each.nextLook(now)).orElse(now + NEVER));
-            Optional<ByteBuffer> frame = out.take(next);
-            if (frame.isPresent()) {
-                write(frame.get());
-            }
-        }
-    }
+  /** Takes no more; what waits is still sent, then {@link #send} ends. */
+  void finish() {
+    out.finish();
+  }
 
-    /** Asks a device; never waits. */
-    CompletableFuture<Outcome<PlayerMessage>> request(PlayerMessage question, String name) {
-        PlayerMessage numbered = numbered(question);
-        CompletableFuture<Outcome<PlayerMessage>> answer = requests.add(numbered, name, options.answerTime());
-        if (!answer.isDone() && !out.request(Framing.bytes(numbered))) {
-            answer.complete(new Outcome.Failed<>(name + " at " + peer + ": too many requests wait for the network"));
-        }
-        return answer;
-    }
+  /** Ends all requests; their reason names the peer. */
+  void fail(String reason) {
+    requests.fail(reason);
+  }
 
-    /** Commands a device; never waits. */
-    boolean command(PlayerMessage command) {
-        return out.command(new OutBox.Slot(command.device().id(), command.subtype()), Framing.bytes(numbered(command)));
-    }
+  @Override
+  public void close() {
+    out.finish();
+    Sockets.quietly(socket);
+  }
 
-    long replaced() {
-        return out.replaced();
-    }
+  private PlayerMessage numbered(PlayerMessage message) {
+    return message.withSequence(sequence.incrementAndGet() & 0xffffffffL);
+  }
 
-    /** Takes no more; what waits is still sent, then {@link #send} ends. */
-    void finish() {
-        out.finish();
-    }
-
-    /** Ends all requests; their reason names the peer. */
-    void fail(String reason) {
-        requests.fail(reason);
-    }
-
-    @Override
-    public void close() {
-        out.finish();
-        Sockets.quietly(socket);
-    }
-
-    private PlayerMessage numbered(PlayerMessage message) {
-        return message.withSequence(sequence.incrementAndGet() & 0xffffffffL);
-    }
-
-    private void write(ByteBuffer frame) throws IOException {
-        socket.getOutputStream().write(frame.array(), frame.arrayOffset() + frame.position(), frame.remaining());
-    }
+  private void write(ByteBuffer frame) throws IOException {
+    socket.getOutputStream().write(frame.array(), frame.arrayOffset() + frame.position(), frame.remaining());
+  }
 }

@@ -5,15 +5,15 @@ import java.util.concurrent.atomic.AtomicLong;
 /** Tells which of many like events to log: the first, and ever fewer of those that follow, so that no peer can fill a disk. */
 public final class Seldom {
 
-    private final AtomicLong count = new AtomicLong();
+  private final AtomicLong count = new AtomicLong();
 
-    /** Counts an event; answers whether to tell of it. */
-    public boolean again() {
-        return Long.bitCount(count.incrementAndGet()) == 1;
-    }
+  /** Counts an event; answers whether to tell of it. */
+  public boolean again() {
+    return Long.bitCount(count.incrementAndGet()) == 1;
+  }
 
-    /** How many there were. */
-    public long count() {
-        return count.get();
-    }
+  /** How many there were. */
+  public long count() {
+    return count.get();
+  }
 }

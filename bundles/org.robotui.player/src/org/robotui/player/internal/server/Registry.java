@@ -19,93 +19,93 @@ import org.slf4j.LoggerFactory;
 /** The devices of a server and who has them open. */
 public final class Registry {
 
-    private static final Logger LOG = LoggerFactory.getLogger(Registry.class);
+  private static final Logger LOG = LoggerFactory.getLogger(Registry.class);
 
-    private record Entry(String driver, DeviceHandler handler, Set<Session> clients) { }
+  private record Entry(String driver, DeviceHandler handler, Set<Session> clients) { }
 
-    private final Map<DeviceId, Entry> devices =
-            new ConcurrentSkipListMap<>(Comparator.comparingInt(DeviceId::interfaceCode).thenComparingInt(DeviceId::index));
-    private final Seldom failures = new Seldom();
+  private final Map<DeviceId, Entry> devices =
+      new ConcurrentSkipListMap<>(Comparator.comparingInt(DeviceId::interfaceCode).thenComparingInt(DeviceId::index));
+  private final Seldom failures = new Seldom();
 
-    /** Adds a device that is not there yet. */
-    public void add(DeviceId id, String driver, DeviceHandler handler) {
-        if (devices.putIfAbsent(id, new Entry(driver, handler, ConcurrentHashMap.newKeySet())) != null) {
-            throw new IllegalArgumentException("there is a device " + id + " already");
-        }
+  /** Adds a device that is not there yet. */
+  public void add(DeviceId id, String driver, DeviceHandler handler) {
+    if (devices.putIfAbsent(id, new Entry(driver, handler, ConcurrentHashMap.newKeySet())) != null) {
+      throw new IllegalArgumentException("there is a device " + id + " already");
     }
+  }
 
-    /** Sends data to all who have the device open. */
-    public void publish(DeviceId id, int subtype, ByteBuffer payload, double stamp) {
-        devices.get(id).clients.forEach(client -> client.data(id, subtype, payload, stamp));
-    }
+  /** Sends data to all who have the device open. */
+  public void publish(DeviceId id, int subtype, ByteBuffer payload, double stamp) {
+    devices.get(id).clients.forEach(client -> client.data(id, subtype, payload, stamp));
+  }
 
-    /** How many have it open. */
-    public int clients(DeviceId id) {
-        return devices.get(id).clients.size();
-    }
+  /** How many have it open. */
+  public int clients(DeviceId id) {
+    return devices.get(id).clients.size();
+  }
 
-    List<DeviceId> all() {
-        return List.copyOf(devices.keySet());
-    }
+  List<DeviceId> all() {
+    return List.copyOf(devices.keySet());
+  }
 
-    boolean has(DeviceId id) {
-        return devices.containsKey(id);
-    }
+  boolean has(DeviceId id) {
+    return devices.containsKey(id);
+  }
 
-    Optional<String> driver(DeviceId id) {
-        return Optional.ofNullable(devices.get(id)).map(Entry::driver);
-    }
+  Optional<String> driver(DeviceId id) {
+    return Optional.ofNullable(devices.get(id)).map(Entry::driver);
+  }
 
-    boolean isOpen(DeviceId id, Session client) {
-        return Optional.ofNullable(devices.get(id)).filter(entry -> entry.clients.contains(client)).isPresent();
-    }
+  boolean isOpen(DeviceId id, Session client) {
+    return Optional.ofNullable(devices.get(id)).filter(entry -> entry.clients.contains(client)).isPresent();
+  }
 
-    void open(DeviceId id, Session client) {
-        Entry entry = devices.get(id);
-        if (entry.clients.add(client)) {
-            tell(id, entry);
-        }
+  void open(DeviceId id, Session client) {
+    Entry entry = devices.get(id);
+    if (entry.clients.add(client)) {
+      tell(id, entry);
     }
+  }
 
-    void close(DeviceId id, Session client) {
-        Entry entry = devices.get(id);
-        if (entry.clients.remove(client)) {
-            tell(id, entry);
-        }
+  void close(DeviceId id, Session client) {
+    Entry entry = devices.get(id);
+    if (entry.clients.remove(client)) {
+      tell(id, entry);
     }
+  }
 
-    void closeAll(Session client) {
-        devices.keySet().forEach(id -> close(id, client));
-    }
+  void closeAll(Session client) {
+    devices.keySet().forEach(id -> close(id, client));
+  }
 
-    void command(PlayerMessage command) {
-        try {
-            devices.get(command.device().id()).handler.onCommand(command);
-        } catch (RuntimeException e) {
-            failed(command.device().id(), e);
-        }
+  void command(PlayerMessage command) {
+    try {
+      devices.get(command.device().id()).handler.onCommand(command);
+    } catch (RuntimeException e) {
+      failed(command.device().id(), e);
     }
+  }
 
-    Answer request(PlayerMessage request) {
-        try {
-            return devices.get(request.device().id()).handler.onRequest(request);
-        } catch (RuntimeException e) {
-            failed(request.device().id(), e);
-            return Answer.refused();
-        }
+  Answer request(PlayerMessage request) {
+    try {
+      return devices.get(request.device().id()).handler.onRequest(request);
+    } catch (RuntimeException e) {
+      failed(request.device().id(), e);
+      return Answer.refused();
     }
+  }
 
-    private void tell(DeviceId id, Entry entry) {
-        try {
-            entry.handler.onClients(entry.clients.size());
-        } catch (RuntimeException e) {
-            failed(id, e);
-        }
+  private void tell(DeviceId id, Entry entry) {
+    try {
+      entry.handler.onClients(entry.clients.size());
+    } catch (RuntimeException e) {
+      failed(id, e);
     }
+  }
 
-    private void failed(DeviceId id, RuntimeException e) {
-        if (failures.again()) {
-            LOG.error("the handler of {} failed ({} so far)", id, failures.count(), e);
-        }
+  private void failed(DeviceId id, RuntimeException e) {
+    if (failures.again()) {
+      LOG.error("the handler of {} failed ({} so far)", id, failures.count(), e);
     }
+  }
 }

@@ -10,48 +10,48 @@ import org.slf4j.LoggerFactory;
 /** The open sockets of one owner: closing the set closes them all, and what is added later at once. */
 public final class Closeables implements Closeable {
 
-    private static final Logger LOG = LoggerFactory.getLogger(Closeables.class);
+  private static final Logger LOG = LoggerFactory.getLogger(Closeables.class);
 
-    private final Set<Closeable> open = ConcurrentHashMap.newKeySet();
-    private volatile boolean closed;
+  private final Set<Closeable> open = ConcurrentHashMap.newKeySet();
+  private volatile boolean closed;
 
-    /** Adds a resource; answers false, with the resource closed, if the set is closed already. */
-    public boolean add(Closeable resource) {
-        open.add(resource);
-        if (closed) {
-            close(resource);
-        }
-        return !closed;
+  /** Adds a resource; answers false, with the resource closed, if the set is closed already. */
+  public boolean add(Closeable resource) {
+    open.add(resource);
+    if (closed) {
+      close(resource);
     }
+    return !closed;
+  }
 
-    /** Closes one resource and forgets it. */
-    public void close(Closeable resource) {
-        open.remove(resource);
-        quietly(resource);
-    }
+  /** Closes one resource and forgets it. */
+  public void close(Closeable resource) {
+    open.remove(resource);
+    quietly(resource);
+  }
 
-    /** Drops a resource that closes itself. */
-    public void forget(Closeable resource) {
-        open.remove(resource);
-    }
+  /** Drops a resource that closes itself. */
+  public void forget(Closeable resource) {
+    open.remove(resource);
+  }
 
-    /** How many are open. */
-    public int size() {
-        return open.size();
-    }
+  /** How many are open. */
+  public int size() {
+    return open.size();
+  }
 
-    @Override
-    public void close() {
-        closed = true;
-        open.forEach(this::close);
-    }
+  @Override
+  public void close() {
+    closed = true;
+    open.forEach(this::close);
+  }
 
-    /** Closes without an error: nothing can be done about a socket that does not close. */
-    public static void quietly(Closeable resource) {
-        try {
-            resource.close();
-        } catch (IOException e) {
-            LOG.debug("closing {}", resource, e);
-        }
+  /** Closes without an error: nothing can be done about a socket that does not close. */
+  public static void quietly(Closeable resource) {
+    try {
+      resource.close();
+    } catch (IOException e) {
+      LOG.debug("closing {}", resource, e);
     }
+  }
 }

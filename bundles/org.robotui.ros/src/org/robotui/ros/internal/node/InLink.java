@@ -29,218 +29,218 @@ import org.robotui.ros.message.MessageInfo;
 /** The link to one publisher, with a thread of its own that connects, reads and, when the link broke, connects again. */
 final class InLink<T> {
 
-    private static final int BUFFER = 64 * 1024;
+  private static final int BUFFER = 64 * 1024;
 
-    private final NodeContext context;
-    private final Subscription<T> subscription;
-    private final String publisherUri;
-    private final Closeables open = new Closeables();
-    /** Ends a pause early. */
-    private final Semaphore nudges = new Semaphore(0);
-    private final Traffic got = new Traffic();
-    private final Backoff backoff;
-    private volatile boolean closed;
-    private volatile boolean orphan;
-    private volatile boolean connected;
-    private volatile String peer;
+  private final NodeContext context;
+  private final Subscription<T> subscription;
+  private final String publisherUri;
+  private final Closeables open = new Closeables();
+  /** Ends a pause early. */
+  private final Semaphore nudges = new Semaphore(0);
+  private final Traffic got = new Traffic();
+  private final Backoff backoff;
+  private volatile boolean closed;
+  private volatile boolean orphan;
+  private volatile boolean connected;
+  private volatile String peer;
 
-    InLink(NodeContext context, Subscription<T> subscription, String publisherUri) {
-        this.context = context;
-        this.subscription = subscription;
-        this.publisherUri = publisherUri;
-        this.backoff = context.backoff();
-        this.peer = publisherUri;
+  InLink(NodeContext context, Subscription<T> subscription, String publisherUri) {
+    this.context = context;
+    this.subscription = subscription;
+    this.publisherUri = publisherUri;
+    this.backoff = context.backoff();
+    this.peer = publisherUri;
+  }
+
+  void start() {
+    context.start("sub " + subscription.topic() + " " + publisherUri, this::run);
+  }
+
+  boolean isConnected() {
+    return connected;
+  }
+
+  /** What came in, also over connections before the present one. */
+  Traffic got() {
+    return got;
+  }
+
+  /** The publisher's node name, or its address before it said its name. */
+  String peer() {
+    return peer;
+  }
+
+  /** Whether no further attempt is to be made. */
+  boolean isOver() {
+    return closed || orphan;
+  }
+
+  String publisherUri() {
+    return publisherUri;
+  }
+
+  /** The master does not list the publisher any more: the link lives as long as the publisher keeps it, but is not made again. */
+  void orphan() {
+    orphan = true;
+    nudges.release();
+  }
+
+  /** The master lists the publisher (again): no reason to wait. */
+  void nudge() {
+    orphan = false;
+    nudges.release();
+  }
+
+  void close() {
+    closed = true;
+    open.close();
+    nudges.release();
+  }
+
+  private void run() {
+    String last = "the publisher is not registered any more";
+    while (!subscription.ended(this, publisherUri)) {
+      report(new LinkState.Connecting());
+      last = attempt();
+      if (!isOver()) {
+        Duration pause = backoff.next();
+        report(new LinkState.Failed(last, pause));
+        pause(pause);
+      }
     }
+    report(new LinkState.Closed(closed ? "closed by this node" : last));
+  }
 
-    void start() {
-        context.start("sub " + subscription.topic() + " " + publisherUri, this::run);
+  private String attempt() {
+    long start = System.nanoTime();
+    try {
+      connect();
+      return "";
+    } catch (SocketTimeoutException e) {
+      return describe("no answer within " + context.handshake().toMillis() + " ms");
+    } catch (IOException | IllegalArgumentException e) {
+      return describe(e.getMessage());
+    } catch (OutOfMemoryError e) {
+      return describe("no memory for its message: " + e.getMessage());
+    } catch (MessageException e) {
+      return describe("message that is no " + subscription.info().type() + ": " + e.getMessage());
+    } finally {
+      connected = false;
+      if (System.nanoTime() - start > context.options().maxBackoff().toNanos()) {
+        backoff.reset();
+      }
     }
+  }
 
-    boolean isConnected() {
-        return connected;
+  private void connect() throws IOException, MessageException {
+    HostPort target = requestTopic();
+    Socket socket = new Socket();
+    if (!open.add(socket)) {
+      return;
     }
+    try {
+      target.connect(socket, context.handshake());
+      Sockets.prepare(socket);
+      converse(socket);
+    } finally {
+      open.close(socket);
+    }
+  }
 
-    /** What came in, also over connections before the present one. */
-    Traffic got() {
-        return got;
+  private HostPort requestTopic() throws IOException {
+    RosApi publisher = new RosApi(HostPort.ofUri(publisherUri, "http"), "", context.handshake());
+    if (!open.add(publisher)) {
+      throw new IOException("closed");
     }
+    try {
+      Outcome<XmlRpcValue> outcome = publisher.call("requestTopic", XmlRpcValue.of(context.name().text()),
+          XmlRpcValue.of(subscription.topic().text()), XmlRpcValue.of(XmlRpcValue.ofTexts(List.of("TCPROS"))));
+      return outcome instanceof Outcome.Done<XmlRpcValue> done ? endpoint(done.value()) : raise(outcome.reason());
+    } finally {
+      open.close(publisher);
+    }
+  }
 
-    /** The publisher's node name, or its address before it said its name. */
-    String peer() {
-        return peer;
-    }
+  private static HostPort raise(String reason) throws IOException {
+    throw new IOException(reason);
+  }
 
-    /** Whether no further attempt is to be made. */
-    boolean isOver() {
-        return closed || orphan;
+  private static HostPort endpoint(XmlRpcValue value) throws IOException {
+    List<XmlRpcValue> parts = GraphCodec.list(value);
+    if (parts.size() >= 3 && parts.get(1) instanceof XmlRpcValue.Text host && parts.get(2) instanceof XmlRpcValue.Int port) {
+      return new HostPort(host.value(), port.value());
     }
+    throw new ProtocolException("requestTopic did not answer [TCPROS, host, port]");
+  }
 
-    String publisherUri() {
-        return publisherUri;
-    }
+  private void converse(Socket socket) throws IOException, MessageException {
+    TimedStream stream = new TimedStream(socket);
+    stream.within(context.handshake());
+    socket.getOutputStream().write(subscription.request().encode());
+    FrameReader in = new FrameReader(stream, BUFFER);
+    ConnectionHeader header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
+    header.field("callerid").ifPresent(name -> peer = PeerText.name(name));
+    MessageInfo theirs = accept(header);
+    stream.withoutDeadline();
+    connected = true;
+    report(new LinkState.Connected(peer, theirs));
+    receive(in, theirs, header.flag("latching"));
+  }
 
-    /** The master does not list the publisher any more: the link lives as long as the publisher keeps it, but is not made again. */
-    void orphan() {
-        orphan = true;
-        nudges.release();
+  private MessageInfo accept(ConnectionHeader header) throws ProtocolException {
+    if (header.field("error").isPresent()) {
+      throw new ProtocolException("the publisher refused: " + header.require("error"));
     }
+    MessageInfo theirs = header.messageInfo();
+    MessageInfo ours = subscription.info();
+    if (!ours.accepts(theirs.md5())) {
+      throw new ProtocolException("it sends " + theirs.type() + " with MD5 sum " + theirs.md5() + ", expected "
+          + ours.type() + " with " + ours.md5());
+    }
+    return theirs;
+  }
 
-    /** The master lists the publisher (again): no reason to wait. */
-    void nudge() {
-        orphan = false;
-        nudges.release();
+  private void receive(FrameReader in, MessageInfo theirs, boolean latching) throws IOException, MessageException {
+    long max = context.options().maxMessageBytes();
+    String caller = peer;
+    while (!closed) {
+      byte[] frame = in.next(max, "message");
+      long now = System.nanoTime();
+      got.count(1, frame.length + (long) Integer.BYTES);
+      ByteBuffer raw = ByteBuffer.wrap(frame).asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
+      T value = decode(ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN), theirs);
+      subscription.deliver(value, new Reception(caller, now, raw, theirs, latching));
     }
+  }
 
-    void close() {
-        closed = true;
-        open.close();
-        nudges.release();
+  /** A codec must not let an unchecked exception out, but one that does must not end the thread. */
+  private T decode(ByteBuffer frame, MessageInfo theirs) throws MessageException {
+    try {
+      return subscription.codec().decode(frame, theirs);
+    } catch (RuntimeException e) {
+      MessageException wrapped = new MessageException("decoding failed with " + e, "", frame.position());
+      wrapped.initCause(e);
+      throw wrapped;
     }
+  }
 
-    private void run() {
-        String last = "the publisher is not registered any more";
-        while (!subscription.ended(this, publisherUri)) {
-            report(new LinkState.Connecting());
-            last = attempt();
-            if (!isOver()) {
-                Duration pause = backoff.next();
-                report(new LinkState.Failed(last, pause));
-                pause(pause);
-            }
-        }
-        report(new LinkState.Closed(closed ? "closed by this node" : last));
+  private void pause(Duration time) {
+    try {
+      nudges.tryAcquire(time.toNanos(), TimeUnit.NANOSECONDS);
+      nudges.drainPermits();
+    } catch (InterruptedException e) {
+      closed = true;
+      Thread.currentThread().interrupt();
     }
+  }
 
-    private String attempt() {
-        long start = System.nanoTime();
-        try {
-            connect();
-            return "";
-        } catch (SocketTimeoutException e) {
-            return describe("no answer within " + context.handshake().toMillis() + " ms");
-        } catch (IOException | IllegalArgumentException e) {
-            return describe(e.getMessage());
-        } catch (OutOfMemoryError e) {
-            return describe("no memory for its message: " + e.getMessage());
-        } catch (MessageException e) {
-            return describe("message that is no " + subscription.info().type() + ": " + e.getMessage());
-        } finally {
-            connected = false;
-            if (System.nanoTime() - start > context.options().maxBackoff().toNanos()) {
-                backoff.reset();
-            }
-        }
-    }
+  private String describe(String cause) {
+    String uri = PeerText.name(publisherUri);
+    String node = peer.equals(publisherUri) ? uri : peer + " at " + uri;
+    return "topic " + subscription.topic() + ": publisher " + node + ": " + cause;
+  }
 
-    private void connect() throws IOException, MessageException {
-        HostPort target = requestTopic();
-        Socket socket = new Socket();
-        if (!open.add(socket)) {
-            return;
-        }
-        try {
-            target.connect(socket, context.handshake());
-            Sockets.prepare(socket);
-            converse(socket);
-        } finally {
-            open.close(socket);
-        }
-    }
-
-    private HostPort requestTopic() throws IOException {
-        RosApi publisher = new RosApi(HostPort.ofUri(publisherUri, "http"), "", context.handshake());
-        if (!open.add(publisher)) {
-            throw new IOException("closed");
-        }
-        try {
-            Outcome<XmlRpcValue> outcome = publisher.call("requestTopic", XmlRpcValue.of(context.name().text()),
-                    XmlRpcValue.of(subscription.topic().text()), XmlRpcValue.of(XmlRpcValue.ofTexts(List.of("TCPROS"))));
-            return outcome instanceof Outcome.Done<XmlRpcValue> done ? endpoint(done.value()) : raise(outcome.reason());
-        } finally {
-            open.close(publisher);
-        }
-    }
-
-    private static HostPort raise(String reason) throws IOException {
-        throw new IOException(reason);
-    }
-
-    private static HostPort endpoint(XmlRpcValue value) throws IOException {
-        List<XmlRpcValue> parts = GraphCodec.list(value);
-        if (parts.size() >= 3 && parts.get(1) instanceof XmlRpcValue.Text host && parts.get(2) instanceof XmlRpcValue.Int port) {
-            return new HostPort(host.value(), port.value());
-        }
-        throw new ProtocolException("requestTopic did not answer [TCPROS, host, port]");
-    }
-
-    private void converse(Socket socket) throws IOException, MessageException {
-        TimedStream stream = new TimedStream(socket);
-        stream.within(context.handshake());
-        socket.getOutputStream().write(subscription.request().encode());
-        FrameReader in = new FrameReader(stream, BUFFER);
-        ConnectionHeader header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
-        header.field("callerid").ifPresent(name -> peer = PeerText.name(name));
-        MessageInfo theirs = accept(header);
-        stream.withoutDeadline();
-        connected = true;
-        report(new LinkState.Connected(peer, theirs));
-        receive(in, theirs, header.flag("latching"));
-    }
-
-    private MessageInfo accept(ConnectionHeader header) throws ProtocolException {
-        if (header.field("error").isPresent()) {
-            throw new ProtocolException("the publisher refused: " + header.require("error"));
-        }
-        MessageInfo theirs = header.messageInfo();
-        MessageInfo ours = subscription.info();
-        if (!ours.accepts(theirs.md5())) {
-            throw new ProtocolException("it sends " + theirs.type() + " with MD5 sum " + theirs.md5() + ", expected "
-                    + ours.type() + " with " + ours.md5());
-        }
-        return theirs;
-    }
-
-    private void receive(FrameReader in, MessageInfo theirs, boolean latching) throws IOException, MessageException {
-        long max = context.options().maxMessageBytes();
-        String caller = peer;
-        while (!closed) {
-            byte[] frame = in.next(max, "message");
-            long now = System.nanoTime();
-            got.count(1, frame.length + (long) Integer.BYTES);
-            ByteBuffer raw = ByteBuffer.wrap(frame).asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
-            T value = decode(ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN), theirs);
-            subscription.deliver(value, new Reception(caller, now, raw, theirs, latching));
-        }
-    }
-
-    /** A codec must not let an unchecked exception out, but one that does must not end the thread. */
-    private T decode(ByteBuffer frame, MessageInfo theirs) throws MessageException {
-        try {
-            return subscription.codec().decode(frame, theirs);
-        } catch (RuntimeException e) {
-            MessageException wrapped = new MessageException("decoding failed with " + e, "", frame.position());
-            wrapped.initCause(e);
-            throw wrapped;
-        }
-    }
-
-    private void pause(Duration time) {
-        try {
-            nudges.tryAcquire(time.toNanos(), TimeUnit.NANOSECONDS);
-            nudges.drainPermits();
-        } catch (InterruptedException e) {
-            closed = true;
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private String describe(String cause) {
-        String uri = PeerText.name(publisherUri);
-        String node = peer.equals(publisherUri) ? uri : peer + " at " + uri;
-        return "topic " + subscription.topic() + ": publisher " + node + ": " + cause;
-    }
-
-    private void report(LinkState state) {
-        context.report(Kind.SUBSCRIPTION, subscription.topic().text(), peer, state);
-    }
+  private void report(LinkState state) {
+    context.report(Kind.SUBSCRIPTION, subscription.topic().text(), peer, state);
+  }
 }

@@ -8,29 +8,29 @@ import org.robotui.ros.XmlRpcValue;
 /** A private parameter from the command line: set when the master is reached, and again when it forgot. */
 record InitialParameter(GraphName node, GraphName key, XmlRpcValue value) implements Registration {
 
-    @Override
-    public String what() {
-        return "parameter " + key;
-    }
+  @Override
+  public String what() {
+    return "parameter " + key;
+  }
 
-    @Override
-    public Outcome<XmlRpcValue> register(RosApi master) {
-        return master.call("setParam", XmlRpcValue.of(node.text()), XmlRpcValue.of(key.text()), value);
-    }
+  @Override
+  public Outcome<XmlRpcValue> register(RosApi master) {
+    return master.call("setParam", XmlRpcValue.of(node.text()), XmlRpcValue.of(key.text()), value);
+  }
 
-    /** Parameters outlive their node, as with every ROS program. */
-    @Override
-    public Outcome<XmlRpcValue> unregister(RosApi master) {
-        return new Outcome.Done<>(value);
-    }
+  /** Parameters outlive their node, as with every ROS program. */
+  @Override
+  public Outcome<XmlRpcValue> unregister(RosApi master) {
+    return new Outcome.Done<>(value);
+  }
 
-    @Override
-    public boolean agreesWith(SystemState state) {
-        return true;
-    }
+  @Override
+  public boolean agreesWith(SystemState state) {
+    return true;
+  }
 
-    @Override
-    public void registered(XmlRpcValue answer) {
-        // nothing to learn
-    }
+  @Override
+  public void registered(XmlRpcValue answer) {
+    // nothing to learn
+  }
 }

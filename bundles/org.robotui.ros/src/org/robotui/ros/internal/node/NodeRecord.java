@@ -24,47 +24,47 @@ import java.util.Properties;
  */
 record NodeRecord(String node, String uri, String rpcUri, String master, Owner process, List<String> parameters) {
 
-    static final String SUFFIX = ".rosnode";
-    private static final int MAX_BYTES = 64 * 1024;
+  static final String SUFFIX = ".rosnode";
+  private static final int MAX_BYTES = 64 * 1024;
 
-    NodeRecord withParameters(List<String> keys) {
-        return new NodeRecord(node, uri, rpcUri, master, process, List.copyOf(keys));
-    }
+  NodeRecord withParameters(List<String> keys) {
+    return new NodeRecord(node, uri, rpcUri, master, process, List.copyOf(keys));
+  }
 
-    /** Writes it so that a reader finds the whole or nothing. */
-    void write(Path file) throws IOException {
-        Properties all = new Properties();
-        all.setProperty("node", node);
-        all.setProperty("uri", uri);
-        all.setProperty("rpc_uri", rpcUri);
-        all.setProperty("master", master);
-        all.setProperty("host", process.host());
-        all.setProperty("pid", Long.toString(process.pid()));
-        all.setProperty("started", Long.toString(process.started().toEpochMilli()));
-        all.setProperty("parameters", String.join(" ", parameters));
-        StringWriter text = new StringWriter();
-        all.store(text, "registered at a ROS master; removed when the node is closed");
-        Path part = file.resolveSibling(file.getFileName() + ".part");
-        Files.writeString(part, text.toString());
-        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-    }
+  /** Writes it so that a reader finds the whole or nothing. */
+  void write(Path file) throws IOException {
+    Properties all = new Properties();
+    all.setProperty("node", node);
+    all.setProperty("uri", uri);
+    all.setProperty("rpc_uri", rpcUri);
+    all.setProperty("master", master);
+    all.setProperty("host", process.host());
+    all.setProperty("pid", Long.toString(process.pid()));
+    all.setProperty("started", Long.toString(process.started().toEpochMilli()));
+    all.setProperty("parameters", String.join(" ", parameters));
+    StringWriter text = new StringWriter();
+    all.store(text, "registered at a ROS master; removed when the node is closed");
+    Path part = file.resolveSibling(file.getFileName() + ".part");
+    Files.writeString(part, text.toString());
+    Files.move(part, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+  }
 
-    static NodeRecord read(Path file) throws IOException {
-        if (Files.size(file) > MAX_BYTES) {
-            throw new IOException("it is longer than " + MAX_BYTES + " bytes");
-        }
-        Properties all = new Properties();
-        try {
-            all.load(new StringReader(new String(Files.readAllBytes(file), StandardCharsets.UTF_8)));
-            Owner process = new Owner(get(all, "host"), Long.parseLong(get(all, "pid")), Instant.ofEpochMilli(Long.parseLong(get(all, "started"))));
-            List<String> parameters = List.of(get(all, "parameters").split(" ")).stream().filter(key -> !key.isEmpty()).toList();
-            return new NodeRecord(get(all, "node"), get(all, "uri"), get(all, "rpc_uri"), get(all, "master"), process, parameters);
-        } catch (IllegalArgumentException e) {
-            throw new IOException(e.getMessage(), e);
-        }
+  static NodeRecord read(Path file) throws IOException {
+    if (Files.size(file) > MAX_BYTES) {
+      throw new IOException("it is longer than " + MAX_BYTES + " bytes");
     }
+    Properties all = new Properties();
+    try {
+      all.load(new StringReader(new String(Files.readAllBytes(file), StandardCharsets.UTF_8)));
+      Owner process = new Owner(get(all, "host"), Long.parseLong(get(all, "pid")), Instant.ofEpochMilli(Long.parseLong(get(all, "started"))));
+      List<String> parameters = List.of(get(all, "parameters").split(" ")).stream().filter(key -> !key.isEmpty()).toList();
+      return new NodeRecord(get(all, "node"), get(all, "uri"), get(all, "rpc_uri"), get(all, "master"), process, parameters);
+    } catch (IllegalArgumentException e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
 
-    private static String get(Properties all, String key) throws IOException {
-        return Optional.ofNullable(all.getProperty(key)).orElseThrow(() -> new IOException("'" + key + "' is missing"));
-    }
+  private static String get(Properties all, String key) throws IOException {
+    return Optional.ofNullable(all.getProperty(key)).orElseThrow(() -> new IOException("'" + key + "' is missing"));
+  }
 }

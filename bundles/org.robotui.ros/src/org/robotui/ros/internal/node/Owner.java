@@ -16,33 +16,33 @@ import java.util.Optional;
  */
 record Owner(String host, long pid, Instant started) {
 
-    /** Systems derive the start from a clock that is corrected meanwhile. */
-    private static final Duration TOLERANCE = Duration.ofSeconds(10);
+  /** Systems derive the start from a clock that is corrected meanwhile. */
+  private static final Duration TOLERANCE = Duration.ofSeconds(10);
 
-    static Owner current() {
-        ProcessHandle self = ProcessHandle.current();
-        return new Owner(thisHost(), self.pid(), started(self));
-    }
+  static Owner current() {
+    ProcessHandle self = ProcessHandle.current();
+    return new Owner(thisHost(), self.pid(), started(self));
+  }
 
-    private static Instant started(ProcessHandle process) {
-        return process.info().startInstant().orElse(Instant.EPOCH);
-    }
+  private static Instant started(ProcessHandle process) {
+    return process.info().startInstant().orElse(Instant.EPOCH);
+  }
 
-    /** Asking the name service could take long: the kernel knows it, elsewhere the environment. */
-    private static String thisHost() {
-        try {
-            return Files.readString(Path.of("/proc/sys/kernel/hostname")).strip();
-        } catch (IOException e) {
-            return Optional.ofNullable(System.getenv("COMPUTERNAME")).or(() -> Optional.ofNullable(System.getenv("HOSTNAME"))).orElse("");
-        }
+  /** Asking the name service could take long: the kernel knows it, elsewhere the environment. */
+  private static String thisHost() {
+    try {
+      return Files.readString(Path.of("/proc/sys/kernel/hostname")).strip();
+    } catch (IOException e) {
+      return Optional.ofNullable(System.getenv("COMPUTERNAME")).or(() -> Optional.ofNullable(System.getenv("HOSTNAME"))).orElse("");
     }
+  }
 
-    boolean isOnThisHost() {
-        return host.equals(thisHost());
-    }
+  boolean isOnThisHost() {
+    return host.equals(thisHost());
+  }
 
-    boolean isAlive() {
-        return ProcessHandle.of(pid).filter(ProcessHandle::isAlive)
-                .map(process -> Duration.between(started(process), started).abs().compareTo(TOLERANCE) < 0).orElse(false);
-    }
+  boolean isAlive() {
+    return ProcessHandle.of(pid).filter(ProcessHandle::isAlive)
+        .map(process -> Duration.between(started(process), started).abs().compareTo(TOLERANCE) < 0).orElse(false);
+  }
 }

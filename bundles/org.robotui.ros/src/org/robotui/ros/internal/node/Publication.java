@@ -29,144 +29,144 @@ import org.robotui.ros.message.MessageWriter;
 /** One topic this node publishes, with the links to its subscribers. */
 final class Publication<T> implements Publisher<T> {
 
-    private final NodeContext context;
-    private final GraphName topic;
-    private final MessageCodec<T> codec;
-    private final PublisherOptions options;
-    private final Consumer<Publication<?>> onClose;
-    private final LongAdder dropped = new LongAdder();
-    /** Bytes over links that ended. */
-    private final LongAdder sentBefore = new LongAdder();
-    private final List<OutLink> links = new CopyOnWriteArrayList<>();
-    /** Orders messages against each other and against new links. */
-    private final Object sending = new Object();
-    private Optional<ByteBuffer> latched = Optional.empty();
-    private volatile int expectedSize = 256;
-    private volatile boolean closed;
+  private final NodeContext context;
+  private final GraphName topic;
+  private final MessageCodec<T> codec;
+  private final PublisherOptions options;
+  private final Consumer<Publication<?>> onClose;
+  private final LongAdder dropped = new LongAdder();
+  /** Bytes over links that ended. */
+  private final LongAdder sentBefore = new LongAdder();
+  private final List<OutLink> links = new CopyOnWriteArrayList<>();
+  /** Orders messages against each other and against new links. */
+  private final Object sending = new Object();
+  private Optional<ByteBuffer> latched = Optional.empty();
+  private volatile int expectedSize = 256;
+  private volatile boolean closed;
 
-    Publication(NodeContext context, GraphName topic, MessageCodec<T> codec, PublisherOptions options, Consumer<Publication<?>> onClose) {
-        this.context = context;
-        this.topic = topic;
-        this.codec = codec;
-        this.options = options;
-        this.onClose = onClose;
-    }
+  Publication(NodeContext context, GraphName topic, MessageCodec<T> codec, PublisherOptions options, Consumer<Publication<?>> onClose) {
+    this.context = context;
+    this.topic = topic;
+    this.codec = codec;
+    this.options = options;
+    this.onClose = onClose;
+  }
 
-    @Override
-    public void publish(T message) {
-        send(message, OutLink::offer);
-    }
+  @Override
+  public void publish(T message) {
+    send(message, OutLink::offer);
+  }
 
-    @Override
-    public void publishUrgently(T message) {
-        send(message, OutLink::offerUrgently);
-    }
+  @Override
+  public void publishUrgently(T message) {
+    send(message, OutLink::offerUrgently);
+  }
 
-    private void send(T message, BiConsumer<OutLink, ByteBuffer> way) {
-        if (closed || links.isEmpty() && !options.latch()) {
-            return;
-        }
-        ByteBuffer frame = frame(message);
-        synchronized (sending) {
-            latched = options.latch() ? Optional.of(frame) : Optional.empty();
-            for (OutLink link : links) {
-                way.accept(link, frame);
-            }
-        }
+  private void send(T message, BiConsumer<OutLink, ByteBuffer> way) {
+    if (closed || links.isEmpty() && !options.latch()) {
+      return;
     }
+    ByteBuffer frame = frame(message);
+    synchronized (sending) {
+      latched = options.latch() ? Optional.of(frame) : Optional.empty();
+      for (OutLink link : links) {
+        way.accept(link, frame);
+      }
+    }
+  }
 
-    private ByteBuffer frame(T message) {
-        MessageWriter writer = new MessageWriter(expectedSize);
-        codec.encode(message, writer.i32(0));
-        writer.patchI32(0, writer.size() - Integer.BYTES);
-        expectedSize = writer.size();
-        return writer.view();
-    }
+  private ByteBuffer frame(T message) {
+    MessageWriter writer = new MessageWriter(expectedSize);
+    codec.encode(message, writer.i32(0));
+    writer.patchI32(0, writer.size() - Integer.BYTES);
+    expectedSize = writer.size();
+    return writer.view();
+  }
 
-    /** Serves one subscriber on the calling thread until the link ends. */
-    void serve(Socket socket, FrameReader in, ConnectionHeader request) throws IOException {
-        String subscriber = request.field("callerid").map(PeerText::name).orElse("unnamed");
-        MessageInfo theirs = new MessageInfo(request.field("type").orElse(MessageInfo.ANY), request.require("md5sum"),
-                request.field("message_definition").orElse(""));
-        if (!codec.info().accepts(theirs.md5())) {
-            String reason = "topic " + topic + " is " + codec.info().type() + " with MD5 sum " + codec.info().md5()
-                    + ", but " + subscriber + " wants " + theirs.type() + " with " + theirs.md5();
-            context.report(LinkEvent.Kind.PUBLICATION, topic.text(), subscriber, new LinkState.Closed(reason));
-            throw new ProtocolException(reason);
-        }
-        socket.getOutputStream().write(reply().encode());
-        OutQueue queue = new OutQueue(options.queueMessages(), options.queueBytes(), dropped);
-        if (options.prompt()) {
-            Sockets.entrustLittle(socket);
-        }
-        OutLink link = new OutLink(context, topic, subscriber, theirs, socket, queue, new Traffic());
-        add(link);
-        try {
-            link.run(in);
-        } finally {
-            sentBefore.add(link.sent().bytes());
-            links.remove(link);
-        }
+  /** Serves one subscriber on the calling thread until the link ends. */
+  void serve(Socket socket, FrameReader in, ConnectionHeader request) throws IOException {
+    String subscriber = request.field("callerid").map(PeerText::name).orElse("unnamed");
+    MessageInfo theirs = new MessageInfo(request.field("type").orElse(MessageInfo.ANY), request.require("md5sum"),
+        request.field("message_definition").orElse(""));
+    if (!codec.info().accepts(theirs.md5())) {
+      String reason = "topic " + topic + " is " + codec.info().type() + " with MD5 sum " + codec.info().md5()
+          + ", but " + subscriber + " wants " + theirs.type() + " with " + theirs.md5();
+      context.report(LinkEvent.Kind.PUBLICATION, topic.text(), subscriber, new LinkState.Closed(reason));
+      throw new ProtocolException(reason);
     }
+    socket.getOutputStream().write(reply().encode());
+    OutQueue queue = new OutQueue(options.queueMessages(), options.queueBytes(), dropped);
+    if (options.prompt()) {
+      Sockets.entrustLittle(socket);
+    }
+    OutLink link = new OutLink(context, topic, subscriber, theirs, socket, queue, new Traffic());
+    add(link);
+    try {
+      link.run(in);
+    } finally {
+      sentBefore.add(link.sent().bytes());
+      links.remove(link);
+    }
+  }
 
-    private void add(OutLink link) throws IOException {
-        synchronized (sending) {
-            links.add(link);
-            latched.ifPresent(link::offer);
-        }
-        if (closed) {
-            links.remove(link);
-            throw new IOException("the publisher was closed");
-        }
+  private void add(OutLink link) throws IOException {
+    synchronized (sending) {
+      links.add(link);
+      latched.ifPresent(link::offer);
     }
+    if (closed) {
+      links.remove(link);
+      throw new IOException("the publisher was closed");
+    }
+  }
 
-    private ConnectionHeader reply() {
-        return ConnectionHeader.of(context.name().text()).with(codec.info()).with("topic", topic.text())
-                .with("latching", options.latch() ? "1" : "0");
-    }
+  private ConnectionHeader reply() {
+    return ConnectionHeader.of(context.name().text()).with(codec.info()).with("topic", topic.text())
+        .with("latching", options.latch() ? "1" : "0");
+  }
 
-    MessageInfo info() {
-        return codec.info();
-    }
+  MessageInfo info() {
+    return codec.info();
+  }
 
-    /** What all subscribers so far got. */
-    long sentBytes() {
-        return sentBefore.sum() + links.stream().mapToLong(link -> link.sent().bytes()).sum();
-    }
+  /** What all subscribers so far got. */
+  long sentBytes() {
+    return sentBefore.sum() + links.stream().mapToLong(link -> link.sent().bytes()).sum();
+  }
 
-    List<OutLink> links() {
-        return links;
-    }
+  List<OutLink> links() {
+    return links;
+  }
 
-    @Override
-    public GraphName topic() {
-        return topic;
-    }
+  @Override
+  public GraphName topic() {
+    return topic;
+  }
 
-    @Override
-    public int numSubscribers() {
-        return links.size();
-    }
+  @Override
+  public int numSubscribers() {
+    return links.size();
+  }
 
-    @Override
-    public Set<String> subscribers() {
-        return links.stream().map(OutLink::subscriber).collect(Collectors.toUnmodifiableSet());
-    }
+  @Override
+  public Set<String> subscribers() {
+    return links.stream().map(OutLink::subscriber).collect(Collectors.toUnmodifiableSet());
+  }
 
-    @Override
-    public long dropped() {
-        return dropped.sum();
-    }
+  @Override
+  public long dropped() {
+    return dropped.sum();
+  }
 
-    @Override
-    public void close() {
-        synchronized (sending) {
-            if (closed) {
-                return;
-            }
-            closed = true;
-        }
-        onClose.accept(this);
-        links.forEach(OutLink::close);
+  @Override
+  public void close() {
+    synchronized (sending) {
+      if (closed) {
+        return;
+      }
+      closed = true;
     }
+    onClose.accept(this);
+    links.forEach(OutLink::close);
+  }
 }

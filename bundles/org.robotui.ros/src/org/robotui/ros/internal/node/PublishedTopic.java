@@ -9,29 +9,29 @@ import org.robotui.ros.XmlRpcValue;
 /** A topic this node publishes, as the master should know it. */
 record PublishedTopic(GraphName node, GraphName topic, String type, String uri) implements Registration {
 
-    @Override
-    public String what() {
-        return "publisher of " + topic;
-    }
+  @Override
+  public String what() {
+    return "publisher of " + topic;
+  }
 
-    @Override
-    public Outcome<XmlRpcValue> register(RosApi master) {
-        return master.call("registerPublisher", XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()),
-                XmlRpcValue.of(type), XmlRpcValue.of(uri));
-    }
+  @Override
+  public Outcome<XmlRpcValue> register(RosApi master) {
+    return master.call("registerPublisher", XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()),
+        XmlRpcValue.of(type), XmlRpcValue.of(uri));
+  }
 
-    @Override
-    public Outcome<XmlRpcValue> unregister(RosApi master) {
-        return master.call("unregisterPublisher", XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri));
-    }
+  @Override
+  public Outcome<XmlRpcValue> unregister(RosApi master) {
+    return master.call("unregisterPublisher", XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri));
+  }
 
-    @Override
-    public boolean agreesWith(SystemState state) {
-        return state.publishers().getOrDefault(topic.text(), List.of()).contains(node.text());
-    }
+  @Override
+  public boolean agreesWith(SystemState state) {
+    return state.publishers().getOrDefault(topic.text(), List.of()).contains(node.text());
+  }
 
-    @Override
-    public void registered(XmlRpcValue answer) {
-        // the master answers the subscribers, which come by themselves
-    }
+  @Override
+  public void registered(XmlRpcValue answer) {
+    // the master answers the subscribers, which come by themselves
+  }
 }

@@ -24,240 +24,240 @@ import org.slf4j.LoggerFactory;
  */
 final class Registrar {
 
-    private static final Logger LOG = LoggerFactory.getLogger(Registrar.class);
+  private static final Logger LOG = LoggerFactory.getLogger(Registrar.class);
 
-    private final NodeContext context;
-    private final RosApi master;
-    private final String masterName;
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
-    /** What should be known, and whether it is. */
-    private final Map<Registration, Boolean> wanted = new LinkedHashMap<>();
-    private final List<Registration> unwanted = new ArrayList<>();
-    private boolean dirty;
-    private boolean closed;
-    private boolean connected;
-    private boolean everRegistered;
-    private Optional<XmlRpcValue> runId = Optional.empty();
+  private final NodeContext context;
+  private final RosApi master;
+  private final String masterName;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  /** What should be known, and whether it is. */
+  private final Map<Registration, Boolean> wanted = new LinkedHashMap<>();
+  private final List<Registration> unwanted = new ArrayList<>();
+  private boolean dirty;
+  private boolean closed;
+  private boolean connected;
+  private boolean everRegistered;
+  private Optional<XmlRpcValue> runId = Optional.empty();
 
-    Registrar(NodeContext context, RosApi master, String masterName) {
-        this.context = context;
-        this.master = master;
-        this.masterName = masterName;
+  Registrar(NodeContext context, RosApi master, String masterName) {
+    this.context = context;
+    this.master = master;
+    this.masterName = masterName;
+  }
+
+  void start() {
+    context.start("master", this::run);
+  }
+
+  void add(Registration registration) {
+    locked(() -> {
+      unwanted.remove(registration);
+      wanted.put(registration, false);
+      dirty = true;
+    });
+  }
+
+  void remove(Registration registration) {
+    locked(() -> {
+      if (wanted.remove(registration) != null) {
+        unwanted.add(registration);
+        dirty = true;
+      }
+    });
+  }
+
+  /** Drops a registration that another one of the same kind keeps alive at the master. */
+  void forget(Registration registration) {
+    locked(() -> wanted.remove(registration));
+  }
+
+  private void locked(Runnable change) {
+    lock.lock();
+    try {
+      change.run();
+      changed.signalAll();
+    } finally {
+      lock.unlock();
     }
+  }
 
-    void start() {
-        context.start("master", this::run);
+  boolean awaitRegistered(Duration timeout) {
+    long left = timeout.toNanos();
+    lock.lock();
+    try {
+      while (left > 0 && !closed && !(unwanted.isEmpty() && !wanted.containsValue(false))) {
+        left = changed.awaitNanos(left);
+      }
+      return unwanted.isEmpty() && !wanted.containsValue(false);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    } finally {
+      lock.unlock();
     }
+  }
 
-    void add(Registration registration) {
-        locked(() -> {
-            unwanted.remove(registration);
-            wanted.put(registration, false);
-            dirty = true;
-        });
+  /** Ends the thread; answers what the master may know and should forget. */
+  List<Registration> close() {
+    lock.lock();
+    try {
+      closed = true;
+      changed.signalAll();
+      List<Registration> all = new ArrayList<>(unwanted);
+      all.addAll(wanted.keySet());
+      return everRegistered ? all : List.of();
+    } finally {
+      lock.unlock();
     }
+  }
 
-    void remove(Registration registration) {
-        locked(() -> {
-            if (wanted.remove(registration) != null) {
-                unwanted.add(registration);
-                dirty = true;
-            }
-        });
+  private void run() {
+    Backoff backoff = context.backoff();
+    report(new LinkState.Connecting());
+    while (!isClosed()) {
+      Optional<String> problem = reconcile();
+      if (problem.isPresent()) {
+        Duration pause = backoff.next();
+        failed(problem.get(), pause);
+        await(pause, false);
+      } else {
+        backoff.reset();
+        succeeded();
+        await(context.options().masterCheck(), true);
+      }
     }
+  }
 
-    /** Drops a registration that another one of the same kind keeps alive at the master. */
-    void forget(Registration registration) {
-        locked(() -> wanted.remove(registration));
+  private Optional<String> reconcile() {
+    Optional<String> problem = check();
+    for (Registration registration : snapshot(unwanted)) {
+      problem = problem.isPresent() ? problem : unregister(registration);
     }
+    for (Registration registration : missing()) {
+      problem = problem.isPresent() ? problem : register(registration);
+    }
+    return problem;
+  }
 
-    private void locked(Runnable change) {
-        lock.lock();
-        try {
-            change.run();
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+  private Optional<String> check() {
+    Outcome<XmlRpcValue> id = master.call("getParam", XmlRpcValue.of(context.name().text()), XmlRpcValue.of("/run_id"));
+    if (id instanceof Outcome.Done<XmlRpcValue> done && !runId.equals(Optional.of(done.value()))) {
+      runId = Optional.of(done.value());
+      forgetAll();
     }
+    Outcome<SystemState> state = master.call("getSystemState", XmlRpcValue.of(context.name().text())).map(GraphCodec::state);
+    state.toOptional().ifPresent(this::compare);
+    return switch (state) {
+      case Outcome.Done<SystemState> done -> Optional.empty();
+      case Outcome.Refused<SystemState> refused -> Optional.of(masterName + " refused to tell its state: " + refused.reason());
+      default -> Optional.of(state.reason());
+    };
+  }
 
-    boolean awaitRegistered(Duration timeout) {
-        long left = timeout.toNanos();
-        lock.lock();
-        try {
-            while (left > 0 && !closed && !(unwanted.isEmpty() && !wanted.containsValue(false))) {
-                left = changed.awaitNanos(left);
-            }
-            return unwanted.isEmpty() && !wanted.containsValue(false);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            return false;
-        } finally {
-            lock.unlock();
-        }
-    }
+  private void forgetAll() {
+    locked(() -> wanted.replaceAll((registration, known) -> false));
+  }
 
-    /** Ends the thread; answers what the master may know and should forget. */
-    List<Registration> close() {
-        lock.lock();
-        try {
-            closed = true;
-            changed.signalAll();
-            List<Registration> all = new ArrayList<>(unwanted);
-            all.addAll(wanted.keySet());
-            return everRegistered ? all : List.of();
-        } finally {
-            lock.unlock();
-        }
-    }
+  private void compare(SystemState state) {
+    locked(() -> wanted.replaceAll((registration, known) -> known && registration.agreesWith(state)));
+  }
 
-    private void run() {
-        Backoff backoff = context.backoff();
-        report(new LinkState.Connecting());
-        while (!isClosed()) {
-            Optional<String> problem = reconcile();
-            if (problem.isPresent()) {
-                Duration pause = backoff.next();
-                failed(problem.get(), pause);
-                await(pause, false);
-            } else {
-                backoff.reset();
-                succeeded();
-                await(context.options().masterCheck(), true);
-            }
-        }
+  /** A refusal concerns this registration alone: the others go on, and it is tried again with the next check. */
+  private Optional<String> register(Registration registration) {
+    locked(() -> everRegistered = true);
+    Outcome<XmlRpcValue> outcome = registration.register(master);
+    if (outcome instanceof Outcome.Done<XmlRpcValue> done) {
+      locked(() -> wanted.computeIfPresent(registration, (key, known) -> true));
+      registration.registered(done.value());
+      return Optional.empty();
     }
+    if (outcome instanceof Outcome.Refused) {
+      LOG.warn("{}: the master refused {}: {}", context.name(), registration.what(), outcome.reason());
+      return Optional.empty();
+    }
+    return Optional.of(registration.what() + ": " + outcome.reason());
+  }
 
-    private Optional<String> reconcile() {
-        Optional<String> problem = check();
-        for (Registration registration : snapshot(unwanted)) {
-            problem = problem.isPresent() ? problem : unregister(registration);
-        }
-        for (Registration registration : missing()) {
-            problem = problem.isPresent() ? problem : register(registration);
-        }
-        return problem;
+  /** A master that refuses does not know it any more: that is fine, too. */
+  private Optional<String> unregister(Registration registration) {
+    Outcome<XmlRpcValue> outcome = registration.unregister(master);
+    if (outcome instanceof Outcome.Done || outcome instanceof Outcome.Refused) {
+      locked(() -> unwanted.remove(registration));
+      return Optional.empty();
     }
+    return Optional.of(registration.what() + ": " + outcome.reason());
+  }
 
-    private Optional<String> check() {
-        Outcome<XmlRpcValue> id = master.call("getParam", XmlRpcValue.of(context.name().text()), XmlRpcValue.of("/run_id"));
-        if (id instanceof Outcome.Done<XmlRpcValue> done && !runId.equals(Optional.of(done.value()))) {
-            runId = Optional.of(done.value());
-            forgetAll();
-        }
-        Outcome<SystemState> state = master.call("getSystemState", XmlRpcValue.of(context.name().text())).map(GraphCodec::state);
-        state.toOptional().ifPresent(this::compare);
-        return switch (state) {
-            case Outcome.Done<SystemState> done -> Optional.empty();
-            case Outcome.Refused<SystemState> refused -> Optional.of(masterName + " refused to tell its state: " + refused.reason());
-            default -> Optional.of(state.reason());
-        };
+  private List<Registration> missing() {
+    lock.lock();
+    try {
+      return wanted.entrySet().stream().filter(entry -> !entry.getValue()).map(Map.Entry::getKey).toList();
+    } finally {
+      lock.unlock();
     }
+  }
 
-    private void forgetAll() {
-        locked(() -> wanted.replaceAll((registration, known) -> false));
+  private List<Registration> snapshot(List<Registration> list) {
+    lock.lock();
+    try {
+      dirty = false;
+      return List.copyOf(list);
+    } finally {
+      lock.unlock();
     }
+  }
 
-    private void compare(SystemState state) {
-        locked(() -> wanted.replaceAll((registration, known) -> known && registration.agreesWith(state)));
+  private boolean isClosed() {
+    lock.lock();
+    try {
+      return closed;
+    } finally {
+      lock.unlock();
     }
+  }
 
-    /** A refusal concerns this registration alone: the others go on, and it is tried again with the next check. */
-    private Optional<String> register(Registration registration) {
-        locked(() -> everRegistered = true);
-        Outcome<XmlRpcValue> outcome = registration.register(master);
-        if (outcome instanceof Outcome.Done<XmlRpcValue> done) {
-            locked(() -> wanted.computeIfPresent(registration, (key, known) -> true));
-            registration.registered(done.value());
-            return Optional.empty();
-        }
-        if (outcome instanceof Outcome.Refused) {
-            LOG.warn("{}: the master refused {}: {}", context.name(), registration.what(), outcome.reason());
-            return Optional.empty();
-        }
-        return Optional.of(registration.what() + ": " + outcome.reason());
+  private void await(Duration pause, boolean wakeOnChange) {
+    long left = pause.toNanos();
+    lock.lock();
+    try {
+      while (left > 0 && !closed && !(wakeOnChange && dirty)) {
+        left = changed.awaitNanos(left);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      closed = true;
+    } finally {
+      lock.unlock();
     }
+  }
 
-    /** A master that refuses does not know it any more: that is fine, too. */
-    private Optional<String> unregister(Registration registration) {
-        Outcome<XmlRpcValue> outcome = registration.unregister(master);
-        if (outcome instanceof Outcome.Done || outcome instanceof Outcome.Refused) {
-            locked(() -> unwanted.remove(registration));
-            return Optional.empty();
-        }
-        return Optional.of(registration.what() + ": " + outcome.reason());
+  private void succeeded() {
+    boolean before = setConnected(true);
+    if (!before) {
+      report(new LinkState.Connected(masterName, MessageInfo.any()));
     }
+  }
 
-    private List<Registration> missing() {
-        lock.lock();
-        try {
-            return wanted.entrySet().stream().filter(entry -> !entry.getValue()).map(Map.Entry::getKey).toList();
-        } finally {
-            lock.unlock();
-        }
+  private void failed(String reason, Duration retryAfter) {
+    if (!isClosed()) {
+      setConnected(false);
+      report(new LinkState.Failed(reason, retryAfter));
     }
+  }
 
-    private List<Registration> snapshot(List<Registration> list) {
-        lock.lock();
-        try {
-            dirty = false;
-            return List.copyOf(list);
-        } finally {
-            lock.unlock();
-        }
+  private boolean setConnected(boolean value) {
+    lock.lock();
+    try {
+      boolean before = connected;
+      connected = value;
+      return before;
+    } finally {
+      lock.unlock();
     }
+  }
 
-    private boolean isClosed() {
-        lock.lock();
-        try {
-            return closed;
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    private void await(Duration pause, boolean wakeOnChange) {
-        long left = pause.toNanos();
-        lock.lock();
-        try {
-            while (left > 0 && !closed && !(wakeOnChange && dirty)) {
-                left = changed.awaitNanos(left);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            closed = true;
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    private void succeeded() {
-        boolean before = setConnected(true);
-        if (!before) {
-            report(new LinkState.Connected(masterName, MessageInfo.any()));
-        }
-    }
-
-    private void failed(String reason, Duration retryAfter) {
-        if (!isClosed()) {
-            setConnected(false);
-            report(new LinkState.Failed(reason, retryAfter));
-        }
-    }
-
-    private boolean setConnected(boolean value) {
-        lock.lock();
-        try {
-            boolean before = connected;
-            connected = value;
-            return before;
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    private void report(LinkState state) {
-        context.report(Kind.MASTER, context.name().text(), masterName, state);
-    }
+  private void report(LinkState state) {
+    context.report(Kind.MASTER, context.name().text(), masterName, state);
+  }
 }

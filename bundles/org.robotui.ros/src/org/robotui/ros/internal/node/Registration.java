@@ -7,16 +7,16 @@ import org.robotui.ros.XmlRpcValue;
 /** One thing the master should know about this node. */
 interface Registration {
 
-    /** For messages: what is registered. */
-    String what();
+  /** For messages: what is registered. */
+  String what();
 
-    Outcome<XmlRpcValue> register(RosApi master);
+  Outcome<XmlRpcValue> register(RosApi master);
 
-    Outcome<XmlRpcValue> unregister(RosApi master);
+  Outcome<XmlRpcValue> unregister(RosApi master);
 
-    /** Whether the master's view, as far as it shows this registration, agrees with ours. */
-    boolean agreesWith(SystemState state);
+  /** Whether the master's view, as far as it shows this registration, agrees with ours. */
+  boolean agreesWith(SystemState state);
 
-    /** Takes what the master answered. */
-    void registered(XmlRpcValue answer);
+  /** Takes what the master answered. */
+  void registered(XmlRpcValue answer);
 }

@@ -16,43 +16,43 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 /** Calls the API of a master or a node, whose answers are all {@code [code, status, value]}. */
 final class RosApi implements Closeable {
 
-    private final XmlRpcClient client;
-    /** What error messages start with. */
-    private final String prefix;
-    private final Duration timeout;
+  private final XmlRpcClient client;
+  /** What error messages start with. */
+  private final String prefix;
+  private final Duration timeout;
 
-    /** An api whose errors name the peer, unless it is empty because the caller says it. */
-    RosApi(HostPort target, String peer, Duration timeout) {
-        this.client = new XmlRpcClient(target, XmlRpcLimits.standard().withMessage(timeout));
-        this.prefix = peer.isEmpty() ? "" : peer + " at " + target + ": ";
-        this.timeout = timeout;
-    }
+  /** An api whose errors name the peer, unless it is empty because the caller says it. */
+  RosApi(HostPort target, String peer, Duration timeout) {
+    this.client = new XmlRpcClient(target, XmlRpcLimits.standard().withMessage(timeout));
+    this.prefix = peer.isEmpty() ? "" : peer + " at " + target + ": ";
+    this.timeout = timeout;
+  }
 
-    Outcome<XmlRpcValue> call(String method, XmlRpcValue... arguments) {
-        return call(timeout, method, arguments);
-    }
+  Outcome<XmlRpcValue> call(String method, XmlRpcValue... arguments) {
+    return call(timeout, method, arguments);
+  }
 
-    Outcome<XmlRpcValue> call(Duration within, String method, XmlRpcValue... arguments) {
-        try {
-            return answer(method, client.call(method, List.of(arguments), within));
-        } catch (SocketTimeoutException e) {
-            return new Outcome.TimedOut<>(prefix + e.getMessage(), within);
-        } catch (IOException | XmlRpcFault e) {
-            return new Outcome.Failed<>(prefix + PeerText.brief(String.valueOf(e.getMessage())));
-        }
+  Outcome<XmlRpcValue> call(Duration within, String method, XmlRpcValue... arguments) {
+    try {
+      return answer(method, client.call(method, List.of(arguments), within));
+    } catch (SocketTimeoutException e) {
+      return new Outcome.TimedOut<>(prefix + e.getMessage(), within);
+    } catch (IOException | XmlRpcFault e) {
+      return new Outcome.Failed<>(prefix + PeerText.brief(String.valueOf(e.getMessage())));
     }
+  }
 
-    private Outcome<XmlRpcValue> answer(String method, XmlRpcValue value) {
-        if (value instanceof XmlRpcValue.Array array && array.items().size() >= 3
-                && array.items().get(0) instanceof XmlRpcValue.Int code
-                && array.items().get(1) instanceof XmlRpcValue.Text status) {
-            return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(PeerText.brief(status.value()));
-        }
-        return new Outcome.Failed<>(prefix + method + " did not answer [code, status, value]");
+  private Outcome<XmlRpcValue> answer(String method, XmlRpcValue value) {
+    if (value instanceof XmlRpcValue.Array array && array.items().size() >= 3
+        && array.items().get(0) instanceof XmlRpcValue.Int code
+        && array.items().get(1) instanceof XmlRpcValue.Text status) {
+      return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(PeerText.brief(status.value()));
     }
+    return new Outcome.Failed<>(prefix + method + " did not answer [code, status, value]");
+  }
 
-    @Override
-    public void close() {
-        client.close();
-    }
+  @Override
+  public void close() {
+    client.close();
+  }
 }

@@ -19,78 +19,78 @@ import org.robotui.ros.internal.tcpros.TimedStream;
 /** One connection to a service server. For one thread at a time; closing it from another one ends a call. */
 final class ServiceLink implements Closeable {
 
-    private static final long FRESH_NANOS = 100_000_000;
+  private static final long FRESH_NANOS = 100_000_000;
 
-    private final NodeContext context;
-    private final Socket socket = new Socket();
-    private final Closeables owner;
-    private TimedStream stream;
-    private FrameReader in;
-    private ConnectionHeader header;
-    private long lastUsed;
+  private final NodeContext context;
+  private final Socket socket = new Socket();
+  private final Closeables owner;
+  private TimedStream stream;
+  private FrameReader in;
+  private ConnectionHeader header;
+  private long lastUsed;
 
-    ServiceLink(NodeContext context, Closeables owner) {
-        this.context = context;
-        this.owner = owner;
+  ServiceLink(NodeContext context, Closeables owner) {
+    this.context = context;
+    this.owner = owner;
+  }
+
+  /** Connects and exchanges headers. */
+  void open(HostPort server, ConnectionHeader request, Deadline deadline) throws IOException {
+    if (!owner.add(socket)) {
+      throw new IOException("closed");
     }
-
-    /** Connects and exchanges headers. */
-    void open(HostPort server, ConnectionHeader request, Deadline deadline) throws IOException {
-        if (!owner.add(socket)) {
-            throw new IOException("closed");
-        }
-        server.connect(socket, shorter(deadline.left(), context.handshake()));
-        Sockets.prepare(socket);
-        stream = new TimedStream(socket);
-        in = new FrameReader(stream, 8 * 1024);
-        stream.within(shorter(deadline.left(), context.handshake()));
-        socket.getOutputStream().write(request.encode());
-        header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
-        if (header.field("error").isPresent()) {
-            throw new ProtocolException("the server refused: " + PeerText.brief(header.require("error")));
-        }
-        lastUsed = System.nanoTime();
+    server.connect(socket, shorter(deadline.left(), context.handshake()));
+    Sockets.prepare(socket);
+    stream = new TimedStream(socket);
+    in = new FrameReader(stream, 8 * 1024);
+    stream.within(shorter(deadline.left(), context.handshake()));
+    socket.getOutputStream().write(request.encode());
+    header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
+    if (header.field("error").isPresent()) {
+      throw new ProtocolException("the server refused: " + PeerText.brief(header.require("error")));
     }
+    lastUsed = System.nanoTime();
+  }
 
-    private static Duration shorter(Duration a, Duration b) {
-        return a.compareTo(b) < 0 ? a : b;
-    }
+  private static Duration shorter(Duration a, Duration b) {
+    return a.compareTo(b) < 0 ? a : b;
+  }
 
-    ConnectionHeader header() {
-        return header;
-    }
+  ConnectionHeader header() {
+    return header;
+  }
 
-    /** Sends a request with its length in front and reads the answer: the response's bytes, or the server's refusal. */
-    Outcome<byte[]> exchange(byte[] request, Deadline deadline) throws IOException {
-        stream.within(deadline.left());
-        socket.getOutputStream().write(request);
-        int ok = in.nextByte("its answer");
-        byte[] answer = in.next(context.options().maxMessageBytes(), "response");
-        lastUsed = System.nanoTime();
-        if (ok > 1) {
-            throw new ProtocolException("answer that starts with " + ok + " instead of 0 or 1");
-        }
-        return ok == 1 ? new Outcome.Done<>(answer) : new Outcome.Refused<>(PeerText.brief(new String(answer, StandardCharsets.UTF_8)));
+  /** Sends a request with its length in front and reads the answer: the response's bytes, or the server's refusal. */
+  Outcome<byte[]> exchange(byte[] request, Deadline deadline) throws IOException {
+    stream.within(deadline.left());
+    socket.getOutputStream().write(request);
+    int ok = in.nextByte("its answer");
+    byte[] answer = in.next(context.options().maxMessageBytes(), "response");
+    lastUsed = System.nanoTime();
+    if (ok > 1) {
+      throw new ProtocolException("answer that starts with " + ok + " instead of 0 or 1");
     }
+    return ok == 1 ? new Outcome.Done<>(answer) : new Outcome.Refused<>(PeerText.brief(new String(answer, StandardCharsets.UTF_8)));
+  }
 
-    /** Whether the server closed an idle connection, so that the next call is not spent on finding out. */
-    boolean isStale() {
-        if (System.nanoTime() - lastUsed < FRESH_NANOS) {
-            return false;
-        }
-        try {
-            stream.within(Duration.ofMillis(1));
-            stream.read();
-            return true;
-        } catch (SocketTimeoutException e) {
-            return false;
-        } catch (IOException e) {
-            return true;
-        }
+  /** Whether the server closed an idle connection, so that the next call is not spent on finding out. */
+  boolean isStale() {
+    if (System.nanoTime() - lastUsed < FRESH_NANOS) {
+      return false;
     }
+    try {
+      stream.within(Duration.ofMillis(1));
+      stream.read();
+      return true;
+    } catch (SocketTimeoutException e) {
+      return false;
+    } catch (IOException e) {
+      return true;
+    }
+  }
 
-    @Override
-    public void close() {
-        owner.close(socket);
-    }
+  @Override
+  public void close() {
+    owner.close(socket);
+  }
 }

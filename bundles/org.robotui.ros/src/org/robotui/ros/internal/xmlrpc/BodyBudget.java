@@ -9,55 +9,55 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 final class BodyBudget {
 
-    /** What each message may take in any case, bytes. */
-    static final int FREE = 64 * 1024;
+  /** What each message may take in any case, bytes. */
+  static final int FREE = 64 * 1024;
 
-    private final long most;
-    private final AtomicLong taken = new AtomicLong();
+  private final long most;
+  private final AtomicLong taken = new AtomicLong();
 
-    BodyBudget(long most) {
-        this.most = most;
+  BodyBudget(long most) {
+    this.most = most;
+  }
+
+  /** There is no memory for this body now; the call may be made again later. */
+  static final class SpentException extends IOException {
+
+    private static final long serialVersionUID = 1L;
+
+    SpentException(int wanted, long most) {
+      super("no room for a body of " + wanted + " bytes: the bodies of all connections may take " + most
+          + " bytes together; try again later");
+    }
+  }
+
+  /** What one message takes, until it is answered. Used by one thread. */
+  final class Share implements AutoCloseable {
+
+    private long held;
+
+    /** Before the body grows to a size. */
+    void grow(int bytes) throws SpentException {
+      long more = Math.max(0, bytes <= FREE ? 0 : bytes - held);
+      if (taken.addAndGet(more) > most) {
+        taken.addAndGet(-more);
+        throw new SpentException(bytes, most);
+      }
+      held += more;
     }
 
-    /** There is no memory for this body now; the call may be made again later. */
-    static final class SpentException extends IOException {
-
-        private static final long serialVersionUID = 1L;
-
-        SpentException(int wanted, long most) {
-            super("no room for a body of " + wanted + " bytes: the bodies of all connections may take " + most
-                    + " bytes together; try again later");
-        }
+    @Override
+    public void close() {
+      taken.addAndGet(-held);
+      held = 0;
     }
+  }
 
-    /** What one message takes, until it is answered. Used by one thread. */
-    final class Share implements AutoCloseable {
+  Share share() {
+    return new Share();
+  }
 
-        private long held;
-
-        /** Before the body grows to a size. */
-        void grow(int bytes) throws SpentException {
-            long more = Math.max(0, bytes <= FREE ? 0 : bytes - held);
-            if (taken.addAndGet(more) > most) {
-                taken.addAndGet(-more);
-                throw new SpentException(bytes, most);
-            }
-            held += more;
-        }
-
-        @Override
-        public void close() {
-            taken.addAndGet(-held);
-            held = 0;
-        }
-    }
-
-    Share share() {
-        return new Share();
-    }
-
-    /** How much is taken now. */
-    long taken() {
-        return taken.get();
-    }
+  /** How much is taken now. */
+  long taken() {
+    return taken.get();
+  }
 }

@@ -20,116 +20,116 @@ import org.robotui.ros.internal.io.HostPort;
  */
 public final class XmlRpcClient implements Closeable {
 
-    private final HostPort target;
-    private final XmlRpcLimits limits;
-    private final Closeables connections = new Closeables();
-    private final Deque<Connection> idle = new ConcurrentLinkedDeque<>();
+  private final HostPort target;
+  private final XmlRpcLimits limits;
+  private final Closeables connections = new Closeables();
+  private final Deque<Connection> idle = new ConcurrentLinkedDeque<>();
 
-    private record Connection(Socket socket, TimedInput in) implements Closeable {
-
-        @Override
-        public void close() throws IOException {
-            socket.close();
-        }
-    }
-
-    public XmlRpcClient(HostPort target, XmlRpcLimits limits) {
-        this.target = target;
-        this.limits = limits;
-    }
-
-    public HostPort target() {
-        return target;
-    }
-
-    /** Calls with the standard time-out. */
-    public XmlRpcValue call(String method, List<XmlRpcValue> arguments) throws IOException, XmlRpcFault {
-        return call(method, arguments, limits.message());
-    }
-
-    /** Calls and waits so long at most, once for connecting and once for the answer. */
-    public XmlRpcValue call(String method, List<XmlRpcValue> arguments, Duration timeout) throws IOException, XmlRpcFault {
-        byte[] request = XmlRpcWriter.call(new MethodCall(method, arguments));
-        return XmlRpcReader.response(exchange(request, method, timeout));
-    }
-
-    private byte[] exchange(byte[] body, String method, Duration timeout) throws IOException {
-        try {
-            Optional<byte[]> reused = onIdleConnection(body, timeout);
-            return reused.isPresent() ? reused.get() : onConnection(body, connect(timeout), timeout);
-        } catch (SocketTimeoutException e) {
-            throw new SocketTimeoutException(method + " at " + target + " timed out");
-        }
-    }
-
-    /** A kept connection may have been closed by the server meanwhile: then the call is made again on a new one. */
-    private Optional<byte[]> onIdleConnection(byte[] body, Duration timeout) throws IOException {
-        Optional<Connection> kept = Optional.ofNullable(idle.poll());
-        if (kept.isEmpty()) {
-            return Optional.empty();
-        }
-        try {
-            return Optional.of(onConnection(body, kept.get(), timeout));
-        } catch (EOFException | java.net.SocketException e) {
-            return Optional.empty();
-        }
-    }
-
-    private Connection connect(Duration timeout) throws IOException {
-        Socket socket = new Socket();
-        if (!connections.add(socket)) {
-            throw new IOException("closed");
-        }
-        try {
-            socket.setTcpNoDelay(true);
-            target.connect(socket, timeout.compareTo(limits.connect()) < 0 ? timeout : limits.connect());
-            return new Connection(socket, new TimedInput(socket));
-        } catch (IOException e) {
-            connections.close(socket);
-            throw e;
-        }
-    }
-
-    private byte[] onConnection(byte[] body, Connection connection, Duration timeout) throws IOException {
-        boolean done = false;
-        try {
-            connection.in().within(timeout);
-            send(body, connection.socket());
-            HttpHead head = HttpHead.read(connection.in());
-            byte[] answer = connection.in().readFully(head.contentLength(limits.maxBody()), bytes -> { });
-            requireOk(head);
-            done = head.keepsAlive();
-            return answer;
-        } finally {
-            release(connection, done);
-        }
-    }
-
-    private void release(Connection connection, boolean reusable) {
-        if (reusable) {
-            idle.push(connection);
-        } else {
-            connections.close(connection.socket());
-        }
-    }
-
-    private void send(byte[] body, Socket socket) throws IOException {
-        byte[] head = HttpHead.bytes("POST / HTTP/1.1", "Host: " + target, "User-Agent: RobotUI",
-                "Content-Type: text/xml", "Content-Length: " + body.length);
-        byte[] all = java.util.Arrays.copyOf(head, head.length + body.length);
-        System.arraycopy(body, 0, all, head.length, body.length);
-        socket.getOutputStream().write(all);
-    }
-
-    private static void requireOk(HttpHead head) throws XmlRpcException {
-        String[] parts = head.firstLine().split(" ", 3);
-        if (parts.length < 2 || !parts[0].startsWith("HTTP/1.") || !parts[1].equals("200")) {
-            throw new XmlRpcException("HTTP answer '" + head.firstLine().strip() + "'");
-        }
-    }
+  private record Connection(Socket socket, TimedInput in) implements Closeable {
 
     @Override
-    public void close() {
-        connections.close();
+    public void close() throws IOException {
+      socket.close();
     }
+  }
+
+  public XmlRpcClient(HostPort target, XmlRpcLimits limits) {
+    this.target = target;
+    this.limits = limits;
+  }
+
+  public HostPort target() {
+    return target;
+  }
+
+  /** Calls with the standard time-out. */
+  public XmlRpcValue call(String method, List<XmlRpcValue> arguments) throws IOException, XmlRpcFault {
+    return call(method, arguments, limits.message());
+  }
+
+  /** Calls and waits so long at most, once for connecting and once for the answer. */
+  public XmlRpcValue call(String method, List<XmlRpcValue> arguments, Duration timeout) throws IOException, XmlRpcFault {
+    byte[] request = XmlRpcWriter.call(new MethodCall(method, arguments));
+    return XmlRpcReader.response(exchange(request, method, timeout));
+  }
+
+  private byte[] exchange(byte[] body, String method, Duration timeout) throws IOException {
+    try {
+      Optional<byte[]> reused = onIdleConnection(body, timeout);
+      return reused.isPresent() ? reused.get() : onConnection(body, connect(timeout), timeout);
+    } catch (SocketTimeoutException e) {
+      throw new SocketTimeoutException(method + " at " + target + " timed out");
+    }
+  }
+
+  /** A kept connection may have been closed by the server meanwhile: then the call is made again on a new one. */
+  private Optional<byte[]> onIdleConnection(byte[] body, Duration timeout) throws IOException {
+    Optional<Connection> kept = Optional.ofNullable(idle.poll());
+    if (kept.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(onConnection(body, kept.get(), timeout));
+    } catch (EOFException | java.net.SocketException e) {
+      return Optional.empty();
+    }
+  }
+
+  private Connection connect(Duration timeout) throws IOException {
+    Socket socket = new Socket();
+    if (!connections.add(socket)) {
+      throw new IOException("closed");
+    }
+    try {
+      socket.setTcpNoDelay(true);
+      target.connect(socket, timeout.compareTo(limits.connect()) < 0 ? timeout : limits.connect());
+      return new Connection(socket, new TimedInput(socket));
+    } catch (IOException e) {
+      connections.close(socket);
+      throw e;
+    }
+  }
+
+  private byte[] onConnection(byte[] body, Connection connection, Duration timeout) throws IOException {
+    boolean done = false;
+    try {
+      connection.in().within(timeout);
+      send(body, connection.socket());
+      HttpHead head = HttpHead.read(connection.in());
+      byte[] answer = connection.in().readFully(head.contentLength(limits.maxBody()), bytes -> { });
+      requireOk(head);
+      done = head.keepsAlive();
+      return answer;
+    } finally {
+      release(connection, done);
+    }
+  }
+
+  private void release(Connection connection, boolean reusable) {
+    if (reusable) {
+      idle.push(connection);
+    } else {
+      connections.close(connection.socket());
+    }
+  }
+
+  private void send(byte[] body, Socket socket) throws IOException {
+    byte[] head = HttpHead.bytes("POST / HTTP/1.1", "Host: " + target, "User-Agent: RobotUI",
+        "Content-Type: text/xml", "Content-Length: " + body.length);
+    byte[] all = java.util.Arrays.copyOf(head, head.length + body.length);
+    System.arraycopy(body, 0, all, head.length, body.length);
+    socket.getOutputStream().write(all);
+  }
+
+  private static void requireOk(HttpHead head) throws XmlRpcException {
+    String[] parts = head.firstLine().split(" ", 3);
+    if (parts.length < 2 || !parts[0].startsWith("HTTP/1.") || !parts[1].equals("200")) {
+      throw new XmlRpcException("HTTP answer '" + head.firstLine().strip() + "'");
+    }
+  }
+
+  @Override
+  public void close() {
+    connections.close();
+  }
 }

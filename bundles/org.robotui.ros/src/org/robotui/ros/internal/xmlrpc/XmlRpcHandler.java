@@ -6,5 +6,5 @@ import org.robotui.ros.XmlRpcValue;
 @FunctionalInterface
 public interface XmlRpcHandler {
 
-    XmlRpcValue handle(MethodCall call) throws XmlRpcFault;
+  XmlRpcValue handle(MethodCall call) throws XmlRpcFault;
 }

@@ -14,11 +14,11 @@ import java.time.Duration;
  */
 public record XmlRpcLimits(Duration connect, Duration message, Duration idle, int maxBody, long maxBodies, int maxConnections) {
 
-    public static XmlRpcLimits standard() {
-        return new XmlRpcLimits(Duration.ofSeconds(3), Duration.ofSeconds(10), Duration.ofSeconds(60), 16 << 20, 48L << 20, 512);
-    }
+  public static XmlRpcLimits standard() {
+    return new XmlRpcLimits(Duration.ofSeconds(3), Duration.ofSeconds(10), Duration.ofSeconds(60), 16 << 20, 48L << 20, 512);
+  }
 
-    public XmlRpcLimits withMessage(Duration time) {
-        return new XmlRpcLimits(connect, time, idle, maxBody, maxBodies, maxConnections);
-    }
+  public XmlRpcLimits withMessage(Duration time) {
+    return new XmlRpcLimits(connect, time, idle, maxBody, maxBodies, maxConnections);
+  }
 }

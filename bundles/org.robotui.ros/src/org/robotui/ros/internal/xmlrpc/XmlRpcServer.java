@@ -20,146 +20,146 @@ import org.slf4j.LoggerFactory;
 /** An HTTP server that answers XML-RPC calls, with one thread a connection and connections kept alive. */
 public final class XmlRpcServer implements Closeable {
 
-    private static final Logger LOG = LoggerFactory.getLogger(XmlRpcServer.class);
+  private static final Logger LOG = LoggerFactory.getLogger(XmlRpcServer.class);
 
-    private final ServerSocket server;
-    private final XmlRpcLimits limits;
-    private final Workers workers;
-    private final String name;
-    private final BodyBudget budget;
-    private final Closeables connections = new Closeables();
-    private final Seldom refused = new Seldom();
-    private final Seldom malformed = new Seldom();
-    private final Seldom crowded = new Seldom();
+  private final ServerSocket server;
+  private final XmlRpcLimits limits;
+  private final Workers workers;
+  private final String name;
+  private final BodyBudget budget;
+  private final Closeables connections = new Closeables();
+  private final Seldom refused = new Seldom();
+  private final Seldom malformed = new Seldom();
+  private final Seldom crowded = new Seldom();
 
-    public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name) throws IOException {
-        this.limits = limits;
-        budget = new BodyBudget(limits.maxBodies());
-        this.workers = workers;
-        this.name = name;
-        server = new ServerSocket();
-        server.setReuseAddress(true);
-        try {
-            server.bind(new InetSocketAddress(bind, port), 128);
-        } catch (IOException e) {
-            server.close();
-            throw new IOException("cannot listen on " + bind.getHostAddress() + ":" + port + ": " + e.getMessage(), e);
+  public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name) throws IOException {
+    this.limits = limits;
+    budget = new BodyBudget(limits.maxBodies());
+    this.workers = workers;
+    this.name = name;
+    server = new ServerSocket();
+    server.setReuseAddress(true);
+    try {
+      server.bind(new InetSocketAddress(bind, port), 128);
+    } catch (IOException e) {
+      server.close();
+      throw new IOException("cannot listen on " + bind.getHostAddress() + ":" + port + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Starts accepting; apart from construction, so that the handler may know the port. */
+  public void start(XmlRpcHandler handler) {
+    workers.start(name + " http", () -> accept(handler));
+  }
+
+  public int port() {
+    return server.getLocalPort();
+  }
+
+  /** How much the large bodies take that are read or answered now. */
+  long bodies() {
+    return budget.taken();
+  }
+
+  private void accept(XmlRpcHandler handler) {
+    while (!server.isClosed()) {
+      try {
+        serve(server.accept(), handler);
+      } catch (IOException e) {
+        if (!server.isClosed()) {
+          LOG.warn("{}: accepting a connection failed: {}", name, e.getMessage());
+          pause();
         }
+      }
     }
+  }
 
-    /** Starts accepting; apart from construction, so that the handler may know the port. */
-    public void start(XmlRpcHandler handler) {
-        workers.start(name + " http", () -> accept(handler));
-    }
+  /** Keeps a lack of file descriptors from becoming a busy loop. */
+  private static void pause() {
+    java.util.concurrent.locks.LockSupport.parkNanos(50_000_000);
+  }
 
-    public int port() {
-        return server.getLocalPort();
+  private void serve(Socket socket, XmlRpcHandler handler) {
+    if (connections.size() >= limits.maxConnections()) {
+      if (refused.again()) {
+        LOG.warn("{}: more than {} connections, {} refused so far", name, limits.maxConnections(), refused.count());
+      }
+      Closeables.quietly(socket);
+    } else if (connections.add(socket)) {
+      workers.start(name + " http " + socket.getRemoteSocketAddress(), () -> converse(socket, handler));
     }
+  }
 
-    /** How much the large bodies take that are read or answered now. */
-    long bodies() {
-        return budget.taken();
+  private void converse(Socket socket, XmlRpcHandler handler) {
+    try {
+      socket.setTcpNoDelay(true);
+      TimedInput in = new TimedInput(socket);
+      boolean goOn = true;
+      while (goOn && !server.isClosed()) {
+        in.awaitData(limits.idle());
+        in.within(limits.message());
+        goOn = answerOne(in, socket, handler);
+      }
+    } catch (XmlRpcException e) {
+      refuse(socket, "400 Bad Request", e, malformed);
+    } catch (BodyBudget.SpentException e) {
+      refuse(socket, "503 Service Unavailable", e, crowded);
+    } catch (EOFException | SocketTimeoutException e) {
+      LOG.trace("{}: {} ended: {}", name, socket, e.getMessage());
+    } catch (IOException e) {
+      LOG.debug("{}: connection from {} closed: {}", name, socket.getRemoteSocketAddress(), e.getMessage());
+    } finally {
+      connections.close(socket);
     }
+  }
 
-    private void accept(XmlRpcHandler handler) {
-        while (!server.isClosed()) {
-            try {
-                serve(server.accept(), handler);
-            } catch (IOException e) {
-                if (!server.isClosed()) {
-                    LOG.warn("{}: accepting a connection failed: {}", name, e.getMessage());
-                    pause();
-                }
-            }
-        }
+  private boolean answerOne(TimedInput in, Socket socket, XmlRpcHandler handler) throws IOException {
+    HttpHead head = HttpHead.read(in);
+    if (!head.firstLine().startsWith("POST ")) {
+      reply(socket, "405 Method Not Allowed", new byte[0], false);
+      return false;
     }
+    try (BodyBudget.Share share = budget.share()) {
+      byte[] body = in.readFully(head.contentLength(limits.maxBody()), share::grow);
+      reply(socket, "200 OK", answer(XmlRpcReader.call(body), handler), head.keepsAlive());
+    }
+    return head.keepsAlive();
+  }
 
-    /** Keeps a lack of file descriptors from becoming a busy loop. */
-    private static void pause() {
-        java.util.concurrent.locks.LockSupport.parkNanos(50_000_000);
+  private void refuse(Socket socket, String status, IOException problem, Seldom alike) {
+    if (alike.again()) {
+      LOG.warn("{}: refused a request from {}: {} ({} so far)", name, socket.getRemoteSocketAddress(),
+          PeerText.brief(problem.getMessage()), alike.count());
     }
+    try {
+      reply(socket, status, PeerText.brief(problem.getMessage()).getBytes(StandardCharsets.UTF_8), false);
+    } catch (IOException e) {
+      LOG.debug("{}: telling {} why it is refused failed", name, socket, e);
+    }
+  }
 
-    private void serve(Socket socket, XmlRpcHandler handler) {
-        if (connections.size() >= limits.maxConnections()) {
-            if (refused.again()) {
-                LOG.warn("{}: more than {} connections, {} refused so far", name, limits.maxConnections(), refused.count());
-            }
-            Closeables.quietly(socket);
-        } else if (connections.add(socket)) {
-            workers.start(name + " http " + socket.getRemoteSocketAddress(), () -> converse(socket, handler));
-        }
+  private byte[] answer(MethodCall call, XmlRpcHandler handler) {
+    try {
+      return XmlRpcWriter.response(handler.handle(call));
+    } catch (XmlRpcFault e) {
+      return XmlRpcWriter.fault(e);
+    } catch (RuntimeException e) {
+      LOG.error("{}: {} failed", name, call.method(), e);
+      return XmlRpcWriter.fault(new XmlRpcFault(-32603, "internal error in " + call.method()));
     }
+  }
 
-    private void converse(Socket socket, XmlRpcHandler handler) {
-        try {
-            socket.setTcpNoDelay(true);
-            TimedInput in = new TimedInput(socket);
-            boolean goOn = true;
-            while (goOn && !server.isClosed()) {
-                in.awaitData(limits.idle());
-                in.within(limits.message());
-                goOn = answerOne(in, socket, handler);
-            }
-        } catch (XmlRpcException e) {
-            refuse(socket, "400 Bad Request", e, malformed);
-        } catch (BodyBudget.SpentException e) {
-            refuse(socket, "503 Service Unavailable", e, crowded);
-        } catch (EOFException | SocketTimeoutException e) {
-            LOG.trace("{}: {} ended: {}", name, socket, e.getMessage());
-        } catch (IOException e) {
-            LOG.debug("{}: connection from {} closed: {}", name, socket.getRemoteSocketAddress(), e.getMessage());
-        } finally {
-            connections.close(socket);
-        }
-    }
+  private static void reply(Socket socket, String status, byte[] body, boolean keepAlive) throws IOException {
+    byte[] head = HttpHead.bytes("HTTP/1.1 " + status, "Content-Type: text/xml", "Content-Length: " + body.length,
+        "Connection: " + (keepAlive ? "keep-alive" : "close"));
+    byte[] all = Arrays.copyOf(head, head.length + body.length);
+    System.arraycopy(body, 0, all, head.length, body.length);
+    socket.getOutputStream().write(all);
+  }
 
-    private boolean answerOne(TimedInput in, Socket socket, XmlRpcHandler handler) throws IOException {
-        HttpHead head = HttpHead.read(in);
-        if (!head.firstLine().startsWith("POST ")) {
-            reply(socket, "405 Method Not Allowed", new byte[0], false);
-            return false;
-        }
-        try (BodyBudget.Share share = budget.share()) {
-            byte[] body = in.readFully(head.contentLength(limits.maxBody()), share::grow);
-            reply(socket, "200 OK", answer(XmlRpcReader.call(body), handler), head.keepsAlive());
-        }
-        return head.keepsAlive();
-    }
-
-    private void refuse(Socket socket, String status, IOException problem, Seldom alike) {
-        if (alike.again()) {
-            LOG.warn("{}: refused a request from {}: {} ({} so far)", name, socket.getRemoteSocketAddress(),
-                    PeerText.brief(problem.getMessage()), alike.count());
-        }
-        try {
-            reply(socket, status, PeerText.brief(problem.getMessage()).getBytes(StandardCharsets.UTF_8), false);
-        } catch (IOException e) {
-            LOG.debug("{}: telling {} why it is refused failed", name, socket, e);
-        }
-    }
-
-    private byte[] answer(MethodCall call, XmlRpcHandler handler) {
-        try {
-            return XmlRpcWriter.response(handler.handle(call));
-        } catch (XmlRpcFault e) {
-            return XmlRpcWriter.fault(e);
-        } catch (RuntimeException e) {
-            LOG.error("{}: {} failed", name, call.method(), e);
-            return XmlRpcWriter.fault(new XmlRpcFault(-32603, "internal error in " + call.method()));
-        }
-    }
-
-    private static void reply(Socket socket, String status, byte[] body, boolean keepAlive) throws IOException {
-        byte[] head = HttpHead.bytes("HTTP/1.1 " + status, "Content-Type: text/xml", "Content-Length: " + body.length,
-                "Connection: " + (keepAlive ? "keep-alive" : "close"));
-        byte[] all = Arrays.copyOf(head, head.length + body.length);
-        System.arraycopy(body, 0, all, head.length, body.length);
-        socket.getOutputStream().write(all);
-    }
-
-    @Override
-    public void close() {
-        Closeables.quietly(server);
-        connections.close();
-    }
+  @Override
+  public void close() {
+    Closeables.quietly(server);
+    connections.close();
+  }
 }

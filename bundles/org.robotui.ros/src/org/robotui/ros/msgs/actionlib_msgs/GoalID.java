@@ -14,16 +14,16 @@ import org.robotui.ros.message.Stamps;
  */
 public record GoalID(long stamp, String id) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GoalID> CODEC =
-            RecordCodec.of("actionlib_msgs/GoalID", GoalID::read, GoalID::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GoalID> CODEC =
+      RecordCodec.of("actionlib_msgs/GoalID", GoalID::read, GoalID::write);
 
-    private static GoalID read(MessageReader in) throws MessageException {
-        return new GoalID(in.time("stamp"), in.string("id"));
-    }
+  private static GoalID read(MessageReader in) throws MessageException {
+    return new GoalID(in.time("stamp"), in.string("id"));
+  }
 
-    private static void write(GoalID m, MessageWriter out) {
-        Stamps.write(m.stamp, out);
-        out.string(m.id);
-    }
+  private static void write(GoalID m, MessageWriter out) {
+    Stamps.write(m.stamp, out);
+    out.string(m.id);
+  }
 }

@@ -14,38 +14,38 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record GoalStatus(GoalID goalId, int status, String text) {
 
-    /** The constant {@code PENDING} of the definition. */
-    public static final int PENDING = 0;
-    /** The constant {@code ACTIVE} of the definition. */
-    public static final int ACTIVE = 1;
-    /** The constant {@code PREEMPTED} of the definition. */
-    public static final int PREEMPTED = 2;
-    /** The constant {@code SUCCEEDED} of the definition. */
-    public static final int SUCCEEDED = 3;
-    /** The constant {@code ABORTED} of the definition. */
-    public static final int ABORTED = 4;
-    /** The constant {@code REJECTED} of the definition. */
-    public static final int REJECTED = 5;
-    /** The constant {@code PREEMPTING} of the definition. */
-    public static final int PREEMPTING = 6;
-    /** The constant {@code RECALLING} of the definition. */
-    public static final int RECALLING = 7;
-    /** The constant {@code RECALLED} of the definition. */
-    public static final int RECALLED = 8;
-    /** The constant {@code LOST} of the definition. */
-    public static final int LOST = 9;
+  /** The constant {@code PENDING} of the definition. */
+  public static final int PENDING = 0;
+  /** The constant {@code ACTIVE} of the definition. */
+  public static final int ACTIVE = 1;
+  /** The constant {@code PREEMPTED} of the definition. */
+  public static final int PREEMPTED = 2;
+  /** The constant {@code SUCCEEDED} of the definition. */
+  public static final int SUCCEEDED = 3;
+  /** The constant {@code ABORTED} of the definition. */
+  public static final int ABORTED = 4;
+  /** The constant {@code REJECTED} of the definition. */
+  public static final int REJECTED = 5;
+  /** The constant {@code PREEMPTING} of the definition. */
+  public static final int PREEMPTING = 6;
+  /** The constant {@code RECALLING} of the definition. */
+  public static final int RECALLING = 7;
+  /** The constant {@code RECALLED} of the definition. */
+  public static final int RECALLED = 8;
+  /** The constant {@code LOST} of the definition. */
+  public static final int LOST = 9;
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GoalStatus> CODEC =
-            RecordCodec.of("actionlib_msgs/GoalStatus", GoalStatus::read, GoalStatus::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GoalStatus> CODEC =
+      RecordCodec.of("actionlib_msgs/GoalStatus", GoalStatus::read, GoalStatus::write);
 
-    private static GoalStatus read(MessageReader in) throws MessageException {
-        return new GoalStatus(in.nested("goal_id", GoalID.CODEC), in.uint8("status"), in.string("text"));
-    }
+  private static GoalStatus read(MessageReader in) throws MessageException {
+    return new GoalStatus(in.nested("goal_id", GoalID.CODEC), in.uint8("status"), in.string("text"));
+  }
 
-    private static void write(GoalStatus m, MessageWriter out) {
-        GoalID.CODEC.encode(m.goalId, out);
-        out.u8(m.status);
-        out.string(m.text);
-    }
+  private static void write(GoalStatus m, MessageWriter out) {
+    GoalID.CODEC.encode(m.goalId, out);
+    out.u8(m.status);
+    out.string(m.text);
+  }
 }

@@ -16,21 +16,21 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record GoalStatusArray(Header header, List<GoalStatus> statusList) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GoalStatusArray> CODEC =
-            RecordCodec.of("actionlib_msgs/GoalStatusArray", GoalStatusArray::read, GoalStatusArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GoalStatusArray> CODEC =
+      RecordCodec.of("actionlib_msgs/GoalStatusArray", GoalStatusArray::read, GoalStatusArray::write);
 
-    /** Keeps immutable copies of lists. */
-    public GoalStatusArray {
-        statusList = List.copyOf(statusList);
-    }
+  /** Keeps immutable copies of lists. */
+  public GoalStatusArray {
+    statusList = List.copyOf(statusList);
+  }
 
-    private static GoalStatusArray read(MessageReader in) throws MessageException {
-        return new GoalStatusArray(in.nested("header", Header.CODEC), in.list("status_list", GoalStatus.CODEC));
-    }
+  private static GoalStatusArray read(MessageReader in) throws MessageException {
+    return new GoalStatusArray(in.nested("header", Header.CODEC), in.list("status_list", GoalStatus.CODEC));
+  }
 
-    private static void write(GoalStatusArray m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        GoalStatus.CODEC.encodeAll(m.statusList, out);
-    }
+  private static void write(GoalStatusArray m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    GoalStatus.CODEC.encodeAll(m.statusList, out);
+  }
 }

@@ -16,21 +16,21 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record DiagnosticArray(Header header, List<DiagnosticStatus> status) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<DiagnosticArray> CODEC =
-            RecordCodec.of("diagnostic_msgs/DiagnosticArray", DiagnosticArray::read, DiagnosticArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<DiagnosticArray> CODEC =
+      RecordCodec.of("diagnostic_msgs/DiagnosticArray", DiagnosticArray::read, DiagnosticArray::write);
 
-    /** Keeps immutable copies of lists. */
-    public DiagnosticArray {
-        status = List.copyOf(status);
-    }
+  /** Keeps immutable copies of lists. */
+  public DiagnosticArray {
+    status = List.copyOf(status);
+  }
 
-    private static DiagnosticArray read(MessageReader in) throws MessageException {
-        return new DiagnosticArray(in.nested("header", Header.CODEC), in.list("status", DiagnosticStatus.CODEC));
-    }
+  private static DiagnosticArray read(MessageReader in) throws MessageException {
+    return new DiagnosticArray(in.nested("header", Header.CODEC), in.list("status", DiagnosticStatus.CODEC));
+  }
 
-    private static void write(DiagnosticArray m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        DiagnosticStatus.CODEC.encodeAll(m.status, out);
-    }
+  private static void write(DiagnosticArray m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    DiagnosticStatus.CODEC.encodeAll(m.status, out);
+  }
 }

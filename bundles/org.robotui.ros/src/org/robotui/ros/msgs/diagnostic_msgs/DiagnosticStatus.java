@@ -18,38 +18,38 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record DiagnosticStatus(int level, String name, String message, String hardwareId, List<KeyValue> values) {
 
-    /** The constant {@code OK} of the definition. */
-    public static final int OK = 0;
-    /** The constant {@code WARN} of the definition. */
-    public static final int WARN = 1;
-    /** The constant {@code ERROR} of the definition. */
-    public static final int ERROR = 2;
-    /** The constant {@code STALE} of the definition. */
-    public static final int STALE = 3;
+  /** The constant {@code OK} of the definition. */
+  public static final int OK = 0;
+  /** The constant {@code WARN} of the definition. */
+  public static final int WARN = 1;
+  /** The constant {@code ERROR} of the definition. */
+  public static final int ERROR = 2;
+  /** The constant {@code STALE} of the definition. */
+  public static final int STALE = 3;
 
-    /** Between records and bytes. */
-    public static final RecordCodec<DiagnosticStatus> CODEC =
-            RecordCodec.of("diagnostic_msgs/DiagnosticStatus", DiagnosticStatus::read, DiagnosticStatus::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<DiagnosticStatus> CODEC =
+      RecordCodec.of("diagnostic_msgs/DiagnosticStatus", DiagnosticStatus::read, DiagnosticStatus::write);
 
-    /** Keeps immutable copies of lists. */
-    public DiagnosticStatus {
-        values = List.copyOf(values);
-    }
+  /** Keeps immutable copies of lists. */
+  public DiagnosticStatus {
+    values = List.copyOf(values);
+  }
 
-    private static DiagnosticStatus read(MessageReader in) throws MessageException {
-        return new DiagnosticStatus(
-                in.int8("level"),
-                in.string("name"),
-                in.string("message"),
-                in.string("hardware_id"),
-                in.list("values", KeyValue.CODEC));
-    }
+  private static DiagnosticStatus read(MessageReader in) throws MessageException {
+    return new DiagnosticStatus(
+        in.int8("level"),
+        in.string("name"),
+        in.string("message"),
+        in.string("hardware_id"),
+        in.list("values", KeyValue.CODEC));
+  }
 
-    private static void write(DiagnosticStatus m, MessageWriter out) {
-        out.u8(m.level);
-        out.string(m.name);
-        out.string(m.message);
-        out.string(m.hardwareId);
-        KeyValue.CODEC.encodeAll(m.values, out);
-    }
+  private static void write(DiagnosticStatus m, MessageWriter out) {
+    out.u8(m.level);
+    out.string(m.name);
+    out.string(m.message);
+    out.string(m.hardwareId);
+    KeyValue.CODEC.encodeAll(m.values, out);
+  }
 }

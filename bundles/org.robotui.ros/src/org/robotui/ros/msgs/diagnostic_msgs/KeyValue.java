@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record KeyValue(String key, String value) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<KeyValue> CODEC =
-            RecordCodec.of("diagnostic_msgs/KeyValue", KeyValue::read, KeyValue::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<KeyValue> CODEC =
+      RecordCodec.of("diagnostic_msgs/KeyValue", KeyValue::read, KeyValue::write);
 
-    private static KeyValue read(MessageReader in) throws MessageException {
-        return new KeyValue(in.string("key"), in.string("value"));
-    }
+  private static KeyValue read(MessageReader in) throws MessageException {
+    return new KeyValue(in.string("key"), in.string("value"));
+  }
 
-    private static void write(KeyValue m, MessageWriter out) {
-        out.string(m.key);
-        out.string(m.value);
-    }
+  private static void write(KeyValue m, MessageWriter out) {
+    out.string(m.key);
+    out.string(m.value);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record BoolParameter(String name, boolean value) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<BoolParameter> CODEC =
-            RecordCodec.of("dynamic_reconfigure/BoolParameter", BoolParameter::read, BoolParameter::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<BoolParameter> CODEC =
+      RecordCodec.of("dynamic_reconfigure/BoolParameter", BoolParameter::read, BoolParameter::write);
 
-    private static BoolParameter read(MessageReader in) throws MessageException {
-        return new BoolParameter(in.string("name"), in.bool("value"));
-    }
+  private static BoolParameter read(MessageReader in) throws MessageException {
+    return new BoolParameter(in.string("name"), in.bool("value"));
+  }
 
-    private static void write(BoolParameter m, MessageWriter out) {
-        out.string(m.name);
-        out.bool(m.value);
-    }
+  private static void write(BoolParameter m, MessageWriter out) {
+    out.string(m.name);
+    out.bool(m.value);
+  }
 }

@@ -17,27 +17,27 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record ConfigDescription(List<Group> groups, Config max, Config min, Config dflt) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<ConfigDescription> CODEC =
-            RecordCodec.of("dynamic_reconfigure/ConfigDescription", ConfigDescription::read, ConfigDescription::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<ConfigDescription> CODEC =
+      RecordCodec.of("dynamic_reconfigure/ConfigDescription", ConfigDescription::read, ConfigDescription::write);
 
-    /** Keeps immutable copies of lists. */
-    public ConfigDescription {
-        groups = List.copyOf(groups);
-    }
+  /** Keeps immutable copies of lists. */
+  public ConfigDescription {
+    groups = List.copyOf(groups);
+  }
 
-    private static ConfigDescription read(MessageReader in) throws MessageException {
-        return new ConfigDescription(
-                in.list("groups", Group.CODEC),
-                in.nested("max", Config.CODEC),
-                in.nested("min", Config.CODEC),
-                in.nested("dflt", Config.CODEC));
-    }
+  private static ConfigDescription read(MessageReader in) throws MessageException {
+    return new ConfigDescription(
+        in.list("groups", Group.CODEC),
+        in.nested("max", Config.CODEC),
+        in.nested("min", Config.CODEC),
+        in.nested("dflt", Config.CODEC));
+  }
 
-    private static void write(ConfigDescription m, MessageWriter out) {
-        Group.CODEC.encodeAll(m.groups, out);
-        Config.CODEC.encode(m.max, out);
-        Config.CODEC.encode(m.min, out);
-        Config.CODEC.encode(m.dflt, out);
-    }
+  private static void write(ConfigDescription m, MessageWriter out) {
+    Group.CODEC.encodeAll(m.groups, out);
+    Config.CODEC.encode(m.max, out);
+    Config.CODEC.encode(m.min, out);
+    Config.CODEC.encode(m.dflt, out);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record DoubleParameter(String name, double value) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<DoubleParameter> CODEC =
-            RecordCodec.of("dynamic_reconfigure/DoubleParameter", DoubleParameter::read, DoubleParameter::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<DoubleParameter> CODEC =
+      RecordCodec.of("dynamic_reconfigure/DoubleParameter", DoubleParameter::read, DoubleParameter::write);
 
-    private static DoubleParameter read(MessageReader in) throws MessageException {
-        return new DoubleParameter(in.string("name"), in.float64("value"));
-    }
+  private static DoubleParameter read(MessageReader in) throws MessageException {
+    return new DoubleParameter(in.string("name"), in.float64("value"));
+  }
 
-    private static void write(DoubleParameter m, MessageWriter out) {
-        out.string(m.name);
-        out.f64(m.value);
-    }
+  private static void write(DoubleParameter m, MessageWriter out) {
+    out.string(m.name);
+    out.f64(m.value);
+  }
 }

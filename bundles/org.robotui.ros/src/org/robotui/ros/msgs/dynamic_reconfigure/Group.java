@@ -18,29 +18,29 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Group(String name, String type, List<ParamDescription> parameters, int parent, int id) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Group> CODEC =
-            RecordCodec.of("dynamic_reconfigure/Group", Group::read, Group::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Group> CODEC =
+      RecordCodec.of("dynamic_reconfigure/Group", Group::read, Group::write);
 
-    /** Keeps immutable copies of lists. */
-    public Group {
-        parameters = List.copyOf(parameters);
-    }
+  /** Keeps immutable copies of lists. */
+  public Group {
+    parameters = List.copyOf(parameters);
+  }
 
-    private static Group read(MessageReader in) throws MessageException {
-        return new Group(
-                in.string("name"),
-                in.string("type"),
-                in.list("parameters", ParamDescription.CODEC),
-                in.int32("parent"),
-                in.int32("id"));
-    }
+  private static Group read(MessageReader in) throws MessageException {
+    return new Group(
+        in.string("name"),
+        in.string("type"),
+        in.list("parameters", ParamDescription.CODEC),
+        in.int32("parent"),
+        in.int32("id"));
+  }
 
-    private static void write(Group m, MessageWriter out) {
-        out.string(m.name);
-        out.string(m.type);
-        ParamDescription.CODEC.encodeAll(m.parameters, out);
-        out.i32(m.parent);
-        out.i32(m.id);
-    }
+  private static void write(Group m, MessageWriter out) {
+    out.string(m.name);
+    out.string(m.type);
+    ParamDescription.CODEC.encodeAll(m.parameters, out);
+    out.i32(m.parent);
+    out.i32(m.id);
+  }
 }

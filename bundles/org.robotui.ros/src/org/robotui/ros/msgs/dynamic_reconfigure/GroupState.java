@@ -15,18 +15,18 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record GroupState(String name, boolean state, int id, int parent) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GroupState> CODEC =
-            RecordCodec.of("dynamic_reconfigure/GroupState", GroupState::read, GroupState::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GroupState> CODEC =
+      RecordCodec.of("dynamic_reconfigure/GroupState", GroupState::read, GroupState::write);
 
-    private static GroupState read(MessageReader in) throws MessageException {
-        return new GroupState(in.string("name"), in.bool("state"), in.int32("id"), in.int32("parent"));
-    }
+  private static GroupState read(MessageReader in) throws MessageException {
+    return new GroupState(in.string("name"), in.bool("state"), in.int32("id"), in.int32("parent"));
+  }
 
-    private static void write(GroupState m, MessageWriter out) {
-        out.string(m.name);
-        out.bool(m.state);
-        out.i32(m.id);
-        out.i32(m.parent);
-    }
+  private static void write(GroupState m, MessageWriter out) {
+    out.string(m.name);
+    out.bool(m.state);
+    out.i32(m.id);
+    out.i32(m.parent);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record IntParameter(String name, int value) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<IntParameter> CODEC =
-            RecordCodec.of("dynamic_reconfigure/IntParameter", IntParameter::read, IntParameter::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<IntParameter> CODEC =
+      RecordCodec.of("dynamic_reconfigure/IntParameter", IntParameter::read, IntParameter::write);
 
-    private static IntParameter read(MessageReader in) throws MessageException {
-        return new IntParameter(in.string("name"), in.int32("value"));
-    }
+  private static IntParameter read(MessageReader in) throws MessageException {
+    return new IntParameter(in.string("name"), in.int32("value"));
+  }
 
-    private static void write(IntParameter m, MessageWriter out) {
-        out.string(m.name);
-        out.i32(m.value);
-    }
+  private static void write(IntParameter m, MessageWriter out) {
+    out.string(m.name);
+    out.i32(m.value);
+  }
 }

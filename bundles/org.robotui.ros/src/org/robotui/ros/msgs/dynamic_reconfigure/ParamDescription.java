@@ -16,24 +16,24 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record ParamDescription(String name, String type, long level, String description, String editMethod) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<ParamDescription> CODEC =
-            RecordCodec.of("dynamic_reconfigure/ParamDescription", ParamDescription::read, ParamDescription::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<ParamDescription> CODEC =
+      RecordCodec.of("dynamic_reconfigure/ParamDescription", ParamDescription::read, ParamDescription::write);
 
-    private static ParamDescription read(MessageReader in) throws MessageException {
-        return new ParamDescription(
-                in.string("name"),
-                in.string("type"),
-                in.uint32("level"),
-                in.string("description"),
-                in.string("edit_method"));
-    }
+  private static ParamDescription read(MessageReader in) throws MessageException {
+    return new ParamDescription(
+        in.string("name"),
+        in.string("type"),
+        in.uint32("level"),
+        in.string("description"),
+        in.string("edit_method"));
+  }
 
-    private static void write(ParamDescription m, MessageWriter out) {
-        out.string(m.name);
-        out.string(m.type);
-        out.i32((int) m.level);
-        out.string(m.description);
-        out.string(m.editMethod);
-    }
+  private static void write(ParamDescription m, MessageWriter out) {
+    out.string(m.name);
+    out.string(m.type);
+    out.i32((int) m.level);
+    out.string(m.description);
+    out.string(m.editMethod);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record ReconfigureRequest(Config config) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<ReconfigureRequest> CODEC =
-            RecordCodec.of("dynamic_reconfigure/ReconfigureRequest", ReconfigureRequest::read, ReconfigureRequest::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<ReconfigureRequest> CODEC =
+      RecordCodec.of("dynamic_reconfigure/ReconfigureRequest", ReconfigureRequest::read, ReconfigureRequest::write);
 
-    private static ReconfigureRequest read(MessageReader in) throws MessageException {
-        return new ReconfigureRequest(in.nested("config", Config.CODEC));
-    }
+  private static ReconfigureRequest read(MessageReader in) throws MessageException {
+    return new ReconfigureRequest(in.nested("config", Config.CODEC));
+  }
 
-    private static void write(ReconfigureRequest m, MessageWriter out) {
-        Config.CODEC.encode(m.config, out);
-    }
+  private static void write(ReconfigureRequest m, MessageWriter out) {
+    Config.CODEC.encode(m.config, out);
+  }
 }

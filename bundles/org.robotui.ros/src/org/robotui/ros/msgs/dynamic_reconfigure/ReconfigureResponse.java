@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record ReconfigureResponse(Config config) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<ReconfigureResponse> CODEC =
-            RecordCodec.of("dynamic_reconfigure/ReconfigureResponse", ReconfigureResponse::read, ReconfigureResponse::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<ReconfigureResponse> CODEC =
+      RecordCodec.of("dynamic_reconfigure/ReconfigureResponse", ReconfigureResponse::read, ReconfigureResponse::write);
 
-    private static ReconfigureResponse read(MessageReader in) throws MessageException {
-        return new ReconfigureResponse(in.nested("config", Config.CODEC));
-    }
+  private static ReconfigureResponse read(MessageReader in) throws MessageException {
+    return new ReconfigureResponse(in.nested("config", Config.CODEC));
+  }
 
-    private static void write(ReconfigureResponse m, MessageWriter out) {
-        Config.CODEC.encode(m.config, out);
-    }
+  private static void write(ReconfigureResponse m, MessageWriter out) {
+    Config.CODEC.encode(m.config, out);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StrParameter(String name, String value) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StrParameter> CODEC =
-            RecordCodec.of("dynamic_reconfigure/StrParameter", StrParameter::read, StrParameter::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StrParameter> CODEC =
+      RecordCodec.of("dynamic_reconfigure/StrParameter", StrParameter::read, StrParameter::write);
 
-    private static StrParameter read(MessageReader in) throws MessageException {
-        return new StrParameter(in.string("name"), in.string("value"));
-    }
+  private static StrParameter read(MessageReader in) throws MessageException {
+    return new StrParameter(in.string("name"), in.string("value"));
+  }
 
-    private static void write(StrParameter m, MessageWriter out) {
-        out.string(m.name);
-        out.string(m.value);
-    }
+  private static void write(StrParameter m, MessageWriter out) {
+    out.string(m.name);
+    out.string(m.value);
+  }
 }

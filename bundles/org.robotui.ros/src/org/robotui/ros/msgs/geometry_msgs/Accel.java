@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Accel(Vector3 linear, Vector3 angular) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Accel> CODEC =
-            RecordCodec.of("geometry_msgs/Accel", Accel::read, Accel::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Accel> CODEC =
+      RecordCodec.of("geometry_msgs/Accel", Accel::read, Accel::write);
 
-    private static Accel read(MessageReader in) throws MessageException {
-        return new Accel(in.nested("linear", Vector3.CODEC), in.nested("angular", Vector3.CODEC));
-    }
+  private static Accel read(MessageReader in) throws MessageException {
+    return new Accel(in.nested("linear", Vector3.CODEC), in.nested("angular", Vector3.CODEC));
+  }
 
-    private static void write(Accel m, MessageWriter out) {
-        Vector3.CODEC.encode(m.linear, out);
-        Vector3.CODEC.encode(m.angular, out);
-    }
+  private static void write(Accel m, MessageWriter out) {
+    Vector3.CODEC.encode(m.linear, out);
+    Vector3.CODEC.encode(m.angular, out);
+  }
 }

@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record AccelStamped(Header header, Accel accel) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<AccelStamped> CODEC =
-            RecordCodec.of("geometry_msgs/AccelStamped", AccelStamped::read, AccelStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<AccelStamped> CODEC =
+      RecordCodec.of("geometry_msgs/AccelStamped", AccelStamped::read, AccelStamped::write);
 
-    private static AccelStamped read(MessageReader in) throws MessageException {
-        return new AccelStamped(in.nested("header", Header.CODEC), in.nested("accel", Accel.CODEC));
-    }
+  private static AccelStamped read(MessageReader in) throws MessageException {
+    return new AccelStamped(in.nested("header", Header.CODEC), in.nested("accel", Accel.CODEC));
+  }
 
-    private static void write(AccelStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Accel.CODEC.encode(m.accel, out);
-    }
+  private static void write(AccelStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Accel.CODEC.encode(m.accel, out);
+  }
 }

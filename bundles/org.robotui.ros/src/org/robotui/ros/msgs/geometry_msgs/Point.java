@@ -14,17 +14,17 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Point(double x, double y, double z) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Point> CODEC =
-            RecordCodec.of("geometry_msgs/Point", Point::read, Point::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Point> CODEC =
+      RecordCodec.of("geometry_msgs/Point", Point::read, Point::write);
 
-    private static Point read(MessageReader in) throws MessageException {
-        return new Point(in.float64("x"), in.float64("y"), in.float64("z"));
-    }
+  private static Point read(MessageReader in) throws MessageException {
+    return new Point(in.float64("x"), in.float64("y"), in.float64("z"));
+  }
 
-    private static void write(Point m, MessageWriter out) {
-        out.f64(m.x);
-        out.f64(m.y);
-        out.f64(m.z);
-    }
+  private static void write(Point m, MessageWriter out) {
+    out.f64(m.x);
+    out.f64(m.y);
+    out.f64(m.z);
+  }
 }

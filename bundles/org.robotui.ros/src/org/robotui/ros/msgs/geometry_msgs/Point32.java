@@ -14,17 +14,17 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Point32(float x, float y, float z) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Point32> CODEC =
-            RecordCodec.of("geometry_msgs/Point32", Point32::read, Point32::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Point32> CODEC =
+      RecordCodec.of("geometry_msgs/Point32", Point32::read, Point32::write);
 
-    private static Point32 read(MessageReader in) throws MessageException {
-        return new Point32(in.float32("x"), in.float32("y"), in.float32("z"));
-    }
+  private static Point32 read(MessageReader in) throws MessageException {
+    return new Point32(in.float32("x"), in.float32("y"), in.float32("z"));
+  }
 
-    private static void write(Point32 m, MessageWriter out) {
-        out.f32(m.x);
-        out.f32(m.y);
-        out.f32(m.z);
-    }
+  private static void write(Point32 m, MessageWriter out) {
+    out.f32(m.x);
+    out.f32(m.y);
+    out.f32(m.z);
+  }
 }

@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record PointStamped(Header header, Point point) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PointStamped> CODEC =
-            RecordCodec.of("geometry_msgs/PointStamped", PointStamped::read, PointStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PointStamped> CODEC =
+      RecordCodec.of("geometry_msgs/PointStamped", PointStamped::read, PointStamped::write);
 
-    private static PointStamped read(MessageReader in) throws MessageException {
-        return new PointStamped(in.nested("header", Header.CODEC), in.nested("point", Point.CODEC));
-    }
+  private static PointStamped read(MessageReader in) throws MessageException {
+    return new PointStamped(in.nested("header", Header.CODEC), in.nested("point", Point.CODEC));
+  }
 
-    private static void write(PointStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Point.CODEC.encode(m.point, out);
-    }
+  private static void write(PointStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Point.CODEC.encode(m.point, out);
+  }
 }

@@ -14,20 +14,20 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Polygon(List<Point32> points) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Polygon> CODEC =
-            RecordCodec.of("geometry_msgs/Polygon", Polygon::read, Polygon::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Polygon> CODEC =
+      RecordCodec.of("geometry_msgs/Polygon", Polygon::read, Polygon::write);
 
-    /** Keeps immutable copies of lists. */
-    public Polygon {
-        points = List.copyOf(points);
-    }
+  /** Keeps immutable copies of lists. */
+  public Polygon {
+    points = List.copyOf(points);
+  }
 
-    private static Polygon read(MessageReader in) throws MessageException {
-        return new Polygon(in.list("points", Point32.CODEC));
-    }
+  private static Polygon read(MessageReader in) throws MessageException {
+    return new Polygon(in.list("points", Point32.CODEC));
+  }
 
-    private static void write(Polygon m, MessageWriter out) {
-        Point32.CODEC.encodeAll(m.points, out);
-    }
+  private static void write(Polygon m, MessageWriter out) {
+    Point32.CODEC.encodeAll(m.points, out);
+  }
 }

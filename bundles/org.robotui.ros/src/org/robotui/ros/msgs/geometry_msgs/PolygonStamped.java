@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record PolygonStamped(Header header, Polygon polygon) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PolygonStamped> CODEC =
-            RecordCodec.of("geometry_msgs/PolygonStamped", PolygonStamped::read, PolygonStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PolygonStamped> CODEC =
+      RecordCodec.of("geometry_msgs/PolygonStamped", PolygonStamped::read, PolygonStamped::write);
 
-    private static PolygonStamped read(MessageReader in) throws MessageException {
-        return new PolygonStamped(in.nested("header", Header.CODEC), in.nested("polygon", Polygon.CODEC));
-    }
+  private static PolygonStamped read(MessageReader in) throws MessageException {
+    return new PolygonStamped(in.nested("header", Header.CODEC), in.nested("polygon", Polygon.CODEC));
+  }
 
-    private static void write(PolygonStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Polygon.CODEC.encode(m.polygon, out);
-    }
+  private static void write(PolygonStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Polygon.CODEC.encode(m.polygon, out);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Pose(Point position, Quaternion orientation) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Pose> CODEC =
-            RecordCodec.of("geometry_msgs/Pose", Pose::read, Pose::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Pose> CODEC =
+      RecordCodec.of("geometry_msgs/Pose", Pose::read, Pose::write);
 
-    private static Pose read(MessageReader in) throws MessageException {
-        return new Pose(in.nested("position", Point.CODEC), in.nested("orientation", Quaternion.CODEC));
-    }
+  private static Pose read(MessageReader in) throws MessageException {
+    return new Pose(in.nested("position", Point.CODEC), in.nested("orientation", Quaternion.CODEC));
+  }
 
-    private static void write(Pose m, MessageWriter out) {
-        Point.CODEC.encode(m.position, out);
-        Quaternion.CODEC.encode(m.orientation, out);
-    }
+  private static void write(Pose m, MessageWriter out) {
+    Point.CODEC.encode(m.position, out);
+    Quaternion.CODEC.encode(m.orientation, out);
+  }
 }

@@ -14,17 +14,17 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Pose2D(double x, double y, double theta) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Pose2D> CODEC =
-            RecordCodec.of("geometry_msgs/Pose2D", Pose2D::read, Pose2D::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Pose2D> CODEC =
+      RecordCodec.of("geometry_msgs/Pose2D", Pose2D::read, Pose2D::write);
 
-    private static Pose2D read(MessageReader in) throws MessageException {
-        return new Pose2D(in.float64("x"), in.float64("y"), in.float64("theta"));
-    }
+  private static Pose2D read(MessageReader in) throws MessageException {
+    return new Pose2D(in.float64("x"), in.float64("y"), in.float64("theta"));
+  }
 
-    private static void write(Pose2D m, MessageWriter out) {
-        out.f64(m.x);
-        out.f64(m.y);
-        out.f64(m.theta);
-    }
+  private static void write(Pose2D m, MessageWriter out) {
+    out.f64(m.x);
+    out.f64(m.y);
+    out.f64(m.theta);
+  }
 }

@@ -16,21 +16,21 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record PoseArray(Header header, List<Pose> poses) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PoseArray> CODEC =
-            RecordCodec.of("geometry_msgs/PoseArray", PoseArray::read, PoseArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PoseArray> CODEC =
+      RecordCodec.of("geometry_msgs/PoseArray", PoseArray::read, PoseArray::write);
 
-    /** Keeps immutable copies of lists. */
-    public PoseArray {
-        poses = List.copyOf(poses);
-    }
+  /** Keeps immutable copies of lists. */
+  public PoseArray {
+    poses = List.copyOf(poses);
+  }
 
-    private static PoseArray read(MessageReader in) throws MessageException {
-        return new PoseArray(in.nested("header", Header.CODEC), in.list("poses", Pose.CODEC));
-    }
+  private static PoseArray read(MessageReader in) throws MessageException {
+    return new PoseArray(in.nested("header", Header.CODEC), in.list("poses", Pose.CODEC));
+  }
 
-    private static void write(PoseArray m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Pose.CODEC.encodeAll(m.poses, out);
-    }
+  private static void write(PoseArray m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Pose.CODEC.encodeAll(m.poses, out);
+  }
 }

@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record PoseStamped(Header header, Pose pose) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PoseStamped> CODEC =
-            RecordCodec.of("geometry_msgs/PoseStamped", PoseStamped::read, PoseStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PoseStamped> CODEC =
+      RecordCodec.of("geometry_msgs/PoseStamped", PoseStamped::read, PoseStamped::write);
 
-    private static PoseStamped read(MessageReader in) throws MessageException {
-        return new PoseStamped(in.nested("header", Header.CODEC), in.nested("pose", Pose.CODEC));
-    }
+  private static PoseStamped read(MessageReader in) throws MessageException {
+    return new PoseStamped(in.nested("header", Header.CODEC), in.nested("pose", Pose.CODEC));
+  }
 
-    private static void write(PoseStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Pose.CODEC.encode(m.pose, out);
-    }
+  private static void write(PoseStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Pose.CODEC.encode(m.pose, out);
+  }
 }

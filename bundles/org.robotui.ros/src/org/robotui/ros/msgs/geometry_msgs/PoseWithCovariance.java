@@ -13,21 +13,21 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record PoseWithCovariance(Pose pose, double[] covariance) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PoseWithCovariance> CODEC =
-            RecordCodec.of("geometry_msgs/PoseWithCovariance", PoseWithCovariance::read, PoseWithCovariance::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PoseWithCovariance> CODEC =
+      RecordCodec.of("geometry_msgs/PoseWithCovariance", PoseWithCovariance::read, PoseWithCovariance::write);
 
-    /** Checks the lengths of fixed arrays. */
-    public PoseWithCovariance {
-        RecordCodec.requireLength("covariance", covariance.length, 36);
-    }
+  /** Checks the lengths of fixed arrays. */
+  public PoseWithCovariance {
+    RecordCodec.requireLength("covariance", covariance.length, 36);
+  }
 
-    private static PoseWithCovariance read(MessageReader in) throws MessageException {
-        return new PoseWithCovariance(in.nested("pose", Pose.CODEC), in.doubles("covariance", 36));
-    }
+  private static PoseWithCovariance read(MessageReader in) throws MessageException {
+    return new PoseWithCovariance(in.nested("pose", Pose.CODEC), in.doubles("covariance", 36));
+  }
 
-    private static void write(PoseWithCovariance m, MessageWriter out) {
-        Pose.CODEC.encode(m.pose, out);
-        out.doubles(m.covariance);
-    }
+  private static void write(PoseWithCovariance m, MessageWriter out) {
+    Pose.CODEC.encode(m.pose, out);
+    out.doubles(m.covariance);
+  }
 }

@@ -14,18 +14,18 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record PoseWithCovarianceStamped(Header header, PoseWithCovariance pose) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PoseWithCovarianceStamped> CODEC =
-            RecordCodec.of("geometry_msgs/PoseWithCovarianceStamped", PoseWithCovarianceStamped::read, PoseWithCovarianceStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PoseWithCovarianceStamped> CODEC =
+      RecordCodec.of("geometry_msgs/PoseWithCovarianceStamped", PoseWithCovarianceStamped::read, PoseWithCovarianceStamped::write);
 
-    private static PoseWithCovarianceStamped read(MessageReader in) throws MessageException {
-        return new PoseWithCovarianceStamped(
-                in.nested("header", Header.CODEC),
-                in.nested("pose", PoseWithCovariance.CODEC));
-    }
+  private static PoseWithCovarianceStamped read(MessageReader in) throws MessageException {
+    return new PoseWithCovarianceStamped(
+        in.nested("header", Header.CODEC),
+        in.nested("pose", PoseWithCovariance.CODEC));
+  }
 
-    private static void write(PoseWithCovarianceStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        PoseWithCovariance.CODEC.encode(m.pose, out);
-    }
+  private static void write(PoseWithCovarianceStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    PoseWithCovariance.CODEC.encode(m.pose, out);
+  }
 }

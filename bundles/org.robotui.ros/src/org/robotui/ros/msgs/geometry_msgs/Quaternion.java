@@ -15,18 +15,18 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Quaternion(double x, double y, double z, double w) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Quaternion> CODEC =
-            RecordCodec.of("geometry_msgs/Quaternion", Quaternion::read, Quaternion::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Quaternion> CODEC =
+      RecordCodec.of("geometry_msgs/Quaternion", Quaternion::read, Quaternion::write);
 
-    private static Quaternion read(MessageReader in) throws MessageException {
-        return new Quaternion(in.float64("x"), in.float64("y"), in.float64("z"), in.float64("w"));
-    }
+  private static Quaternion read(MessageReader in) throws MessageException {
+    return new Quaternion(in.float64("x"), in.float64("y"), in.float64("z"), in.float64("w"));
+  }
 
-    private static void write(Quaternion m, MessageWriter out) {
-        out.f64(m.x);
-        out.f64(m.y);
-        out.f64(m.z);
-        out.f64(m.w);
-    }
+  private static void write(Quaternion m, MessageWriter out) {
+    out.f64(m.x);
+    out.f64(m.y);
+    out.f64(m.z);
+    out.f64(m.w);
+  }
 }

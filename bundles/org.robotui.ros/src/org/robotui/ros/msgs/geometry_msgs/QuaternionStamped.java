@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record QuaternionStamped(Header header, Quaternion quaternion) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<QuaternionStamped> CODEC =
-            RecordCodec.of("geometry_msgs/QuaternionStamped", QuaternionStamped::read, QuaternionStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<QuaternionStamped> CODEC =
+      RecordCodec.of("geometry_msgs/QuaternionStamped", QuaternionStamped::read, QuaternionStamped::write);
 
-    private static QuaternionStamped read(MessageReader in) throws MessageException {
-        return new QuaternionStamped(in.nested("header", Header.CODEC), in.nested("quaternion", Quaternion.CODEC));
-    }
+  private static QuaternionStamped read(MessageReader in) throws MessageException {
+    return new QuaternionStamped(in.nested("header", Header.CODEC), in.nested("quaternion", Quaternion.CODEC));
+  }
 
-    private static void write(QuaternionStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Quaternion.CODEC.encode(m.quaternion, out);
-    }
+  private static void write(QuaternionStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Quaternion.CODEC.encode(m.quaternion, out);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Transform(Vector3 translation, Quaternion rotation) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Transform> CODEC =
-            RecordCodec.of("geometry_msgs/Transform", Transform::read, Transform::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Transform> CODEC =
+      RecordCodec.of("geometry_msgs/Transform", Transform::read, Transform::write);
 
-    private static Transform read(MessageReader in) throws MessageException {
-        return new Transform(in.nested("translation", Vector3.CODEC), in.nested("rotation", Quaternion.CODEC));
-    }
+  private static Transform read(MessageReader in) throws MessageException {
+    return new Transform(in.nested("translation", Vector3.CODEC), in.nested("rotation", Quaternion.CODEC));
+  }
 
-    private static void write(Transform m, MessageWriter out) {
-        Vector3.CODEC.encode(m.translation, out);
-        Quaternion.CODEC.encode(m.rotation, out);
-    }
+  private static void write(Transform m, MessageWriter out) {
+    Vector3.CODEC.encode(m.translation, out);
+    Quaternion.CODEC.encode(m.rotation, out);
+  }
 }

@@ -15,20 +15,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record TransformStamped(Header header, String childFrameId, Transform transform) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TransformStamped> CODEC =
-            RecordCodec.of("geometry_msgs/TransformStamped", TransformStamped::read, TransformStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TransformStamped> CODEC =
+      RecordCodec.of("geometry_msgs/TransformStamped", TransformStamped::read, TransformStamped::write);
 
-    private static TransformStamped read(MessageReader in) throws MessageException {
-        return new TransformStamped(
-                in.nested("header", Header.CODEC),
-                in.string("child_frame_id"),
-                in.nested("transform", Transform.CODEC));
-    }
+  private static TransformStamped read(MessageReader in) throws MessageException {
+    return new TransformStamped(
+        in.nested("header", Header.CODEC),
+        in.string("child_frame_id"),
+        in.nested("transform", Transform.CODEC));
+  }
 
-    private static void write(TransformStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.string(m.childFrameId);
-        Transform.CODEC.encode(m.transform, out);
-    }
+  private static void write(TransformStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.string(m.childFrameId);
+    Transform.CODEC.encode(m.transform, out);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Twist(Vector3 linear, Vector3 angular) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Twist> CODEC =
-            RecordCodec.of("geometry_msgs/Twist", Twist::read, Twist::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Twist> CODEC =
+      RecordCodec.of("geometry_msgs/Twist", Twist::read, Twist::write);
 
-    private static Twist read(MessageReader in) throws MessageException {
-        return new Twist(in.nested("linear", Vector3.CODEC), in.nested("angular", Vector3.CODEC));
-    }
+  private static Twist read(MessageReader in) throws MessageException {
+    return new Twist(in.nested("linear", Vector3.CODEC), in.nested("angular", Vector3.CODEC));
+  }
 
-    private static void write(Twist m, MessageWriter out) {
-        Vector3.CODEC.encode(m.linear, out);
-        Vector3.CODEC.encode(m.angular, out);
-    }
+  private static void write(Twist m, MessageWriter out) {
+    Vector3.CODEC.encode(m.linear, out);
+    Vector3.CODEC.encode(m.angular, out);
+  }
 }

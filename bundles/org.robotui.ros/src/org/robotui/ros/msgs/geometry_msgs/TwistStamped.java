@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record TwistStamped(Header header, Twist twist) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TwistStamped> CODEC =
-            RecordCodec.of("geometry_msgs/TwistStamped", TwistStamped::read, TwistStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TwistStamped> CODEC =
+      RecordCodec.of("geometry_msgs/TwistStamped", TwistStamped::read, TwistStamped::write);
 
-    private static TwistStamped read(MessageReader in) throws MessageException {
-        return new TwistStamped(in.nested("header", Header.CODEC), in.nested("twist", Twist.CODEC));
-    }
+  private static TwistStamped read(MessageReader in) throws MessageException {
+    return new TwistStamped(in.nested("header", Header.CODEC), in.nested("twist", Twist.CODEC));
+  }
 
-    private static void write(TwistStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Twist.CODEC.encode(m.twist, out);
-    }
+  private static void write(TwistStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Twist.CODEC.encode(m.twist, out);
+  }
 }

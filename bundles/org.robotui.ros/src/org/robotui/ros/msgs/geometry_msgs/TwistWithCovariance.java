@@ -13,21 +13,21 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record TwistWithCovariance(Twist twist, double[] covariance) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TwistWithCovariance> CODEC =
-            RecordCodec.of("geometry_msgs/TwistWithCovariance", TwistWithCovariance::read, TwistWithCovariance::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TwistWithCovariance> CODEC =
+      RecordCodec.of("geometry_msgs/TwistWithCovariance", TwistWithCovariance::read, TwistWithCovariance::write);
 
-    /** Checks the lengths of fixed arrays. */
-    public TwistWithCovariance {
-        RecordCodec.requireLength("covariance", covariance.length, 36);
-    }
+  /** Checks the lengths of fixed arrays. */
+  public TwistWithCovariance {
+    RecordCodec.requireLength("covariance", covariance.length, 36);
+  }
 
-    private static TwistWithCovariance read(MessageReader in) throws MessageException {
-        return new TwistWithCovariance(in.nested("twist", Twist.CODEC), in.doubles("covariance", 36));
-    }
+  private static TwistWithCovariance read(MessageReader in) throws MessageException {
+    return new TwistWithCovariance(in.nested("twist", Twist.CODEC), in.doubles("covariance", 36));
+  }
 
-    private static void write(TwistWithCovariance m, MessageWriter out) {
-        Twist.CODEC.encode(m.twist, out);
-        out.doubles(m.covariance);
-    }
+  private static void write(TwistWithCovariance m, MessageWriter out) {
+    Twist.CODEC.encode(m.twist, out);
+    out.doubles(m.covariance);
+  }
 }

@@ -14,18 +14,18 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record TwistWithCovarianceStamped(Header header, TwistWithCovariance twist) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TwistWithCovarianceStamped> CODEC =
-            RecordCodec.of("geometry_msgs/TwistWithCovarianceStamped", TwistWithCovarianceStamped::read, TwistWithCovarianceStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TwistWithCovarianceStamped> CODEC =
+      RecordCodec.of("geometry_msgs/TwistWithCovarianceStamped", TwistWithCovarianceStamped::read, TwistWithCovarianceStamped::write);
 
-    private static TwistWithCovarianceStamped read(MessageReader in) throws MessageException {
-        return new TwistWithCovarianceStamped(
-                in.nested("header", Header.CODEC),
-                in.nested("twist", TwistWithCovariance.CODEC));
-    }
+  private static TwistWithCovarianceStamped read(MessageReader in) throws MessageException {
+    return new TwistWithCovarianceStamped(
+        in.nested("header", Header.CODEC),
+        in.nested("twist", TwistWithCovariance.CODEC));
+  }
 
-    private static void write(TwistWithCovarianceStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        TwistWithCovariance.CODEC.encode(m.twist, out);
-    }
+  private static void write(TwistWithCovarianceStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    TwistWithCovariance.CODEC.encode(m.twist, out);
+  }
 }

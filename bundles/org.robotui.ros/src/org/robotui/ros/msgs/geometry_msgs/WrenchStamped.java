@@ -14,16 +14,16 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record WrenchStamped(Header header, Wrench wrench) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<WrenchStamped> CODEC =
-            RecordCodec.of("geometry_msgs/WrenchStamped", WrenchStamped::read, WrenchStamped::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<WrenchStamped> CODEC =
+      RecordCodec.of("geometry_msgs/WrenchStamped", WrenchStamped::read, WrenchStamped::write);
 
-    private static WrenchStamped read(MessageReader in) throws MessageException {
-        return new WrenchStamped(in.nested("header", Header.CODEC), in.nested("wrench", Wrench.CODEC));
-    }
+  private static WrenchStamped read(MessageReader in) throws MessageException {
+    return new WrenchStamped(in.nested("header", Header.CODEC), in.nested("wrench", Wrench.CODEC));
+  }
 
-    private static void write(WrenchStamped m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Wrench.CODEC.encode(m.wrench, out);
-    }
+  private static void write(WrenchStamped m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Wrench.CODEC.encode(m.wrench, out);
+  }
 }

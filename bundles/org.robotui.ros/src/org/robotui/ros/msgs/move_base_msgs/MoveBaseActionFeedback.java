@@ -16,20 +16,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record MoveBaseActionFeedback(Header header, GoalStatus status, MoveBaseFeedback feedback) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MoveBaseActionFeedback> CODEC =
-            RecordCodec.of("move_base_msgs/MoveBaseActionFeedback", MoveBaseActionFeedback::read, MoveBaseActionFeedback::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MoveBaseActionFeedback> CODEC =
+      RecordCodec.of("move_base_msgs/MoveBaseActionFeedback", MoveBaseActionFeedback::read, MoveBaseActionFeedback::write);
 
-    private static MoveBaseActionFeedback read(MessageReader in) throws MessageException {
-        return new MoveBaseActionFeedback(
-                in.nested("header", Header.CODEC),
-                in.nested("status", GoalStatus.CODEC),
-                in.nested("feedback", MoveBaseFeedback.CODEC));
-    }
+  private static MoveBaseActionFeedback read(MessageReader in) throws MessageException {
+    return new MoveBaseActionFeedback(
+        in.nested("header", Header.CODEC),
+        in.nested("status", GoalStatus.CODEC),
+        in.nested("feedback", MoveBaseFeedback.CODEC));
+  }
 
-    private static void write(MoveBaseActionFeedback m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        GoalStatus.CODEC.encode(m.status, out);
-        MoveBaseFeedback.CODEC.encode(m.feedback, out);
-    }
+  private static void write(MoveBaseActionFeedback m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    GoalStatus.CODEC.encode(m.status, out);
+    MoveBaseFeedback.CODEC.encode(m.feedback, out);
+  }
 }

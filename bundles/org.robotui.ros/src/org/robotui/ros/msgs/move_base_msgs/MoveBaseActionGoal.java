@@ -16,20 +16,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record MoveBaseActionGoal(Header header, GoalID goalId, MoveBaseGoal goal) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MoveBaseActionGoal> CODEC =
-            RecordCodec.of("move_base_msgs/MoveBaseActionGoal", MoveBaseActionGoal::read, MoveBaseActionGoal::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MoveBaseActionGoal> CODEC =
+      RecordCodec.of("move_base_msgs/MoveBaseActionGoal", MoveBaseActionGoal::read, MoveBaseActionGoal::write);
 
-    private static MoveBaseActionGoal read(MessageReader in) throws MessageException {
-        return new MoveBaseActionGoal(
-                in.nested("header", Header.CODEC),
-                in.nested("goal_id", GoalID.CODEC),
-                in.nested("goal", MoveBaseGoal.CODEC));
-    }
+  private static MoveBaseActionGoal read(MessageReader in) throws MessageException {
+    return new MoveBaseActionGoal(
+        in.nested("header", Header.CODEC),
+        in.nested("goal_id", GoalID.CODEC),
+        in.nested("goal", MoveBaseGoal.CODEC));
+  }
 
-    private static void write(MoveBaseActionGoal m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        GoalID.CODEC.encode(m.goalId, out);
-        MoveBaseGoal.CODEC.encode(m.goal, out);
-    }
+  private static void write(MoveBaseActionGoal m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    GoalID.CODEC.encode(m.goalId, out);
+    MoveBaseGoal.CODEC.encode(m.goal, out);
+  }
 }

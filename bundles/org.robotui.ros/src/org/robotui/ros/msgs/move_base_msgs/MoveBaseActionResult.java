@@ -16,20 +16,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record MoveBaseActionResult(Header header, GoalStatus status, MoveBaseResult result) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MoveBaseActionResult> CODEC =
-            RecordCodec.of("move_base_msgs/MoveBaseActionResult", MoveBaseActionResult::read, MoveBaseActionResult::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MoveBaseActionResult> CODEC =
+      RecordCodec.of("move_base_msgs/MoveBaseActionResult", MoveBaseActionResult::read, MoveBaseActionResult::write);
 
-    private static MoveBaseActionResult read(MessageReader in) throws MessageException {
-        return new MoveBaseActionResult(
-                in.nested("header", Header.CODEC),
-                in.nested("status", GoalStatus.CODEC),
-                in.nested("result", MoveBaseResult.CODEC));
-    }
+  private static MoveBaseActionResult read(MessageReader in) throws MessageException {
+    return new MoveBaseActionResult(
+        in.nested("header", Header.CODEC),
+        in.nested("status", GoalStatus.CODEC),
+        in.nested("result", MoveBaseResult.CODEC));
+  }
 
-    private static void write(MoveBaseActionResult m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        GoalStatus.CODEC.encode(m.status, out);
-        MoveBaseResult.CODEC.encode(m.result, out);
-    }
+  private static void write(MoveBaseActionResult m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    GoalStatus.CODEC.encode(m.status, out);
+    MoveBaseResult.CODEC.encode(m.result, out);
+  }
 }

@@ -13,15 +13,15 @@ import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
  */
 public record MoveBaseFeedback(PoseStamped basePosition) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MoveBaseFeedback> CODEC =
-            RecordCodec.of("move_base_msgs/MoveBaseFeedback", MoveBaseFeedback::read, MoveBaseFeedback::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MoveBaseFeedback> CODEC =
+      RecordCodec.of("move_base_msgs/MoveBaseFeedback", MoveBaseFeedback::read, MoveBaseFeedback::write);
 
-    private static MoveBaseFeedback read(MessageReader in) throws MessageException {
-        return new MoveBaseFeedback(in.nested("base_position", PoseStamped.CODEC));
-    }
+  private static MoveBaseFeedback read(MessageReader in) throws MessageException {
+    return new MoveBaseFeedback(in.nested("base_position", PoseStamped.CODEC));
+  }
 
-    private static void write(MoveBaseFeedback m, MessageWriter out) {
-        PoseStamped.CODEC.encode(m.basePosition, out);
-    }
+  private static void write(MoveBaseFeedback m, MessageWriter out) {
+    PoseStamped.CODEC.encode(m.basePosition, out);
+  }
 }

@@ -13,15 +13,15 @@ import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
  */
 public record MoveBaseGoal(PoseStamped targetPose) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MoveBaseGoal> CODEC =
-            RecordCodec.of("move_base_msgs/MoveBaseGoal", MoveBaseGoal::read, MoveBaseGoal::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MoveBaseGoal> CODEC =
+      RecordCodec.of("move_base_msgs/MoveBaseGoal", MoveBaseGoal::read, MoveBaseGoal::write);
 
-    private static MoveBaseGoal read(MessageReader in) throws MessageException {
-        return new MoveBaseGoal(in.nested("target_pose", PoseStamped.CODEC));
-    }
+  private static MoveBaseGoal read(MessageReader in) throws MessageException {
+    return new MoveBaseGoal(in.nested("target_pose", PoseStamped.CODEC));
+  }
 
-    private static void write(MoveBaseGoal m, MessageWriter out) {
-        PoseStamped.CODEC.encode(m.targetPose, out);
-    }
+  private static void write(MoveBaseGoal m, MessageWriter out) {
+    PoseStamped.CODEC.encode(m.targetPose, out);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record GetMapResponse(OccupancyGrid map) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GetMapResponse> CODEC =
-            RecordCodec.of("nav_msgs/GetMapResponse", GetMapResponse::read, GetMapResponse::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GetMapResponse> CODEC =
+      RecordCodec.of("nav_msgs/GetMapResponse", GetMapResponse::read, GetMapResponse::write);
 
-    private static GetMapResponse read(MessageReader in) throws MessageException {
-        return new GetMapResponse(in.nested("map", OccupancyGrid.CODEC));
-    }
+  private static GetMapResponse read(MessageReader in) throws MessageException {
+    return new GetMapResponse(in.nested("map", OccupancyGrid.CODEC));
+  }
 
-    private static void write(GetMapResponse m, MessageWriter out) {
-        OccupancyGrid.CODEC.encode(m.map, out);
-    }
+  private static void write(GetMapResponse m, MessageWriter out) {
+    OccupancyGrid.CODEC.encode(m.map, out);
+  }
 }

@@ -19,27 +19,27 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record GridCells(Header header, float cellWidth, float cellHeight, List<Point> cells) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GridCells> CODEC =
-            RecordCodec.of("nav_msgs/GridCells", GridCells::read, GridCells::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GridCells> CODEC =
+      RecordCodec.of("nav_msgs/GridCells", GridCells::read, GridCells::write);
 
-    /** Keeps immutable copies of lists. */
-    public GridCells {
-        cells = List.copyOf(cells);
-    }
+  /** Keeps immutable copies of lists. */
+  public GridCells {
+    cells = List.copyOf(cells);
+  }
 
-    private static GridCells read(MessageReader in) throws MessageException {
-        return new GridCells(
-                in.nested("header", Header.CODEC),
-                in.float32("cell_width"),
-                in.float32("cell_height"),
-                in.list("cells", Point.CODEC));
-    }
+  private static GridCells read(MessageReader in) throws MessageException {
+    return new GridCells(
+        in.nested("header", Header.CODEC),
+        in.float32("cell_width"),
+        in.float32("cell_height"),
+        in.list("cells", Point.CODEC));
+  }
 
-    private static void write(GridCells m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.f32(m.cellWidth);
-        out.f32(m.cellHeight);
-        Point.CODEC.encodeAll(m.cells, out);
-    }
+  private static void write(GridCells m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.f32(m.cellWidth);
+    out.f32(m.cellHeight);
+    Point.CODEC.encodeAll(m.cells, out);
+  }
 }

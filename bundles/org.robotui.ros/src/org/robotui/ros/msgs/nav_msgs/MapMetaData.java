@@ -18,24 +18,24 @@ import org.robotui.ros.msgs.geometry_msgs.Pose;
  */
 public record MapMetaData(long mapLoadTime, float resolution, long width, long height, Pose origin) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MapMetaData> CODEC =
-            RecordCodec.of("nav_msgs/MapMetaData", MapMetaData::read, MapMetaData::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MapMetaData> CODEC =
+      RecordCodec.of("nav_msgs/MapMetaData", MapMetaData::read, MapMetaData::write);
 
-    private static MapMetaData read(MessageReader in) throws MessageException {
-        return new MapMetaData(
-                in.time("map_load_time"),
-                in.float32("resolution"),
-                in.uint32("width"),
-                in.uint32("height"),
-                in.nested("origin", Pose.CODEC));
-    }
+  private static MapMetaData read(MessageReader in) throws MessageException {
+    return new MapMetaData(
+        in.time("map_load_time"),
+        in.float32("resolution"),
+        in.uint32("width"),
+        in.uint32("height"),
+        in.nested("origin", Pose.CODEC));
+  }
 
-    private static void write(MapMetaData m, MessageWriter out) {
-        Stamps.write(m.mapLoadTime, out);
-        out.f32(m.resolution);
-        out.i32((int) m.width);
-        out.i32((int) m.height);
-        Pose.CODEC.encode(m.origin, out);
-    }
+  private static void write(MapMetaData m, MessageWriter out) {
+    Stamps.write(m.mapLoadTime, out);
+    out.f32(m.resolution);
+    out.i32((int) m.width);
+    out.i32((int) m.height);
+    Pose.CODEC.encode(m.origin, out);
+  }
 }

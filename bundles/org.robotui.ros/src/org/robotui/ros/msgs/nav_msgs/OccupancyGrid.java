@@ -17,35 +17,35 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record OccupancyGrid(Header header, MapMetaData info, ByteBuffer data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<OccupancyGrid> CODEC =
-            RecordCodec.of("nav_msgs/OccupancyGrid", OccupancyGrid::read, OccupancyGrid::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<OccupancyGrid> CODEC =
+      RecordCodec.of("nav_msgs/OccupancyGrid", OccupancyGrid::read, OccupancyGrid::write);
 
-    /** Keeps read-only views of bytes. */
-    public OccupancyGrid {
-        data = data.slice().asReadOnlyBuffer();
-    }
+  /** Keeps read-only views of bytes. */
+  public OccupancyGrid {
+    data = data.slice().asReadOnlyBuffer();
+  }
 
-    /**
-     * The bytes, without a copy.
-     *
-     * @return a fresh read-only view
-     */
-    @Override
-    public ByteBuffer data() {
-        return data.duplicate();
-    }
+  /**
+   * The bytes, without a copy.
+   *
+   * @return a fresh read-only view
+   */
+  @Override
+  public ByteBuffer data() {
+    return data.duplicate();
+  }
 
-    private static OccupancyGrid read(MessageReader in) throws MessageException {
-        return new OccupancyGrid(
-                in.nested("header", Header.CODEC),
-                in.nested("info", MapMetaData.CODEC),
-                in.bytes("data"));
-    }
+  private static OccupancyGrid read(MessageReader in) throws MessageException {
+    return new OccupancyGrid(
+        in.nested("header", Header.CODEC),
+        in.nested("info", MapMetaData.CODEC),
+        in.bytes("data"));
+  }
 
-    private static void write(OccupancyGrid m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        MapMetaData.CODEC.encode(m.info, out);
-        out.array(m.data.remaining()).bytes(m.data);
-    }
+  private static void write(OccupancyGrid m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    MapMetaData.CODEC.encode(m.info, out);
+    out.array(m.data.remaining()).bytes(m.data);
+  }
 }

@@ -18,22 +18,22 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record Odometry(Header header, String childFrameId, PoseWithCovariance pose, TwistWithCovariance twist) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Odometry> CODEC =
-            RecordCodec.of("nav_msgs/Odometry", Odometry::read, Odometry::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Odometry> CODEC =
+      RecordCodec.of("nav_msgs/Odometry", Odometry::read, Odometry::write);
 
-    private static Odometry read(MessageReader in) throws MessageException {
-        return new Odometry(
-                in.nested("header", Header.CODEC),
-                in.string("child_frame_id"),
-                in.nested("pose", PoseWithCovariance.CODEC),
-                in.nested("twist", TwistWithCovariance.CODEC));
-    }
+  private static Odometry read(MessageReader in) throws MessageException {
+    return new Odometry(
+        in.nested("header", Header.CODEC),
+        in.string("child_frame_id"),
+        in.nested("pose", PoseWithCovariance.CODEC),
+        in.nested("twist", TwistWithCovariance.CODEC));
+  }
 
-    private static void write(Odometry m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.string(m.childFrameId);
-        PoseWithCovariance.CODEC.encode(m.pose, out);
-        TwistWithCovariance.CODEC.encode(m.twist, out);
-    }
+  private static void write(Odometry m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.string(m.childFrameId);
+    PoseWithCovariance.CODEC.encode(m.pose, out);
+    TwistWithCovariance.CODEC.encode(m.twist, out);
+  }
 }

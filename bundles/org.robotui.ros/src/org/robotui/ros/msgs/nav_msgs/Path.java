@@ -17,21 +17,21 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record Path(Header header, List<PoseStamped> poses) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Path> CODEC =
-            RecordCodec.of("nav_msgs/Path", Path::read, Path::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Path> CODEC =
+      RecordCodec.of("nav_msgs/Path", Path::read, Path::write);
 
-    /** Keeps immutable copies of lists. */
-    public Path {
-        poses = List.copyOf(poses);
-    }
+  /** Keeps immutable copies of lists. */
+  public Path {
+    poses = List.copyOf(poses);
+  }
 
-    private static Path read(MessageReader in) throws MessageException {
-        return new Path(in.nested("header", Header.CODEC), in.list("poses", PoseStamped.CODEC));
-    }
+  private static Path read(MessageReader in) throws MessageException {
+    return new Path(in.nested("header", Header.CODEC), in.list("poses", PoseStamped.CODEC));
+  }
 
-    private static void write(Path m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        PoseStamped.CODEC.encodeAll(m.poses, out);
-    }
+  private static void write(Path m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    PoseStamped.CODEC.encodeAll(m.poses, out);
+  }
 }

@@ -14,20 +14,20 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record GetLoggersResponse(List<Logger> loggers) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<GetLoggersResponse> CODEC =
-            RecordCodec.of("roscpp/GetLoggersResponse", GetLoggersResponse::read, GetLoggersResponse::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<GetLoggersResponse> CODEC =
+      RecordCodec.of("roscpp/GetLoggersResponse", GetLoggersResponse::read, GetLoggersResponse::write);
 
-    /** Keeps immutable copies of lists. */
-    public GetLoggersResponse {
-        loggers = List.copyOf(loggers);
-    }
+  /** Keeps immutable copies of lists. */
+  public GetLoggersResponse {
+    loggers = List.copyOf(loggers);
+  }
 
-    private static GetLoggersResponse read(MessageReader in) throws MessageException {
-        return new GetLoggersResponse(in.list("loggers", Logger.CODEC));
-    }
+  private static GetLoggersResponse read(MessageReader in) throws MessageException {
+    return new GetLoggersResponse(in.list("loggers", Logger.CODEC));
+  }
 
-    private static void write(GetLoggersResponse m, MessageWriter out) {
-        Logger.CODEC.encodeAll(m.loggers, out);
-    }
+  private static void write(GetLoggersResponse m, MessageWriter out) {
+    Logger.CODEC.encodeAll(m.loggers, out);
+  }
 }

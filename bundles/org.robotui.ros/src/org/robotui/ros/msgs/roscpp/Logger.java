@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Logger(String name, String level) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Logger> CODEC =
-            RecordCodec.of("roscpp/Logger", Logger::read, Logger::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Logger> CODEC =
+      RecordCodec.of("roscpp/Logger", Logger::read, Logger::write);
 
-    private static Logger read(MessageReader in) throws MessageException {
-        return new Logger(in.string("name"), in.string("level"));
-    }
+  private static Logger read(MessageReader in) throws MessageException {
+    return new Logger(in.string("name"), in.string("level"));
+  }
 
-    private static void write(Logger m, MessageWriter out) {
-        out.string(m.name);
-        out.string(m.level);
-    }
+  private static void write(Logger m, MessageWriter out) {
+    out.string(m.name);
+    out.string(m.level);
+  }
 }

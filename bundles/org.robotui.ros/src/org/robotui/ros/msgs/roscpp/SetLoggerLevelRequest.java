@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record SetLoggerLevelRequest(String logger, String level) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<SetLoggerLevelRequest> CODEC =
-            RecordCodec.of("roscpp/SetLoggerLevelRequest", SetLoggerLevelRequest::read, SetLoggerLevelRequest::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<SetLoggerLevelRequest> CODEC =
+      RecordCodec.of("roscpp/SetLoggerLevelRequest", SetLoggerLevelRequest::read, SetLoggerLevelRequest::write);
 
-    private static SetLoggerLevelRequest read(MessageReader in) throws MessageException {
-        return new SetLoggerLevelRequest(in.string("logger"), in.string("level"));
-    }
+  private static SetLoggerLevelRequest read(MessageReader in) throws MessageException {
+    return new SetLoggerLevelRequest(in.string("logger"), in.string("level"));
+  }
 
-    private static void write(SetLoggerLevelRequest m, MessageWriter out) {
-        out.string(m.logger);
-        out.string(m.level);
-    }
+  private static void write(SetLoggerLevelRequest m, MessageWriter out) {
+    out.string(m.logger);
+    out.string(m.level);
+  }
 }

@@ -13,15 +13,15 @@ import org.robotui.ros.message.Stamps;
  */
 public record Clock(long clock) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Clock> CODEC =
-            RecordCodec.of("rosgraph_msgs/Clock", Clock::read, Clock::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Clock> CODEC =
+      RecordCodec.of("rosgraph_msgs/Clock", Clock::read, Clock::write);
 
-    private static Clock read(MessageReader in) throws MessageException {
-        return new Clock(in.time("clock"));
-    }
+  private static Clock read(MessageReader in) throws MessageException {
+    return new Clock(in.time("clock"));
+  }
 
-    private static void write(Clock m, MessageWriter out) {
-        Stamps.write(m.clock, out);
-    }
+  private static void write(Clock m, MessageWriter out) {
+    Stamps.write(m.clock, out);
+  }
 }

@@ -27,93 +27,93 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param serialNumber          the battery's serial number
  */
 public record BatteryState(
-        Header header, float voltage, float temperature, float current, float charge, float capacity, float
-        designCapacity, float percentage, int powerSupplyStatus, int powerSupplyHealth, int powerSupplyTechnology,
-        boolean present, float[] cellVoltage, float[] cellTemperature, String location, String serialNumber) {
+    Header header, float voltage, float temperature, float current, float charge, float capacity, float
+    designCapacity, float percentage, int powerSupplyStatus, int powerSupplyHealth, int powerSupplyTechnology,
+    boolean present, float[] cellVoltage, float[] cellTemperature, String location, String serialNumber) {
 
-    /** The constant {@code POWER_SUPPLY_STATUS_UNKNOWN} of the definition. */
-    public static final int POWER_SUPPLY_STATUS_UNKNOWN = 0;
-    /** The constant {@code POWER_SUPPLY_STATUS_CHARGING} of the definition. */
-    public static final int POWER_SUPPLY_STATUS_CHARGING = 1;
-    /** The constant {@code POWER_SUPPLY_STATUS_DISCHARGING} of the definition. */
-    public static final int POWER_SUPPLY_STATUS_DISCHARGING = 2;
-    /** The constant {@code POWER_SUPPLY_STATUS_NOT_CHARGING} of the definition. */
-    public static final int POWER_SUPPLY_STATUS_NOT_CHARGING = 3;
-    /** The constant {@code POWER_SUPPLY_STATUS_FULL} of the definition. */
-    public static final int POWER_SUPPLY_STATUS_FULL = 4;
-    /** The constant {@code POWER_SUPPLY_HEALTH_UNKNOWN} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_UNKNOWN = 0;
-    /** The constant {@code POWER_SUPPLY_HEALTH_GOOD} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_GOOD = 1;
-    /** The constant {@code POWER_SUPPLY_HEALTH_OVERHEAT} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_OVERHEAT = 2;
-    /** The constant {@code POWER_SUPPLY_HEALTH_DEAD} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_DEAD = 3;
-    /** The constant {@code POWER_SUPPLY_HEALTH_OVERVOLTAGE} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_OVERVOLTAGE = 4;
-    /** The constant {@code POWER_SUPPLY_HEALTH_UNSPEC_FAILURE} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_UNSPEC_FAILURE = 5;
-    /** The constant {@code POWER_SUPPLY_HEALTH_COLD} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_COLD = 6;
-    /** The constant {@code POWER_SUPPLY_HEALTH_WATCHDOG_TIMER_EXPIRE} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_WATCHDOG_TIMER_EXPIRE = 7;
-    /** The constant {@code POWER_SUPPLY_HEALTH_SAFETY_TIMER_EXPIRE} of the definition. */
-    public static final int POWER_SUPPLY_HEALTH_SAFETY_TIMER_EXPIRE = 8;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_UNKNOWN} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_UNKNOWN = 0;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_NIMH} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_NIMH = 1;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LION} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_LION = 2;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIPO} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_LIPO = 3;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIFE} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_LIFE = 4;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_NICD} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_NICD = 5;
-    /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIMN} of the definition. */
-    public static final int POWER_SUPPLY_TECHNOLOGY_LIMN = 6;
+  /** The constant {@code POWER_SUPPLY_STATUS_UNKNOWN} of the definition. */
+  public static final int POWER_SUPPLY_STATUS_UNKNOWN = 0;
+  /** The constant {@code POWER_SUPPLY_STATUS_CHARGING} of the definition. */
+  public static final int POWER_SUPPLY_STATUS_CHARGING = 1;
+  /** The constant {@code POWER_SUPPLY_STATUS_DISCHARGING} of the definition. */
+  public static final int POWER_SUPPLY_STATUS_DISCHARGING = 2;
+  /** The constant {@code POWER_SUPPLY_STATUS_NOT_CHARGING} of the definition. */
+  public static final int POWER_SUPPLY_STATUS_NOT_CHARGING = 3;
+  /** The constant {@code POWER_SUPPLY_STATUS_FULL} of the definition. */
+  public static final int POWER_SUPPLY_STATUS_FULL = 4;
+  /** The constant {@code POWER_SUPPLY_HEALTH_UNKNOWN} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_UNKNOWN = 0;
+  /** The constant {@code POWER_SUPPLY_HEALTH_GOOD} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_GOOD = 1;
+  /** The constant {@code POWER_SUPPLY_HEALTH_OVERHEAT} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_OVERHEAT = 2;
+  /** The constant {@code POWER_SUPPLY_HEALTH_DEAD} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_DEAD = 3;
+  /** The constant {@code POWER_SUPPLY_HEALTH_OVERVOLTAGE} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_OVERVOLTAGE = 4;
+  /** The constant {@code POWER_SUPPLY_HEALTH_UNSPEC_FAILURE} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_UNSPEC_FAILURE = 5;
+  /** The constant {@code POWER_SUPPLY_HEALTH_COLD} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_COLD = 6;
+  /** The constant {@code POWER_SUPPLY_HEALTH_WATCHDOG_TIMER_EXPIRE} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_WATCHDOG_TIMER_EXPIRE = 7;
+  /** The constant {@code POWER_SUPPLY_HEALTH_SAFETY_TIMER_EXPIRE} of the definition. */
+  public static final int POWER_SUPPLY_HEALTH_SAFETY_TIMER_EXPIRE = 8;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_UNKNOWN} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_UNKNOWN = 0;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_NIMH} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_NIMH = 1;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LION} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_LION = 2;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIPO} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_LIPO = 3;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIFE} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_LIFE = 4;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_NICD} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_NICD = 5;
+  /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIMN} of the definition. */
+  public static final int POWER_SUPPLY_TECHNOLOGY_LIMN = 6;
 
-    /** Between records and bytes. */
-    public static final RecordCodec<BatteryState> CODEC =
-            RecordCodec.of("sensor_msgs/BatteryState", BatteryState::read, BatteryState::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<BatteryState> CODEC =
+      RecordCodec.of("sensor_msgs/BatteryState", BatteryState::read, BatteryState::write);
 
-    private static BatteryState read(MessageReader in) throws MessageException {
-        return new BatteryState(
-                in.nested("header", Header.CODEC),
-                in.float32("voltage"),
-                in.float32("temperature"),
-                in.float32("current"),
-                in.float32("charge"),
-                in.float32("capacity"),
-                in.float32("design_capacity"),
-                in.float32("percentage"),
-                in.uint8("power_supply_status"),
-                in.uint8("power_supply_health"),
-                in.uint8("power_supply_technology"),
-                in.bool("present"),
-                in.floats("cell_voltage", in.count("cell_voltage", 4)),
-                in.floats("cell_temperature", in.count("cell_temperature", 4)),
-                in.string("location"),
-                in.string("serial_number"));
-    }
+  private static BatteryState read(MessageReader in) throws MessageException {
+    return new BatteryState(
+        in.nested("header", Header.CODEC),
+        in.float32("voltage"),
+        in.float32("temperature"),
+        in.float32("current"),
+        in.float32("charge"),
+        in.float32("capacity"),
+        in.float32("design_capacity"),
+        in.float32("percentage"),
+        in.uint8("power_supply_status"),
+        in.uint8("power_supply_health"),
+        in.uint8("power_supply_technology"),
+        in.bool("present"),
+        in.floats("cell_voltage", in.count("cell_voltage", 4)),
+        in.floats("cell_temperature", in.count("cell_temperature", 4)),
+        in.string("location"),
+        in.string("serial_number"));
+  }
 
-    private static void write(BatteryState m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.f32(m.voltage);
-        out.f32(m.temperature);
-        out.f32(m.current);
-        out.f32(m.charge);
-        out.f32(m.capacity);
-        out.f32(m.designCapacity);
-        out.f32(m.percentage);
-        out.u8(m.powerSupplyStatus);
-        out.u8(m.powerSupplyHealth);
-        out.u8(m.powerSupplyTechnology);
-        out.bool(m.present);
-        out.array(m.cellVoltage.length).floats(m.cellVoltage);
-        out.array(m.cellTemperature.length).floats(m.cellTemperature);
-        out.string(m.location);
-        out.string(m.serialNumber);
-    }
+  private static void write(BatteryState m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.f32(m.voltage);
+    out.f32(m.temperature);
+    out.f32(m.current);
+    out.f32(m.charge);
+    out.f32(m.capacity);
+    out.f32(m.designCapacity);
+    out.f32(m.percentage);
+    out.u8(m.powerSupplyStatus);
+    out.u8(m.powerSupplyHealth);
+    out.u8(m.powerSupplyTechnology);
+    out.bool(m.present);
+    out.array(m.cellVoltage.length).floats(m.cellVoltage);
+    out.array(m.cellTemperature.length).floats(m.cellTemperature);
+    out.string(m.location);
+    out.string(m.serialNumber);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record ChannelFloat32(String name, float[] values) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<ChannelFloat32> CODEC =
-            RecordCodec.of("sensor_msgs/ChannelFloat32", ChannelFloat32::read, ChannelFloat32::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<ChannelFloat32> CODEC =
+      RecordCodec.of("sensor_msgs/ChannelFloat32", ChannelFloat32::read, ChannelFloat32::write);
 
-    private static ChannelFloat32 read(MessageReader in) throws MessageException {
-        return new ChannelFloat32(in.string("name"), in.floats("values", in.count("values", 4)));
-    }
+  private static ChannelFloat32 read(MessageReader in) throws MessageException {
+    return new ChannelFloat32(in.string("name"), in.floats("values", in.count("values", 4)));
+  }
 
-    private static void write(ChannelFloat32 m, MessageWriter out) {
-        out.string(m.name);
-        out.array(m.values.length).floats(m.values);
-    }
+  private static void write(ChannelFloat32 m, MessageWriter out) {
+    out.string(m.name);
+    out.array(m.values.length).floats(m.values);
+  }
 }

@@ -17,32 +17,32 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record CompressedImage(Header header, String format, ByteBuffer data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<CompressedImage> CODEC =
-            RecordCodec.of("sensor_msgs/CompressedImage", CompressedImage::read, CompressedImage::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<CompressedImage> CODEC =
+      RecordCodec.of("sensor_msgs/CompressedImage", CompressedImage::read, CompressedImage::write);
 
-    /** Keeps read-only views of bytes. */
-    public CompressedImage {
-        data = data.slice().asReadOnlyBuffer();
-    }
+  /** Keeps read-only views of bytes. */
+  public CompressedImage {
+    data = data.slice().asReadOnlyBuffer();
+  }
 
-    /**
-     * The bytes, without a copy.
-     *
-     * @return a fresh read-only view
-     */
-    @Override
-    public ByteBuffer data() {
-        return data.duplicate();
-    }
+  /**
+   * The bytes, without a copy.
+   *
+   * @return a fresh read-only view
+   */
+  @Override
+  public ByteBuffer data() {
+    return data.duplicate();
+  }
 
-    private static CompressedImage read(MessageReader in) throws MessageException {
-        return new CompressedImage(in.nested("header", Header.CODEC), in.string("format"), in.bytes("data"));
-    }
+  private static CompressedImage read(MessageReader in) throws MessageException {
+    return new CompressedImage(in.nested("header", Header.CODEC), in.string("format"), in.bytes("data"));
+  }
 
-    private static void write(CompressedImage m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.string(m.format);
-        out.array(m.data.remaining()).bytes(m.data);
-    }
+  private static void write(CompressedImage m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.string(m.format);
+    out.array(m.data.remaining()).bytes(m.data);
+  }
 }

@@ -15,20 +15,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record FluidPressure(Header header, double fluidPressure, double variance) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<FluidPressure> CODEC =
-            RecordCodec.of("sensor_msgs/FluidPressure", FluidPressure::read, FluidPressure::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<FluidPressure> CODEC =
+      RecordCodec.of("sensor_msgs/FluidPressure", FluidPressure::read, FluidPressure::write);
 
-    private static FluidPressure read(MessageReader in) throws MessageException {
-        return new FluidPressure(
-                in.nested("header", Header.CODEC),
-                in.float64("fluid_pressure"),
-                in.float64("variance"));
-    }
+  private static FluidPressure read(MessageReader in) throws MessageException {
+    return new FluidPressure(
+        in.nested("header", Header.CODEC),
+        in.float64("fluid_pressure"),
+        in.float64("variance"));
+  }
 
-    private static void write(FluidPressure m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.f64(m.fluidPressure);
-        out.f64(m.variance);
-    }
+  private static void write(FluidPressure m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.f64(m.fluidPressure);
+    out.f64(m.variance);
+  }
 }

@@ -19,30 +19,30 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record JointState(Header header, List<String> name, double[] position, double[] velocity, double[] effort) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<JointState> CODEC =
-            RecordCodec.of("sensor_msgs/JointState", JointState::read, JointState::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<JointState> CODEC =
+      RecordCodec.of("sensor_msgs/JointState", JointState::read, JointState::write);
 
-    /** Keeps immutable copies of lists. */
-    public JointState {
-        name = List.copyOf(name);
-    }
+  /** Keeps immutable copies of lists. */
+  public JointState {
+    name = List.copyOf(name);
+  }
 
-    private static JointState read(MessageReader in) throws MessageException {
-        return new JointState(
-                in.nested("header", Header.CODEC),
-                in.strings("name"),
-                in.doubles("position", in.count("position", 8)),
-                in.doubles("velocity", in.count("velocity", 8)),
-                in.doubles("effort", in.count("effort", 8)));
-    }
+  private static JointState read(MessageReader in) throws MessageException {
+    return new JointState(
+        in.nested("header", Header.CODEC),
+        in.strings("name"),
+        in.doubles("position", in.count("position", 8)),
+        in.doubles("velocity", in.count("velocity", 8)),
+        in.doubles("effort", in.count("effort", 8)));
+  }
 
-    private static void write(JointState m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.array(m.name.size());
-        m.name.forEach(out::string);
-        out.array(m.position.length).doubles(m.position);
-        out.array(m.velocity.length).doubles(m.velocity);
-        out.array(m.effort.length).doubles(m.effort);
-    }
+  private static void write(JointState m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.array(m.name.size());
+    m.name.forEach(out::string);
+    out.array(m.position.length).doubles(m.position);
+    out.array(m.velocity.length).doubles(m.velocity);
+    out.array(m.effort.length).doubles(m.effort);
+  }
 }

@@ -15,20 +15,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record Joy(Header header, float[] axes, int[] buttons) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Joy> CODEC =
-            RecordCodec.of("sensor_msgs/Joy", Joy::read, Joy::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Joy> CODEC =
+      RecordCodec.of("sensor_msgs/Joy", Joy::read, Joy::write);
 
-    private static Joy read(MessageReader in) throws MessageException {
-        return new Joy(
-                in.nested("header", Header.CODEC),
-                in.floats("axes", in.count("axes", 4)),
-                in.ints("buttons", in.count("buttons", 4)));
-    }
+  private static Joy read(MessageReader in) throws MessageException {
+    return new Joy(
+        in.nested("header", Header.CODEC),
+        in.floats("axes", in.count("axes", 4)),
+        in.ints("buttons", in.count("buttons", 4)));
+  }
 
-    private static void write(Joy m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.array(m.axes.length).floats(m.axes);
-        out.array(m.buttons.length).ints(m.buttons);
-    }
+  private static void write(Joy m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.array(m.axes.length).floats(m.axes);
+    out.array(m.buttons.length).ints(m.buttons);
+  }
 }

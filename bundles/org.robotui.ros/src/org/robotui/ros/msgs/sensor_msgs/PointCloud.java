@@ -18,26 +18,26 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record PointCloud(Header header, List<Point32> points, List<ChannelFloat32> channels) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<PointCloud> CODEC =
-            RecordCodec.of("sensor_msgs/PointCloud", PointCloud::read, PointCloud::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<PointCloud> CODEC =
+      RecordCodec.of("sensor_msgs/PointCloud", PointCloud::read, PointCloud::write);
 
-    /** Keeps immutable copies of lists. */
-    public PointCloud {
-        points = List.copyOf(points);
-        channels = List.copyOf(channels);
-    }
+  /** Keeps immutable copies of lists. */
+  public PointCloud {
+    points = List.copyOf(points);
+    channels = List.copyOf(channels);
+  }
 
-    private static PointCloud read(MessageReader in) throws MessageException {
-        return new PointCloud(
-                in.nested("header", Header.CODEC),
-                in.list("points", Point32.CODEC),
-                in.list("channels", ChannelFloat32.CODEC));
-    }
+  private static PointCloud read(MessageReader in) throws MessageException {
+    return new PointCloud(
+        in.nested("header", Header.CODEC),
+        in.list("points", Point32.CODEC),
+        in.list("channels", ChannelFloat32.CODEC));
+  }
 
-    private static void write(PointCloud m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Point32.CODEC.encodeAll(m.points, out);
-        ChannelFloat32.CODEC.encodeAll(m.channels, out);
-    }
+  private static void write(PointCloud m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Point32.CODEC.encodeAll(m.points, out);
+    ChannelFloat32.CODEC.encodeAll(m.channels, out);
+  }
 }

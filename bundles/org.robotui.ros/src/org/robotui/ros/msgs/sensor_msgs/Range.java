@@ -17,33 +17,33 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param range         the distance, metres
  */
 public record Range(
-        Header header, int radiationType, float fieldOfView, float minRange, float maxRange, float range) {
+    Header header, int radiationType, float fieldOfView, float minRange, float maxRange, float range) {
 
-    /** The constant {@code ULTRASOUND} of the definition. */
-    public static final int ULTRASOUND = 0;
-    /** The constant {@code INFRARED} of the definition. */
-    public static final int INFRARED = 1;
+  /** The constant {@code ULTRASOUND} of the definition. */
+  public static final int ULTRASOUND = 0;
+  /** The constant {@code INFRARED} of the definition. */
+  public static final int INFRARED = 1;
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Range> CODEC =
-            RecordCodec.of("sensor_msgs/Range", Range::read, Range::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Range> CODEC =
+      RecordCodec.of("sensor_msgs/Range", Range::read, Range::write);
 
-    private static Range read(MessageReader in) throws MessageException {
-        return new Range(
-                in.nested("header", Header.CODEC),
-                in.uint8("radiation_type"),
-                in.float32("field_of_view"),
-                in.float32("min_range"),
-                in.float32("max_range"),
-                in.float32("range"));
-    }
+  private static Range read(MessageReader in) throws MessageException {
+    return new Range(
+        in.nested("header", Header.CODEC),
+        in.uint8("radiation_type"),
+        in.float32("field_of_view"),
+        in.float32("min_range"),
+        in.float32("max_range"),
+        in.float32("range"));
+  }
 
-    private static void write(Range m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.u8(m.radiationType);
-        out.f32(m.fieldOfView);
-        out.f32(m.minRange);
-        out.f32(m.maxRange);
-        out.f32(m.range);
-    }
+  private static void write(Range m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.u8(m.radiationType);
+    out.f32(m.fieldOfView);
+    out.f32(m.minRange);
+    out.f32(m.maxRange);
+    out.f32(m.range);
+  }
 }

@@ -16,24 +16,24 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record RegionOfInterest(long xOffset, long yOffset, long height, long width, boolean doRectify) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<RegionOfInterest> CODEC =
-            RecordCodec.of("sensor_msgs/RegionOfInterest", RegionOfInterest::read, RegionOfInterest::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<RegionOfInterest> CODEC =
+      RecordCodec.of("sensor_msgs/RegionOfInterest", RegionOfInterest::read, RegionOfInterest::write);
 
-    private static RegionOfInterest read(MessageReader in) throws MessageException {
-        return new RegionOfInterest(
-                in.uint32("x_offset"),
-                in.uint32("y_offset"),
-                in.uint32("height"),
-                in.uint32("width"),
-                in.bool("do_rectify"));
-    }
+  private static RegionOfInterest read(MessageReader in) throws MessageException {
+    return new RegionOfInterest(
+        in.uint32("x_offset"),
+        in.uint32("y_offset"),
+        in.uint32("height"),
+        in.uint32("width"),
+        in.bool("do_rectify"));
+  }
 
-    private static void write(RegionOfInterest m, MessageWriter out) {
-        out.i32((int) m.xOffset);
-        out.i32((int) m.yOffset);
-        out.i32((int) m.height);
-        out.i32((int) m.width);
-        out.bool(m.doRectify);
-    }
+  private static void write(RegionOfInterest m, MessageWriter out) {
+    out.i32((int) m.xOffset);
+    out.i32((int) m.yOffset);
+    out.i32((int) m.height);
+    out.i32((int) m.width);
+    out.bool(m.doRectify);
+  }
 }

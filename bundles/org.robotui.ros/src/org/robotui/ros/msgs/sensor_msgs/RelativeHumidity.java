@@ -15,20 +15,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record RelativeHumidity(Header header, double relativeHumidity, double variance) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<RelativeHumidity> CODEC =
-            RecordCodec.of("sensor_msgs/RelativeHumidity", RelativeHumidity::read, RelativeHumidity::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<RelativeHumidity> CODEC =
+      RecordCodec.of("sensor_msgs/RelativeHumidity", RelativeHumidity::read, RelativeHumidity::write);
 
-    private static RelativeHumidity read(MessageReader in) throws MessageException {
-        return new RelativeHumidity(
-                in.nested("header", Header.CODEC),
-                in.float64("relative_humidity"),
-                in.float64("variance"));
-    }
+  private static RelativeHumidity read(MessageReader in) throws MessageException {
+    return new RelativeHumidity(
+        in.nested("header", Header.CODEC),
+        in.float64("relative_humidity"),
+        in.float64("variance"));
+  }
 
-    private static void write(RelativeHumidity m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.f64(m.relativeHumidity);
-        out.f64(m.variance);
-    }
+  private static void write(RelativeHumidity m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.f64(m.relativeHumidity);
+    out.f64(m.variance);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record SetCameraInfoRequest(CameraInfo cameraInfo) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<SetCameraInfoRequest> CODEC =
-            RecordCodec.of("sensor_msgs/SetCameraInfoRequest", SetCameraInfoRequest::read, SetCameraInfoRequest::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<SetCameraInfoRequest> CODEC =
+      RecordCodec.of("sensor_msgs/SetCameraInfoRequest", SetCameraInfoRequest::read, SetCameraInfoRequest::write);
 
-    private static SetCameraInfoRequest read(MessageReader in) throws MessageException {
-        return new SetCameraInfoRequest(in.nested("camera_info", CameraInfo.CODEC));
-    }
+  private static SetCameraInfoRequest read(MessageReader in) throws MessageException {
+    return new SetCameraInfoRequest(in.nested("camera_info", CameraInfo.CODEC));
+  }
 
-    private static void write(SetCameraInfoRequest m, MessageWriter out) {
-        CameraInfo.CODEC.encode(m.cameraInfo, out);
-    }
+  private static void write(SetCameraInfoRequest m, MessageWriter out) {
+    CameraInfo.CODEC.encode(m.cameraInfo, out);
+  }
 }

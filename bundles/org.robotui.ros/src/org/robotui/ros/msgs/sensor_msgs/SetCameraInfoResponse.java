@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record SetCameraInfoResponse(boolean success, String statusMessage) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<SetCameraInfoResponse> CODEC =
-            RecordCodec.of("sensor_msgs/SetCameraInfoResponse", SetCameraInfoResponse::read, SetCameraInfoResponse::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<SetCameraInfoResponse> CODEC =
+      RecordCodec.of("sensor_msgs/SetCameraInfoResponse", SetCameraInfoResponse::read, SetCameraInfoResponse::write);
 
-    private static SetCameraInfoResponse read(MessageReader in) throws MessageException {
-        return new SetCameraInfoResponse(in.bool("success"), in.string("status_message"));
-    }
+  private static SetCameraInfoResponse read(MessageReader in) throws MessageException {
+    return new SetCameraInfoResponse(in.bool("success"), in.string("status_message"));
+  }
 
-    private static void write(SetCameraInfoResponse m, MessageWriter out) {
-        out.bool(m.success);
-        out.string(m.statusMessage);
-    }
+  private static void write(SetCameraInfoResponse m, MessageWriter out) {
+    out.bool(m.success);
+    out.string(m.statusMessage);
+  }
 }

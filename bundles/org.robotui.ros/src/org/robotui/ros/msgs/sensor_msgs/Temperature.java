@@ -15,17 +15,17 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record Temperature(Header header, double temperature, double variance) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Temperature> CODEC =
-            RecordCodec.of("sensor_msgs/Temperature", Temperature::read, Temperature::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Temperature> CODEC =
+      RecordCodec.of("sensor_msgs/Temperature", Temperature::read, Temperature::write);
 
-    private static Temperature read(MessageReader in) throws MessageException {
-        return new Temperature(in.nested("header", Header.CODEC), in.float64("temperature"), in.float64("variance"));
-    }
+  private static Temperature read(MessageReader in) throws MessageException {
+    return new Temperature(in.nested("header", Header.CODEC), in.float64("temperature"), in.float64("variance"));
+  }
 
-    private static void write(Temperature m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        out.f64(m.temperature);
-        out.f64(m.variance);
-    }
+  private static void write(Temperature m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    out.f64(m.temperature);
+    out.f64(m.variance);
+  }
 }

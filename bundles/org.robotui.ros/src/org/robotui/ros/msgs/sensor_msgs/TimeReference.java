@@ -16,17 +16,17 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record TimeReference(Header header, long timeRef, String source) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TimeReference> CODEC =
-            RecordCodec.of("sensor_msgs/TimeReference", TimeReference::read, TimeReference::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TimeReference> CODEC =
+      RecordCodec.of("sensor_msgs/TimeReference", TimeReference::read, TimeReference::write);
 
-    private static TimeReference read(MessageReader in) throws MessageException {
-        return new TimeReference(in.nested("header", Header.CODEC), in.time("time_ref"), in.string("source"));
-    }
+  private static TimeReference read(MessageReader in) throws MessageException {
+    return new TimeReference(in.nested("header", Header.CODEC), in.time("time_ref"), in.string("source"));
+  }
 
-    private static void write(TimeReference m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Stamps.write(m.timeRef, out);
-        out.string(m.source);
-    }
+  private static void write(TimeReference m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Stamps.write(m.timeRef, out);
+    out.string(m.source);
+  }
 }

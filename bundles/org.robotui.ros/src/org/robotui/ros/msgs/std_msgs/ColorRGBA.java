@@ -15,18 +15,18 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record ColorRGBA(float r, float g, float b, float a) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<ColorRGBA> CODEC =
-            RecordCodec.of("std_msgs/ColorRGBA", ColorRGBA::read, ColorRGBA::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<ColorRGBA> CODEC =
+      RecordCodec.of("std_msgs/ColorRGBA", ColorRGBA::read, ColorRGBA::write);
 
-    private static ColorRGBA read(MessageReader in) throws MessageException {
-        return new ColorRGBA(in.float32("r"), in.float32("g"), in.float32("b"), in.float32("a"));
-    }
+  private static ColorRGBA read(MessageReader in) throws MessageException {
+    return new ColorRGBA(in.float32("r"), in.float32("g"), in.float32("b"), in.float32("a"));
+  }
 
-    private static void write(ColorRGBA m, MessageWriter out) {
-        out.f32(m.r);
-        out.f32(m.g);
-        out.f32(m.b);
-        out.f32(m.a);
-    }
+  private static void write(ColorRGBA m, MessageWriter out) {
+    out.f32(m.r);
+    out.f32(m.g);
+    out.f32(m.b);
+    out.f32(m.a);
+  }
 }

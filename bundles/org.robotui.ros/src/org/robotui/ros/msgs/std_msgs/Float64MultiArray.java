@@ -13,18 +13,18 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Float64MultiArray(MultiArrayLayout layout, double[] data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Float64MultiArray> CODEC =
-            RecordCodec.of("std_msgs/Float64MultiArray", Float64MultiArray::read, Float64MultiArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Float64MultiArray> CODEC =
+      RecordCodec.of("std_msgs/Float64MultiArray", Float64MultiArray::read, Float64MultiArray::write);
 
-    private static Float64MultiArray read(MessageReader in) throws MessageException {
-        return new Float64MultiArray(
-                in.nested("layout", MultiArrayLayout.CODEC),
-                in.doubles("data", in.count("data", 8)));
-    }
+  private static Float64MultiArray read(MessageReader in) throws MessageException {
+    return new Float64MultiArray(
+        in.nested("layout", MultiArrayLayout.CODEC),
+        in.doubles("data", in.count("data", 8)));
+  }
 
-    private static void write(Float64MultiArray m, MessageWriter out) {
-        MultiArrayLayout.CODEC.encode(m.layout, out);
-        out.array(m.data.length).doubles(m.data);
-    }
+  private static void write(Float64MultiArray m, MessageWriter out) {
+    MultiArrayLayout.CODEC.encode(m.layout, out);
+    out.array(m.data.length).doubles(m.data);
+  }
 }

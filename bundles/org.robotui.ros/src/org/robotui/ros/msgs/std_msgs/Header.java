@@ -15,17 +15,17 @@ import org.robotui.ros.message.Stamps;
  */
 public record Header(long seq, long stamp, String frameId) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Header> CODEC =
-            RecordCodec.of("std_msgs/Header", Header::read, Header::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Header> CODEC =
+      RecordCodec.of("std_msgs/Header", Header::read, Header::write);
 
-    private static Header read(MessageReader in) throws MessageException {
-        return new Header(in.uint32("seq"), in.time("stamp"), in.string("frame_id"));
-    }
+  private static Header read(MessageReader in) throws MessageException {
+    return new Header(in.uint32("seq"), in.time("stamp"), in.string("frame_id"));
+  }
 
-    private static void write(Header m, MessageWriter out) {
-        out.i32((int) m.seq);
-        Stamps.write(m.stamp, out);
-        out.string(m.frameId);
-    }
+  private static void write(Header m, MessageWriter out) {
+    out.i32((int) m.seq);
+    Stamps.write(m.stamp, out);
+    out.string(m.frameId);
+  }
 }

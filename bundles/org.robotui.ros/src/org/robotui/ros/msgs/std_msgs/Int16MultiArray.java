@@ -13,21 +13,21 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Int16MultiArray(MultiArrayLayout layout, short[] data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Int16MultiArray> CODEC =
-            RecordCodec.of("std_msgs/Int16MultiArray", Int16MultiArray::read, Int16MultiArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Int16MultiArray> CODEC =
+      RecordCodec.of("std_msgs/Int16MultiArray", Int16MultiArray::read, Int16MultiArray::write);
 
-    private static Int16MultiArray read(MessageReader in) throws MessageException {
-        return new Int16MultiArray(
-                in.nested("layout", MultiArrayLayout.CODEC),
-                in.shorts("data", in.count("data", 2)));
-    }
+  private static Int16MultiArray read(MessageReader in) throws MessageException {
+    return new Int16MultiArray(
+        in.nested("layout", MultiArrayLayout.CODEC),
+        in.shorts("data", in.count("data", 2)));
+  }
 
-    private static void write(Int16MultiArray m, MessageWriter out) {
-        MultiArrayLayout.CODEC.encode(m.layout, out);
-        out.array(m.data.length);
-        for (short each : m.data) {
-            out.i16(each);
-        }
+  private static void write(Int16MultiArray m, MessageWriter out) {
+    MultiArrayLayout.CODEC.encode(m.layout, out);
+    out.array(m.data.length);
+    for (short each : m.data) {
+      out.i16(each);
     }
+  }
 }

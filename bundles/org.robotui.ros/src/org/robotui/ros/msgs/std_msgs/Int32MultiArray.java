@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record Int32MultiArray(MultiArrayLayout layout, int[] data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<Int32MultiArray> CODEC =
-            RecordCodec.of("std_msgs/Int32MultiArray", Int32MultiArray::read, Int32MultiArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<Int32MultiArray> CODEC =
+      RecordCodec.of("std_msgs/Int32MultiArray", Int32MultiArray::read, Int32MultiArray::write);
 
-    private static Int32MultiArray read(MessageReader in) throws MessageException {
-        return new Int32MultiArray(in.nested("layout", MultiArrayLayout.CODEC), in.ints("data", in.count("data", 4)));
-    }
+  private static Int32MultiArray read(MessageReader in) throws MessageException {
+    return new Int32MultiArray(in.nested("layout", MultiArrayLayout.CODEC), in.ints("data", in.count("data", 4)));
+  }
 
-    private static void write(Int32MultiArray m, MessageWriter out) {
-        MultiArrayLayout.CODEC.encode(m.layout, out);
-        out.array(m.data.length).ints(m.data);
-    }
+  private static void write(Int32MultiArray m, MessageWriter out) {
+    MultiArrayLayout.CODEC.encode(m.layout, out);
+    out.array(m.data.length).ints(m.data);
+  }
 }

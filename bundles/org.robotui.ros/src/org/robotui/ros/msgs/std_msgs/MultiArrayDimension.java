@@ -14,17 +14,17 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record MultiArrayDimension(String label, long size, long stride) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MultiArrayDimension> CODEC =
-            RecordCodec.of("std_msgs/MultiArrayDimension", MultiArrayDimension::read, MultiArrayDimension::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MultiArrayDimension> CODEC =
+      RecordCodec.of("std_msgs/MultiArrayDimension", MultiArrayDimension::read, MultiArrayDimension::write);
 
-    private static MultiArrayDimension read(MessageReader in) throws MessageException {
-        return new MultiArrayDimension(in.string("label"), in.uint32("size"), in.uint32("stride"));
-    }
+  private static MultiArrayDimension read(MessageReader in) throws MessageException {
+    return new MultiArrayDimension(in.string("label"), in.uint32("size"), in.uint32("stride"));
+  }
 
-    private static void write(MultiArrayDimension m, MessageWriter out) {
-        out.string(m.label);
-        out.i32((int) m.size);
-        out.i32((int) m.stride);
-    }
+  private static void write(MultiArrayDimension m, MessageWriter out) {
+    out.string(m.label);
+    out.i32((int) m.size);
+    out.i32((int) m.stride);
+  }
 }

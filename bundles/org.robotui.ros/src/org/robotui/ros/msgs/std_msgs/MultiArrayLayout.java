@@ -15,21 +15,21 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record MultiArrayLayout(List<MultiArrayDimension> dim, long dataOffset) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MultiArrayLayout> CODEC =
-            RecordCodec.of("std_msgs/MultiArrayLayout", MultiArrayLayout::read, MultiArrayLayout::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MultiArrayLayout> CODEC =
+      RecordCodec.of("std_msgs/MultiArrayLayout", MultiArrayLayout::read, MultiArrayLayout::write);
 
-    /** Keeps immutable copies of lists. */
-    public MultiArrayLayout {
-        dim = List.copyOf(dim);
-    }
+  /** Keeps immutable copies of lists. */
+  public MultiArrayLayout {
+    dim = List.copyOf(dim);
+  }
 
-    private static MultiArrayLayout read(MessageReader in) throws MessageException {
-        return new MultiArrayLayout(in.list("dim", MultiArrayDimension.CODEC), in.uint32("data_offset"));
-    }
+  private static MultiArrayLayout read(MessageReader in) throws MessageException {
+    return new MultiArrayLayout(in.list("dim", MultiArrayDimension.CODEC), in.uint32("data_offset"));
+  }
 
-    private static void write(MultiArrayLayout m, MessageWriter out) {
-        MultiArrayDimension.CODEC.encodeAll(m.dim, out);
-        out.i32((int) m.dataOffset);
-    }
+  private static void write(MultiArrayLayout m, MessageWriter out) {
+    MultiArrayDimension.CODEC.encodeAll(m.dim, out);
+    out.i32((int) m.dataOffset);
+  }
 }

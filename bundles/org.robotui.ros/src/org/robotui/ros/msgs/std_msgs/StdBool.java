@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdBool(boolean data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdBool> CODEC =
-            RecordCodec.of("std_msgs/Bool", StdBool::read, StdBool::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdBool> CODEC =
+      RecordCodec.of("std_msgs/Bool", StdBool::read, StdBool::write);
 
-    private static StdBool read(MessageReader in) throws MessageException {
-        return new StdBool(in.bool("data"));
-    }
+  private static StdBool read(MessageReader in) throws MessageException {
+    return new StdBool(in.bool("data"));
+  }
 
-    private static void write(StdBool m, MessageWriter out) {
-        out.bool(m.data);
-    }
+  private static void write(StdBool m, MessageWriter out) {
+    out.bool(m.data);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdByte(int data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdByte> CODEC =
-            RecordCodec.of("std_msgs/Byte", StdByte::read, StdByte::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdByte> CODEC =
+      RecordCodec.of("std_msgs/Byte", StdByte::read, StdByte::write);
 
-    private static StdByte read(MessageReader in) throws MessageException {
-        return new StdByte(in.int8("data"));
-    }
+  private static StdByte read(MessageReader in) throws MessageException {
+    return new StdByte(in.int8("data"));
+  }
 
-    private static void write(StdByte m, MessageWriter out) {
-        out.u8(m.data);
-    }
+  private static void write(StdByte m, MessageWriter out) {
+    out.u8(m.data);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdChar(int data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdChar> CODEC =
-            RecordCodec.of("std_msgs/Char", StdChar::read, StdChar::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdChar> CODEC =
+      RecordCodec.of("std_msgs/Char", StdChar::read, StdChar::write);
 
-    private static StdChar read(MessageReader in) throws MessageException {
-        return new StdChar(in.uint8("data"));
-    }
+  private static StdChar read(MessageReader in) throws MessageException {
+    return new StdChar(in.uint8("data"));
+  }
 
-    private static void write(StdChar m, MessageWriter out) {
-        out.u8(m.data);
-    }
+  private static void write(StdChar m, MessageWriter out) {
+    out.u8(m.data);
+  }
 }

@@ -13,15 +13,15 @@ import org.robotui.ros.message.Stamps;
  */
 public record StdDuration(long data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdDuration> CODEC =
-            RecordCodec.of("std_msgs/Duration", StdDuration::read, StdDuration::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdDuration> CODEC =
+      RecordCodec.of("std_msgs/Duration", StdDuration::read, StdDuration::write);
 
-    private static StdDuration read(MessageReader in) throws MessageException {
-        return new StdDuration(in.duration("data"));
-    }
+  private static StdDuration read(MessageReader in) throws MessageException {
+    return new StdDuration(in.duration("data"));
+  }
 
-    private static void write(StdDuration m, MessageWriter out) {
-        Stamps.write(m.data, out);
-    }
+  private static void write(StdDuration m, MessageWriter out) {
+    Stamps.write(m.data, out);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdFloat64(double data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdFloat64> CODEC =
-            RecordCodec.of("std_msgs/Float64", StdFloat64::read, StdFloat64::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdFloat64> CODEC =
+      RecordCodec.of("std_msgs/Float64", StdFloat64::read, StdFloat64::write);
 
-    private static StdFloat64 read(MessageReader in) throws MessageException {
-        return new StdFloat64(in.float64("data"));
-    }
+  private static StdFloat64 read(MessageReader in) throws MessageException {
+    return new StdFloat64(in.float64("data"));
+  }
 
-    private static void write(StdFloat64 m, MessageWriter out) {
-        out.f64(m.data);
-    }
+  private static void write(StdFloat64 m, MessageWriter out) {
+    out.f64(m.data);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdInt16(int data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdInt16> CODEC =
-            RecordCodec.of("std_msgs/Int16", StdInt16::read, StdInt16::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdInt16> CODEC =
+      RecordCodec.of("std_msgs/Int16", StdInt16::read, StdInt16::write);
 
-    private static StdInt16 read(MessageReader in) throws MessageException {
-        return new StdInt16(in.int16("data"));
-    }
+  private static StdInt16 read(MessageReader in) throws MessageException {
+    return new StdInt16(in.int16("data"));
+  }
 
-    private static void write(StdInt16 m, MessageWriter out) {
-        out.i16(m.data);
-    }
+  private static void write(StdInt16 m, MessageWriter out) {
+    out.i16(m.data);
+  }
 }

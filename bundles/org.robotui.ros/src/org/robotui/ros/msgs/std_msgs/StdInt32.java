@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdInt32(int data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdInt32> CODEC =
-            RecordCodec.of("std_msgs/Int32", StdInt32::read, StdInt32::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdInt32> CODEC =
+      RecordCodec.of("std_msgs/Int32", StdInt32::read, StdInt32::write);
 
-    private static StdInt32 read(MessageReader in) throws MessageException {
-        return new StdInt32(in.int32("data"));
-    }
+  private static StdInt32 read(MessageReader in) throws MessageException {
+    return new StdInt32(in.int32("data"));
+  }
 
-    private static void write(StdInt32 m, MessageWriter out) {
-        out.i32(m.data);
-    }
+  private static void write(StdInt32 m, MessageWriter out) {
+    out.i32(m.data);
+  }
 }

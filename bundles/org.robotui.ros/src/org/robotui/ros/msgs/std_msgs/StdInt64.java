@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdInt64(long data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdInt64> CODEC =
-            RecordCodec.of("std_msgs/Int64", StdInt64::read, StdInt64::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdInt64> CODEC =
+      RecordCodec.of("std_msgs/Int64", StdInt64::read, StdInt64::write);
 
-    private static StdInt64 read(MessageReader in) throws MessageException {
-        return new StdInt64(in.int64("data"));
-    }
+  private static StdInt64 read(MessageReader in) throws MessageException {
+    return new StdInt64(in.int64("data"));
+  }
 
-    private static void write(StdInt64 m, MessageWriter out) {
-        out.i64(m.data);
-    }
+  private static void write(StdInt64 m, MessageWriter out) {
+    out.i64(m.data);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdString(String data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdString> CODEC =
-            RecordCodec.of("std_msgs/String", StdString::read, StdString::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdString> CODEC =
+      RecordCodec.of("std_msgs/String", StdString::read, StdString::write);
 
-    private static StdString read(MessageReader in) throws MessageException {
-        return new StdString(in.string("data"));
-    }
+  private static StdString read(MessageReader in) throws MessageException {
+    return new StdString(in.string("data"));
+  }
 
-    private static void write(StdString m, MessageWriter out) {
-        out.string(m.data);
-    }
+  private static void write(StdString m, MessageWriter out) {
+    out.string(m.data);
+  }
 }

@@ -13,15 +13,15 @@ import org.robotui.ros.message.Stamps;
  */
 public record StdTime(long data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdTime> CODEC =
-            RecordCodec.of("std_msgs/Time", StdTime::read, StdTime::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdTime> CODEC =
+      RecordCodec.of("std_msgs/Time", StdTime::read, StdTime::write);
 
-    private static StdTime read(MessageReader in) throws MessageException {
-        return new StdTime(in.time("data"));
-    }
+  private static StdTime read(MessageReader in) throws MessageException {
+    return new StdTime(in.time("data"));
+  }
 
-    private static void write(StdTime m, MessageWriter out) {
-        Stamps.write(m.data, out);
-    }
+  private static void write(StdTime m, MessageWriter out) {
+    Stamps.write(m.data, out);
+  }
 }

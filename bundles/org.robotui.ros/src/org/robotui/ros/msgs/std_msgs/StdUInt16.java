@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdUInt16(int data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdUInt16> CODEC =
-            RecordCodec.of("std_msgs/UInt16", StdUInt16::read, StdUInt16::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdUInt16> CODEC =
+      RecordCodec.of("std_msgs/UInt16", StdUInt16::read, StdUInt16::write);
 
-    private static StdUInt16 read(MessageReader in) throws MessageException {
-        return new StdUInt16(in.uint16("data"));
-    }
+  private static StdUInt16 read(MessageReader in) throws MessageException {
+    return new StdUInt16(in.uint16("data"));
+  }
 
-    private static void write(StdUInt16 m, MessageWriter out) {
-        out.i16(m.data);
-    }
+  private static void write(StdUInt16 m, MessageWriter out) {
+    out.i16(m.data);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdUInt32(long data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdUInt32> CODEC =
-            RecordCodec.of("std_msgs/UInt32", StdUInt32::read, StdUInt32::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdUInt32> CODEC =
+      RecordCodec.of("std_msgs/UInt32", StdUInt32::read, StdUInt32::write);
 
-    private static StdUInt32 read(MessageReader in) throws MessageException {
-        return new StdUInt32(in.uint32("data"));
-    }
+  private static StdUInt32 read(MessageReader in) throws MessageException {
+    return new StdUInt32(in.uint32("data"));
+  }
 
-    private static void write(StdUInt32 m, MessageWriter out) {
-        out.i32((int) m.data);
-    }
+  private static void write(StdUInt32 m, MessageWriter out) {
+    out.i32((int) m.data);
+  }
 }

@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record StdUInt64(long data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<StdUInt64> CODEC =
-            RecordCodec.of("std_msgs/UInt64", StdUInt64::read, StdUInt64::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<StdUInt64> CODEC =
+      RecordCodec.of("std_msgs/UInt64", StdUInt64::read, StdUInt64::write);
 
-    private static StdUInt64 read(MessageReader in) throws MessageException {
-        return new StdUInt64(in.int64("data"));
-    }
+  private static StdUInt64 read(MessageReader in) throws MessageException {
+    return new StdUInt64(in.int64("data"));
+  }
 
-    private static void write(StdUInt64 m, MessageWriter out) {
-        out.i64(m.data);
-    }
+  private static void write(StdUInt64 m, MessageWriter out) {
+    out.i64(m.data);
+  }
 }

@@ -13,18 +13,18 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record UInt32MultiArray(MultiArrayLayout layout, int[] data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<UInt32MultiArray> CODEC =
-            RecordCodec.of("std_msgs/UInt32MultiArray", UInt32MultiArray::read, UInt32MultiArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<UInt32MultiArray> CODEC =
+      RecordCodec.of("std_msgs/UInt32MultiArray", UInt32MultiArray::read, UInt32MultiArray::write);
 
-    private static UInt32MultiArray read(MessageReader in) throws MessageException {
-        return new UInt32MultiArray(
-                in.nested("layout", MultiArrayLayout.CODEC),
-                in.ints("data", in.count("data", 4)));
-    }
+  private static UInt32MultiArray read(MessageReader in) throws MessageException {
+    return new UInt32MultiArray(
+        in.nested("layout", MultiArrayLayout.CODEC),
+        in.ints("data", in.count("data", 4)));
+  }
 
-    private static void write(UInt32MultiArray m, MessageWriter out) {
-        MultiArrayLayout.CODEC.encode(m.layout, out);
-        out.array(m.data.length).ints(m.data);
-    }
+  private static void write(UInt32MultiArray m, MessageWriter out) {
+    MultiArrayLayout.CODEC.encode(m.layout, out);
+    out.array(m.data.length).ints(m.data);
+  }
 }

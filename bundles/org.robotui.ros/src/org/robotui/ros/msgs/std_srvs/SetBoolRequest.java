@@ -12,15 +12,15 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record SetBoolRequest(boolean data) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<SetBoolRequest> CODEC =
-            RecordCodec.of("std_srvs/SetBoolRequest", SetBoolRequest::read, SetBoolRequest::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<SetBoolRequest> CODEC =
+      RecordCodec.of("std_srvs/SetBoolRequest", SetBoolRequest::read, SetBoolRequest::write);
 
-    private static SetBoolRequest read(MessageReader in) throws MessageException {
-        return new SetBoolRequest(in.bool("data"));
-    }
+  private static SetBoolRequest read(MessageReader in) throws MessageException {
+    return new SetBoolRequest(in.bool("data"));
+  }
 
-    private static void write(SetBoolRequest m, MessageWriter out) {
-        out.bool(m.data);
-    }
+  private static void write(SetBoolRequest m, MessageWriter out) {
+    out.bool(m.data);
+  }
 }

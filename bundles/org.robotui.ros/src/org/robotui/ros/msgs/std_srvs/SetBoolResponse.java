@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record SetBoolResponse(boolean success, String message) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<SetBoolResponse> CODEC =
-            RecordCodec.of("std_srvs/SetBoolResponse", SetBoolResponse::read, SetBoolResponse::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<SetBoolResponse> CODEC =
+      RecordCodec.of("std_srvs/SetBoolResponse", SetBoolResponse::read, SetBoolResponse::write);
 
-    private static SetBoolResponse read(MessageReader in) throws MessageException {
-        return new SetBoolResponse(in.bool("success"), in.string("message"));
-    }
+  private static SetBoolResponse read(MessageReader in) throws MessageException {
+    return new SetBoolResponse(in.bool("success"), in.string("message"));
+  }
 
-    private static void write(SetBoolResponse m, MessageWriter out) {
-        out.bool(m.success);
-        out.string(m.message);
-    }
+  private static void write(SetBoolResponse m, MessageWriter out) {
+    out.bool(m.success);
+    out.string(m.message);
+  }
 }

@@ -13,16 +13,16 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record TriggerResponse(boolean success, String message) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TriggerResponse> CODEC =
-            RecordCodec.of("std_srvs/TriggerResponse", TriggerResponse::read, TriggerResponse::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TriggerResponse> CODEC =
+      RecordCodec.of("std_srvs/TriggerResponse", TriggerResponse::read, TriggerResponse::write);
 
-    private static TriggerResponse read(MessageReader in) throws MessageException {
-        return new TriggerResponse(in.bool("success"), in.string("message"));
-    }
+  private static TriggerResponse read(MessageReader in) throws MessageException {
+    return new TriggerResponse(in.bool("success"), in.string("message"));
+  }
 
-    private static void write(TriggerResponse m, MessageWriter out) {
-        out.bool(m.success);
-        out.string(m.message);
-    }
+  private static void write(TriggerResponse m, MessageWriter out) {
+    out.bool(m.success);
+    out.string(m.message);
+  }
 }

@@ -15,20 +15,20 @@ import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
  */
 public record TfMessage(List<TransformStamped> transforms) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TfMessage> CODEC =
-            RecordCodec.of("tf/tfMessage", TfMessage::read, TfMessage::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TfMessage> CODEC =
+      RecordCodec.of("tf/tfMessage", TfMessage::read, TfMessage::write);
 
-    /** Keeps immutable copies of lists. */
-    public TfMessage {
-        transforms = List.copyOf(transforms);
-    }
+  /** Keeps immutable copies of lists. */
+  public TfMessage {
+    transforms = List.copyOf(transforms);
+  }
 
-    private static TfMessage read(MessageReader in) throws MessageException {
-        return new TfMessage(in.list("transforms", TransformStamped.CODEC));
-    }
+  private static TfMessage read(MessageReader in) throws MessageException {
+    return new TfMessage(in.list("transforms", TransformStamped.CODEC));
+  }
 
-    private static void write(TfMessage m, MessageWriter out) {
-        TransformStamped.CODEC.encodeAll(m.transforms, out);
-    }
+  private static void write(TfMessage m, MessageWriter out) {
+    TransformStamped.CODEC.encodeAll(m.transforms, out);
+  }
 }

@@ -15,20 +15,20 @@ import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
  */
 public record TFMessage(List<TransformStamped> transforms) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<TFMessage> CODEC =
-            RecordCodec.of("tf2_msgs/TFMessage", TFMessage::read, TFMessage::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<TFMessage> CODEC =
+      RecordCodec.of("tf2_msgs/TFMessage", TFMessage::read, TFMessage::write);
 
-    /** Keeps immutable copies of lists. */
-    public TFMessage {
-        transforms = List.copyOf(transforms);
-    }
+  /** Keeps immutable copies of lists. */
+  public TFMessage {
+    transforms = List.copyOf(transforms);
+  }
 
-    private static TFMessage read(MessageReader in) throws MessageException {
-        return new TFMessage(in.list("transforms", TransformStamped.CODEC));
-    }
+  private static TFMessage read(MessageReader in) throws MessageException {
+    return new TFMessage(in.list("transforms", TransformStamped.CODEC));
+  }
 
-    private static void write(TFMessage m, MessageWriter out) {
-        TransformStamped.CODEC.encodeAll(m.transforms, out);
-    }
+  private static void write(TFMessage m, MessageWriter out) {
+    TransformStamped.CODEC.encodeAll(m.transforms, out);
+  }
 }

@@ -21,42 +21,42 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param controls    how it is moved
  */
 public record InteractiveMarker(
-        Header header,
-        Pose pose,
-        String name,
-        String description,
-        float scale,
-        List<MenuEntry> menuEntries,
-        List<InteractiveMarkerControl> controls) {
+    Header header,
+    Pose pose,
+    String name,
+    String description,
+    float scale,
+    List<MenuEntry> menuEntries,
+    List<InteractiveMarkerControl> controls) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<InteractiveMarker> CODEC =
-            RecordCodec.of("visualization_msgs/InteractiveMarker", InteractiveMarker::read, InteractiveMarker::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<InteractiveMarker> CODEC =
+      RecordCodec.of("visualization_msgs/InteractiveMarker", InteractiveMarker::read, InteractiveMarker::write);
 
-    /** Keeps immutable copies of lists. */
-    public InteractiveMarker {
-        menuEntries = List.copyOf(menuEntries);
-        controls = List.copyOf(controls);
-    }
+  /** Keeps immutable copies of lists. */
+  public InteractiveMarker {
+    menuEntries = List.copyOf(menuEntries);
+    controls = List.copyOf(controls);
+  }
 
-    private static InteractiveMarker read(MessageReader in) throws MessageException {
-        return new InteractiveMarker(
-                in.nested("header", Header.CODEC),
-                in.nested("pose", Pose.CODEC),
-                in.string("name"),
-                in.string("description"),
-                in.float32("scale"),
-                in.list("menu_entries", MenuEntry.CODEC),
-                in.list("controls", InteractiveMarkerControl.CODEC));
-    }
+  private static InteractiveMarker read(MessageReader in) throws MessageException {
+    return new InteractiveMarker(
+        in.nested("header", Header.CODEC),
+        in.nested("pose", Pose.CODEC),
+        in.string("name"),
+        in.string("description"),
+        in.float32("scale"),
+        in.list("menu_entries", MenuEntry.CODEC),
+        in.list("controls", InteractiveMarkerControl.CODEC));
+  }
 
-    private static void write(InteractiveMarker m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Pose.CODEC.encode(m.pose, out);
-        out.string(m.name);
-        out.string(m.description);
-        out.f32(m.scale);
-        MenuEntry.CODEC.encodeAll(m.menuEntries, out);
-        InteractiveMarkerControl.CODEC.encodeAll(m.controls, out);
-    }
+  private static void write(InteractiveMarker m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Pose.CODEC.encode(m.pose, out);
+    out.string(m.name);
+    out.string(m.description);
+    out.f32(m.scale);
+    MenuEntry.CODEC.encodeAll(m.menuEntries, out);
+    InteractiveMarkerControl.CODEC.encodeAll(m.controls, out);
+  }
 }

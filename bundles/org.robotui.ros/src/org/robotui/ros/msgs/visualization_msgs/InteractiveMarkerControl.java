@@ -21,71 +21,71 @@ import org.robotui.ros.msgs.geometry_msgs.Quaternion;
  * @param description                  a hint for users
  */
 public record InteractiveMarkerControl(
-        String name,
-        Quaternion orientation,
-        int orientationMode,
-        int interactionMode,
-        boolean alwaysVisible,
-        List<Marker> markers,
-        boolean independentMarkerOrientation,
-        String description) {
+    String name,
+    Quaternion orientation,
+    int orientationMode,
+    int interactionMode,
+    boolean alwaysVisible,
+    List<Marker> markers,
+    boolean independentMarkerOrientation,
+    String description) {
 
-    /** Turns with the marker. */
-    public static final int INHERIT = 0;
-    /** Stays as it is. */
-    public static final int FIXED = 1;
-    /** Faces the viewer. */
-    public static final int VIEW_FACING = 2;
-    /** Nothing. */
-    public static final int NONE = 0;
-    /** Opens the menu. */
-    public static final int MENU = 1;
-    /** Is clicked. */
-    public static final int BUTTON = 2;
-    /** Moves along the axis. */
-    public static final int MOVE_AXIS = 3;
-    /** Moves in the plane. */
-    public static final int MOVE_PLANE = 4;
-    /** Turns about the axis. */
-    public static final int ROTATE_AXIS = 5;
-    /** Moves in the plane and turns. */
-    public static final int MOVE_ROTATE = 6;
-    /** Moves in space. */
-    public static final int MOVE_3D = 7;
-    /** Turns in space. */
-    public static final int ROTATE_3D = 8;
-    /** Moves and turns in space. */
-    public static final int MOVE_ROTATE_3D = 9;
+  /** Turns with the marker. */
+  public static final int INHERIT = 0;
+  /** Stays as it is. */
+  public static final int FIXED = 1;
+  /** Faces the viewer. */
+  public static final int VIEW_FACING = 2;
+  /** Nothing. */
+  public static final int NONE = 0;
+  /** Opens the menu. */
+  public static final int MENU = 1;
+  /** Is clicked. */
+  public static final int BUTTON = 2;
+  /** Moves along the axis. */
+  public static final int MOVE_AXIS = 3;
+  /** Moves in the plane. */
+  public static final int MOVE_PLANE = 4;
+  /** Turns about the axis. */
+  public static final int ROTATE_AXIS = 5;
+  /** Moves in the plane and turns. */
+  public static final int MOVE_ROTATE = 6;
+  /** Moves in space. */
+  public static final int MOVE_3D = 7;
+  /** Turns in space. */
+  public static final int ROTATE_3D = 8;
+  /** Moves and turns in space. */
+  public static final int MOVE_ROTATE_3D = 9;
 
-    /** Between records and bytes. */
-    public static final RecordCodec<InteractiveMarkerControl> CODEC =
-            RecordCodec.of("visualization_msgs/InteractiveMarkerControl", InteractiveMarkerControl::read, InteractiveMarkerControl::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<InteractiveMarkerControl> CODEC =
+      RecordCodec.of("visualization_msgs/InteractiveMarkerControl", InteractiveMarkerControl::read, InteractiveMarkerControl::write);
 
-    /** Keeps immutable copies of lists. */
-    public InteractiveMarkerControl {
-        markers = List.copyOf(markers);
-    }
+  /** Keeps immutable copies of lists. */
+  public InteractiveMarkerControl {
+    markers = List.copyOf(markers);
+  }
 
-    private static InteractiveMarkerControl read(MessageReader in) throws MessageException {
-        return new InteractiveMarkerControl(
-                in.string("name"),
-                in.nested("orientation", Quaternion.CODEC),
-                in.uint8("orientation_mode"),
-                in.uint8("interaction_mode"),
-                in.bool("always_visible"),
-                in.list("markers", Marker.CODEC),
-                in.bool("independent_marker_orientation"),
-                in.string("description"));
-    }
+  private static InteractiveMarkerControl read(MessageReader in) throws MessageException {
+    return new InteractiveMarkerControl(
+        in.string("name"),
+        in.nested("orientation", Quaternion.CODEC),
+        in.uint8("orientation_mode"),
+        in.uint8("interaction_mode"),
+        in.bool("always_visible"),
+        in.list("markers", Marker.CODEC),
+        in.bool("independent_marker_orientation"),
+        in.string("description"));
+  }
 
-    private static void write(InteractiveMarkerControl m, MessageWriter out) {
-        out.string(m.name);
-        Quaternion.CODEC.encode(m.orientation, out);
-        out.u8(m.orientationMode);
-        out.u8(m.interactionMode);
-        out.bool(m.alwaysVisible);
-        Marker.CODEC.encodeAll(m.markers, out);
-        out.bool(m.independentMarkerOrientation);
-        out.string(m.description);
-    }
+  private static void write(InteractiveMarkerControl m, MessageWriter out) {
+    out.string(m.name);
+    Quaternion.CODEC.encode(m.orientation, out);
+    out.u8(m.orientationMode);
+    out.u8(m.interactionMode);
+    out.bool(m.alwaysVisible);
+    Marker.CODEC.encodeAll(m.markers, out);
+    out.bool(m.independentMarkerOrientation);
+    out.string(m.description);
+  }
 }

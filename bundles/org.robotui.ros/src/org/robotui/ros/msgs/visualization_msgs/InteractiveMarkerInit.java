@@ -16,25 +16,25 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record InteractiveMarkerInit(String serverId, long seqNum, List<InteractiveMarker> markers) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<InteractiveMarkerInit> CODEC =
-            RecordCodec.of("visualization_msgs/InteractiveMarkerInit", InteractiveMarkerInit::read, InteractiveMarkerInit::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<InteractiveMarkerInit> CODEC =
+      RecordCodec.of("visualization_msgs/InteractiveMarkerInit", InteractiveMarkerInit::read, InteractiveMarkerInit::write);
 
-    /** Keeps immutable copies of lists. */
-    public InteractiveMarkerInit {
-        markers = List.copyOf(markers);
-    }
+  /** Keeps immutable copies of lists. */
+  public InteractiveMarkerInit {
+    markers = List.copyOf(markers);
+  }
 
-    private static InteractiveMarkerInit read(MessageReader in) throws MessageException {
-        return new InteractiveMarkerInit(
-                in.string("server_id"),
-                in.int64("seq_num"),
-                in.list("markers", InteractiveMarker.CODEC));
-    }
+  private static InteractiveMarkerInit read(MessageReader in) throws MessageException {
+    return new InteractiveMarkerInit(
+        in.string("server_id"),
+        in.int64("seq_num"),
+        in.list("markers", InteractiveMarker.CODEC));
+  }
 
-    private static void write(InteractiveMarkerInit m, MessageWriter out) {
-        out.string(m.serverId);
-        out.i64(m.seqNum);
-        InteractiveMarker.CODEC.encodeAll(m.markers, out);
-    }
+  private static void write(InteractiveMarkerInit m, MessageWriter out) {
+    out.string(m.serverId);
+    out.i64(m.seqNum);
+    InteractiveMarker.CODEC.encodeAll(m.markers, out);
+  }
 }

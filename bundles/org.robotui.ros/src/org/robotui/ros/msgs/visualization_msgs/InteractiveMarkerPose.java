@@ -16,20 +16,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
  */
 public record InteractiveMarkerPose(Header header, Pose pose, String name) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<InteractiveMarkerPose> CODEC =
-            RecordCodec.of("visualization_msgs/InteractiveMarkerPose", InteractiveMarkerPose::read, InteractiveMarkerPose::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<InteractiveMarkerPose> CODEC =
+      RecordCodec.of("visualization_msgs/InteractiveMarkerPose", InteractiveMarkerPose::read, InteractiveMarkerPose::write);
 
-    private static InteractiveMarkerPose read(MessageReader in) throws MessageException {
-        return new InteractiveMarkerPose(
-                in.nested("header", Header.CODEC),
-                in.nested("pose", Pose.CODEC),
-                in.string("name"));
-    }
+  private static InteractiveMarkerPose read(MessageReader in) throws MessageException {
+    return new InteractiveMarkerPose(
+        in.nested("header", Header.CODEC),
+        in.nested("pose", Pose.CODEC),
+        in.string("name"));
+  }
 
-    private static void write(InteractiveMarkerPose m, MessageWriter out) {
-        Header.CODEC.encode(m.header, out);
-        Pose.CODEC.encode(m.pose, out);
-        out.string(m.name);
-    }
+  private static void write(InteractiveMarkerPose m, MessageWriter out) {
+    Header.CODEC.encode(m.header, out);
+    Pose.CODEC.encode(m.pose, out);
+    out.string(m.name);
+  }
 }

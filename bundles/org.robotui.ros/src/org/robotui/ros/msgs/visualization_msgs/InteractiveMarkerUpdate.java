@@ -18,46 +18,46 @@ import org.robotui.ros.message.RecordCodec;
  * @param erases   names of those that are gone
  */
 public record InteractiveMarkerUpdate(
-        String serverId,
-        long seqNum,
-        int type,
-        List<InteractiveMarker> markers,
-        List<InteractiveMarkerPose> poses,
-        List<String> erases) {
+    String serverId,
+    long seqNum,
+    int type,
+    List<InteractiveMarker> markers,
+    List<InteractiveMarkerPose> poses,
+    List<String> erases) {
 
-    /** A sign of life. */
-    public static final int KEEP_ALIVE = 0;
-    /** Something changed. */
-    public static final int UPDATE = 1;
+  /** A sign of life. */
+  public static final int KEEP_ALIVE = 0;
+  /** Something changed. */
+  public static final int UPDATE = 1;
 
-    /** Between records and bytes. */
-    public static final RecordCodec<InteractiveMarkerUpdate> CODEC =
-            RecordCodec.of("visualization_msgs/InteractiveMarkerUpdate", InteractiveMarkerUpdate::read, InteractiveMarkerUpdate::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<InteractiveMarkerUpdate> CODEC =
+      RecordCodec.of("visualization_msgs/InteractiveMarkerUpdate", InteractiveMarkerUpdate::read, InteractiveMarkerUpdate::write);
 
-    /** Keeps immutable copies of lists. */
-    public InteractiveMarkerUpdate {
-        markers = List.copyOf(markers);
-        poses = List.copyOf(poses);
-        erases = List.copyOf(erases);
-    }
+  /** Keeps immutable copies of lists. */
+  public InteractiveMarkerUpdate {
+    markers = List.copyOf(markers);
+    poses = List.copyOf(poses);
+    erases = List.copyOf(erases);
+  }
 
-    private static InteractiveMarkerUpdate read(MessageReader in) throws MessageException {
-        return new InteractiveMarkerUpdate(
-                in.string("server_id"),
-                in.int64("seq_num"),
-                in.uint8("type"),
-                in.list("markers", InteractiveMarker.CODEC),
-                in.list("poses", InteractiveMarkerPose.CODEC),
-                in.strings("erases"));
-    }
+  private static InteractiveMarkerUpdate read(MessageReader in) throws MessageException {
+    return new InteractiveMarkerUpdate(
+        in.string("server_id"),
+        in.int64("seq_num"),
+        in.uint8("type"),
+        in.list("markers", InteractiveMarker.CODEC),
+        in.list("poses", InteractiveMarkerPose.CODEC),
+        in.strings("erases"));
+  }
 
-    private static void write(InteractiveMarkerUpdate m, MessageWriter out) {
-        out.string(m.serverId);
-        out.i64(m.seqNum);
-        out.u8(m.type);
-        InteractiveMarker.CODEC.encodeAll(m.markers, out);
-        InteractiveMarkerPose.CODEC.encodeAll(m.poses, out);
-        out.array(m.erases.size());
-        m.erases.forEach(out::string);
-    }
+  private static void write(InteractiveMarkerUpdate m, MessageWriter out) {
+    out.string(m.serverId);
+    out.i64(m.seqNum);
+    out.u8(m.type);
+    InteractiveMarker.CODEC.encodeAll(m.markers, out);
+    InteractiveMarkerPose.CODEC.encodeAll(m.poses, out);
+    out.array(m.erases.size());
+    m.erases.forEach(out::string);
+  }
 }

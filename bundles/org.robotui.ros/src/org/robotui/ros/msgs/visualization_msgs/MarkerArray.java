@@ -14,20 +14,20 @@ import org.robotui.ros.message.RecordCodec;
  */
 public record MarkerArray(List<Marker> markers) {
 
-    /** Between records and bytes. */
-    public static final RecordCodec<MarkerArray> CODEC =
-            RecordCodec.of("visualization_msgs/MarkerArray", MarkerArray::read, MarkerArray::write);
+  /** Between records and bytes. */
+  public static final RecordCodec<MarkerArray> CODEC =
+      RecordCodec.of("visualization_msgs/MarkerArray", MarkerArray::read, MarkerArray::write);
 
-    /** Keeps immutable copies of lists. */
-    public MarkerArray {
-        markers = List.copyOf(markers);
-    }
+  /** Keeps immutable copies of lists. */
+  public MarkerArray {
+    markers = List.copyOf(markers);
+  }
 
-    private static MarkerArray read(MessageReader in) throws MessageException {
-        return new MarkerArray(in.list("markers", Marker.CODEC));
-    }
+  private static MarkerArray read(MessageReader in) throws MessageException {
+    return new MarkerArray(in.list("markers", Marker.CODEC));
+  }
 
-    private static void write(MarkerArray m, MessageWriter out) {
-        Marker.CODEC.encodeAll(m.markers, out);
-    }
+  private static void write(MarkerArray m, MessageWriter out) {
+    Marker.CODEC.encodeAll(m.markers, out);
+  }
 }

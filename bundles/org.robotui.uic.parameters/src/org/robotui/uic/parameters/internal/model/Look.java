@@ -21,14 +21,14 @@ import org.robotui.ui.ask.ControlFirst;
  * @param undo what can be undone, empty where nothing can
  */
 public record Look(
-    boolean tuning,
-    InputState state,
-    List<Row> rows,
-    int parameters,
-    String filter,
-    List<Key> servers,
-    Optional<Panel> panel,
-    String notice,
-    Told told,
-    Optional<ControlFirst.Question> question,
-    String undo) {}
+  boolean tuning,
+  InputState state,
+  List<Row> rows,
+  int parameters,
+  String filter,
+  List<Key> servers,
+  Optional<Panel> panel,
+  String notice,
+  Told told,
+  Optional<ControlFirst.Question> question,
+  String undo) {}
