@@ -90,15 +90,22 @@ def family(pid):
     while open_list:
         pid = open_list.pop()
         found.append(pid)
-        children = pathlib.Path(f"/proc/{pid}/task/{pid}/children")
-        open_list += [int(child) for child in children.read_text().split()] if children.exists() else []
+        open_list += [int(child) for child in text_of(pid, f"task/{pid}/children").split()]
     return found
+
+
+def text_of(pid, name):
+    """What the system says of a process; nothing of one that has ended, which it may do at any time."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/{name}").read_text()
+    except OSError:
+        return ""
 
 
 def pss_megabytes(pid):
     """The proportional set size of a family."""
-    sizes = (pathlib.Path(f"/proc/{each}/smaps_rollup").read_text() for each in family(pid))
-    return sum(int(re.search(r"^Pss:\s+(\d+) kB", text, re.M)[1]) for text in sizes) / 1000
+    sizes = (re.search(r"^Pss:\s+(\d+) kB", text_of(each, "smaps_rollup"), re.M) for each in family(pid))
+    return sum(int(size[1]) for size in sizes if size) / 1000
 
 
 def wait_for_port(port, program):
