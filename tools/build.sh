@@ -22,10 +22,10 @@ is_product_fresh() {
   [[ -r $STAMP && -d $WINDOW_PRODUCT/plugins && -d $HEADLESS_PRODUCT/plugins ]] && [[ $(<"$STAMP") == "$(source_stamp)" ]]
 }
 
-# Name, size and time of every file that goes into a product.
+# Name, size and time of every file that goes into a product. What the build itself brings into lib/ says nothing of the sources.
 source_stamp() {
   (cd "$ROOT" && find .mvn pom.xml releng bundles features product rt-native/link rt-native/jni -type f \
-      ! -name '*.so' ! -path '*/target/*' ! -path '*/bin/*' ! -path '*/src_test/*' ! -name '.polyglot.*' -printf '%p %s %T@\n' \
+      ! -path 'bundles/*/lib/*' ! -path '*/target/*' ! -path '*/bin/*' ! -path '*/src_test/*' ! -name '.polyglot.*' -printf '%p %s %T@\n' \
     | LC_ALL=C sort | sha256sum)
 }
 
