@@ -99,6 +99,14 @@ public interface UicContext {
   List<RuicView> ruics();
 
   /**
+   * Has another RUIC shown in place of that of this view, as when the user chooses it in the window. Returns at once; does nothing
+   * where there is no such RUIC.
+   *
+   * @param ruic its name
+   */
+  void show(String ruic);
+
+  /**
    * Runs what may block: asking a robot, reading or writing a file. The tasks of one view run in order, on a thread that core owns;
    * they are interrupted, and what waits is forgotten, when the view ends.
    *

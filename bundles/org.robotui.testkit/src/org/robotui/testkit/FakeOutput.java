@@ -22,8 +22,9 @@ public final class FakeOutput<T extends Data> implements Output<T> {
    * @param <T> the type of the commands
    * @param command the command
    * @param validFor how long it is true
+   * @param targets where it was given to
    */
-  public record Sent<T>(T command, Duration validFor) {}
+  public record Sent<T>(T command, Duration validFor, List<SourceId> targets) {}
 
   private final FakeAuthority authority;
   private final List<Sent<T>> sent = new ArrayList<>();
@@ -80,8 +81,23 @@ public final class FakeOutput<T extends Data> implements Output<T> {
 
   @Override
   public synchronized CommandOutcome send(T command, Duration validFor) {
-    sent.add(new Sent<>(command, validFor));
+    sent.add(new Sent<>(command, validFor, targets));
     return outcome.get();
+  }
+
+  @Override
+  public synchronized CommandOutcome send(SourceId target, T command, Duration validFor) {
+    sent.add(new Sent<>(command, validFor, List.of(target)));
+    return outcome.get();
+  }
+
+  /**
+   * Sets where commands go.
+   *
+   * @param next the targets from now on
+   */
+  public synchronized void targets(List<SourceId> next) {
+    targets = List.copyOf(next);
   }
 
   @Override

@@ -1,7 +1,9 @@
 package org.robotui.testkit;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.RuicSnapshot;
@@ -23,6 +25,8 @@ public final class FakeRuicView implements RuicView {
 
   private final FakeAuthority authority;
   private final FakeAlerts alerts = new FakeAlerts();
+  private final FakeSelection selection = new FakeSelection();
+  private Map<String, FakeAuthority> team = Map.of();
   private final List<Connect> connects = new ArrayList<>();
   private RuicSnapshot snapshot;
 
@@ -65,14 +69,28 @@ public final class FakeRuicView implements RuicView {
     return snapshot;
   }
 
-  @Override
-  public List<Authority> authorities() {
-    return List.of(authority);
+  /**
+   * Gives it robots, each with an interface, in place of the one.
+   *
+   * @param all who commands each, by the id of its interface
+   */
+  public synchronized void team(Map<String, FakeAuthority> all) {
+    team = new LinkedHashMap<>(all);
   }
 
   @Override
-  public Optional<Authority> authority(String component) {
-    return Optional.of(authority);
+  public synchronized List<Authority> authorities() {
+    return team.isEmpty() ? List.of(authority) : List.copyOf(team.values());
+  }
+
+  @Override
+  public synchronized Optional<Authority> authority(String component) {
+    return team.isEmpty() ? Optional.of(authority) : Optional.ofNullable(team.get(component));
+  }
+
+  @Override
+  public FakeSelection selection() {
+    return selection;
   }
 
   @Override

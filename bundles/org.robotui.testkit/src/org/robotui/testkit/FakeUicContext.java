@@ -30,6 +30,7 @@ public final class FakeUicContext implements UicContext {
   private final Map<String, FakeInput<?>> inputs = new ConcurrentHashMap<>();
   private final Map<String, FakeOutput<?>> outputs = new ConcurrentHashMap<>();
   private final List<String> told = new CopyOnWriteArrayList<>();
+  private final List<String> shown = new CopyOnWriteArrayList<>();
   private final Map<String, Caller<?, ?>> callers = new ConcurrentHashMap<>();
   private volatile List<BrowseInput.Robot> robots = List.of();
   private volatile List<RuicView> ruics;
@@ -134,6 +135,20 @@ public final class FakeUicContext implements UicContext {
   @Override
   public List<RuicView> ruics() {
     return ruics;
+  }
+
+  @Override
+  public void show(String wanted) {
+    shown.add(wanted);
+  }
+
+  /**
+   * Which RUICs were to be shown.
+   *
+   * @return their names in order
+   */
+  public List<String> shown() {
+    return List.copyOf(shown);
   }
 
   /**

@@ -22,6 +22,16 @@ public interface Output<T extends Data> {
    */
   CommandOutcome send(T command, Duration validFor);
 
+  /**
+   * Gives a command to one of several targets, else as {@link #send(Data, Duration)}.
+   *
+   * @param target one of {@link #targets()}
+   * @param command the command
+   * @param validFor how long it is true; nothing is sent later
+   * @return whether the arbiter of its robot took it
+   */
+  CommandOutcome send(SourceId target, T command, Duration validFor);
+
   /** Ends a motion now: its zero is sent once if this output moved something. Always possible. */
   void release();
 

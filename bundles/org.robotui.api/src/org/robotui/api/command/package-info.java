@@ -1,5 +1,5 @@
 /**
  * Commands and who may give them.
  */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.api.command;

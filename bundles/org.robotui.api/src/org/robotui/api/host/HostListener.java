@@ -22,6 +22,14 @@ public interface HostListener {
   default void frameReady(String ruic, String uic) {}
 
   /**
+   * The user wants to see another RUIC. An application shows it where it shows the one that asks.
+   *
+   * @param from name of the RUIC that asks
+   * @param wanted name of the RUIC to show
+   */
+  default void showWanted(String from, String wanted) {}
+
+  /**
    * Something went wrong that the user should know: a component was fenced, the memory is used up.
    *
    * @param ruic name of the RUIC, empty where it concerns all

@@ -38,6 +38,13 @@ public interface RuicView {
   Optional<Authority> authority(String component);
 
   /**
+   * Which of its robots the user means.
+   *
+   * @return always the same selection
+   */
+  RobotSelection selection();
+
+  /**
    * What its views noticed that somebody should see.
    *
    * @return always the same board

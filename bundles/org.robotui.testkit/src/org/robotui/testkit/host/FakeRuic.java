@@ -25,6 +25,7 @@ import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 import org.robotui.testkit.FakeAlerts;
 import org.robotui.testkit.FakeAuthority;
+import org.robotui.testkit.FakeSelection;
 
 /** A RUIC whose state a test sets, and which notes down what is asked of it. Safe for all threads. */
 public final class FakeRuic implements Ruic {
@@ -33,6 +34,7 @@ public final class FakeRuic implements Ruic {
   private final Map<String, Uic> uics = new ConcurrentHashMap<>();
   private final Map<String, String> titles = new ConcurrentHashMap<>();
   private final FakeAlerts alerts = new FakeAlerts();
+  private final FakeSelection selection = new FakeSelection();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final List<String> windows = new CopyOnWriteArrayList<>();
   private volatile Layout layout = new Layout.View("none");
@@ -205,6 +207,11 @@ public final class FakeRuic implements Ruic {
   @Override
   public Optional<Authority> authority(String component) {
     return authorities().stream().findFirst();
+  }
+
+  @Override
+  public FakeSelection selection() {
+    return selection;
   }
 
   @Override

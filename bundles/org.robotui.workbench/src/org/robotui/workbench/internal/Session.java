@@ -71,6 +71,12 @@ public final class Session {
       }
 
       @Override
+      public void showWanted(String from, String wanted) {
+        ruic(wanted).ifPresent(r -> windows.showInstead(from, r));
+        refresh();
+      }
+
+      @Override
       public void alert(String ruic, String message) {
         alerts.tell(ruic, message);
       }

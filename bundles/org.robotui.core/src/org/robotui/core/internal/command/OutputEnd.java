@@ -58,6 +58,14 @@ public final class OutputEnd<T extends Data> implements Output<T> {
   }
 
   @Override
+  public CommandOutcome send(SourceId target, T command, Duration validFor) {
+    Targets<T> now = targets;
+    return now.all().stream().filter(t -> t.id().equals(target)).findFirst()
+        .map(t -> t.arbiter().send(this, principal, t, command, validFor))
+        .orElseGet(() -> new CommandOutcome.Refused(CommandOutcome.Why.NOT_CONNECTED, target + " is not connected; " + now.reason()));
+  }
+
+  @Override
   public void release() {
     targets.all().forEach(t -> t.arbiter().release(this));
   }

@@ -17,10 +17,15 @@ import org.robotui.core.internal.config.model.ConnectionConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.TypeLookup;
+import org.robotui.data.FrameTransform;
 
 /** Reads one RUIC. */
 final class RuicReader {
-  private static final List<String> OWN = List.of("type", "rfics", "uics", "connect", "layout", "safety");
+  private static final List<String> OWN = List.of("type", "start", "rfics", "frames", "uics", "connect", "layout", "safety");
+
+  private static final String AT_ONCE = "at_once";
+  private static final String SHOWN = "when_shown";
+  private static final List<String> STARTS = List.of(AT_ONCE, SHOWN);
 
   private final TypeLookup types;
   private final List<Problem> problems;
@@ -51,8 +56,18 @@ final class RuicReader {
         new ConnectionReader(views, Known.all(ids(rfics)), problems).read(part(section, "connect"));
     Optional<Layout> layout = section.get("layout").flatMap(new LayoutReader(views, problems)::read);
     Map<String, SafetyConfig> safety = new SafetyReader(problems).read(part(section, "safety"), robots(rfics));
+    List<FrameTransform> frames = section.get("frames").map(new FramesReader(problems)::read).orElse(List.of());
+    boolean startsShown = section.get("start").map(this::startsShown).orElse(false);
     Place at = entry.place();
-    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, uics, connections, layout, safety);
+    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, uics, connections, layout, safety, frames, startsShown);
+  }
+
+  private boolean startsShown(YamlValue value) {
+    String word = Shape.text(value, "'start'", problems).orElse(AT_ONCE);
+    if (!STARTS.contains(word)) {
+      problems.add(value.place().error("'start' must be one of " + String.join(", ", STARTS) + ", not '" + word + "'"));
+    }
+    return SHOWN.equals(word);
   }
 
   private YamlValue.Section part(YamlValue.Section section, String key) {
@@ -86,7 +101,7 @@ final class RuicReader {
     String word = problem.message().substring(prefix.length(), problem.message().indexOf('\'', prefix.length()));
     return NearestWord.of(word, OWN)
         .map(near -> new Problem(problem.file(), problem.line(), problem.column(), problem.severity(),
-            "unknown word '" + word + "' in a RUIC; did you mean '" + near + "'?"))
+            "unknown word '" + word + "' in a RUIC; did you mean '" + near + "'?" + Repeated.behind(problem.message())))
         .orElse(problem);
   }
 

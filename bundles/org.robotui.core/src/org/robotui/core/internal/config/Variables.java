@@ -8,9 +8,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robotui.api.host.Problem;
 
-/** Replaces {@code ${NAME}} and {@code ${NAME:-fallback}} by environment variables. */
+/**
+ * Replaces {@code ${NAME}} and {@code ${NAME:-fallback}} by environment variables; within a template {@code ${robot}} and
+ * {@code ${number}} by those for whom it is formed.
+ */
 final class Variables {
   private static final Pattern VARIABLE = Pattern.compile("\\$\\{([A-Za-z_][A-Za-z0-9_]*)(?::-([^}]*))?}");
+
+  private static final List<String> TEMPLATE = List.of("robot", "number");
 
   private final Map<String, String> environment;
 
@@ -18,18 +23,23 @@ final class Variables {
     this.environment = Map.copyOf(environment);
   }
 
-  String replaceIn(String text, Place place, List<Problem> problems) {
-    return VARIABLE.matcher(text).replaceAll(m -> Matcher.quoteReplacement(value(m, place, problems)));
+  String replaceIn(String text, Map<String, String> words, Place place, List<Problem> problems) {
+    return VARIABLE.matcher(text).replaceAll(m -> Matcher.quoteReplacement(value(m, words, place, problems)));
   }
 
-  private String value(MatchResult variable, Place place, List<Problem> problems) {
+  private String value(MatchResult variable, Map<String, String> words, Place place, List<Problem> problems) {
     String name = variable.group(1);
-    return Optional.ofNullable(environment.get(name))
+    return Optional.ofNullable(words.get(name))
+        .or(() -> Optional.ofNullable(environment.get(name)))
         .or(() -> Optional.ofNullable(variable.group(2)))
         .orElseGet(() -> missing(name, place, problems));
   }
 
   private static String missing(String name, Place place, List<Problem> problems) {
+    if (TEMPLATE.contains(name)) {
+      problems.add(place.error("${" + name + "} stands for a name only in a section that says 'for:', such as  for: r1..r50"));
+      return "";
+    }
     problems.add(
         place.error(
             "the environment variable " + name + " is not set; set it, or write ${" + name + ":-a fallback}"));

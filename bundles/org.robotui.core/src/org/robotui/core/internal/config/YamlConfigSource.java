@@ -38,7 +38,7 @@ public final class YamlConfigSource implements ConfigSource {
     text(file, problems)
         .flatMap(text -> YamlFile.parse(file.toString(), text, variables, problems))
         .ifPresent(root -> readRoot(root, types, problems, ruics));
-    return new ConfigResult(problems, problems.stream().anyMatch(YamlConfigSource::spoilsAll) ? List.of() : ruics);
+    return new ConfigResult(Repeated.merged(problems), problems.stream().anyMatch(YamlConfigSource::spoilsAll) ? List.of() : ruics);
   }
 
   /** Problems of the file as such; those of one RUIC leave the others usable. */

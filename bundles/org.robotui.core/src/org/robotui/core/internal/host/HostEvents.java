@@ -34,6 +34,11 @@ final class HostEvents implements Events {
   }
 
   @Override
+  public void showWanted(String from, String wanted) {
+    notifier.post(List.of("show", from, wanted), l -> l.showWanted(from, wanted));
+  }
+
+  @Override
   public void alert(String ruic, String message) {
     LOG.warn("{}{}", ruic.isEmpty() ? "" : ruic + ": ", message);
     notifier.post(List.of("alert", ruic, message), l -> l.alert(ruic, message));

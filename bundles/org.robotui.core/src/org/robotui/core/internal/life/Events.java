@@ -8,6 +8,9 @@ public interface Events {
   /** A view has something new to show. */
   void frameReady(String ruic, String uic);
 
+  /** The user wants to see another RUIC. */
+  void showWanted(String from, String wanted);
+
   /** Something the user should know. */
   void alert(String ruic, String message);
 

@@ -33,9 +33,10 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final RuicConfig config;
   private final Services services;
   private final SerialWorker worker;
-  private final RuicFrames frames = new RuicFrames();
+  private final RuicFrames frames;
   private final RuicClock clock;
   private final RuicAlerts alerts;
+  private final SelectedRobots selection = new SelectedRobots();
   private final RuicOverlay overlay;
   private final Components components;
   private final RuicRobots robots;
@@ -44,6 +45,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final CompletableFuture<List<String>> ended = new CompletableFuture<>();
   private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
   private boolean wasSelected; // only on the worker
+  private boolean waits; // until it is shown; only on the worker
   private volatile Layout layout = new Layout.Tabs(List.of());
   private volatile Health health = Health.ADDED;
 
@@ -53,6 +55,8 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.overlay = overlay;
     this.services = services;
     this.worker = new SerialWorker("ruic-" + config.name());
+    this.frames = new RuicFrames(config.frames());
+    this.waits = config.startsShown();
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
     this.alerts = new RuicAlerts(services.wall());
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
@@ -63,10 +67,14 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.layout = config.layout().orElse(layout);
   }
 
-  /** Creates all components. */
+  /** Creates all components; of a RUIC that starts when it is shown, then. */
   public void initialize() {
     robots.register();
-    onWorker(this::create);
+    onWorker(() -> {
+      if (!waits) {
+        create();
+      }
+    });
   }
 
   private void onWorker(Runnable task) {
@@ -78,6 +86,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   private void create() {
+    waits = false;
     switch (Plan.of(config, services.registry(), services.check())) {
       case Plan.Outcome.Impossible i -> set(Health.failed(i.reason()));
       case Plan.Outcome.Made m -> create(m.plan());
@@ -117,6 +126,9 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   private void takeUpTypes() {
+    if (waits) {
+      return;
+    }
     Optional<RuicType> type = services.registry().ruic(config.type());
     if (!config.type().isEmpty() && !type.equals(plannedWith)) {
       end(CLOSE_LIMIT);
@@ -250,7 +262,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private void change(Consumer<Set<String>> how) {
     onWorker(() -> {
       how.accept(windows);
-      applySelection();
+      if (waits && !windows.isEmpty()) {
+        create();
+      } else if (!waits) {
+        applySelection();
+      }
     });
   }
 
@@ -272,6 +288,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   @Override
   public Optional<Authority> authority(String component) {
     return robots.authority(component);
+  }
+
+  @Override
+  public SelectedRobots selection() {
+    return selection;
   }
 
   @Override

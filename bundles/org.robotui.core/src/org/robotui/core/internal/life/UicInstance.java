@@ -199,6 +199,11 @@ final class UicInstance implements UicContext, Instance {
   }
 
   @Override
+  public void show(String wanted) {
+    ruic.services().events().showWanted(ruic.config().name(), wanted);
+  }
+
+  @Override
   public Executor background() {
     return background;
   }

@@ -24,20 +24,28 @@ import org.slf4j.LoggerFactory;
 public final class RuicFrames implements Frames, FrameSink {
   private static final Logger LOG = LoggerFactory.getLogger(RuicFrames.class);
   private static final int LOGGED = 20;
+  private static final String CONFIGURATION = "the configuration";
 
   private final AtomicReference<TransformBuffer<FrameId>> buffer = new AtomicReference<>(new TransformBuffer<>());
   private final AtomicReference<FrameLedger> ledger = new AtomicReference<>();
   private final AtomicLong refused = new AtomicLong();
   private final LongSupplier clock;
 
-  /** With the clock of this machine. */
-  public RuicFrames() {
-    this(System::nanoTime);
+  private final TransformSet configured;
+
+  /**
+   * With the clock of this machine.
+   *
+   * @param configured how robots stand to one another: fixed, and known whatever is forgotten
+   */
+  public RuicFrames(List<FrameTransform> configured) {
+    this(configured, System::nanoTime);
   }
 
-  RuicFrames(LongSupplier clock) {
+  RuicFrames(List<FrameTransform> configured, LongSupplier clock) {
+    this.configured = new TransformSet(configured);
     this.clock = clock;
-    ledger.set(new FrameLedger(clock));
+    reset();
   }
 
   @Override
@@ -73,10 +81,11 @@ public final class RuicFrames implements Frames, FrameSink {
     ledger.get().clear();
   }
 
-  /** Forgets really all: new instances will say it again. */
+  /** Forgets really all that robots said: new instances will say it again. */
   public void reset() {
     buffer.set(new TransformBuffer<>());
     ledger.set(new FrameLedger(clock));
+    add(configured, CONFIGURATION);
   }
 
   @Override

@@ -48,7 +48,7 @@ class PlanTest {
 
   private RuicConfig config(String type, Optional<Layout> layout, ComponentConfig... uics) {
     return new RuicConfig("r", "f.yaml", 1, 1, type, check.nothing(), List.of(), List.of(uics), List.of(), layout,
-        Map.of());
+        Map.of(), List.of(), false);
   }
 
   private ComponentConfig uic(String id, String type) {

@@ -23,7 +23,7 @@ class RuicFramesTest {
   private static final FrameId OTHER_BASE = new FrameId("two", "base_link");
 
   private long now = 1_000_000_000L;
-  private final RuicFrames frames = new RuicFrames(() -> now);
+  private final RuicFrames frames = new RuicFrames(List.of(), () -> now);
 
   private static FrameTransform edge(FrameId parent, FrameId child, double x, long seconds, boolean fixed) {
     Stamp stamp = Stamp.of(seconds, 0, ClockKind.ROBOT);

@@ -25,6 +25,9 @@ public final class HostHub implements HostListener, AutoCloseable {
     /** A view has something new to show. */
     default void frameReady(String ruic, String uic) {}
 
+    /** The user wants to see another RUIC in place of one. */
+    default void showWanted(String from, String wanted) {}
+
     /** The user should know something. */
     default void alert(String ruic, String message) {}
 
@@ -44,6 +47,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** A view has a frame. */
     record Frame(String ruic, String uic) implements Event {}
+
+    /** Another RUIC is to be shown. */
+    record Show(String from, String wanted) implements Event {}
 
     /** An alert. */
     record Alert(String ruic, String message) implements Event {}
@@ -87,6 +93,11 @@ public final class HostHub implements HostListener, AutoCloseable {
   @Override
   public void frameReady(String ruic, String uic) {
     post(new Event.Frame(ruic, uic));
+  }
+
+  @Override
+  public void showWanted(String from, String wanted) {
+    post(new Event.Show(from, wanted));
   }
 
   @Override
@@ -134,6 +145,7 @@ public final class HostHub implements HostListener, AutoCloseable {
       case Event.Ruics r -> Client::ruicsChanged;
       case Event.Changed c -> client -> client.ruicChanged(c.ruic());
       case Event.Frame f -> client -> client.frameReady(f.ruic(), f.uic());
+      case Event.Show s -> client -> client.showWanted(s.from(), s.wanted());
       case Event.Alert a -> client -> client.alert(a.ruic(), a.message());
       case Event.Notice n -> client -> client.notice(n.message());
     };

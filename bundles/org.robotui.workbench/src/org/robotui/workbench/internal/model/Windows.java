@@ -46,6 +46,12 @@ public final class Windows {
     model.show(Optional.of(ruic));
   }
 
+  /** Shows a RUIC in the window that shows another one; nothing where none does. */
+  public void showInstead(String former, Ruic ruic) {
+    models.stream().filter(m -> m.selected().filter(r -> r.name().equals(former)).isPresent()).findFirst()
+        .ifPresent(m -> select(m, ruic));
+  }
+
   /** Shows nothing in a window. */
   public void unselect(WindowModel model) {
     Optional<Ruic> former = model.selected();

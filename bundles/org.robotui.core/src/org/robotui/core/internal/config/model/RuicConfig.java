@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.layout.Layout;
+import org.robotui.data.FrameTransform;
 
 /**
  * One RUIC as written.
@@ -19,6 +20,8 @@ import org.robotui.api.layout.Layout;
  * @param connections named connections
  * @param layout where the views lie, in place of the layout of its type
  * @param safety by name of the robot
+ * @param frames how its robots stand to one another: fixed, and never forgotten
+ * @param startsShown true where nothing of it runs before it is shown for the first time
  */
 public record RuicConfig(
     String name,
@@ -31,7 +34,9 @@ public record RuicConfig(
     List<ComponentConfig> uics,
     List<ConnectionConfig> connections,
     Optional<Layout> layout,
-    Map<String, SafetyConfig> safety) {
+    Map<String, SafetyConfig> safety,
+    List<FrameTransform> frames,
+    boolean startsShown) {
   /**
    * Copies the collections.
    *
@@ -46,12 +51,15 @@ public record RuicConfig(
    * @param connections named connections
    * @param layout where the views lie
    * @param safety by name of the robot
+   * @param frames how its robots stand to one another
+   * @param startsShown whether it waits until it is shown
    */
   public RuicConfig {
     rfics = List.copyOf(rfics);
     uics = List.copyOf(uics);
     connections = List.copyOf(connections);
     safety = Map.copyOf(safety);
+    frames = List.copyOf(frames);
   }
 
   /**

@@ -1,0 +1,22 @@
+package org.robotui.testkit;
+
+import java.util.Set;
+import org.robotui.api.host.RobotSelection;
+
+/** A selection of robots that a test can read. */
+public final class FakeSelection implements RobotSelection {
+  private volatile Set<String> robots = Set.of();
+
+  /** With nothing selected. */
+  public FakeSelection() {}
+
+  @Override
+  public Set<String> robots() {
+    return robots;
+  }
+
+  @Override
+  public void set(Set<String> selected) {
+    robots = Set.copyOf(selected);
+  }
+}
