@@ -20,6 +20,7 @@ cmd_run() {
   esac
   need_product
   trap end_everything EXIT
+  swarm=$(swarm_wanted "${configs[@]}")
   start_simulators "$stay" "$(simulators_wanted "${configs[@]}")"
   start_controls "${configs[@]}"
   run_application "$mode" -config "${configs[@]}" "${options[@]}"
@@ -67,6 +68,7 @@ cmd_check() {
   [[ -n $config ]] || usage_error "check needs a configuration"
   need_product
   trap end_everything EXIT
+  swarm=$(swarm_wanted "$config")
   [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$(simulators_wanted "$config")"
   run_application check -application org.robotui.headless.application -check "$config" "${live[@]}"
 }
@@ -107,14 +109,19 @@ mode_for_display() {
 
 # ---- the simulated robots -------------------------------------------------------------------------------------------
 
-simulators=() simulator_dirs=()
+simulators=() simulator_dirs=() swarm=
 
-# How many the configuration that wants most asks for: `simulator: mobile-base`, or a list of such words.
+# How many the configuration that wants most asks for: `simulator: mobile-base`, a list of such words, or `{swarm: 50}`.
 simulators_wanted() {
   local config
   for config in "$@"; do
-    awk '/^simulator:/ { count += gsub(/mobile-base/, "") } END { print count + 0 }' "$config"
+    awk '/^simulator:/ { count += gsub(/mobile-base|swarm:/, "") } END { print count + 0 }' "$config"
   done | sort -n | tail -n 1
+}
+
+# How many robots the swarm has that a configuration asks for; empty where none does.
+swarm_wanted() {
+  sed -n 's/^simulator: *{ *swarm: *\([0-9][0-9]*\) *}.*/\1/p' "$@" | sort -n | tail -n 1
 }
 
 # Each has a ROS master of its own: that of the first is ROS_MASTER_URI, that of the second ROS_MASTER_URI_2, and so on.
@@ -133,6 +140,7 @@ start_simulator() {
   out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
   simulator_dirs+=("$out")
   : >"$out/out"
+  [[ -z $swarm || $number -gt 1 ]] || options+=(--swarm "$swarm")
   if [[ -n $stay ]]; then
     simulator_stays=yes
     prefix=(setsid nohup)

@@ -2,10 +2,12 @@ package org.robotui.sim;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.robotui.sim.internal.swarm.Swarm;
 
 /** Starts the demo robot as a program of its own. */
 public final class Main {
@@ -55,22 +57,40 @@ public final class Main {
         return FAILED;
       }
     }
+    if (options.swarm() > 0) {
+      Swarm swarm = Swarm.start(options.swarm(), options.port(), options.seed());
+      ready(swarm.masterUri(), swarm, swarm::end, parent, out);
+      swarm.awaitEnd();
+      return 0;
+    }
     Demo demo = Demo.start(options);
-    Runtime.getRuntime().addShutdownHook(new Thread(() -> closeInTime(demo), "shutdown"));
-    parent.ifPresent(process -> process.onExit().thenRun(demo::end));
-    out.println("ROS_MASTER_URI=" + demo.masterUri().toString().replaceAll("/$", ""));
-    out.flush();
+    ready(demo.masterUri(), demo, demo::end, parent, out);
     demo.awaitEnd();
     return 0;
   }
 
+  private static void ready(URI master, AutoCloseable running, Runnable end, Optional<ProcessHandle> parent, PrintStream out) {
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> closeInTime(running), "shutdown"));
+    parent.ifPresent(process -> process.onExit().thenRun(end));
+    out.println("ROS_MASTER_URI=" + master.toString().replaceAll("/$", ""));
+    out.flush();
+  }
+
   /** A peer that hangs must not keep the process: what is not closed by then ends with it. */
-  private static void closeInTime(Demo demo) {
-    Thread closer = Thread.ofPlatform().daemon().name("close").start(demo::close);
+  private static void closeInTime(AutoCloseable running) {
+    Thread closer = Thread.ofPlatform().daemon().name("close").start(() -> close(running));
     try {
       closer.join(CLOSE_TIME);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  private static void close(AutoCloseable running) {
+    try {
+      running.close();
+    } catch (Exception e) {
+      throw new IllegalStateException("the end failed", e);
     }
   }
 

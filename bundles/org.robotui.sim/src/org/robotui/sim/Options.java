@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import org.robotui.sim.internal.swarm.Swarm;
 
 /**
  * What the demo robot is started with.
@@ -17,6 +18,7 @@ import java.util.OptionalLong;
  * @param realMaster a master to be used in place of the embedded one
  * @param simTime whether {@code /clock} is published for all nodes
  * @param parent a process with which the robot ends
+ * @param swarm how many cheap robots to start in place of one; 0 for the one
  * @param rosArguments remappings and private parameters, as every ROS program takes them
  */
 record Options(
@@ -28,6 +30,7 @@ record Options(
     Optional<URI> realMaster,
     boolean simTime,
     OptionalLong parent,
+    int swarm,
     List<String> rosArguments) {
   static final String USAGE =
       """
@@ -39,6 +42,7 @@ record Options(
         --seed N            seed of all noise (1)
         --speed-factor X    run X times faster than real (1)
         --sim-time          publish /clock and set /use_sim_time
+        --swarm N           N cheap robots in namespaces r1, r2 and so on, in place of the one
         --parent PID        end when that process has gone
         --help              show this text
       Prints ROS_MASTER_URI=URI when everything is advertised. Ends on SIGTERM.
@@ -70,6 +74,7 @@ record Options(
     private Optional<URI> realMaster = Optional.empty();
     private boolean simTime;
     private OptionalLong parent = OptionalLong.empty();
+    private int swarm;
 
     Parser(List<String> arguments) {
       this.arguments = arguments;
@@ -80,7 +85,7 @@ record Options(
         take(arguments.get(next++));
       }
       return new Options(
-          port, namespace, name, seed, speedFactor, realMaster, simTime, parent, rosArguments);
+          port, namespace, name, seed, speedFactor, realMaster, simTime, parent, swarm, rosArguments);
     }
 
     private void take(String option) {
@@ -93,6 +98,7 @@ record Options(
         case "--speed-factor" -> speedFactor = factor(option);
         case "--sim-time" -> simTime = true;
         case "--parent" -> parent = OptionalLong.of(whole(option, 1, Long.MAX_VALUE));
+        case "--swarm" -> swarm = (int) whole(option, 1, Swarm.MOST);
         default -> other(option);
       }
     }

@@ -24,11 +24,11 @@ class OptionsTest {
   void everyOptionIsRead() {
     Options options = Options.parse(List.of(
         "--port", "11311", "--namespace", "/keira/", "--name", "base", "--seed", "-7", "--speed-factor", "2.5",
-        "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "plan:=/move_base/plan"));
+        "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12", "plan:=/move_base/plan"));
     assertEquals(
         new Options(
             11311, "keira", "base", -7, 2.5, Optional.of(URI.create("http://localhost:11311")), true,
-            OptionalLong.of(4711), List.of("plan:=/move_base/plan")),
+            OptionalLong.of(4711), 12, List.of("plan:=/move_base/plan")),
         options);
   }
 

@@ -1,0 +1,89 @@
+package org.robotui.sim.internal.swarm;
+
+import java.util.List;
+import org.robotui.ros.Publisher;
+import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.RosNode;
+import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
+import org.robotui.ros.msgs.geometry_msgs.Point;
+import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
+import org.robotui.ros.msgs.geometry_msgs.Twist;
+import org.robotui.ros.msgs.nav_msgs.Odometry;
+import org.robotui.ros.msgs.nav_msgs.Path;
+import org.robotui.ros.msgs.sensor_msgs.BatteryState;
+import org.robotui.ros.msgs.sensor_msgs.LaserScan;
+import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+
+/** A robot of a swarm as a ROS node in a namespace of its own. Ended by {@code rosnode kill}, it is gone, and the others go on. */
+final class SwarmRobot {
+  private static final int BEAMS = 36;
+  private static final int ODOMETRY = 2;
+  private static final int SCAN = 5;
+  private static final int STATUS = 10;
+  private static final int BATTERY = 20;
+
+  private final Walker walker;
+  private final SwarmMessages messages;
+  private final Publisher<Odometry> odometry;
+  private final Publisher<TFMessage> transforms;
+  private final Publisher<LaserScan> scan;
+  private final Publisher<BatteryState> battery;
+  private final Publisher<GoalStatusArray> status;
+  private final Publisher<Path> plan;
+  private volatile boolean gone;
+
+  SwarmRobot(String name, RosNode node, Walker walker) {
+    this.walker = walker;
+    this.messages = new SwarmMessages(name, walker);
+    PublisherOptions options = PublisherOptions.standard();
+    odometry = node.publisher("odom", Odometry.CODEC, options);
+    transforms = node.publisher("/tf", TFMessage.CODEC, options);
+    scan = node.publisher("scan", LaserScan.CODEC, options);
+    battery = node.publisher("battery_state", BatteryState.CODEC, options);
+    status = node.publisher("move_base/status", GoalStatusArray.CODEC, options);
+    plan = node.publisher("plan", Path.CODEC, options);
+    node.subscriber("cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (twist, from) -> drive(twist));
+    node.subscriber("move_base_simple/goal", PoseStamped.CODEC, SubscriberOptions.standard(), (goal, from) -> go(goal));
+    node.whenClosed().thenRun(() -> gone = true);
+  }
+
+  private void drive(Twist twist) {
+    if (Double.isFinite(twist.linear().x() + twist.angular().z())) {
+      walker.drive(twist.linear().x(), twist.angular().z());
+    }
+  }
+
+  private void go(PoseStamped goal) {
+    Point place = goal.pose().position();
+    if (Double.isFinite(place.x() + place.y())) {
+      walker.go(new Walker.Goal(place.x(), place.y()));
+    }
+  }
+
+  boolean isGone() {
+    return gone;
+  }
+
+  Walker walker() {
+    return walker;
+  }
+
+  /** Publishes what is due; each robot at steps of its own, so that they do not all speak at once. */
+  void publish(long step, long stamp, List<Walker> all) {
+    if (step % ODOMETRY == 0) {
+      odometry.publish(messages.odometry(stamp));
+      transforms.publish(messages.transforms(stamp));
+    }
+    if (step % SCAN == 0) {
+      scan.publish(messages.scan(stamp, walker.scan(BEAMS, all)));
+    }
+    if (step % STATUS == 0) {
+      status.publish(messages.status(stamp));
+      plan.publish(messages.plan(stamp));
+    }
+    if (step % BATTERY == 0) {
+      battery.publish(messages.battery(stamp));
+    }
+  }
+}

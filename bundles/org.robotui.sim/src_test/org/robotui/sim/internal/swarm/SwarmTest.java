@@ -1,0 +1,71 @@
+package org.robotui.sim.internal.swarm;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Test;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.NodeOptions;
+import org.robotui.ros.Publisher;
+import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.RosEnvironment;
+import org.robotui.ros.RosNode;
+import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
+import org.robotui.ros.msgs.geometry_msgs.Point;
+import org.robotui.ros.msgs.geometry_msgs.Pose;
+import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
+import org.robotui.ros.msgs.geometry_msgs.Quaternion;
+import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
+import org.robotui.ros.msgs.nav_msgs.Odometry;
+import org.robotui.ros.msgs.std_msgs.Header;
+
+class SwarmTest {
+  private static RosNode node(Swarm swarm, String namespace, String name) throws Exception {
+    RosEnvironment environment = RosEnvironment.of(
+        Map.of("ROS_MASTER_URI", swarm.masterUri().toString(), "ROS_IP", "127.0.0.1"), List.of("__ns:=" + namespace));
+    return RosNode.open(environment, GraphName.of(name), NodeOptions.standard(r -> Thread.ofPlatform().daemon().unstarted(r)));
+  }
+
+  private static void await(BooleanSupplier condition, String what) throws InterruptedException {
+    long end = System.nanoTime() + Duration.ofSeconds(20).toNanos();
+    while (!condition.getAsBoolean()) {
+      assertTrue(System.nanoTime() < end, what);
+      Thread.sleep(20);
+    }
+  }
+
+  @Test
+  void eachRobotIsANodeThatTakesGoalsAndCanGoAlone() throws Exception {
+    AtomicReference<String> task = new AtomicReference<>("");
+    AtomicLong first = new AtomicLong();
+    AtomicLong second = new AtomicLong();
+    AtomicReference<OccupancyGrid> map = new AtomicReference<>();
+    try (Swarm swarm = Swarm.start(3, 0, 1); RosNode client = node(swarm, "/", "client")) {
+      client.subscriber("/r2/move_base/status", GoalStatusArray.CODEC, SubscriberOptions.standard(),
+          (m, r) -> task.set(m.statusList().getFirst().text()));
+      client.subscriber("/r1/odom", Odometry.CODEC, SubscriberOptions.standard(), (m, r) -> first.incrementAndGet());
+      client.subscriber("/r2/odom", Odometry.CODEC, SubscriberOptions.standard(), (m, r) -> second.incrementAndGet());
+      client.subscriber("/map", OccupancyGrid.CODEC, SubscriberOptions.standard(), (m, r) -> map.set(m));
+      await(() -> "patrolling".equals(task.get()) && first.get() > 3 && map.get() != null, "nothing comes");
+      assertEquals(246, map.get().info().width());
+      Publisher<PoseStamped> goal = client.publisher("/r2/move_base_simple/goal", PoseStamped.CODEC, PublisherOptions.standard());
+      await(() -> goal.numSubscribers() == 1, "nobody takes goals");
+      goal.publish(new PoseStamped(new Header(0, 0, "map"), new Pose(new Point(4, 12, 0), new Quaternion(0, 0, 0, 1))));
+      await(() -> "going to 4.0 12.0".equals(task.get()), task.get());
+      RosNode twin = node(swarm, "/r1", "robot"); // whose name another takes, that one ends
+      twin.awaitRegistered(Duration.ofSeconds(5));
+      long before = first.get();
+      long others = second.get();
+      await(() -> second.get() > others + 20, "the others stopped, too");
+      assertTrue(first.get() < before + 15, "it goes on");
+      twin.close();
+    }
+  }
+}
