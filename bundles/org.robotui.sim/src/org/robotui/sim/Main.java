@@ -5,8 +5,10 @@ import java.io.PrintStream;
 import java.net.URI;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.stream.Collectors;
 import org.robotui.sim.internal.swarm.Swarm;
 
 /** Starts the demo robot as a program of its own. */
@@ -58,21 +60,26 @@ public final class Main {
       }
     }
     if (options.swarm() > 0) {
-      Swarm swarm = Swarm.start(options.swarm(), options.port(), options.seed());
-      ready(swarm.masterUri(), swarm, swarm::end, parent, out);
+      Swarm swarm = Swarm.start(options.swarm(), options.ros().port(), options.seed());
+      ready(Map.of("ROS_MASTER_URI", withoutSlash(swarm.masterUri())), swarm, swarm::end, parent, out);
       swarm.awaitEnd();
       return 0;
     }
     Demo demo = Demo.start(options);
-    ready(demo.masterUri(), demo, demo::end, parent, out);
+    ready(demo.addresses(), demo, demo::end, parent, out);
     demo.awaitEnd();
     return 0;
   }
 
-  private static void ready(URI master, AutoCloseable running, Runnable end, Optional<ProcessHandle> parent, PrintStream out) {
+  private static String withoutSlash(URI uri) {
+    return uri.toString().replaceAll("/$", "");
+  }
+
+  private static void ready(Map<String, String> addresses, AutoCloseable running, Runnable end, Optional<ProcessHandle> parent, PrintStream out) {
     Runtime.getRuntime().addShutdownHook(new Thread(() -> closeInTime(running), "shutdown"));
     parent.ifPresent(process -> process.onExit().thenRun(end));
-    out.println("ROS_MASTER_URI=" + master.toString().replaceAll("/$", ""));
+    // in one piece, so that who reads the first line can read all
+    out.print(addresses.entrySet().stream().map(variable -> variable + "\n").collect(Collectors.joining()));
     out.flush();
   }
 

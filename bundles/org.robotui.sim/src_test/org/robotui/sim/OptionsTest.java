@@ -5,17 +5,23 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.URI;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.robotui.sim.internal.model.Robots;
+import org.robotui.sim.internal.ros.RosOptions;
 
 class OptionsTest {
   @Test
   void withoutArgumentsAFreePortAndNoNamespaceAreUsed() {
     Options options = Options.parse(List.of());
-    assertEquals(0, options.port());
-    assertEquals("", options.namespace());
+    assertEquals(Robots.NATALIE, options.robot());
+    assertEquals(Set.of(Options.Speech.ROS), options.speaks());
+    assertEquals(0, options.ros().port());
+    assertEquals("", options.ros().namespace());
     assertEquals(OptionalLong.empty(), options.parent());
     assertEquals(1, options.speedFactor());
   }
@@ -24,11 +30,14 @@ class OptionsTest {
   void everyOptionIsRead() {
     Options options = Options.parse(List.of(
         "--port", "11311", "--namespace", "/keira/", "--name", "base", "--seed", "-7", "--speed-factor", "2.5",
-        "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12", "plan:=/move_base/plan"));
+        "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12", "plan:=/move_base/plan",
+        "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--lcm-url", "udpm://239.1.1.1:7000", "--lcm-types", "types"));
+    RosOptions ros = new RosOptions(
+        11311, "keira", "base", Optional.of(URI.create("http://localhost:11311")), true, List.of("plan:=/move_base/plan"));
     assertEquals(
         new Options(
-            11311, "keira", "base", -7, 2.5, Optional.of(URI.create("http://localhost:11311")), true,
-            OptionalLong.of(4711), 12, List.of("plan:=/move_base/plan")),
+            Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros, 6665, Optional.of(URI.create("udpm://239.1.1.1:7000")),
+            Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12),
         options);
   }
 
@@ -39,6 +48,9 @@ class OptionsTest {
     assertMistake("'fast'", "--speed-factor", "fast");
     assertMistake("0.01 to 50", "--speed-factor", "0");
     assertMistake("http", "--real-master", "localhost:11311");
+    assertMistake("natalie, keira", "--robot", "otto");
+    assertMistake("'yarp'", "--speak", "ros,yarp");
+    assertMistake("--lcm-types", "--speak", "lcm");
     assertMistake("'--colour'", "--colour", "red");
     assertMistake("'stray'", "stray");
   }

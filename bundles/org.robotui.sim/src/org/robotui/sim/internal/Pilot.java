@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.robotui.sim.internal.Event.Severity;
 import org.robotui.sim.internal.GoalStatus.Phase;
+import org.robotui.sim.internal.nav.Homing;
 import org.robotui.sim.internal.nav.Navigator;
 import org.robotui.sim.internal.nav.Plan;
 import org.robotui.sim.internal.nav.Progress;
@@ -15,12 +16,11 @@ import org.robotui.sim.internal.world.Pose2;
 
 /** Decides how fast the robot should go: as somebody commands it, else towards its goal. For one thread. */
 final class Pilot {
-  static final double COMMAND_TIMEOUT = 0.5;
-
-  private final CommandGate gate = new CommandGate(COMMAND_TIMEOUT);
+  private final CommandGate gate = new CommandGate();
   private final Navigator navigator;
   private final Consumer<Event> events;
   private Speed navigation = Speed.ZERO;
+  private Optional<Homing> homing = Optional.empty();
   private GoalStatus status = GoalStatus.NONE;
 
   Pilot(Navigator navigator, Consumer<Event> events) {
@@ -45,14 +45,21 @@ final class Pilot {
   }
 
   /** Takes a command, which ends navigation. */
-  void drive(Speed speed, double now) {
-    preempt("goal cancelled by cmd_vel");
-    gate.accept(speed, now);
+  void drive(Speed speed, double until) {
+    preempt("goal cancelled by a command to drive");
+    gate.accept(speed, until);
+  }
+
+  /** Takes a place of odometry to drive to, which ends navigation. */
+  void approach(Pose2 pose, Speed most) {
+    preempt("goal cancelled by a command to drive");
+    gate.clear();
+    homing = Optional.of(new Homing(pose, most));
   }
 
   void expire(double now) {
     if (gate.expire(now)) {
-      report(Severity.WARN, "base", "cmd_vel timed out after 0.5 s: stopped");
+      report(Severity.WARN, "base", "the command to drive timed out: stopped");
     }
   }
 
@@ -73,7 +80,19 @@ final class Pilot {
     navigator.cruise(cruise);
   }
 
+  /** Gives up whatever it is doing, because something is in the way. */
+  void blocked(String reason) {
+    homing = Optional.empty();
+    gate.clear();
+    if (navigator.goal().isPresent()) {
+      navigator.cancel();
+      end(Phase.ABORTED, Severity.WARN, "goal aborted: " + reason);
+    }
+  }
+
   private void preempt(String text) {
+    homing = Optional.empty();
+    navigation = Speed.ZERO;
     if (navigator.goal().isPresent()) {
       navigator.cancel();
       end(Phase.PREEMPTED, Severity.INFO, text);
@@ -101,15 +120,28 @@ final class Pilot {
   /**
    * Goes on for {@code dt} seconds.
    *
+   * @param odometry where the wheels say it is
    * @param room free distance before the robot, metres
    */
-  void navigate(Pose2 estimate, double room, double dt) {
+  void navigate(Pose2 estimate, Pose2 odometry, double room, double dt) {
+    if (homing.isPresent()) {
+      approach(homing.get(), odometry);
+      return;
+    }
     switch (navigator.update(estimate, room, dt)) {
       case Progress.Driving driving -> navigation = driving.speed();
       case Progress.Idle idle -> navigation = Speed.ZERO;
       case Progress.Reached reached -> end(Phase.SUCCEEDED, Severity.INFO, "goal reached");
       case Progress.Aborted aborted -> end(
           Phase.ABORTED, Severity.WARN, "goal aborted: " + aborted.reason());
+    }
+  }
+
+  private void approach(Homing there, Pose2 odometry) {
+    Optional<Speed> speed = there.update(odometry);
+    navigation = speed.orElse(Speed.ZERO);
+    if (speed.isEmpty()) {
+      homing = Optional.empty();
     }
   }
 

@@ -2,6 +2,7 @@ package org.robotui.sim.internal;
 
 import java.util.List;
 import java.util.Optional;
+import org.robotui.sim.internal.robot.Head;
 import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.world.Pose2;
 
@@ -19,6 +20,8 @@ import org.robotui.sim.internal.world.Pose2;
  * @param motorsOn whether the motors are switched on
  * @param lost whether localisation is far off
  * @param bumped whether it touches something
+ * @param bumpers whether each of its bumpers is pressed
+ * @param head where it looks; empty if it has no head that moves
  * @param goal where it drives to
  * @param path the way there, in the map
  * @param goalStatus what became of the last goal
@@ -38,6 +41,8 @@ public record RobotState(
     boolean motorsOn,
     boolean lost,
     boolean bumped,
+    List<Boolean> bumpers,
+    Optional<Head> head,
     Optional<Pose2> goal,
     List<Pose2> path,
     GoalStatus goalStatus,

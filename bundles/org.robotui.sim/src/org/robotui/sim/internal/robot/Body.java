@@ -6,14 +6,19 @@ import org.robotui.sim.internal.world.World;
 
 /** The robot's body in the building: a round base that stops at whatever it meets. For one thread. */
 public final class Body {
-  public static final double RADIUS = 0.25;
-  public static final double HEIGHT = 0.65;
-
   private final Supplier<World> world;
+  private final double radius;
+  private final double height;
   private Pose2 pose;
 
-  public Body(Supplier<World> world, Pose2 start) {
+  /**
+   * @param radius metres
+   * @param height metres
+   */
+  public Body(Supplier<World> world, Pose2 start, double radius, double height) {
     this.world = world;
+    this.radius = radius;
+    this.height = height;
     pose = start;
   }
 
@@ -32,7 +37,7 @@ public final class Body {
    */
   public boolean move(double distance, double turn) {
     Pose2 next = pose.advance(distance, turn);
-    if (distance == 0 || world.get().isFree(next.x(), next.y(), RADIUS, HEIGHT)) {
+    if (distance == 0 || world.get().isFree(next.x(), next.y(), radius, height)) {
       pose = next;
       return true;
     }

@@ -2,19 +2,18 @@ package org.robotui.sim.internal.robot;
 
 /** Holds the last speed command until it is too old. For one thread. */
 public final class CommandGate {
-  private final double timeout;
   private Speed command = Speed.ZERO;
-  private double receivedAt = Double.NEGATIVE_INFINITY;
+  private double validUntil = Double.NEGATIVE_INFINITY;
   private boolean live;
 
-  /** @param timeout seconds */
-  public CommandGate(double timeout) {
-    this.timeout = timeout;
-  }
-
-  public void accept(Speed wish, double now) {
+  /**
+   * Takes a command.
+   *
+   * @param until when it is too old, on the clock of {@link #expire}
+   */
+  public void accept(Speed wish, double until) {
     command = wish;
-    receivedAt = now;
+    validUntil = until;
     live = true;
   }
 
@@ -33,7 +32,7 @@ public final class CommandGate {
 
   /** Drops a command that is too old; true if that stops a motion. */
   public boolean expire(double now) {
-    if (!live || now - receivedAt < timeout) {
+    if (!live || now < validUntil) {
       return false;
     }
     live = false;

@@ -5,24 +5,23 @@ import org.robotui.sim.internal.world.Pose2;
 
 /** Dead reckoning from two wheels that measure with errors. For one thread. */
 public final class WheelOdometry {
-  public static final double WHEEL_RADIUS = 0.0975;
-  public static final double TRACK = 0.331;
-
   private final OdometryErrors errors;
+  private final Wheels wheels;
   private final RandomGenerator random;
   private Pose2 pose = Pose2.ORIGIN;
   private double leftAngle;
   private double rightAngle;
 
-  public WheelOdometry(OdometryErrors errors, RandomGenerator random) {
+  public WheelOdometry(OdometryErrors errors, Wheels wheels, RandomGenerator random) {
     this.errors = errors;
+    this.wheels = wheels;
     this.random = random;
   }
 
   /** Takes in a true motion. */
   public void moved(double distance, double turn) {
-    leftAngle += (distance - turn * TRACK / 2) / WHEEL_RADIUS;
-    rightAngle += (distance + turn * TRACK / 2) / WHEEL_RADIUS;
+    leftAngle += (distance - turn * wheels.track() / 2) / wheels.radius();
+    rightAngle += (distance + turn * wheels.track() / 2) / wheels.radius();
     double measured = distance * errors.distanceScale() + noise(distance);
     double turned = turn * errors.turnScale() + distance * errors.pull() + noise(turn);
     pose = pose.advance(measured, turned);
@@ -47,7 +46,8 @@ public final class WheelOdometry {
     return rightAngle;
   }
 
-  public void reset() {
-    pose = Pose2.ORIGIN;
+  /** Says from now on that the robot is there. */
+  public void set(Pose2 there) {
+    pose = there;
   }
 }

@@ -9,6 +9,7 @@ import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.ros.msgs.geometry_msgs.TwistWithCovariance;
 import org.robotui.ros.msgs.geometry_msgs.Vector3;
@@ -20,11 +21,10 @@ import org.robotui.ros.msgs.sensor_msgs.JointState;
 import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.robot.Battery;
-import org.robotui.sim.internal.robot.Body;
 import org.robotui.sim.internal.robot.Head;
 import org.robotui.sim.internal.robot.Speed;
-import org.robotui.sim.internal.robot.WheelOdometry;
 import org.robotui.sim.internal.world.Pose2;
 
 /** Messages about the base: where it is, how it moves, what it has left. */
@@ -32,9 +32,11 @@ final class BaseMessages {
   private static final int FOOTPRINT_CORNERS = 16;
 
   private final Frames frames;
+  private final RobotModel robot;
 
-  BaseMessages(Frames frames) {
+  BaseMessages(Frames frames, RobotModel robot) {
     this.frames = frames;
+    this.robot = robot;
   }
 
   Odometry odometry(RobotState state, Stamp stamp) {
@@ -59,19 +61,21 @@ final class BaseMessages {
   TFMessage transforms(RobotState state, Stamp stamp) {
     Header map = stamp.header(Frames.MAP);
     Header odometry = stamp.header(frames.odometry());
-    Head head = Head.at(state.time());
-    return new TFMessage(List.of(
-        Poses.stamped(map, frames.odometry(), Poses.transform(state.mapFromOdometry(), 0)),
-        Poses.stamped(odometry, frames.base(), Poses.transform(state.odometry(), 0)),
-        Poses.stamped(stamp.header(frames.base()), frames.pan(), turned(Head.HEIGHT, 0, head.pan())),
-        Poses.stamped(stamp.header(frames.pan()), frames.tilt(), turned(Head.NECK, head.tilt(), 0)),
-        Poses.stamped(stamp.header(frames.base()), frames.leftWheel(), wheel(1, state.leftWheel())),
-        Poses.stamped(stamp.header(frames.base()), frames.rightWheel(), wheel(-1, state.rightWheel()))));
+    List<TransformStamped> all = new ArrayList<>();
+    all.add(Poses.stamped(map, frames.odometry(), Poses.transform(state.mapFromOdometry(), 0)));
+    all.add(Poses.stamped(odometry, frames.base(), Poses.transform(state.odometry(), 0)));
+    state.head().ifPresent(head -> {
+      all.add(Poses.stamped(stamp.header(frames.base()), frames.pan(), turned(Head.HEIGHT, 0, head.pan())));
+      all.add(Poses.stamped(stamp.header(frames.pan()), frames.tilt(), turned(Head.NECK, head.tilt(), 0)));
+    });
+    all.add(Poses.stamped(stamp.header(frames.base()), frames.leftWheel(), wheel(1, state.leftWheel())));
+    all.add(Poses.stamped(stamp.header(frames.base()), frames.rightWheel(), wheel(-1, state.rightWheel())));
+    return new TFMessage(all);
   }
 
-  private static RigidTransform wheel(int side, double angle) {
+  private RigidTransform wheel(int side, double angle) {
     return new RigidTransform(
-        new org.robotui.geometry.Vector3(0, side * WheelOdometry.TRACK / 2, WheelOdometry.WHEEL_RADIUS),
+        new org.robotui.geometry.Vector3(0, side * robot.wheels().track() / 2, robot.wheels().radius()),
         new org.robotui.geometry.Quaternion(0, Math.sin(angle / 2), 0, Math.cos(angle / 2)));
   }
 
@@ -96,24 +100,27 @@ final class BaseMessages {
     List<Point32> corners = new ArrayList<>();
     for (int i = 0; i < FOOTPRINT_CORNERS; i++) {
       double angle = 2 * Math.PI * (i + 0.5) / FOOTPRINT_CORNERS;
-      Pose2 corner = place.times(new Pose2(Body.RADIUS * Math.cos(angle), Body.RADIUS * Math.sin(angle), 0));
+      Pose2 corner = place.times(new Pose2(robot.radius() * Math.cos(angle), robot.radius() * Math.sin(angle), 0));
       corners.add(new Point32((float) corner.x(), (float) corner.y(), 0));
     }
     return new PolygonStamped(stamp.header(Frames.MAP), new Polygon(corners));
   }
 
   JointState joints(RobotState state, Stamp stamp) {
-    Head head = Head.at(state.time());
     Speed speed = state.speed();
-    double half = speed.angular() * WheelOdometry.TRACK / 2;
-    double left = (speed.linear() - half) / WheelOdometry.WHEEL_RADIUS;
-    double right = (speed.linear() + half) / WheelOdometry.WHEEL_RADIUS;
-    return new JointState(
-        stamp.header(""),
-        List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"),
-        new double[] {state.leftWheel(), state.rightWheel(), head.pan(), head.tilt()},
-        new double[] {left, right, head.panSpeed(), head.tiltSpeed()},
-        new double[0]);
+    double half = speed.angular() * robot.wheels().track() / 2;
+    double left = (speed.linear() - half) / robot.wheels().radius();
+    double right = (speed.linear() + half) / robot.wheels().radius();
+    return state.head()
+        .map(head -> joints(stamp, List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"),
+            new double[] {state.leftWheel(), state.rightWheel(), head.pan(), head.tilt()},
+            new double[] {left, right, head.panSpeed(), head.tiltSpeed()}))
+        .orElseGet(() -> joints(stamp, List.of("left_wheel_joint", "right_wheel_joint"),
+            new double[] {state.leftWheel(), state.rightWheel()}, new double[] {left, right}));
+  }
+
+  private static JointState joints(Stamp stamp, List<String> names, double[] positions, double[] velocities) {
+    return new JointState(stamp.header(""), names, positions, velocities, new double[0]);
   }
 
   Imu imu(org.robotui.sim.internal.sensor.Imu imu, Stamp stamp) {

@@ -7,6 +7,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.ros.msgs.sensor_msgs.CompressedImage;
 import org.robotui.ros.msgs.sensor_msgs.Image;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.camera.JpegEncoder;
 import org.robotui.sim.internal.camera.Lens;

@@ -6,6 +6,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.ros.msgs.sensor_msgs.Image;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.camera.DepthRenderer;
 import org.robotui.sim.internal.camera.Lens;

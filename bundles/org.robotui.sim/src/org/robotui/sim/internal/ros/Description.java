@@ -4,9 +4,8 @@ import java.util.Locale;
 import org.robotui.geometry.Quaternion;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
-import org.robotui.sim.internal.robot.Body;
+import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.robot.Head;
-import org.robotui.sim.internal.robot.WheelOdometry;
 
 /**
  * What the robot is made of, as URDF: solids only, so that nobody needs files for it. Links are named as the frames are, with the
@@ -19,27 +18,35 @@ final class Description {
   private static final String GLASS = "glass";
 
   private final Frames frames;
+  private final RobotModel robot;
   private final StringBuilder text = new StringBuilder(8192);
 
-  private Description(Frames frames) {
+  private Description(Frames frames, RobotModel robot) {
     this.frames = frames;
+    this.robot = robot;
   }
 
   /** @param fixed where the sensors sit */
-  static String of(Frames frames, TFMessage fixed) {
-    return new Description(frames).write(fixed);
+  static String of(Frames frames, RobotModel robot, TFMessage fixed) {
+    return new Description(frames, robot).write(fixed);
   }
 
   private String write(TFMessage fixed) {
-    text.append("<?xml version=\"1.0\"?>\n<robot name=\"demo\">\n");
+    text.append("<?xml version=\"1.0\"?>\n<robot name=\"").append(robot.name()).append("\">\n");
     material(DARK, "0.20 0.22 0.25 1");
     material(LIGHT, "0.85 0.87 0.89 1");
     material(ACCENT, "0.16 0.48 0.78 1");
     material(GLASS, "0.05 0.07 0.10 1");
-    base();
+    if (robot.head()) {
+      tower();
+    } else {
+      disc();
+    }
     wheel(frames.leftWheel(), "left_wheel_joint", 1);
     wheel(frames.rightWheel(), "right_wheel_joint", -1);
-    head();
+    if (robot.head()) {
+      head();
+    }
     for (TransformStamped transform : fixed.transforms()) {
       sensor(transform.childFrameId());
       joint(transform);
@@ -48,31 +55,48 @@ final class Description {
   }
 
   /** A round chassis with a ring of sonars and a deck, and a mast for head, lidar and camera. */
-  private void base() {
+  private void tower() {
     open(frames.base());
     inertial(18, 0.2, 0.6, 0.6, 0.55);
-    cylinder(Body.RADIUS, 0.14, 0, 0, 0.12, DARK);
+    cylinder(robot.radius(), 0.14, 0, 0, 0.12, DARK);
     cylinder(0.205, 0.06, 0, 0, 0.22, GLASS);
-    cylinder(Body.RADIUS, 0.02, 0, 0, 0.26, LIGHT);
+    cylinder(robot.radius(), 0.02, 0, 0, 0.26, LIGHT);
     box(0.06, 0.10, 0.51, -0.08, 0, 0.525, LIGHT);
     box(0.20, 0.05, 0.02, 0.01, 0, 0.40, LIGHT);
     box(0.24, 0.05, 0.02, 0.03, 0, 0.59, LIGHT);
     box(0.13, 0.06, 0.02, -0.04, 0, 0.77, LIGHT);
     box(0.08, 0.04, 0.02, -0.13, 0, 0.68, LIGHT);
-    add("<collision><origin xyz=\"0 0 %s\"/><geometry><cylinder radius=\"%s\" length=\"%s\"/></geometry></collision>",
-        Body.HEIGHT / 2, Body.RADIUS, Body.HEIGHT);
+    collision();
     close();
+  }
+
+  /** A flat disc close to the floor, with a post for camera and antenna. */
+  private void disc() {
+    open(frames.base());
+    inertial(3.5, 0.05, 0.03, 0.03, 0.05);
+    cylinder(robot.radius(), 0.08, 0, 0, 0.06, DARK);
+    cylinder(robot.radius() * 0.92, 0.01, 0, 0, 0.105, LIGHT);
+    cylinder(0.05, 0.012, -0.04, 0, 0.111, ACCENT);
+    box(0.03, 0.08, 0.12, robot.lens().forward() - 0.03, 0, 0.17, LIGHT);
+    box(0.02, 0.02, 0.12, -0.6 * robot.radius(), 0, 0.17, LIGHT);
+    collision();
+    close();
+  }
+
+  private void collision() {
+    add("<collision><origin xyz=\"0 0 %s\"/><geometry><cylinder radius=\"%s\" length=\"%s\"/></geometry></collision>",
+        robot.height() / 2, robot.radius(), robot.height());
   }
 
   private void wheel(String link, String joint, int side) {
     open(link);
     inertial(1, 0, 0.003, 0.005, 0.003);
     add("<visual><origin rpy=\"%s 0 0\"/><geometry><cylinder radius=\"%s\" length=\"0.04\"/></geometry><material name=\"%s\"/></visual>",
-        Math.PI / 2, WheelOdometry.WHEEL_RADIUS, GLASS);
-    box(0.12, 0.042, 0.02, 0, 0, 0, ACCENT);
+        Math.PI / 2, robot.wheels().radius(), GLASS);
+    box(1.2 * robot.wheels().radius(), 0.042, 0.02, 0, 0, 0, ACCENT);
     close();
     add("<joint name=\"%s\" type=\"continuous\"><parent link=\"%s\"/><child link=\"%s\"/><origin xyz=\"0 %s %s\"/><axis xyz=\"0 1 0\"/></joint>",
-        joint, frames.base(), link, side * WheelOdometry.TRACK / 2, WheelOdometry.WHEEL_RADIUS);
+        joint, frames.base(), link, side * robot.wheels().track() / 2, robot.wheels().radius());
   }
 
   private void head() {

@@ -2,17 +2,13 @@ package org.robotui.sim.internal.ros;
 
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.robotui.ros.RosLog;
 import org.robotui.ros.RosLog.Level;
+import org.robotui.ros.RosLog;
 import org.robotui.ros.RosNode;
 import org.robotui.sim.internal.Event;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
-/** Writes events to {@code /rosout} and to the program's own log. For any thread. */
+/** Writes events to {@code /rosout}. For any thread. */
 final class EventLog implements Consumer<Event> {
-  private static final Logger LOG = LoggerFactory.getLogger(EventLog.class);
-
   private final LongSupplier clock;
   private final RosLog rosout;
 
@@ -25,11 +21,6 @@ final class EventLog implements Consumer<Event> {
   @Override
   public void accept(Event event) {
     rosout.write(level(event), event.source(), event.text(), clock.getAsLong());
-    switch (event.severity()) {
-      case INFO -> LOG.info("{}: {}", event.source(), event.text());
-      case WARN -> LOG.warn("{}: {}", event.source(), event.text());
-      case ERROR -> LOG.error("{}: {}", event.source(), event.text());
-    }
   }
 
   private static Level level(Event event) {

@@ -8,7 +8,9 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.msgs.sensor_msgs.PointCloud2;
 import org.robotui.ros.msgs.sensor_msgs.PointField;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.camera.Darkroom;
 import org.robotui.sim.internal.sensor.Lidar;
 import org.robotui.sim.internal.world.World;
 

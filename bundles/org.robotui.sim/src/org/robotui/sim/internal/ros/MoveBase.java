@@ -13,6 +13,7 @@ import org.robotui.ros.msgs.move_base_msgs.MoveBaseFeedback;
 import org.robotui.ros.msgs.move_base_msgs.MoveBaseResult;
 import org.robotui.sim.internal.Command;
 import org.robotui.sim.internal.Event;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.Simulation;
 

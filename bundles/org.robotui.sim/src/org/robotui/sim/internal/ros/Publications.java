@@ -1,6 +1,7 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.List;
+import java.util.Optional;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
@@ -16,29 +17,30 @@ import org.robotui.ros.msgs.sensor_msgs.NavSatFix;
 import org.robotui.ros.msgs.sensor_msgs.Range;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 import org.robotui.ros.msgs.visualization_msgs.MarkerArray;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.Sensors;
+import org.robotui.sim.internal.SimulatedRobot;
 import org.robotui.sim.internal.Simulation;
-import org.robotui.sim.internal.camera.Lens;
-import org.robotui.sim.internal.sensor.LaserScanner;
-import org.robotui.sim.internal.sensor.SatelliteReceiver;
-import org.robotui.sim.internal.sensor.SonarRing;
+import org.robotui.sim.internal.sensor.SonarSpec;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.Pose2;
 
 /** Publishes everything but the camera. What costs work is not even computed while nobody subscribes. */
 final class Publications {
   private final RosNode node;
+  private final SimulatedRobot robot;
   private final Simulation simulation;
-  private final LaserScanner laser;
-  private final SonarRing sonars;
-  private final SatelliteReceiver satellites;
+  private final Sensors measured;
+  private final SonarSpec sonars;
+  private final Frames frames;
   private final BaseMessages base;
   private final SensorMessages sensors;
   private final DiagnosticMessages diagnostics;
   private final Topic<TFMessage> tf;
   private final Topic<Odometry> odometry;
   private final Topic<LaserScan> scan;
-  private final Topic<Range> sonar;
+  private final Optional<Topic<Range>> sonar;
   private final Topic<Imu> imu;
   private final Topic<JointState> joints;
   private final Topic<BatteryState> battery;
@@ -51,19 +53,20 @@ final class Publications {
   private final Topic<MarkerArray> objectMarkers;
   private List<Pose2> lastPath = List.of();
 
-  Publications(RosNode node, Simulation simulation, Frames frames) {
+  Publications(RosNode node, SimulatedRobot robot, Frames frames) {
     this.node = node;
-    this.simulation = simulation;
-    laser = new LaserScanner(simulation::present, simulation.settings().laser(), simulation.random(10));
-    sonars = new SonarRing(simulation::present, simulation.random(11));
-    satellites = new SatelliteReceiver(simulation.random(12));
-    base = new BaseMessages(frames);
+    this.robot = robot;
+    this.frames = frames;
+    simulation = robot.simulation();
+    measured = robot.sensors();
+    sonars = robot.model().sonars();
+    base = new BaseMessages(frames, robot.model());
     sensors = new SensorMessages(frames);
     diagnostics = new DiagnosticMessages(node.name().text().substring(1));
     tf = Topic.plain(node, "/tf", TFMessage.CODEC);
     odometry = Topic.plain(node, "odom", Odometry.CODEC);
     scan = Topic.plain(node, "scan", LaserScan.CODEC);
-    sonar = Topic.plain(node, "sonar", Range.CODEC);
+    sonar = sonars.count() == 0 ? Optional.empty() : Optional.of(Topic.plain(node, "sonar", Range.CODEC));
     imu = Topic.plain(node, "imu/data", Imu.CODEC);
     joints = Topic.plain(node, "joint_states", JointState.CODEC);
     battery = Topic.latched(node, "battery_state", BatteryState.CODEC);
@@ -77,15 +80,15 @@ final class Publications {
   }
 
   /** What the robot is made of. */
-  String description(Lens lens, Frames frames) {
-    return Description.of(frames, new StaticTransforms(frames).message(laser.spec(), lens, sonars, new Stamp(0, 0)));
+  String description() {
+    return Description.of(frames, robot.model(), new StaticTransforms(frames).message(robot.model(), new Stamp(0, 0)));
   }
 
   /** Publishes what never changes. */
-  void publishOnce(GridMap map, Lens lens, Frames frames, long nanos) {
+  void publishOnce(GridMap map, long nanos) {
     Topic.latched(node, "map", OccupancyGrid.CODEC).publish(nanos, stamp -> sensors.map(map, stamp));
     Topic.latched(node, "/tf_static", TFMessage.CODEC).publish(
-        nanos, stamp -> new StaticTransforms(frames).message(laser.spec(), lens, sonars, stamp));
+        nanos, stamp -> new StaticTransforms(frames).message(robot.model(), stamp));
     plan.publish(nanos, stamp -> base.path(List.of(), stamp));
   }
 
@@ -100,31 +103,24 @@ final class Publications {
     if (Rate.IMU.isDue(step)) {
       imu.publish(nanos, stamp -> base.imu(simulation.imu(), stamp));
     }
-    publishScan(step, state, nanos);
-    publishSonars(step, state, nanos);
+    publishScan(step, nanos);
+    sonar.filter(Topic::isWanted).ifPresent(topic -> publishSonars(topic, step, nanos));
     publishPlan(step, state, nanos);
     publishSlow(step, state, nanos);
   }
 
-  private void publishScan(long step, RobotState state, long nanos) {
-    if (Rate.SCAN.isDue(step)) {
-      scan.publish(nanos, stamp -> scan(state, stamp));
+  private void publishScan(long step, long nanos) {
+    if (measured.isScanDue(step)) {
+      scan.publish(nanos, stamp -> sensors.scan(simulation.settings().laser(), measured.scan(step), stamp));
     }
-  }
-
-  private LaserScan scan(RobotState state, Stamp stamp) {
-    return sensors.scan(laser.spec(), laser.scan(state.truth()), 1 / Rate.SCAN.hertz(), stamp);
   }
 
   /** The sensors fire one after the other, as they must not hear each other. */
-  private void publishSonars(long step, RobotState state, long nanos) {
-    if (!sonar.isWanted()) {
-      return;
-    }
+  private void publishSonars(Topic<Range> topic, long step, long nanos) {
     for (int i = 0; i < sonars.count(); i++) {
       if (Rate.SONAR.isDue(step + i)) {
         int index = i;
-        sonar.publish(nanos, stamp -> sensors.sonar(index, sonars.measure(state.truth(), index), stamp));
+        topic.publish(nanos, stamp -> sensors.sonar(sonars, index, measured.sonar(index), stamp));
       }
     }
   }
@@ -149,7 +145,7 @@ final class Publications {
       estimate.publish(nanos, stamp -> base.estimate(state, stamp));
     }
     if (Rate.FIX.isDue(step)) {
-      fix.publish(nanos, stamp -> sensors.fix(satellites.measure(state.truth()), stamp));
+      fix.publish(nanos, stamp -> sensors.fix(measured.fix(), stamp));
     }
     if (Rate.OBJECTS.isDue(step)) {
       objectMarkers.publish(nanos, stamp -> objects.message(state, stamp));
@@ -158,7 +154,7 @@ final class Publications {
       battery.publish(nanos, stamp -> base.battery(state, stamp));
     }
     if (Rate.DIAGNOSTICS.isDue(step)) {
-      diagnostic.publish(nanos, stamp -> diagnostics.all(state, Rate.SCAN.hertz(), stamp));
+      diagnostic.publish(nanos, stamp -> diagnostics.all(state, simulation.settings().laser().frequency(), stamp));
     }
   }
 }

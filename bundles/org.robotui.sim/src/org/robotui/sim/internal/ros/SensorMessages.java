@@ -9,7 +9,7 @@ import org.robotui.ros.msgs.sensor_msgs.NavSatStatus;
 import org.robotui.ros.msgs.sensor_msgs.Range;
 import org.robotui.sim.internal.sensor.LaserSpec;
 import org.robotui.sim.internal.sensor.SatelliteReceiver;
-import org.robotui.sim.internal.sensor.SonarRing;
+import org.robotui.sim.internal.sensor.SonarSpec;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.Pose2;
 
@@ -21,17 +21,17 @@ final class SensorMessages {
     this.frames = frames;
   }
 
-  LaserScan scan(LaserSpec spec, float[] ranges, double scanTime, Stamp stamp) {
+  LaserScan scan(LaserSpec spec, float[] ranges, Stamp stamp) {
     return new LaserScan(
         stamp.header(frames.laser()),
         (float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(),
-        0, (float) scanTime, (float) spec.rangeMin(), (float) spec.rangeMax(), ranges, new float[0]);
+        0, (float) (1 / spec.frequency()), (float) spec.rangeMin(), (float) spec.rangeMax(), ranges, new float[0]);
   }
 
-  Range sonar(int index, double range, Stamp stamp) {
+  Range sonar(SonarSpec spec, int index, double range, Stamp stamp) {
     return new Range(
-        stamp.header(frames.sonar(index)), Range.ULTRASOUND, (float) SonarRing.CONE,
-        (float) SonarRing.RANGE_MIN, (float) SonarRing.RANGE_MAX, (float) range);
+        stamp.header(frames.sonar(index)), Range.ULTRASOUND, (float) spec.cone(),
+        (float) spec.rangeMin(), (float) spec.rangeMax(), (float) range);
   }
 
   NavSatFix fix(SatelliteReceiver.Fix fix, Stamp stamp) {

@@ -4,7 +4,9 @@ import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.camera.Darkroom;
 
 /** When a camera says what it is, always, and takes a picture, while somebody wants it. */
 final class Shutter implements AutoCloseable {

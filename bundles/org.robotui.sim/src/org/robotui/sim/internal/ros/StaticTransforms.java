@@ -8,11 +8,8 @@ import org.robotui.geometry.Vector3;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
-import org.robotui.sim.internal.camera.Lens;
-import org.robotui.sim.internal.sensor.LaserSpec;
-import org.robotui.sim.internal.sensor.LidarSpec;
-import org.robotui.sim.internal.sensor.SonarRing;
-import org.robotui.sim.internal.world.Pose2;
+import org.robotui.sim.internal.model.RobotModel;
+import org.robotui.sim.internal.sensor.SonarSpec;
 
 /** Where the sensors sit on the robot. */
 final class StaticTransforms {
@@ -22,18 +19,18 @@ final class StaticTransforms {
     this.frames = frames;
   }
 
-  TFMessage message(LaserSpec laser, Lens lens, SonarRing sonars, Stamp stamp) {
+  TFMessage message(RobotModel robot, Stamp stamp) {
     Header base = stamp.header(frames.base());
     List<TransformStamped> all = new ArrayList<>();
-    all.add(Poses.stamped(base, frames.laser(), at(laser.forward(), laser.height())));
-    all.add(Poses.stamped(base, frames.lidar(), at(LidarSpec.DEMO.forward(), LidarSpec.DEMO.height())));
-    all.add(Poses.stamped(base, frames.imu(), at(0, 0.15)));
-    all.add(Poses.stamped(base, frames.satellites(), at(-0.15, 0.7)));
-    all.add(Poses.stamped(base, frames.camera(), at(lens.forward(), lens.above())));
+    all.add(Poses.stamped(base, frames.laser(), at(robot.laser().forward(), robot.laser().height())));
+    robot.lidar().ifPresent(lidar -> all.add(Poses.stamped(base, frames.lidar(), at(lidar.forward(), lidar.height()))));
+    all.add(Poses.stamped(base, frames.imu(), at(0, Math.min(0.15, robot.height() / 2))));
+    all.add(Poses.stamped(base, frames.satellites(), at(-0.6 * robot.radius(), robot.height() + 0.05)));
+    all.add(Poses.stamped(base, frames.camera(), at(robot.lens().forward(), robot.lens().above())));
     all.add(Poses.stamped(stamp.header(frames.camera()), frames.cameraOptical(), optical()));
+    SonarSpec sonars = robot.sonars();
     for (int i = 0; i < sonars.count(); i++) {
-      Pose2 mount = sonars.mount(Pose2.ORIGIN, i);
-      all.add(Poses.stamped(base, frames.sonar(i), Poses.transform(mount, SonarRing.HEIGHT)));
+      all.add(Poses.stamped(base, frames.sonar(i), Poses.transform(sonars.mounts().get(i), sonars.height())));
     }
     return new TFMessage(all);
   }

@@ -13,6 +13,7 @@ import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerPose;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.sim.internal.Event;
+import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 

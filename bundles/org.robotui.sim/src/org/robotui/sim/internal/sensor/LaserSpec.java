@@ -10,6 +10,7 @@ package org.robotui.sim.internal.sensor;
  * @param noise standard deviation, metres
  * @param forward of the scanner before the robot's centre, metres
  * @param height above the floor, metres
+ * @param frequency scans a second
  */
 public record LaserSpec(
     double fieldOfView,
@@ -18,8 +19,10 @@ public record LaserSpec(
     double rangeMax,
     double noise,
     double forward,
-    double height) {
-  public static final LaserSpec DEMO = new LaserSpec(Math.toRadians(270), 541, 0.05, 8.0, 0.008, 0.12, 0.30);
+    double height,
+    double frequency) {
+  /** Like a SICK LMS 200 in its fine mode. */
+  public static final LaserSpec DEMO = new LaserSpec(Math.toRadians(180), 361, 0.05, 8.0, 0.008, 0.12, 0.30, 20);
 
   public LaserSpec {
     if (beams < 2 || !(rangeMin >= 0 && rangeMin < rangeMax) || !(fieldOfView > 0)) {

@@ -28,15 +28,20 @@ public final class FloorPlanReader {
 
   private FloorPlanReader() {}
 
-  /** The building of the demo. */
-  public static FloorPlan readDemo() {
-    try (InputStream in = FloorPlanReader.class.getResourceAsStream("floorplan.txt")) {
+  /**
+   * Reads a plan that comes along.
+   *
+   * @throws IllegalArgumentException if there is none of this name
+   */
+  static FloorPlan read(String name) {
+    String file = name + ".txt";
+    try (InputStream in = FloorPlanReader.class.getResourceAsStream(file)) {
       if (in == null) {
-        throw new IllegalStateException("floorplan.txt is missing beside FloorPlanReader");
+        throw new IllegalArgumentException("there is no floor plan " + file + " beside FloorPlanReader");
       }
       return read(new InputStreamReader(in, StandardCharsets.UTF_8));
     } catch (IOException e) {
-      throw new IllegalStateException("floorplan.txt cannot be read", e);
+      throw new IllegalStateException(file + " cannot be read", e);
     }
   }
 

@@ -30,8 +30,13 @@ public final class World {
     return plan.walk();
   }
 
+  /** The building of a floor plan that comes along. */
+  public static World of(String plan) {
+    return new World(FloorPlanReader.read(plan));
+  }
+
   public static World demo() {
-    return new World(FloorPlanReader.readDemo());
+    return of("floorplan");
   }
 
   public List<Solid> solids() {

@@ -9,9 +9,11 @@ import org.junit.jupiter.api.Test;
 import org.robotui.sim.internal.world.Pose2;
 
 class WheelOdometryTest {
+  private static final Wheels WHEELS = new Wheels(0.1, 0.3);
+
   @Test
   void withoutErrorsItIsTheTruth() {
-    WheelOdometry odometry = new WheelOdometry(OdometryErrors.NONE, new Random(1));
+    WheelOdometry odometry = new WheelOdometry(OdometryErrors.NONE, WHEELS, new Random(1));
     Pose2 truth = drive(odometry, 2000);
     assertEquals(truth.x(), odometry.pose().x(), 1e-9);
     assertEquals(truth.yaw(), odometry.pose().yaw(), 1e-9);
@@ -19,7 +21,7 @@ class WheelOdometryTest {
 
   @Test
   void theDriftIsThereAndBounded() {
-    WheelOdometry odometry = new WheelOdometry(OdometryErrors.DEMO, new Random(1));
+    WheelOdometry odometry = new WheelOdometry(OdometryErrors.DEMO, WHEELS, new Random(1));
     Pose2 truth = drive(odometry, 4000);
     double off = truth.distanceTo(odometry.pose());
     assertTrue(off > 0.02, "off by " + off);
@@ -34,23 +36,23 @@ class WheelOdometryTest {
 
   @Test
   void standingStillNothingDrifts() {
-    WheelOdometry odometry = new WheelOdometry(OdometryErrors.DEMO, new Random(1));
+    WheelOdometry odometry = new WheelOdometry(OdometryErrors.DEMO, WHEELS, new Random(1));
     odometry.moved(0, 0);
     assertEquals(Pose2.ORIGIN, odometry.pose());
   }
 
   @Test
   void wheelsTurnAsFarAsTheyRoll() {
-    WheelOdometry odometry = new WheelOdometry(OdometryErrors.NONE, new Random(1));
-    odometry.moved(WheelOdometry.WHEEL_RADIUS, 0);
+    WheelOdometry odometry = new WheelOdometry(OdometryErrors.NONE, WHEELS, new Random(1));
+    odometry.moved(WHEELS.radius(), 0);
     assertEquals(1, odometry.leftAngle(), 1e-9);
     odometry.moved(0, 0.1);
-    assertEquals(0.1 * WheelOdometry.TRACK / WheelOdometry.WHEEL_RADIUS,
+    assertEquals(0.1 * WHEELS.track() / WHEELS.radius(),
         odometry.rightAngle() - odometry.leftAngle(), 1e-9);
   }
 
   private static Pose2 end(long seed) {
-    WheelOdometry odometry = new WheelOdometry(OdometryErrors.DEMO, new Random(seed));
+    WheelOdometry odometry = new WheelOdometry(OdometryErrors.DEMO, WHEELS, new Random(seed));
     drive(odometry, 500);
     return odometry.pose();
   }

@@ -8,7 +8,6 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import java.util.Random;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.robotui.geometry.Quaternion;
@@ -33,10 +32,10 @@ import org.robotui.sim.internal.Tuning;
 import org.robotui.sim.internal.camera.JpegEncoder;
 import org.robotui.sim.internal.camera.Lens;
 import org.robotui.sim.internal.camera.Renderer;
+import org.robotui.sim.internal.model.Robots;
 import org.robotui.sim.internal.robot.DriveLimits;
 import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.sensor.LaserSpec;
-import org.robotui.sim.internal.sensor.SonarRing;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.MapRasterizer;
 import org.robotui.sim.internal.world.Pose2;
@@ -60,7 +59,7 @@ class MessagesTest {
   @Test
   void theTreeOfTransformsLeadsFromTheMapToWhereTheRobotIs() {
     RobotState state = drivenState();
-    TFMessage tf = new BaseMessages(frames).transforms(state, STAMP);
+    TFMessage tf = new BaseMessages(frames, Robots.NATALIE).transforms(state, STAMP);
     TransformStamped first = tf.transforms().get(0);
     TransformStamped second = tf.transforms().get(1);
     assertEquals("map", first.header().frameId());
@@ -80,8 +79,7 @@ class MessagesTest {
 
   @Test
   void theCameraLooksForwardAlongItsOpticalAxis() {
-    SonarRing sonars = new SonarRing(() -> world, new Random(1));
-    TFMessage tf = new StaticTransforms(frames).message(LaserSpec.DEMO, Lens.DEMO, sonars, STAMP);
+    TFMessage tf = new StaticTransforms(frames).message(Robots.NATALIE, STAMP);
     assertEquals(22, tf.transforms().size());
     TransformStamped optical = tf.transforms().stream()
         .filter(t -> t.childFrameId().equals("keira/camera_optical")).findFirst().orElseThrow();
@@ -94,8 +92,8 @@ class MessagesTest {
   @Test
   void theHeadTurnsAsItsJointsSay() {
     RobotState state = drivenState();
-    TFMessage tf = new BaseMessages(frames).transforms(state, STAMP);
-    var joints = new BaseMessages(frames).joints(state, STAMP);
+    TFMessage tf = new BaseMessages(frames, Robots.NATALIE).transforms(state, STAMP);
+    var joints = new BaseMessages(frames, Robots.NATALIE).joints(state, STAMP);
     assertEquals("pan_joint", joints.name().get(2));
     RigidTransform pan = transform(tf.transforms().get(2));
     assertEquals(joints.position()[2], pan.rotation().yaw(), 1e-9);
@@ -126,7 +124,7 @@ class MessagesTest {
 
   @Test
   void odometryCarriesSpeedAndFrames() {
-    Odometry odometry = new BaseMessages(frames).odometry(drivenState(), STAMP);
+    Odometry odometry = new BaseMessages(frames, Robots.NATALIE).odometry(drivenState(), STAMP);
     assertEquals(0.4, odometry.twist().twist().linear().x(), 1e-9);
     assertEquals("keira/base_link", odometry.childFrameId());
     assertEquals(STAMP.nanos(), odometry.header().stamp());
@@ -135,8 +133,8 @@ class MessagesTest {
 
   @Test
   void theScanSpansItsField() {
-    LaserScan scan = new SensorMessages(frames).scan(LaserSpec.DEMO, new float[541], 0.05, STAMP);
-    assertEquals(scan.angleMax(), scan.angleMin() + 540 * scan.angleIncrement(), 1e-4);
+    LaserScan scan = new SensorMessages(frames).scan(LaserSpec.DEMO, new float[361], STAMP);
+    assertEquals(scan.angleMax(), scan.angleMin() + 360 * scan.angleIncrement(), 1e-4);
   }
 
   @Test
@@ -150,7 +148,7 @@ class MessagesTest {
 
   @Test
   void theBatterySaysWhatItDoes() {
-    BatteryState battery = new BaseMessages(frames).battery(drivenState(), STAMP);
+    BatteryState battery = new BaseMessages(frames, Robots.NATALIE).battery(drivenState(), STAMP);
     assertEquals(BatteryState.POWER_SUPPLY_STATUS_DISCHARGING, battery.powerSupplyStatus());
     assertTrue(battery.current() < -1.5);
     assertEquals(0.87, battery.percentage(), 0.01);

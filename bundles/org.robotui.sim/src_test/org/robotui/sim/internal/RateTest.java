@@ -1,4 +1,4 @@
-package org.robotui.sim.internal.ros;
+package org.robotui.sim.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

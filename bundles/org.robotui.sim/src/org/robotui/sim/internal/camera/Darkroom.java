@@ -1,4 +1,4 @@
-package org.robotui.sim.internal.ros;
+package org.robotui.sim.internal.camera;
 
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -8,19 +8,20 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Makes pictures on a thread of its own, one at a time: what comes while one is being made is left out. */
-final class Darkroom implements AutoCloseable {
+public final class Darkroom implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Darkroom.class);
 
   private final String name;
   private final ExecutorService worker;
   private final AtomicBoolean busy = new AtomicBoolean();
 
-  Darkroom(String name) {
+  /** @param name of the thread */
+  public Darkroom(String name) {
     this.name = name;
     worker = Executors.newSingleThreadExecutor(task -> Thread.ofPlatform().name(name).daemon().unstarted(task));
   }
 
-  void offer(Runnable picture) {
+  public void offer(Runnable picture) {
     if (busy.compareAndSet(false, true)) {
       start(picture);
     }
