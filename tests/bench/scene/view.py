@@ -14,7 +14,7 @@ from processes import family, pss_megabytes
 from windows import Area
 
 SIZE = (1000, 700)                                                  # pixels of the view
-INEXACT = 2                                                         # pixels
+INEXACT, SIZINGS = 2, 8                                             # pixels, attempts: a busy window manager is late
 STRIP = 8                                                           # rows that are compared
 LEAST_PICTURES, PATIENCE = 4, 15                                    # where they are slow
 START_PATIENCE = 120
@@ -47,7 +47,7 @@ class View:
 
     def _sized(self):
         """Makes the window so large that the view has its size."""
-        for _ in range(4):
+        for _ in range(SIZINGS):
             area = self._found()
             wrong = SIZE[0] - area.width, SIZE[1] - area.height
             if max(map(abs, wrong)) <= INEXACT:

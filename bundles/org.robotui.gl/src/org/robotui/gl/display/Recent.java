@@ -200,6 +200,16 @@ public final class Recent<T extends Data, P> {
   }
 
   /**
+   * How pale what is too old is drawn; for what is drawn of many points, which would cost much more were it transparent.
+   *
+   * @param tick of the display
+   * @return for {@link org.robotui.gl.shape.Material#paled(float)}
+   */
+  public static float paleness(DisplayTick tick) {
+    return 1 - opacity(tick);
+  }
+
+  /**
    * How the display is, the gravest first: no data, no frame, too old, a setting that is none.
    *
    * @param tick of the display

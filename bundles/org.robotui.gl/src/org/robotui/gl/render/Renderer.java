@@ -5,7 +5,8 @@ import java.util.concurrent.CompletionStage;
 
 /**
  * Makes the pictures of one scene and keeps what is needed for them on the graphics card. Methods are called from any thread and return at
- * once; stages complete on the thread of OpenGL, which must not be held up.
+ * once. Pictures complete one after the other on a thread that may be held up while the next one is drawn; what was found completes on the thread
+ * of OpenGL, which must not be.
  */
 public interface Renderer extends AutoCloseable {
   /**

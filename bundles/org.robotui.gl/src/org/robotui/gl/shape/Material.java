@@ -9,14 +9,27 @@ import java.util.Optional;
  * @param lit true where light falls on it, false where colours are shown as they are
  * @param texture a picture on a mesh with places in it
  * @param depth what hides it
+ * @param pale how much of the background is mixed in, 0 to 1; unlike a transparent surface a pale one hides what is behind it
  */
-public record Material(Rgba color, boolean lit, Optional<Texture> texture, Depth depth) {
+public record Material(Rgba color, boolean lit, Optional<Texture> texture, Depth depth, float pale) {
   /** What hides a shape. */
   public enum Depth {
     /** What lies before it. */
     TESTED,
     /** Nothing: handles and marks that must be seen. */
     ON_TOP
+  }
+
+  /**
+   * Not pale.
+   *
+   * @param color multiplies the colours of points and texture
+   * @param lit whether light falls on it
+   * @param texture a picture on a mesh
+   * @param depth what hides it
+   */
+  public Material(Rgba color, boolean lit, Optional<Texture> texture, Depth depth) {
+    this(color, lit, texture, depth, 0);
   }
 
   /**
@@ -56,6 +69,16 @@ public record Material(Rgba color, boolean lit, Optional<Texture> texture, Depth
    * @return the material
    */
   public Material onTop() {
-    return new Material(color, lit, texture, Depth.ON_TOP);
+    return new Material(color, lit, texture, Depth.ON_TOP, pale);
+  }
+
+  /**
+   * The same, as it looks when it is of the past.
+   *
+   * @param share of the background, 0 to 1
+   * @return the material
+   */
+  public Material paled(float share) {
+    return new Material(color, lit, texture, depth, share);
   }
 }

@@ -25,10 +25,11 @@ final class PointCloudDisplay implements Display {
   public DisplayResult update(DisplayTick tick) {
     Look look = Look.of(tick.settings());
     recent.update(tick, tick.settings().number("decay"), look.most());
-    Rgba opacity = Rgba.WHITE.withAlpha(tick.settings().number("opacity") * Recent.opacity(tick));
+    double opacity = tick.settings().number("opacity");
+    float paleness = Recent.paleness(tick);
     List<Part> parts = new ArrayList<>();
     for (Recent.Entry<PointCloud, Prepared> entry : recent.entries()) {
-      entry.anchor().found().flatMap(place -> part(entry, place, look, opacity)).ifPresent(parts::add);
+      entry.anchor().found().flatMap(place -> part(entry, place, look, opacity, paleness)).ifPresent(parts::add);
     }
     return new DisplayResult(parts, recent.status(tick, status(parts, look)), recent.dropped());
   }
@@ -38,11 +39,11 @@ final class PointCloudDisplay implements Display {
     recent.clear();
   }
 
-  private static Optional<Part> part(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, Look look, Rgba opacity) {
+  private static Optional<Part> part(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, Look look, double opacity, float pale) {
     Prepared prepared = prepare(entry, place, look);
     return prepared.shape().map(shape -> {
-      Rgba color = shape.rgba().isPresent() ? opacity : look.flat().withAlpha(look.flat().alpha() * opacity.alpha());
-      return new Part(entry.slot(), shape, place, Material.flat(color), new PointText(entry.value(), prepared.order().orElseThrow()));
+      Rgba color = shape.rgba().isPresent() ? Rgba.WHITE : look.flat();
+      return new Part(entry.slot(), shape, place, Material.flat(color.withAlpha(color.alpha() * opacity)).paled(pale), new PointText(entry.value(), prepared.order().orElseThrow()));
     });
   }
 

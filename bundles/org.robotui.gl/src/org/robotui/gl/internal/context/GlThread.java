@@ -3,7 +3,10 @@ package org.robotui.gl.internal.context;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Function;
 import org.robotui.gl.internal.gpu.Gpu;
 import org.slf4j.Logger;
@@ -23,7 +26,9 @@ public final class GlThread implements AutoCloseable {
   private static final String DRIVER = "Update the driver of the graphics card, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw by the processor.";
 
   private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
-  private final Thread thread = new Thread(this::work, "OpenGL");
+  private final Thread thread = daemon(this::work, "OpenGL");
+  /** What is done with a picture, while the next one is drawn. */
+  private final ExecutorService receiver = Executors.newSingleThreadExecutor(task -> daemon(task, "OpenGL pictures"));
   private Optional<GlContext> context = Optional.empty();
   private Optional<NoOpenGl> verdict = Optional.empty();
   private long verdictNanos;
@@ -31,11 +36,6 @@ public final class GlThread implements AutoCloseable {
   private boolean hooked;
   private boolean started;
   private boolean closed;
-
-  /** A thread that is not started yet. */
-  public GlThread() {
-    thread.setDaemon(true);
-  }
 
   /**
    * Runs something on the thread, after all that was given before.
@@ -52,6 +52,26 @@ public final class GlThread implements AutoCloseable {
       thread.start();
     }
     return tasks.add(task);
+  }
+
+  private static Thread daemon(Runnable task, String name) {
+    Thread thread = new Thread(task, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /**
+   * Hands something over to those who wait for it, one after the other and in the order of these calls, on another thread; on this one where it is
+   * closed.
+   *
+   * @param answer must not throw
+   */
+  public void answer(Runnable answer) {
+    try {
+      receiver.execute(answer);
+    } catch (RejectedExecutionException e) {
+      answer.run();
+    }
   }
 
   /**
@@ -147,6 +167,7 @@ public final class GlThread implements AutoCloseable {
   public synchronized void close() {
     closed = true;
     tasks.add(END);
+    receiver.shutdown();
   }
 
   /**

@@ -51,6 +51,15 @@ public interface Drawn {
   boolean translucent();
 
   /**
+   * Whether it is written into splats before OpenGL draws, where it is opaque.
+   *
+   * @return false where OpenGL draws it
+   */
+  default boolean splatted() {
+    return false;
+  }
+
+  /**
    * Draws it.
    *
    * @param pass the picture

@@ -13,6 +13,7 @@ import org.robotui.gl.shape.Rgba;
  * @param lit in light
  * @param texture a picture on it
  * @param selected drawn as such
+ * @param pale how much of the background is mixed in, 0 to 1
  * @param near depth of what is nearest to the eye
  * @param far depth of what is farthest
  * @param id of the part where it is searched, from 1
@@ -24,6 +25,7 @@ public record Look(
   boolean lit,
   Optional<GpuTexture> texture,
   boolean selected,
+  float pale,
   double near,
   double far,
   int id) {}

@@ -14,9 +14,6 @@ import org.robotui.gl.shape.Rgba;
 public final class Pass {
   /** Selected things glow in the colour of what is chosen. */
   private static final Rgba GLOW = new Rgba(1, 0.72f, 0.2f, 0.5f);
-  private static final Rgba NO_GLOW = GLOW.withAlpha(0);
-
-  private static final Shader OVERLAY = Shader.of("overlay");
 
   private final Gpu gpu;
   private final Camera camera;
@@ -77,8 +74,9 @@ public final class Pass {
     return splats;
   }
 
+  /** What is mixed into colours, as much as its alpha says. */
   Rgba glow(Look look) {
-    return look.selected() ? GLOW : NO_GLOW;
+    return look.selected() ? GLOW : background.withAlpha(look.pale());
   }
 
   int every() {
@@ -101,15 +99,6 @@ public final class Pass {
    */
   public Tally tally() {
     return tally;
-  }
-
-  /**
-   * The shaders that bring splats into the picture.
-   *
-   * @return with two textures
-   */
-  public Program overlay() {
-    return programs.get(OVERLAY);
   }
 
   /** Makes shaders the ones that are drawn with, with what all of them know of a part. */

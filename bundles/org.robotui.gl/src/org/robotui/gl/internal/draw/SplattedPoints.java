@@ -40,6 +40,11 @@ final class SplattedPoints implements Drawn {
   }
 
   @Override
+  public boolean splatted() {
+    return true;
+  }
+
+  @Override
   public void draw(Pass pass, Look look) {
     Optional<Splats> splats = pass.splats();
     if (splats.isPresent() && (pass.picking() || !translucent && look.color().alpha() == 1)) {

@@ -86,18 +86,21 @@ public final class GpuTexture {
   }
 
   /**
-   * Takes other pixels of the same size, and is bound then.
+   * Takes other pixels in place of those of some rows.
    *
-   * @param unit where it is bound
-   * @param width pixels
-   * @param height rows
+   * @param row the first
+   * @param width pixels of a row: all of them
+   * @param rows how many
    * @param pixels in the layout that it was made for
    */
-  public void refill(int unit, int width, int height, Buffer pixels) {
-    gpu.gl().glActiveTexture(GL.GL_TEXTURE0 + unit);
-    gpu.gl().glBindTexture(GL.GL_TEXTURE_2D, id);
+  void refill(int row, int width, int rows, Buffer pixels) {
+    bind();
     gpu.gl().glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4);
-    gpu.gl().glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, width, height, layout, type, pixels);
+    gpu.gl().glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, row, width, rows, layout, type, pixels);
+  }
+
+  int id() {
+    return id;
   }
 
   private static ByteBuffer direct(ByteBuffer bytes) {

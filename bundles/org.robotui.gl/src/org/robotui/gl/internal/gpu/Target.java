@@ -1,7 +1,13 @@
 package org.robotui.gl.internal.gpu;
 
 import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.ArrayList;
+import java.util.List;
 import org.robotui.gl.internal.gpu.Ledger.Kind;
 
 /** What is drawn into: pixels of one format, and their depths. */
@@ -13,7 +19,8 @@ public final class Target {
   private final int height;
   private final long bytes;
   private final int frame;
-  private final int[] pixels = new int[2];
+  private final List<Integer> buffers = new ArrayList<>();
+  private final List<GpuTexture> textures = new ArrayList<>();
 
   /**
    * Makes one.
@@ -26,28 +33,54 @@ public final class Target {
    * @param samples of each pixel, 0 for one without smoothing
    */
   public Target(Gpu gpu, int width, int height, int format, int pixelBytes, int samples) {
-    this.gpu = gpu;
-    this.width = width;
-    this.height = height;
-    bytes = (long) width * height * (pixelBytes + DEPTH_BYTES) * Math.max(1, samples);
-    int[] ids = new int[1];
-    gpu.gl().glGenFramebuffers(1, ids, 0);
-    frame = gpu.made(Kind.FRAMEBUFFER, ids[0]);
-    gpu.gl().glGenRenderbuffers(2, pixels, 0);
-    gpu.made(Kind.RENDERBUFFER, pixels[0]);
-    gpu.made(Kind.RENDERBUFFER, pixels[1]);
+    this(gpu, width, height, (long) width * height * (pixelBytes + DEPTH_BYTES) * Math.max(1, samples));
     gpu.ledger().grew(bytes);
-    bind();
-    attach(pixels[0], format, GL.GL_COLOR_ATTACHMENT0, samples);
-    attach(pixels[1], GL.GL_DEPTH_COMPONENT24, GL.GL_DEPTH_ATTACHMENT, samples);
+    attach(format, GL.GL_COLOR_ATTACHMENT0, samples);
+    attach(GL.GL_DEPTH_COMPONENT24, GL.GL_DEPTH_ATTACHMENT, samples);
     requireComplete();
   }
 
-  private void attach(int buffer, int format, int place, int samples) {
+  private Target(Gpu gpu, int width, int height, long bytes) {
+    this.gpu = gpu;
+    this.width = width;
+    this.height = height;
+    this.bytes = bytes;
+    int[] ids = new int[1];
+    gpu.gl().glGenFramebuffers(1, ids, 0);
+    frame = gpu.made(Kind.FRAMEBUFFER, ids[0]);
+    bind();
+  }
+
+  /**
+   * Makes one of plain colours into which the processor may write, too.
+   *
+   * @param gpu where
+   * @param width pixels
+   * @param height rows
+   * @return one without smoothing
+   */
+  public static Target writable(Gpu gpu, int width, int height) {
+    Target made = new Target(gpu, width, height, 0);
+    made.attach(GpuTexture.ofPixels(gpu, width, height, GL.GL_RGBA8, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV), GL.GL_COLOR_ATTACHMENT0);
+    made.attach(GpuTexture.ofPixels(gpu, width, height, GL3.GL_DEPTH_COMPONENT32F, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT),
+        GL.GL_DEPTH_ATTACHMENT);
+    made.requireComplete();
+    return made;
+  }
+
+  private void attach(int format, int place, int samples) {
     GL3 gl = gpu.gl();
-    gl.glBindRenderbuffer(GL.GL_RENDERBUFFER, buffer);
+    int[] ids = new int[1];
+    gl.glGenRenderbuffers(1, ids, 0);
+    buffers.add(gpu.made(Kind.RENDERBUFFER, ids[0]));
+    gl.glBindRenderbuffer(GL.GL_RENDERBUFFER, ids[0]);
     gl.glRenderbufferStorageMultisample(GL.GL_RENDERBUFFER, samples, format, width, height);
-    gl.glFramebufferRenderbuffer(GL.GL_FRAMEBUFFER, place, GL.GL_RENDERBUFFER, buffer);
+    gl.glFramebufferRenderbuffer(GL.GL_FRAMEBUFFER, place, GL.GL_RENDERBUFFER, ids[0]);
+  }
+
+  private void attach(GpuTexture texture, int place) {
+    textures.add(texture);
+    gpu.gl().glFramebufferTexture2D(GL.GL_FRAMEBUFFER, place, GL.GL_TEXTURE_2D, texture.id(), 0);
   }
 
   private void requireComplete() {
@@ -87,21 +120,45 @@ public final class Target {
   }
 
   /**
+   * Takes some rows in place of what is there. Only one that was made writable does.
+   *
+   * @param row the first
+   * @param rows how many
+   * @param pixels red in bits 16 to 23, green in 8 to 15, blue in 0 to 7
+   */
+  public void writeColors(int row, int rows, IntBuffer pixels) {
+    textures.getFirst().refill(row, width, rows, pixels);
+  }
+
+  /**
+   * Takes the depths of some rows in place of what is there. Only one that was made writable does.
+   *
+   * @param row the first
+   * @param rows how many
+   * @param depths 0 at the front to 1 at the back
+   */
+  public void writeDepths(int row, int rows, FloatBuffer depths) {
+    textures.getLast().refill(row, width, rows, depths);
+  }
+
+  /**
    * What it takes.
    *
    * @return bytes
    */
   public long bytes() {
-    return bytes;
+    return bytes + textures.stream().mapToLong(GpuTexture::bytes).sum();
   }
 
   /** Frees it. */
   public void delete() {
     gpu.gl().glDeleteFramebuffers(1, new int[] {frame}, 0);
-    gpu.gl().glDeleteRenderbuffers(2, pixels, 0);
     gpu.ledger().freed(Kind.FRAMEBUFFER);
-    gpu.ledger().freed(Kind.RENDERBUFFER);
-    gpu.ledger().freed(Kind.RENDERBUFFER);
+    for (int buffer : buffers) {
+      gpu.gl().glDeleteRenderbuffers(1, new int[] {buffer}, 0);
+      gpu.ledger().freed(Kind.RENDERBUFFER);
+    }
+    textures.forEach(GpuTexture::delete);
     gpu.ledger().grew(-bytes);
   }
 }

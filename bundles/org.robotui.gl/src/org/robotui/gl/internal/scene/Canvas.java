@@ -43,13 +43,24 @@ final class Canvas {
     gl.glColorMask(true, true, true, true);
     gl.glClearColor(background.red(), background.green(), background.blue(), 0);
     gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
+    keepAlpha();
+  }
+
+  /** What is drawn leaves alpha as it is. */
+  void keepAlpha() {
+    gl.glDepthMask(true);
     gl.glColorMask(true, true, true, false);
   }
 
-  /** Draws colours: translucent things over the opaque ones, without hiding each other. What is to come between comes between. */
-  void draw(Order order, Runnable afterOpaque) {
-    drawBoth(order.opaque());
-    afterOpaque.run();
+  /** Draws what the processor draws beside OpenGL, into splats. */
+  void drawSplatted(Order order) {
+    drawBoth(order.opaque().stream().filter(resident -> resident.drawn().splatted()).toList());
+  }
+
+  /** Draws colours: translucent things over the opaque ones, without hiding each other. */
+  void draw(Order order) {
+    gl.glDisable(GL.GL_BLEND);
+    drawBoth(order.opaque().stream().filter(resident -> !resident.drawn().splatted()).toList());
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthMask(false);
@@ -80,7 +91,7 @@ final class Canvas {
     boolean selected = selection.contains(new Selected(resident.display(), resident.part().key()));
     resident.drawn().draw(pass, new Look(
         eyeFromShape, camera.clipFromEye().times(eyeFromShape), resident.part().material().color(), resident.part().material().lit(),
-        resident.picture().map(Pool.Picture::texture), selected, near, far, id));
+        resident.picture().map(Pool.Picture::texture), selected, resident.part().material().pale(), near, far, id));
   }
 
   /** The part that was drawn with an id. */

@@ -2,13 +2,13 @@ package org.robotui.gl.internal.scene;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Optional;
 import org.robotui.gl.internal.gpu.Gpu;
-import org.robotui.gl.internal.gpu.Program;
 import org.robotui.gl.internal.gpu.Target;
-import org.robotui.gl.internal.splat.Overlay;
 import org.robotui.gl.internal.splat.Splats;
+import org.robotui.gl.shape.Rgba;
 
 /** What pictures of one size are drawn into and read from. */
 final class Pixels {
@@ -19,12 +19,12 @@ final class Pixels {
   /** Several samples a pixel make edges smooth, and cost software three to five times the time. */
   private final Optional<Target> smooth;
   private final Optional<Splats> splats;
-  private Optional<Overlay> overlay = Optional.empty();
 
   Pixels(Gpu gpu, int width, int height) {
-    plain = new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, 0);
-    smooth = gpu.limits().software() ? Optional.empty() : Optional.of(new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, SAMPLES));
-    splats = gpu.limits().software() ? Optional.of(new Splats(width, height, false)) : Optional.empty();
+    boolean software = gpu.limits().software();
+    plain = software ? Target.writable(gpu, width, height) : new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, 0);
+    smooth = software ? Optional.empty() : Optional.of(new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, SAMPLES));
+    splats = software ? Optional.of(new Splats(width, height, false)) : Optional.empty();
   }
 
   boolean fit(int width, int height) {
@@ -36,19 +36,30 @@ final class Pixels {
     return splats;
   }
 
-  /** Brings the splats into the picture. */
-  void drawSplats(Gpu gpu, Program program) {
-    splats.filter(Splats::used).ifPresent(written -> {
-      Overlay over = overlay.orElseGet(() -> new Overlay(gpu, written.width(), written.height()));
-      overlay = Optional.of(over);
-      over.draw(written, program);
-    });
+  /** Makes them what is drawn into. */
+  void bind(Rgba background) {
+    splats.ifPresent(written -> written.clear(background.packed() >>> Byte.SIZE));
+    smooth.orElse(plain).bind();
   }
 
-  /** Makes them what is drawn into. */
-  void bind() {
-    splats.ifPresent(Splats::clear);
-    smooth.orElse(plain).bind();
+  /** Begins the picture with the splats, where there are some. */
+  boolean beginWithSplats(Gpu gpu) {
+    Optional<Splats> written = splats.filter(Splats::used);
+    written.ifPresent(splatted -> write(gpu, splatted));
+    return written.isPresent();
+  }
+
+  private void write(Gpu gpu, Splats from) {
+    int most = Math.max(1, gpu.stage().capacity() / COLOR_BYTES / from.width());
+    for (int row = 0; row < from.height(); row += most) {
+      int rows = Math.min(most, from.height() - row);
+      IntBuffer colors = gpu.stage().asIntBuffer();
+      from.values(row * from.width(), rows * from.width(), colors);
+      plain.writeColors(row, rows, colors);
+      FloatBuffer depths = gpu.stage().asFloatBuffer();
+      from.depths(row * from.width(), rows * from.width(), depths);
+      plain.writeDepths(row, rows, depths);
+    }
   }
 
   /** Reads what was drawn, some rows at a time, so that no second copy of a picture is ever held. */
@@ -64,12 +75,11 @@ final class Pixels {
   }
 
   long bytes() {
-    return plain.bytes() + smooth.map(Target::bytes).orElse(0L) + overlay.map(Overlay::bytes).orElse(0L);
+    return plain.bytes() + smooth.map(Target::bytes).orElse(0L);
   }
 
   void delete() {
     plain.delete();
     smooth.ifPresent(Target::delete);
-    overlay.ifPresent(Overlay::delete);
   }
 }

@@ -58,10 +58,15 @@ final class Scene {
     Order order = Order.of(residents.all(), camera);
     Pixels target = fitting(request);
     Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()), givenUp);
-    target.bind();
+    target.bind(request.background());
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
-    canvas.clear(request.background());
-    canvas.draw(order, () -> target.drawSplats(gpu, pass.overlay()));
+    canvas.drawSplatted(order);
+    if (target.beginWithSplats(gpu)) {
+      canvas.keepAlpha();
+    } else {
+      canvas.clear(request.background());
+    }
+    canvas.draw(order);
     if (givenUp.getAsBoolean()) {
       return new Rendered.Skipped();
     }

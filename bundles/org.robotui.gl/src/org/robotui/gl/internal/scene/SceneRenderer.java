@@ -65,7 +65,10 @@ public final class SceneRenderer implements Renderer {
   }
 
   private void work() {
-    takeWaiting().ifPresent(next -> next.answer.complete(rendered(next.request)));
+    takeWaiting().ifPresent(next -> {
+      Rendered made = rendered(next.request);
+      thread.answer(() -> next.answer.complete(made));
+    });
   }
 
   private synchronized Optional<Waiting> takeWaiting() {

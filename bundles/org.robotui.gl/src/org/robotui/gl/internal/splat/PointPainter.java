@@ -9,6 +9,8 @@ import org.robotui.gl.shape.PointSet.Style;
 /** Writes the points of one set, by pieces that stay in the caches of the processor. */
 public final class PointPainter {
   private static final int PIECE = 4096;
+  /** Pixels beyond the left and upper edge, as far as is looked at; a number small enough to leave a float its hundredths of pixels. */
+  private static final int FAR = 4096;
   private static final byte[] WHITE = {-1, -1, -1, -1};
 
   private final Splats splats;
@@ -96,13 +98,14 @@ public final class PointPainter {
       float z = xyz[3 * i + 2];
       float w = m[3] * x + m[7] * y + m[11] * z + m[15];
       float deep = m[2] * x + m[6] * y + m[10] * z + m[14];
-      if (deep >= -w && deep <= w) {
-        float across = (m[0] * x + m[4] * y + m[8] * z + m[12]) / w;
-        float down = (m[1] * x + m[5] * y + m[9] * z + m[13]) / w;
-        if (across >= -1 && across < 1 && down >= -1 && down < 1) {
-          int value = picking ? every * (first + i) : color(4 * i);
-          dot((across + 1) * halfWidth, (down + 1) * halfHeight, w, middle + half * deep / w, value);
-        }
+      float across = m[0] * x + m[4] * y + m[8] * z + m[12];
+      float down = m[1] * x + m[5] * y + m[9] * z + m[13];
+      if (deep >= -w && deep <= w && across >= -w && across < w && down >= -w && down < w) {
+        float near = 1 / w;
+        int value = picking ? every * (first + i) : color(4 * i);
+        // With what rounding may leave below 0, the bits would be those of a negative number.
+        float depth = Math.max(0, middle + half * deep * near);
+        dot((across * near + 1) * halfWidth, (down * near + 1) * halfHeight, near, Splats.cell(depth, value));
       }
     }
   }
@@ -111,28 +114,32 @@ public final class PointPainter {
     return reds[rgba[at] & 0xff] | greens[rgba[at + 1] & 0xff] | blues[rgba[at + 2] & 0xff];
   }
 
-  private void dot(float x, float y, float w, float depth, int value) {
-    int pixels = brush.pixels();
-    if (pixels == 1) {
-      splats.put((int) x, (int) y, depth, value, brush.part());
+  private void dot(float x, float y, float near, long cell) {
+    float edge = brush.pixels() > 0 ? brush.pixels() : Math.max(1, brush.reach() * near);
+    int left = Math.max(0, firstPixel(x - edge / 2));
+    int right = Math.min(splats.width(), firstPixel(x + edge / 2));
+    int top = Math.max(0, firstPixel(y - edge / 2));
+    int bottom = Math.min(splats.height(), firstPixel(y + edge / 2));
+    if (brush.style() == Style.DISC && edge > 1) {
+      disc(left, top, right, bottom, x, y, edge / 2, cell);
     } else {
-      square(x, y, pixels > 0 ? pixels : Math.max(1, brush.reach() / w), depth, value);
+      splats.put(left, top, right, bottom, cell, brush.part());
     }
   }
 
+  /** The first whose middle is not before a place. Casting rounds towards 0, which is down for what is moved far enough. */
+  private static int firstPixel(float place) {
+    return (int) (Math.max(place, -FAR) + FAR + 0.5f) - FAR;
+  }
+
   /** All pixels whose middle is in it. */
-  private void square(float x, float y, float edge, float depth, int value) {
-    int left = Math.max(0, (int) Math.ceil(x - edge / 2 - 0.5f));
-    int right = Math.min(splats.width(), (int) Math.ceil(x + edge / 2 - 0.5f));
-    int top = Math.max(0, (int) Math.ceil(y - edge / 2 - 0.5f));
-    int bottom = Math.min(splats.height(), (int) Math.ceil(y + edge / 2 - 0.5f));
-    float reach = brush.style() == Style.DISC ? edge * edge / 4 : Float.MAX_VALUE;
+  private void disc(int left, int top, int right, int bottom, float x, float y, float radius, long cell) {
     for (int row = top; row < bottom; row++) {
       for (int column = left; column < right; column++) {
         float dx = column + 0.5f - x;
         float dy = row + 0.5f - y;
-        if (dx * dx + dy * dy <= reach) {
-          splats.put(column, row, depth, value, brush.part());
+        if (dx * dx + dy * dy <= radius * radius) {
+          splats.put(row * splats.width() + column, cell, brush.part());
         }
       }
     }

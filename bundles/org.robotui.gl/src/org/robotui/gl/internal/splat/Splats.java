@@ -1,5 +1,7 @@
 package org.robotui.gl.internal.splat;
 
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /**
@@ -10,12 +12,15 @@ public final class Splats {
   /** The depth where nothing is. */
   public static final float NOTHING = 1;
 
+  private static final long VALUE = 0xffffffffL;
+
   private final int width;
   private final int height;
   private final boolean picking;
-  private int[] values = {};
+  /** Bits of the depth above those of the value. Depths are not negative: the smaller number is the nearer point, and its value comes with it. */
+  private long[] cells = {};
   private int[] parts = {};
-  private float[] depths = {};
+  private int background;
   private boolean used;
 
   /**
@@ -31,8 +36,13 @@ public final class Splats {
     this.picking = picking;
   }
 
-  /** Forgets what was written. */
-  public void clear() {
+  /**
+   * Forgets what was written.
+   *
+   * @param value of pixels where nothing will be
+   */
+  public void clear(int value) {
+    background = value;
     used = false;
   }
 
@@ -50,21 +60,42 @@ public final class Splats {
     if (used) {
       return;
     }
-    if (depths.length == 0) {
-      depths = new float[width * height];
-      values = new int[width * height];
+    if (cells.length == 0) {
+      cells = new long[width * height];
       parts = new int[picking ? width * height : 0];
     }
-    Arrays.fill(depths, NOTHING);
+    Arrays.fill(cells, cell(NOTHING, background));
     used = true;
   }
 
+  /** A value with its depth, of at least 0. */
+  static long cell(float depth, int value) {
+    return (long) Float.floatToRawIntBits(depth) << Integer.SIZE | value & VALUE;
+  }
+
+  /** Writes a square of pixels, which must lie within, where nothing nearer is. */
+  void put(int left, int top, int right, int bottom, long cell, int part) {
+    if (picking) {
+      for (int row = top; row < bottom; row++) {
+        for (int column = left; column < right; column++) {
+          put(row * width + column, cell, part);
+        }
+      }
+      return;
+    }
+    long[] all = cells;
+    int end = bottom * width;
+    for (int from = top * width + left, to = top * width + right; from < end; from += width, to += width) {
+      for (int at = from; at < to; at++) {
+        all[at] = Math.min(all[at], cell);
+      }
+    }
+  }
+
   /** Writes one pixel, unless something nearer is there. */
-  void put(int x, int y, float depth, int value, int part) {
-    int at = y * width + x;
-    if (depth < depths[at]) {
-      depths[at] = depth;
-      values[at] = value;
+  void put(int at, long cell, int part) {
+    if (cell < cells[at]) {
+      cells[at] = cell;
       if (picking) {
         parts[at] = part;
       }
@@ -72,13 +103,39 @@ public final class Splats {
   }
 
   /**
+   * Hands out values.
+   *
+   * @param first pixel, counted by rows
+   * @param count of pixels
+   * @param into from its start
+   */
+  public void values(int first, int count, IntBuffer into) {
+    for (int i = 0; i < count; i++) {
+      into.put(i, (int) cells[first + i]);
+    }
+  }
+
+  /**
+   * Hands out depths.
+   *
+   * @param first pixel, counted by rows
+   * @param count of pixels
+   * @param into from its start; as OpenGL keeps them
+   */
+  public void depths(int first, int count, FloatBuffer into) {
+    for (int i = 0; i < count; i++) {
+      into.put(i, depth(first + i));
+    }
+  }
+
+  /**
    * How near the point at a pixel is.
    *
-   * @param pixel counted by rows from the top
+   * @param pixel counted by rows
    * @return as OpenGL keeps it; {@link #NOTHING} where there is none
    */
   public float depth(int pixel) {
-    return used ? depths[pixel] : NOTHING;
+    return used ? Float.intBitsToFloat((int) (cells[pixel] >>> Integer.SIZE)) : NOTHING;
   }
 
   /**
@@ -88,7 +145,7 @@ public final class Splats {
    * @return the element
    */
   public int element(int pixel) {
-    return values[pixel];
+    return (int) cells[pixel];
   }
 
   /**
@@ -121,13 +178,5 @@ public final class Splats {
 
   boolean picking() {
     return picking;
-  }
-
-  int[] values() {
-    return values;
-  }
-
-  float[] depths() {
-    return depths;
   }
 }

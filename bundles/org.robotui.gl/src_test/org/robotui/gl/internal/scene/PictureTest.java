@@ -115,6 +115,20 @@ class PictureTest {
   }
 
   @Test
+  void whatIsPaleIsMixedWithTheBackgroundAndHidesWhatIsBehind() throws Exception {
+    Material pale = Material.flat(Rgba.of(RED)).paled(0.5f);
+    Part wall = flat("wall", square(1, 0.4f), GREEN);
+    Picture cloud = stage.picture(request(part("p", points(6, 0, 0, 0), pale), wall));
+    Picture mesh = stage.picture(request(part("m", square(0, 0.1f), pale), wall));
+    int half = at(mesh, 50, 50);
+    assertEquals(0x7f, half >> 16 & 0xff, 1, "red on black");
+    assertEquals(0, half & 0xffff, "nothing of what is behind");
+    assertEquals(0x7f, at(cloud, 50, 50) >> 16 & 0xff, 1);
+    assertEquals(0, at(cloud, 50, 50) & 0xffff);
+    assertEquals(GREEN, at(cloud, 60, 60), "what is drawn after the points lies beside them");
+  }
+
+  @Test
   void pointsInMetresHaveTheirSize() throws Exception {
     PointSet one = PointSet.of(FloatBuffer.wrap(new float[3]), Optional.empty(), 0.2f, Unit.METRES);
     assertEquals(400, colored(stage.picture(request(flat("p", one, RED)))), 45);

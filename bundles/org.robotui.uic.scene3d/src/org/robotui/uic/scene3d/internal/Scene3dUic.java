@@ -31,6 +31,7 @@ import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 /** A scene: ticks prepare it, the studio has it drawn, the surface paints pictures. While nobody sees it, it asks for nothing. */
 final class Scene3dUic implements SwtUic {
   private static final long PROBE_NANOS = 500_000_000L;
+  private static final long LONG_NANOS = 30_000_000L;
   private static final long KEEP_NANOS = 10_000_000_000L;
   private static final long SETTLED_NANOS = 2_500_000_000L;
 
@@ -40,6 +41,8 @@ final class Scene3dUic implements SwtUic {
   private final Driver driver;
   private final SceneActions actions = new SceneActions();
   private volatile Optional<SceneSurface> surface = Optional.empty();
+  private long preparing;
+  private long preparedNanos;
   private long probedNanos;
   private long seenNanos;
   private long fittedNanos;
@@ -69,7 +72,13 @@ final class Scene3dUic implements SwtUic {
     if (surface.isEmpty() || !seen(surface.get(), nowNanos)) {
       return false;
     }
+    if (leavesRoom(nowNanos)) {
+      return false;
+    }
+    long begun = System.nanoTime();
     boolean changed = model.tick(nowNanos);
+    preparedNanos = System.nanoTime();
+    preparing = preparedNanos - begun;
     Stage stage = model.stage();
     Settings settings = parts.settings().current();
     followed.tick(settings, stage.fixed());
@@ -81,6 +90,11 @@ final class Scene3dUic implements SwtUic {
     changed |= !next.equals(figures);
     figures = next;
     return changed;
+  }
+
+  /** While the camera moves, what takes long to prepare gets half of the time at most: pictures for the hand come first. */
+  private boolean leavesRoom(long nowNanos) {
+    return preparing > LONG_NANOS && parts.studio().moves() && nowNanos - preparedNanos < preparing;
   }
 
   /** In the scene where it is seen, else wherever the workbench says such things. */

@@ -52,11 +52,12 @@ final class LaserScanDisplay implements Display {
   }
 
   private static void add(List<Part> parts, int slot, Echoes echoes, RigidTransform place, DisplayTick tick) {
-    double opacity = tick.settings().number("opacity") * Recent.opacity(tick);
+    double opacity = tick.settings().number("opacity");
+    float pale = Recent.paleness(tick);
     Rgba flat = ColorSetting.read(tick.settings(), "color");
-    Material plain = Material.flat(flat.withAlpha(flat.alpha() * opacity));
+    Material plain = Material.flat(flat.withAlpha(flat.alpha() * opacity)).paled(pale);
     echoes.points().ifPresent(points -> parts.add(new Part(new Key(slot, "points"), points, place,
-        points.rgba().isPresent() ? Material.flat(Rgba.WHITE.withAlpha(opacity)) : plain, (echo, where) -> echoes.describe(echo))));
+        points.rgba().isPresent() ? Material.flat(Rgba.WHITE.withAlpha(opacity)).paled(pale) : plain, (echo, where) -> echoes.describe(echo))));
     echoes.lines().ifPresent(lines -> parts.add(
         new Part(new Key(slot, "lines"), lines, place, plain, Describer.of("laser scan " + echoes.scan().frame().name()))));
   }

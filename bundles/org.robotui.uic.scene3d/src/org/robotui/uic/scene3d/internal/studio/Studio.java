@@ -54,6 +54,8 @@ public final class Studio implements AutoCloseable {
   private long movedNanos;
   private long failedNanos;
   private boolean busy;
+  private boolean pumping;
+  private boolean again;
   /** Whether the picture in work is one of all points for a camera that stands. */
   private boolean unhurriedly;
   private boolean complete;
@@ -128,6 +130,15 @@ public final class Studio implements AutoCloseable {
     pump();
   }
 
+  /** Whether the camera moves, or did a moment ago. */
+  public boolean moves() {
+    return moves(clock.getAsLong());
+  }
+
+  private synchronized boolean moves(long now) {
+    return now - movedNanos < REST_NANOS || rig.travels(now);
+  }
+
   /** Asks for a picture though nothing changed: the screen is another one. */
   public void again() {
     synchronized (this) {
@@ -178,12 +189,37 @@ public final class Studio implements AutoCloseable {
 
   /** Asks for a picture where one is due; each tick. */
   public void pump() {
-    Runnable asking;
-    synchronized (this) {
-      asking = busy || closed ? () -> { } : next();
+    for (boolean due = begin(); due; due = goOn()) {
+      // Outside the lock: a renderer may answer at once, and then another picture may be due.
+      try {
+        asking().run();
+      } catch (RuntimeException | Error e) {
+        end();
+        throw e;
+      }
     }
-    // Outside the lock: a renderer may answer at once.
-    asking.run();
+  }
+
+  /** One thread asks; what others find due meanwhile is asked by that one. */
+  private synchronized boolean begin() {
+    again = pumping;
+    boolean first = !pumping;
+    pumping = true;
+    return first;
+  }
+
+  private synchronized boolean goOn() {
+    pumping = again;
+    again = false;
+    return pumping;
+  }
+
+  private synchronized void end() {
+    pumping = false;
+  }
+
+  private synchronized Runnable asking() {
+    return busy || closed ? () -> { } : next();
   }
 
   private Runnable next() {
@@ -199,7 +235,7 @@ public final class Studio implements AutoCloseable {
   }
 
   private Runnable frame(Renderer renderer, long now) {
-    boolean hurry = thinning && (now - movedNanos < REST_NANOS || rig.travels(now));
+    boolean hurry = thinning && moves(now);
     Asked due = new Asked(stage.version(), rig.at(now), look, selection);
     if (unavailable.isEmpty() && asked.equals(Optional.of(due)) && (hurry || complete)) {
       return () -> { };
@@ -229,26 +265,30 @@ public final class Studio implements AutoCloseable {
     return new RenderRequest(stage.parts(), pose.toEye(seen), width, height, scale, look.background(), points, selected);
   }
 
+  /** The next picture is drawn while this one is brought to the screen. */
   private void made(Renderer renderer, CameraPose pose, Rendered rendered, Throwable error) {
     Rendered outcome = error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), LOOK_THERE);
-    Rendered seen = outcome instanceof Rendered.Picture picture ? shown(renderer, pose, picture) : outcome;
     synchronized (this) {
       busy = false;
-      take(seen);
+      take(outcome);
+    }
+    pump();
+    if (outcome instanceof Rendered.Picture picture) {
+      show(renderer, pose, picture);
     }
     arrived.run();
-    pump();
   }
 
   /** A screen that fails must not end all pictures. */
-  private Rendered shown(Renderer renderer, CameraPose pose, Rendered.Picture picture) {
+  private void show(Renderer renderer, CameraPose pose, Rendered.Picture picture) {
     try {
       screen.take(picture, pose);
       renderer.recycle(picture);
-      return picture;
     } catch (RuntimeException e) {
       LOG.warn("A picture cannot be shown", e);
-      return new Rendered.Unavailable("The picture cannot be shown: " + e.getMessage(), LOOK_THERE);
+      synchronized (this) {
+        take(new Rendered.Unavailable("The picture cannot be shown: " + e.getMessage(), LOOK_THERE));
+      }
     }
   }
 

@@ -10,7 +10,7 @@ import org.robotui.uic.scene3d.internal.studio.Screen;
 
 /**
  * The newest picture of a scene in the form in which the platform paints it. Making that form takes longer than painting it, so it is made where the
- * picture is. A shot belongs to whoever holds it: the thread of OpenGL until the display takes it, then the display.
+ * picture comes. A shot belongs to whoever holds it: the thread that hands pictures over until the display takes it, then the display.
  */
 final class PicturePane implements Screen {
   private final Device device;

@@ -74,7 +74,7 @@ public final class SceneSurface {
     }
   }
 
-  /** A picture came; on the thread of OpenGL. */
+  /** A picture came; on the thread that hands it over. */
   public void take(Rendered.Picture picture, CameraPose from) {
     canvas.screen().take(picture, from);
   }

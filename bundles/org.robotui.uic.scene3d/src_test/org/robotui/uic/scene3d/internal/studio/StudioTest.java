@@ -199,6 +199,31 @@ class StudioTest {
   }
 
   @Test
+  void theNextPictureIsDrawnWhileOneIsBroughtToTheScreen() {
+    List<Integer> asked = new ArrayList<>();
+    try (Studio other = new Studio(() -> graphics, rig, () -> now, (picture, from) -> asked.add(gl.requests.size()), () -> arrived++)) {
+      other.look(LOOK);
+      other.show(stage(1), List.of());
+      gl.answer(0.01, 5, 0);
+      assertEquals(List.of(2), asked, "the second was asked for before the first was shown");
+    }
+  }
+
+  @Test
+  void aRendererThatAnswersAtOnceIsNotAskedWithinItsAnswer() {
+    gl.atOnce = true;
+    List<Long> depths = new ArrayList<>();
+    Screen screen = (picture, from) -> depths.add(StackWalker.getInstance().walk(frames -> frames.count()));
+    try (Studio other = new Studio(() -> graphics, rig, () -> now += 100_000, screen, () -> arrived++)) {
+      other.look(LOOK);
+      rig.go(Moves.turn(CameraPose.START, 300, 0), now);
+      other.pump();
+      assertTrue(depths.size() > 100, "a picture for each look at the clock on the way");
+      assertEquals(depths.get(50), depths.getLast());
+    }
+  }
+
+  @Test
   void anotherScreenIsGivenAPictureThoughNothingChanged() {
     gl.atOnce = true;
     studio.look(LOOK);
