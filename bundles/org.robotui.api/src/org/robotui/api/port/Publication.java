@@ -39,6 +39,14 @@ public interface Publication<T extends Data> extends Offer {
   void lost(long count, String reason);
 
   /**
+   * Says whether the sender keeps its last value for those who ask later, as ROS publishers that latch. Such a value holds until the next one comes
+   * and is not stale by its age, unless values come more than once a second. Called on any I/O thread; without a call they are not kept.
+   *
+   * @param forLateComers true where the last one is kept
+   */
+  default void kept(boolean forLateComers) {}
+
+  /**
    * Says that the source as such does not work although the link may; cleared by the next value, or by an empty reason.
    *
    * @param reason a sentence for users; empty where it works again

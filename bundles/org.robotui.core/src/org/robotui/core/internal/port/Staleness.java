@@ -11,13 +11,17 @@ final class Staleness {
 
   private Staleness() {}
 
-  /** Why a value is stale, or nothing where it is not. */
-  static Optional<String> of(DataType type, double ageSeconds, double periodSeconds, Link link) {
+  /**
+   * Why a value is stale, or nothing where it is not. One that is kept for late comers holds until the next, unless they come as often as measurements
+   * do.
+   */
+  static Optional<String> of(DataType type, boolean kept, double ageSeconds, double periodSeconds, Link link) {
     if (!link.isUp()) {
       return Optional.of("the link is lost (" + link.text() + ")");
     }
     double limit = Math.max(AT_LEAST_SECONDS, PERIODS * periodSeconds);
-    return type.expires() && ageSeconds > limit ? Optional.of(sentence(ageSeconds, periodSeconds)) : Optional.empty();
+    boolean holds = kept && (periodSeconds == 0 || periodSeconds >= AT_LEAST_SECONDS);
+    return type.expires() && !holds && ageSeconds > limit ? Optional.of(sentence(ageSeconds, periodSeconds)) : Optional.empty();
   }
 
   private static String sentence(double age, double period) {

@@ -31,6 +31,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private final AtomicLong lost = new AtomicLong();
   private volatile String lostReason = "";
   private volatile String failure = "";
+  private volatile boolean kept;
 
   /** Made by the table of offers. */
   public StreamSource(
@@ -56,6 +57,11 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   public void lost(long count, String reason) {
     lost.addAndGet(count);
     lostReason = reason;
+  }
+
+  @Override
+  public void kept(boolean forLateComers) {
+    kept = forLateComers;
   }
 
   @Override
@@ -93,9 +99,13 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   private InputState aged(Envelope<T> newest, long now) {
     double age = newest.ageSeconds(now);
-    return Staleness.of(type, age, fan.rate().typicalPeriodSeconds(), link)
+    return stale(age)
         .<InputState>map(why -> new InputState.Stale(age, id + ": " + why))
         .orElseGet(() -> new InputState.Live(fan.rate().rateHz(now), age));
+  }
+
+  private Optional<String> stale(double age) {
+    return Staleness.of(type, kept, age, fan.rate().typicalPeriodSeconds(), link);
   }
 
   private InputState waiting() {
@@ -118,7 +128,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     Optional<Envelope<T>> last = fan.last();
     long now = clock.nanos();
     double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
-    Optional<String> stale = last.flatMap(e -> Staleness.of(type, age, fan.rate().typicalPeriodSeconds(), link));
+    Optional<String> stale = last.flatMap(e -> stale(age));
     String problem = !failure.isEmpty() ? failure : lost.get() > 0 ? lostReason : stale.orElse("");
     String value = last.map(e -> ValueText.of(e.value())).orElse("");
     return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now), age,

@@ -125,6 +125,22 @@ class InputEndTest {
   }
 
   @Test
+  void whatIsKeptForLateComersHoldsUnlessItComesOften() {
+    connected();
+    input.connect(List.of(front), "");
+    front.kept(true);
+    publish(front, Samples.scan(0));
+    clock.advanceMillis(3_600_000);
+    assertInstanceOf(InputState.Live.class, input.state());
+    for (int i = 0; i < 20; i++) {
+      publish(front, Samples.scan(i));
+      clock.advanceMillis(100);
+    }
+    clock.advanceMillis(2000);
+    assertInstanceOf(InputState.Stale.class, input.state(), "a scanner that latches and stands still");
+  }
+
+  @Test
   void failureOfTheSourceIsToldUntilTheNextValue() {
     connected();
     input.connect(List.of(front), "");

@@ -39,6 +39,7 @@ final class FakeRficContext implements RficContext, Offers, ClockSource {
   final Map<String, Demand> demands = new ConcurrentHashMap<>();
   final Map<String, Deque<Published>> published = new ConcurrentHashMap<>();
   final Map<String, Deque<String>> complaints = new ConcurrentHashMap<>();
+  final Map<String, Boolean> kept = new ConcurrentHashMap<>();
   final Map<String, CommandPort<?>> commands = new ConcurrentHashMap<>();
   final Map<String, CommandSink<?>> sinks = new ConcurrentHashMap<>();
   final Map<String, CallHandler<?, ?>> handlers = new ConcurrentHashMap<>();
@@ -170,6 +171,11 @@ final class FakeRficContext implements RficContext, Offers, ClockSource {
     @Override
     public void lost(long count, String reason) {
       complaints.get(port).add(reason);
+    }
+
+    @Override
+    public void kept(boolean forLateComers) {
+      kept.put(port, forLateComers);
     }
 
     @Override

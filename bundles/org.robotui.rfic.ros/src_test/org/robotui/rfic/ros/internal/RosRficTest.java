@@ -67,6 +67,7 @@ class RosRficTest extends RosRficCase {
     await(() -> context.streams.containsKey("value"));
     context.demand("value", true);
     assertEquals(1.0, number(first("value")));
+    assertEquals(true, context.kept.get("value"), "its publisher latches");
     driver.close();
     await(() -> context.complaints.get("value").contains("nobody publishes /value any more"));
     await(() -> context.links.getLast() instanceof LinkState.Degraded);

@@ -135,6 +135,7 @@ final class TopicStream implements Followed {
     private void received(M message, Reception reception) {
       FrameNames names = clock.names();
       pulse.heard(reception.receiveNanos());
+      publication.kept(reception.latched());
       try {
         Optional<D> value = typed.convert().apply(message, names);
         value.ifPresent(v -> publication.publish(v, clock.stamp(typed.stamp().applyAsLong(message), names),
