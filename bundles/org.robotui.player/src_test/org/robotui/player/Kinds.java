@@ -10,6 +10,7 @@ import org.robotui.player.interfaces.Bumper;
 import org.robotui.player.interfaces.Camera;
 import org.robotui.player.interfaces.Dio;
 import org.robotui.player.interfaces.Fiducial;
+import org.robotui.player.interfaces.Gps;
 import org.robotui.player.interfaces.Gripper;
 import org.robotui.player.interfaces.Health;
 import org.robotui.player.interfaces.Imu;
@@ -36,7 +37,7 @@ import org.robotui.player.layout.Kind;
 public final class Kinds {
 
   private static final List<Class<?>> CLASSES = List.of(Actarray.class, AnyDevice.class, Blobfinder.class, Bumper.class, Camera.class, Dio.class,
-      Fiducial.class, Gripper.class, Health.class, Imu.class, Joystick.class, Laser.class, Localize.class, Opaque.class, Planner.class,
+      Fiducial.class, Gps.class, Gripper.class, Health.class, Imu.class, Joystick.class, Laser.class, Localize.class, Opaque.class, Planner.class,
       PlayerLog.class, PlayerMap.class, Pointcloud3d.class, Position2d.class, Position3d.class, Power.class, Ptz.class, Ranger.class,
       Server.class, Simulation.class, Sonar.class, Speech.class);
 

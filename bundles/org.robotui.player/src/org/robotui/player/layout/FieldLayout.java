@@ -93,6 +93,15 @@ public final class FieldLayout {
   }
 
   /**
+   * How many values an array always has.
+   *
+   * @return 0 where the message says how many, and for a single value
+   */
+  public int size() {
+    return arity == Arity.FIXED ? length : 0;
+  }
+
+  /**
    * The structure of its values.
    *
    * @return empty if the values are numbers or text

@@ -10,7 +10,7 @@ import org.robotui.player.wire.PlayerMessage;
 /** Finds out what a body can be. Drivers refuse with an empty body, or with the question or the answer they were asked for. */
 final class MessageDecoder {
 
-  private static final StructLayout NOTHING = new StructLayout("empty", "no body", List.of());
+  static final StructLayout NOTHING = new StructLayout("empty", "no body", List.of());
 
   private final Layouts layouts;
   private final PlayerMessage message;

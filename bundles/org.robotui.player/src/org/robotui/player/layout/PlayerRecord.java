@@ -37,6 +37,15 @@ public final class PlayerRecord {
   }
 
   /**
+   * The body of a message that has none.
+   *
+   * @return a record without fields
+   */
+  public static PlayerRecord empty() {
+    return new PlayerRecord(MessageDecoder.NOTHING, new Object[0]);
+  }
+
+  /**
    * The structure.
    *
    * @return with the names, units and meanings of the fields

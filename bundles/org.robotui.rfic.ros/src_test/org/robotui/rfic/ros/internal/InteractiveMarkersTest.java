@@ -42,6 +42,7 @@ import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
+import org.robotui.testkit.FakeRficContext;
 
 /** Interactive markers over loopback: what a server says arrives, and what a user does reaches the server. */
 class InteractiveMarkersTest {

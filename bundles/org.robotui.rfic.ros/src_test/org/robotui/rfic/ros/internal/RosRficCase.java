@@ -29,6 +29,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.testkit.FakeRficContext;
 
 /** A robot on a master of its own, and an interface to it. */
 abstract class RosRficCase {

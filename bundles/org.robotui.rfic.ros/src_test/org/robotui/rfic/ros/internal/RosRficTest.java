@@ -33,6 +33,7 @@ import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
+import org.robotui.testkit.FakeRficContext;
 
 /** What comes from the robot, and the link to it. */
 class RosRficTest extends RosRficCase {

@@ -34,6 +34,7 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
+import org.robotui.testkit.FakeRficContext;
 
 /** With a master that is not there when the tidying begins. */
 class TidyingTest {

@@ -2,6 +2,7 @@ package org.robotui.rfic.ros.internal.graph;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import org.robotui.api.link.Pulse;
 import org.robotui.api.port.CommandSink;
 import org.robotui.data.MarkerFeedback;
 import org.robotui.rfic.ros.internal.convert.InteractiveMarkers;

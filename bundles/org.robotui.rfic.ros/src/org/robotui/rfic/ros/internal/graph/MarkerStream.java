@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.RficContext;
+import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;

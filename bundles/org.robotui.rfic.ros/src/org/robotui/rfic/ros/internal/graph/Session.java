@@ -10,6 +10,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActions;
@@ -116,7 +117,7 @@ public final class Session implements AutoCloseable {
 
   private void seen(GraphSnapshot snapshot) {
     met = true;
-    pulse.masterAnswered(System.nanoTime());
+    pulse.answered(System.nanoTime());
     offers.follow(snapshot);
     messages.follow(snapshot);
     String peer = settings.master().toString();

@@ -2,6 +2,7 @@ package org.robotui.rfic.ros.internal.graph;
 
 import java.util.Optional;
 import org.robotui.api.RficContext;
+import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.RawMessage;

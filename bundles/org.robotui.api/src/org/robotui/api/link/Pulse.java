@@ -1,12 +1,12 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.api.link;
 
 import java.time.Duration;
 
 /**
- * Whether the robot is heard. A network that stalls takes what is sent and delivers it later, all at once; a motion must not wait
+ * Whether a robot is heard. A network that stalls takes what is sent and delivers it later, all at once; a motion must not wait
  * there. The silence of what usually comes often tells of it much sooner than any connection does. Safe for all threads.
  */
-final class Pulse {
+public final class Pulse {
   private static final long SILENCE_NANOS = Duration.ofMillis(500).toNanos();
   /** What comes more rarely may be silent as long without any meaning. */
   private static final double OFTEN_NANOS = Duration.ofMillis(100).toNanos();
@@ -15,16 +15,29 @@ final class Pulse {
   private long heardAt;
   private double period = Double.POSITIVE_INFINITY;
 
-  /** A message of the robot has come. */
-  synchronized void heard(long nowNanos) {
+  /** Of a robot that has not been heard yet. */
+  public Pulse() {
+    // nothing is expected before the first message
+  }
+
+  /**
+   * A message of the robot has come.
+   *
+   * @param nowNanos {@link System#nanoTime()}
+   */
+  public synchronized void heard(long nowNanos) {
     long since = nowNanos - heardAt;
     boolean first = heardAt == 0 || Double.isInfinite(period);
     period = first ? SILENCE_NANOS : period + WEIGHT * (Math.min(since, SILENCE_NANOS) - period);
     heardAt = nowNanos;
   }
 
-  /** The master has answered: if messages do not come all the same, the network is not the reason. */
-  synchronized void masterAnswered(long nowNanos) {
+  /**
+   * The robot has answered a question: if messages do not come all the same, the network is not the reason.
+   *
+   * @param nowNanos {@link System#nanoTime()}
+   */
+  public synchronized void answered(long nowNanos) {
     if (silentFor(nowNanos) > 0) {
       period = Double.POSITIVE_INFINITY;
     }
@@ -36,7 +49,7 @@ final class Pulse {
    * @param nowNanos {@link System#nanoTime()}
    * @return nanoseconds, 0 where all is well or cannot be told
    */
-  synchronized long silentFor(long nowNanos) {
+  public synchronized long silentFor(long nowNanos) {
     long since = nowNanos - heardAt;
     return period < OFTEN_NANOS && since > SILENCE_NANOS ? since : 0;
   }

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.api.link;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -40,7 +40,7 @@ class PulseTest {
   void aMasterThatAnswersSaysThatTheNetworkIsNotTheReason() {
     hear(100, 20);
     now += 700 * MILLI;
-    pulse.masterAnswered(now);
+    pulse.answered(now);
     assertEquals(0, silentAfter(0));
     assertEquals(0, silentAfter(3000), "a driver has ended; the robot can be driven all the same");
     hear(100, 20);
@@ -50,7 +50,7 @@ class PulseTest {
   @Test
   void aMasterThatAnswersWhileAllIsWellChangesNothing() {
     hear(100, 20);
-    pulse.masterAnswered(now + 10 * MILLI);
+    pulse.answered(now + 10 * MILLI);
     assertTrue(silentAfter(600) > 0);
   }
 

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal;
+package org.robotui.testkit;
 
 import java.nio.file.Path;
 import java.util.Deque;
@@ -31,23 +31,48 @@ import org.robotui.data.Data;
 import org.robotui.data.FrameTransform;
 import org.robotui.data.Stamp;
 
-/** Stands in for core: records what a robot interface offers, publishes and reports. */
-final class FakeRficContext implements RficContext, Offers, ClockSource {
-  record Published(Data value, Optional<Stamp> stamp, Optional<RawMessage> raw) {}
+/** Stands in for core: records what a robot interface offers, publishes and reports. Safe for all threads. */
+public final class FakeRficContext implements RficContext, Offers, ClockSource {
+  /**
+   * A value that was published.
+   *
+   * @param value the value
+   * @param stamp when it was measured
+   * @param raw the message as it came
+   */
+  public record Published(Data value, Optional<Stamp> stamp, Optional<RawMessage> raw) {}
 
-  final Map<String, StreamPort<?>> streams = new ConcurrentHashMap<>();
-  final Map<String, Demand> demands = new ConcurrentHashMap<>();
-  final Map<String, Deque<Published>> published = new ConcurrentHashMap<>();
-  final Map<String, Deque<String>> complaints = new ConcurrentHashMap<>();
-  final Map<String, Boolean> kept = new ConcurrentHashMap<>();
-  final Map<String, CommandPort<?>> commands = new ConcurrentHashMap<>();
-  final Map<String, CommandSink<?>> sinks = new ConcurrentHashMap<>();
-  final Map<String, CallHandler<?, ?>> handlers = new ConcurrentHashMap<>();
-  final Map<String, Browser> browsers = new ConcurrentHashMap<>();
-  final Deque<LinkState> links = new ConcurrentLinkedDeque<>();
-  final Deque<FrameTransform> transforms = new ConcurrentLinkedDeque<>();
-  final Deque<Long> simulated = new ConcurrentLinkedDeque<>();
-  final Set<Thread> threads = ConcurrentHashMap.newKeySet();
+  /** The streams that are offered now, by name. */
+  public final Map<String, StreamPort<?>> streams = new ConcurrentHashMap<>();
+  /** Who is told of demand, by stream. */
+  public final Map<String, Demand> demands = new ConcurrentHashMap<>();
+  /** What was published so far, by stream. */
+  public final Map<String, Deque<Published>> published = new ConcurrentHashMap<>();
+  /** What was lost or failed and why, by stream. */
+  public final Map<String, Deque<String>> complaints = new ConcurrentHashMap<>();
+  /** Whether the values of a stream hold until the next one, by stream. */
+  public final Map<String, Boolean> kept = new ConcurrentHashMap<>();
+  /** The command ports that are offered now, by name. */
+  public final Map<String, CommandPort<?>> commands = new ConcurrentHashMap<>();
+  /** Who takes commands, by port. */
+  public final Map<String, CommandSink<?>> sinks = new ConcurrentHashMap<>();
+  /** Who answers calls now, by port. */
+  public final Map<String, CallHandler<?, ?>> handlers = new ConcurrentHashMap<>();
+  /** Who is browsed now, by port. */
+  public final Map<String, Browser> browsers = new ConcurrentHashMap<>();
+  /** The states of the link so far. */
+  public final Deque<LinkState> links = new ConcurrentLinkedDeque<>();
+  /** The transforms so far. */
+  public final Deque<FrameTransform> transforms = new ConcurrentLinkedDeque<>();
+  /** The simulated times so far, nanoseconds. */
+  public final Deque<Long> simulated = new ConcurrentLinkedDeque<>();
+  /** All threads that were made. */
+  public final Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+  /** Without a robot interface. */
+  public FakeRficContext() {
+    // the robot interface fills it
+  }
 
   @Override
   public String robot() {
@@ -108,11 +133,22 @@ final class FakeRficContext implements RficContext, Offers, ClockSource {
     // only core estimates offsets
   }
 
-  List<Thread> alive() {
+  /**
+   * The threads that run.
+   *
+   * @return those that were made and have not ended
+   */
+  public List<Thread> alive() {
     return threads.stream().filter(Thread::isAlive).toList();
   }
 
-  void demand(String port, boolean wanted) {
+  /**
+   * A first consumer comes or the last goes.
+   *
+   * @param port the stream
+   * @param wanted true where one comes
+   */
+  public void demand(String port, boolean wanted) {
     demands.get(port).changed(wanted);
   }
 

@@ -1,0 +1,56 @@
+package org.robotui.rfic.player.internal;
+
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import org.robotui.api.Rfic;
+import org.robotui.api.RficContext;
+import org.robotui.api.RficWorker;
+import org.robotui.api.link.LinkState;
+import org.robotui.rfic.player.internal.link.Session;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** A robot behind a Player server. One thread of its own follows what the server has; the client has two more. */
+final class PlayerRfic implements Rfic {
+  private static final Logger LOG = LoggerFactory.getLogger(PlayerRfic.class);
+  private static final Duration RETRY = Duration.ofSeconds(3);
+  private static final Duration END = Duration.ofMillis(1500);
+
+  private final RficContext context;
+  private final PlayerSettings settings;
+  private final RficWorker worker;
+  private final AtomicReference<Session> session = new AtomicReference<>();
+
+  PlayerRfic(RficContext context, PlayerSettings settings) {
+    this.context = context;
+    this.settings = settings;
+    this.worker = new RficWorker(context, RETRY, this::follow);
+  }
+
+  @Override
+  public void start() {
+    worker.start(settings.peer());
+  }
+
+  private String follow(BooleanSupplier over) throws InterruptedException {
+    try (Session opened = new Session(context, settings)) {
+      session.set(opened);
+      opened.follow(over);
+      return "closed";
+    }
+  }
+
+  @Override
+  public void close() {
+    worker.stop();
+    Session opened = session.get();
+    if (opened != null) {
+      opened.close();
+    }
+    if (!worker.join(END)) {
+      LOG.warn("{} did not end in {} ms", context.instance(), END.toMillis());
+    }
+    context.link().report(new LinkState.Disconnected());
+  }
+}
