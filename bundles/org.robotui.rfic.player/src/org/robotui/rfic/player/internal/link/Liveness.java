@@ -1,6 +1,7 @@
 package org.robotui.rfic.player.internal.link;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.link.Pulse;
@@ -8,6 +9,7 @@ import org.robotui.player.client.Outcome;
 import org.robotui.player.client.PlayerClient;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.layout.Empty;
+import org.robotui.player.wire.DeviceAddress;
 
 /**
  * Whether the server lives, by asking for its devices again and again: a server that hangs, or a network that is cut, leaves a
@@ -22,6 +24,7 @@ final class Liveness {
   private long askedAt = System.nanoTime();
   private volatile long answeredAt = System.nanoTime();
   private volatile boolean silent;
+  private volatile List<DeviceAddress> listed = List.of();
 
   Liveness(PlayerClient client, Pulse pulse) {
     this.client = client;
@@ -30,8 +33,14 @@ final class Liveness {
 
   /** A link was made. */
   void restart() {
+    listed = client.devices();
     answeredAt = System.nanoTime();
     silent = false;
+  }
+
+  /** The devices by the latest answer: drivers may come and go while a server runs. */
+  List<DeviceAddress> listed() {
+    return listed;
   }
 
   void tick(long nowNanos) {
@@ -50,6 +59,8 @@ final class Liveness {
       silent = false;
       answeredAt = System.nanoTime();
       pulse.answered(answeredAt);
+      outcome.toOptional().ifPresent(list -> listed = list.devices().stream()
+          .map(d -> new DeviceAddress((int) d.host(), (int) d.robot(), d.interfaceCode(), d.index())).toList());
     }
   }
 

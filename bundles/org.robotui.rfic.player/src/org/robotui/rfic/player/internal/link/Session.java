@@ -37,7 +37,7 @@ public final class Session implements AutoCloseable {
   private final Liveness liveness;
   private final Offer services;
   private final Offer graph;
-  private final AtomicBoolean lost = new AtomicBoolean();
+  private final AtomicBoolean renewed = new AtomicBoolean();
   private final AtomicBoolean closed = new AtomicBoolean();
   private volatile org.robotui.player.client.LinkState state = new org.robotui.player.client.LinkState.Connecting();
   private LinkState told = new LinkState.Disconnected();
@@ -74,7 +74,8 @@ public final class Session implements AutoCloseable {
     state = now;
     if (now instanceof org.robotui.player.client.LinkState.Failed) {
       stamps.restart();
-      lost.set(true);
+    } else if (now instanceof org.robotui.player.client.LinkState.Connected) {
+      renewed.set(true);
     }
   }
 
@@ -98,10 +99,10 @@ public final class Session implements AutoCloseable {
     while (!over.getAsBoolean()) {
       long now = System.nanoTime();
       if (state instanceof org.robotui.player.client.LinkState.Connected) {
-        if (lost.getAndSet(false)) {
+        if (renewed.getAndSet(false)) {
           liveness.restart();
         }
-        List<DeviceAddress> listed = client.devices();
+        List<DeviceAddress> listed = liveness.listed();
         if (!listed.equals(known)) {
           devices.follow(listed);
           known = listed;
