@@ -71,7 +71,7 @@ load_by_window() {
     unset WAYLAND_DISPLAY
     export GDK_BACKEND=x11 NO_AT_BRIDGE=1
     trap end_everything EXIT
-    start_simulators '' 1
+    start_simulators '' "$ROOT/configs/demo.yaml"
     xvfb-run -a "$1/robotui" -config "$ROOT/configs/demo.yaml" -for "$LOADING_SECONDS"
   )
 }

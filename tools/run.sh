@@ -3,8 +3,6 @@
 readonly STATE=${XDG_STATE_HOME:-$HOME/.local/state}/robotui
 readonly LIVE_SECONDS=8
 readonly DEFAULT_CONFIG=$ROOT/configs/demo.yaml
-# Small and quick to start; the same speed as with all compilers.
-readonly SIMULATOR_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m)
 
 cmd_run() {
   local mode=window stay='' screenshot='' configs=() options=() window_options=()
@@ -20,8 +18,7 @@ cmd_run() {
   esac
   need_product
   trap end_everything EXIT
-  swarm=$(swarm_wanted "${configs[@]}")
-  start_simulators "$stay" "$(simulators_wanted "${configs[@]}")"
+  start_simulators "$stay" "${configs[@]}"
   start_controls "${configs[@]}"
   run_application "$mode" -config "${configs[@]}" "${options[@]}"
 }
@@ -68,8 +65,7 @@ cmd_check() {
   [[ -n $config ]] || usage_error "check needs a configuration"
   need_product
   trap end_everything EXIT
-  swarm=$(swarm_wanted "$config")
-  [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$(simulators_wanted "$config")"
+  [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$config"
   run_application check -application org.robotui.headless.application -check "$config" "${live[@]}"
 }
 
@@ -107,83 +103,6 @@ mode_for_display() {
   printf '%s' "$mode"
 }
 
-# ---- the simulated robots -------------------------------------------------------------------------------------------
-
-simulators=() simulator_dirs=() swarm=
-
-# How many the configuration that wants most asks for: `simulator: mobile-base`, a list of such words, or `{swarm: 50}`.
-simulators_wanted() {
-  local config
-  for config in "$@"; do
-    awk '/^simulator:/ { count += gsub(/mobile-base|swarm:/, "") } END { print count + 0 }' "$config"
-  done | sort -n | tail -n 1
-}
-
-# How many robots the swarm has that a configuration asks for; empty where none does.
-swarm_wanted() {
-  sed -n 's/^simulator: *{ *swarm: *\([0-9][0-9]*\) *}.*/\1/p' "$@" | sort -n | tail -n 1
-}
-
-# Each has a ROS master of its own: that of the first is ROS_MASTER_URI, that of the second ROS_MASTER_URI_2, and so on.
-start_simulators() {
-  local stay=$1 count=$2 number
-  for ((number = 1; number <= count; number++)); do
-    start_simulator "$stay" "$number"
-  done
-  for ((number = 1; number <= count; number++)); do
-    await_simulator "$number"
-  done
-}
-
-start_simulator() {
-  local stay=$1 number=$2 out prefix=() options=(--seed "$number")
-  out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
-  simulator_dirs+=("$out")
-  : >"$out/out"
-  [[ -z $swarm || $number -gt 1 ]] || options+=(--swarm "$swarm")
-  if [[ -n $stay ]]; then
-    simulator_stays=yes
-    prefix=(setsid nohup)
-  else
-    options+=(--parent $$)          # so that it also ends when this script is killed without a chance to tell
-  fi
-  "${prefix[@]}" "$JAVA_HOME/bin/java" "${SIMULATOR_JVM[@]}" -cp "$(simulator_classpath)" org.robotui.sim.Main "${options[@]}" \
-    >"$out/out" 2>"$out/err" </dev/null &
-  simulators+=($!)
-}
-
-# The simulator needs no OSGi: the same bundles are plain jars.
-simulator_classpath() {
-  local bundle jars=()
-  for bundle in org.robotui.sim org.robotui.ros org.robotui.geometry slf4j.api; do
-    jars+=("$HEADLESS_PRODUCT"/plugins/"$bundle"_*.jar)
-  done
-  (IFS=:; printf '%s' "${jars[*]}")
-}
-
-await_simulator() {
-  local number=$1 uri='' tries=0 variable=ROS_MASTER_URI
-  local process=${simulators[$1 - 1]} out=${simulator_dirs[$1 - 1]}
-  while uri=$(sed -n 's/^ROS_MASTER_URI=//p' "$out/out"); [[ -z $uri ]]; do
-    if ! kill -0 "$process" 2>/dev/null || ((++tries > 600)); then
-      say "robotui: the simulated robot did not start:"
-      tail -n 20 "$out/err" >&2
-      exit 1
-    fi
-    sleep 0.05
-  done
-  [[ $number -eq 1 ]] || variable+=_$number
-  unset ROS_HOSTNAME
-  export "$variable=$uri" ROS_IP=127.0.0.1
-  if [[ $number -eq 1 ]]; then
-    say "The simulated robot speaks ROS here. For rostopic and others:"
-  else
-    say "Simulated robot $number speaks ROS here (the configuration knows it as $variable):"
-  fi
-  say "  export ROS_MASTER_URI=$uri ROS_IP=127.0.0.1"
-  [[ -z ${simulator_stays:-} ]] || say "  It stays when RobotUI ends. To end it:  kill $process"
-}
-
 # ---- the application ------------------------------------------------------------------------------------------------
 
 # Runs in the background and waits: a shell that waits for a foreground child would not hear a signal.
@@ -213,14 +132,6 @@ end_everything() {
   [[ -z ${application:-} ]] || end_process "$application"
   [[ -n ${simulator_stays:-} ]] || end_simulators
   end_controls
-}
-
-end_simulators() {
-  local process
-  for process in "${simulators[@]}"; do
-    end_process "$process"
-  done
-  rm -rf "${simulator_dirs[@]}"
 }
 
 # Politely, and after five seconds not.

@@ -16,6 +16,8 @@ import org.robotui.sim.internal.Sensors;
 import org.robotui.sim.internal.Settings;
 import org.robotui.sim.internal.SimulatedRobot;
 import org.robotui.sim.internal.Simulation;
+import org.robotui.sim.internal.lcm.LcmFace;
+import org.robotui.sim.internal.player.PlayerFace;
 import org.robotui.sim.internal.ros.RosFace;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.MapRasterizer;
@@ -55,6 +57,12 @@ final class Demo implements AutoCloseable {
   private void show() throws IOException {
     if (options.speaks().contains(Speech.ROS)) {
       faces.add(RosFace.open(options.ros(), Demo::thread, this::end));
+    }
+    if (options.speaks().contains(Speech.PLAYER)) {
+      faces.add(new PlayerFace(options.playerPort(), Demo::thread));
+    }
+    if (options.speaks().contains(Speech.LCM)) {
+      faces.add(new LcmFace(options.lcmUrl(), options.lcmTypes().orElseThrow(), options.ros().namespace(), Demo::thread));
     }
     Settings settings = Settings.of(options.robot(), options.seed());
     for (Face face : faces) {

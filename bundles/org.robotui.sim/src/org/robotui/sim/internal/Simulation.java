@@ -177,7 +177,7 @@ public final class Simulation {
       reportBump();
     }
     feel(free);
-    bumped = !free || bumped && body.pose().equals(before);
+    bumped = !free || pressed.contains(true) || bumped && body.pose().equals(before);
     odometry.moved(free ? speed.linear() * STEP : 0, speed.angular() * STEP);
     imu.update(drive.speed(), STEP);
     useBattery();

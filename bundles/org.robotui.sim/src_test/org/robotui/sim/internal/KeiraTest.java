@@ -117,7 +117,7 @@ class KeiraTest {
     Simulation natalie = new Simulation(world, new MapRasterizer(world, 0.05, 0.3).rasterize(), Settings.demo(1), events::add);
     run(natalie, 4);
     assertEquals(0.9, natalie.state().head().orElseThrow().pan(), 0.01);
-    natalie.submit(new Command.Turn(new Neck.Look(-0.5, 9, 1)));
+    natalie.submit(new Command.Turn(new Neck.Look(-0.5, 9, 1, 1)));
     run(natalie, 0.5);
     assertEquals(0.9 - 0.5, natalie.state().head().orElseThrow().pan(), 0.02);
     run(natalie, 2);

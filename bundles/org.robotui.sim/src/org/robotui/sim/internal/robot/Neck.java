@@ -16,9 +16,10 @@ public final class Neck {
    *
    * @param pan to the left, radians
    * @param tilt downwards, radians
-   * @param speed radians per second, not negative
+   * @param panSpeed radians per second, not negative
+   * @param tiltSpeed radians per second, not negative
    */
-  public record Look(double pan, double tilt, double speed) {}
+  public record Look(double pan, double tilt, double panSpeed, double tiltSpeed) {}
 
   public Head head() {
     return head;
@@ -27,7 +28,8 @@ public final class Neck {
   /** Looks there, within what the neck can do, and stays so. */
   public void look(Look there) {
     wish = Optional.of(new Look(
-        Math.clamp(there.pan(), -MOST_PAN, MOST_PAN), Math.clamp(there.tilt(), -MOST_TILT, MOST_TILT), Math.clamp(there.speed(), 0, FASTEST)));
+        Math.clamp(there.pan(), -MOST_PAN, MOST_PAN), Math.clamp(there.tilt(), -MOST_TILT, MOST_TILT),
+        Math.clamp(there.panSpeed(), 0, FASTEST), Math.clamp(there.tiltSpeed(), 0, FASTEST)));
   }
 
   /** Looks around by itself again. */
@@ -46,8 +48,8 @@ public final class Neck {
   }
 
   private Head turned(Look look, double dt) {
-    double pan = Math.clamp(look.pan() - head.pan(), -look.speed() * dt, look.speed() * dt);
-    double tilt = Math.clamp(look.tilt() - head.tilt(), -look.speed() * dt, look.speed() * dt);
+    double pan = Math.clamp(look.pan() - head.pan(), -look.panSpeed() * dt, look.panSpeed() * dt);
+    double tilt = Math.clamp(look.tilt() - head.tilt(), -look.tiltSpeed() * dt, look.tiltSpeed() * dt);
     return new Head(head.pan() + pan, head.tilt() + tilt, pan / dt, tilt / dt);
   }
 }

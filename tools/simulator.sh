@@ -1,0 +1,158 @@
+# The simulated robots that a configuration asks for, each a process beside RobotUI.
+
+# Small and quick to start; the same speed as with all compilers.
+readonly SIMULATOR_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m)
+
+simulators=() simulator_dirs=() simulator_stays=
+declare -A simulator_variables=()
+
+# What one configuration asks for, a line with options for each robot. `simulator:` is `mobile-base`, `{robot: keira, speaks: player}`,
+# `{swarm: 50}`, or a list of these.
+simulators_wanted() {
+  awk -v config="$1" '
+    function fail() {
+      print "robotui: " config ": \047simulator\047 has " word "; write mobile-base, {robot: natalie or keira, speaks: ros, player or lcm}," > "/dev/stderr"
+      print "  {swarm: 50}, or a list of these" > "/dev/stderr"
+      failed = 1
+      exit 2
+    }
+    function options(map,   robot, speaks, part) {
+      robot = "natalie"; speaks = "ros"
+      gsub(/[ \t]+/, "", map)
+      if (map ~ /^swarm:[0-9]+$/) return "--swarm " substr(map, 7)
+      while (map != "") {
+        if (!match(map, /^(robot:[a-z]+|speaks:[a-z]+|speaks:\[[a-z,]+\])(,|$)/)) fail()
+        part = substr(map, 1, RLENGTH); map = substr(map, RLENGTH + 1)
+        sub(/,$/, "", part); gsub(/[][]/, "", part)
+        if (part ~ /^robot:/) robot = substr(part, 7); else speaks = substr(part, 8)
+      }
+      if (robot !~ /^(natalie|keira)$/ || speaks !~ /^((ros|player|lcm)(,|$))+$/) fail()
+      return "--robot " robot " --speak " speaks
+    }
+    /^simulator:/ { on = 1; sub(/^simulator:/, "") }
+    on && /^[^ \t#-]/ { on = 0 }
+    on { sub(/(^|[ \t])#.*/, ""); text = text " " $0 }
+    END {
+      if (failed) exit 2
+      gsub(/^[ \t[]+|[] \t]+$/, "", text)
+      while (text != "") {
+        if (match(text, /^[-, \t]+/)) { text = substr(text, RLENGTH + 1); continue }
+        word = text
+        if (match(text, /^mobile-base/)) print "--robot natalie --speak ros"
+        else if (match(text, /^\{[^{}]*\}/)) { word = substr(text, 1, RLENGTH); print options(substr(text, 2, RLENGTH - 2)); match(text, /^\{[^{}]*\}/) }
+        else fail()
+        text = substr(text, RLENGTH + 1)
+      }
+    }' "$1"
+}
+
+# Starts what the configurations ask for together. The first robot that speaks a framework is where the framework's own variables say
+# (ROS_MASTER_URI; PLAYER_HOST and PLAYER_PORT; LCM_DEFAULT_URL), the second where ROS_MASTER_URI_2 and so on say.
+start_simulators() {
+  local stay=$1 config wanted line number options=()
+  shift
+  for config in "$@"; do
+    wanted=$(simulators_wanted "$config") || exit 2
+    number=0
+    while read -r line; do
+      [[ -n $line ]] || continue
+      if [[ ${options[number]:-$line} != "$line" ]]; then
+        say "robotui: these configurations do not go together: $config wants a simulated robot '$line' where another wants '${options[number]}'"
+        exit 2
+      fi
+      options[number++]=$line
+    done <<<"$wanted"
+  done
+  for ((number = 1; number <= ${#options[@]}; number++)); do
+    start_simulator "$stay" "$number" "${options[number - 1]}"
+  done
+  for ((number = 1; number <= ${#options[@]}; number++)); do
+    await_simulator "$number"
+  done
+}
+
+start_simulator() {
+  local stay=$1 number=$2 out prefix=() options=(--seed "$2" --lcm-types "$ROOT/configs/lcm/types")
+  # shellcheck disable=SC2206
+  options+=($3)
+  out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
+  simulator_dirs+=("$out")
+  : >"$out/out"
+  if [[ -n $stay ]]; then
+    simulator_stays=yes
+    prefix=(setsid nohup)
+  else
+    options+=(--parent $$)          # so that it also ends when this script is killed without a chance to tell
+  fi
+  "${prefix[@]}" "$JAVA_HOME/bin/java" "${SIMULATOR_JVM[@]}" -cp "$(simulator_classpath)" org.robotui.sim.Main "${options[@]}" \
+    >"$out/out" 2>"$out/err" </dev/null &
+  simulators+=($!)
+}
+
+# The simulator needs no OSGi: the same bundles are plain jars.
+simulator_classpath() {
+  local bundle jars=()
+  for bundle in org.robotui.sim org.robotui.ros org.robotui.player org.robotui.lcm org.robotui.geometry slf4j.api; do
+    jars+=("$HEADLESS_PRODUCT"/plugins/"$bundle"_*.jar)
+  done
+  (IFS=:; printf '%s' "${jars[*]}")
+}
+
+# It says in one piece by which variables it is found.
+await_simulator() {
+  local number=$1 line tries=0 process=${simulators[$1 - 1]} out=${simulator_dirs[$1 - 1]}
+  while [[ ! -s $out/out ]]; do
+    if ! kill -0 "$process" 2>/dev/null || ((++tries > 600)); then
+      say "robotui: the simulated robot did not start:"
+      tail -n 20 "$out/err" >&2
+      exit 1
+    fi
+    sleep 0.05
+  done
+  while read -r line; do
+    tell_simulator "$number" "${line%%=*}" "${line#*=}"
+  done <"$out/out"
+  [[ -z $simulator_stays ]] || say "  It stays when RobotUI ends. To end it:  kill $process"
+}
+
+# Gives a variable to RobotUI, and tells the user about it.
+tell_simulator() {
+  local number=$1 name=$2 value=$3 variable=$2 count
+  count=$((${simulator_variables[$name]:-0} + 1))
+  simulator_variables[$name]=$count
+  [[ $count -eq 1 ]] || variable+=_$count
+  export "$variable=$value"
+  case $name in
+    ROS_MASTER_URI)
+      unset ROS_HOSTNAME
+      export ROS_IP=127.0.0.1
+      say_simulator "$number" "$count" ROS rostopic "$variable"
+      say "  export ROS_MASTER_URI=$value ROS_IP=127.0.0.1"
+      ;;
+    PLAYER_PORT)
+      say_simulator "$number" "$count" Player playerv "$variable"
+      say "  export PLAYER_HOST=127.0.0.1 PLAYER_PORT=$value"
+      ;;
+    LCM_DEFAULT_URL)
+      say_simulator "$number" "$count" LCM lcm-spy "$variable"
+      [[ $value != tcpq:* ]] || say "  (Multicast does not work on this machine, so messages go through a server of the robot.)"
+      say "  export LCM_DEFAULT_URL='$value'"
+      ;;
+  esac
+}
+
+say_simulator() {
+  if [[ $2 -eq 1 ]]; then
+    say "The simulated robot speaks $3 here. For $4 and others:"
+  else
+    say "Simulated robot $1 speaks $3 here (the configuration knows it as $5):"
+  fi
+}
+
+end_simulators() {
+  local process
+  for process in "${simulators[@]}"; do
+    end_process "$process"
+  done
+  rm -rf "${simulator_dirs[@]}"
+}
