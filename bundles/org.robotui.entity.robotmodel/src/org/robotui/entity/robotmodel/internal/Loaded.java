@@ -16,11 +16,10 @@ sealed interface Loaded {
    * @param kinematics where its links are
    * @param semantics its groups
    * @param forms what is drawn, by link
-   * @param bytes memory of the forms
    * @param problems what is missing, each with what would help
    */
   record Model(
-      RobotModel model, Kinematics kinematics, Optional<SemanticModel> semantics, Map<String, List<Form>> forms, long bytes, List<String> problems)
+      RobotModel model, Kinematics kinematics, Optional<SemanticModel> semantics, Map<String, List<Form>> forms, List<String> problems)
       implements Loaded {}
 
   /**

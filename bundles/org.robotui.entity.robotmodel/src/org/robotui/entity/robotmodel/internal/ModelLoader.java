@@ -66,7 +66,7 @@ final class ModelLoader {
     }
     // Last: a mesh that is absent matters more than a colour.
     warnings.forEach(warning -> problems.add(request.description().name() + ", " + warning));
-    return new Loaded.Model(model, new Kinematics(model), semantics(model), Map.copyOf(forms), shapes.bytes(), List.copyOf(problems));
+    return new Loaded.Model(model, new Kinematics(model), semantics(model), Map.copyOf(forms), List.copyOf(problems));
   }
 
   private Optional<SemanticModel> semantics(RobotModel model) {

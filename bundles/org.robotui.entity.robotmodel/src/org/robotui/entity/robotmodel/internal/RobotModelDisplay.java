@@ -131,7 +131,7 @@ final class RobotModelDisplay implements Display {
   }
 
   private static DisplayStatus words(Loaded.Model model) {
-    return new DisplayStatus.Shown(model.model().links().size() + " links, " + Math.max(1, model.bytes() >> 20) + " MB");
+    return new DisplayStatus.Shown(model.model().links().size() + " links");
   }
 
   @Override

@@ -33,10 +33,6 @@ final class Shapes {
   /** A form whose own colours are filled up with what the model says. */
   private record Looks(Geometry geometry, Rgba otherwise, Optional<String> texture) {}
 
-  long bytes() {
-    return bytes;
-  }
-
   boolean full() {
     return bytes > MOST_BYTES;
   }
