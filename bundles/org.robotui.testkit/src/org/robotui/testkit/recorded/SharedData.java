@@ -41,6 +41,16 @@ public final class SharedData {
   }
 
   /**
+   * What was recorded of a network.
+   *
+   * @param name below the folder of these, for example {@code player/rangers.s2c.bin}
+   * @return the file, which may be absent
+   */
+  public static Path capture(String name) {
+    return folder().orElseThrow(() -> new IllegalStateException(REASON)).resolveSibling("captures").resolve(name);
+  }
+
+  /**
    * All files of a kind.
    *
    * @param folder below the folder of the data, for example {@code bags}
