@@ -3,8 +3,10 @@ package org.robotui.api.host;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Setting;
 
 /**
  * The core, as an application sees it: an OSGi service. Methods return at once unless they say otherwise, and are safe for
@@ -20,7 +22,8 @@ public interface Host {
   void open(Surface surface, Principal principal);
 
   /**
-   * Reads a configuration and adds its RUICs. Reads the file, so not on the display thread.
+   * Reads a configuration and adds its RUICs. Reads the file, so not on the display thread. From then on the file is watched, see
+   * {@link HostListener#configurationChanged}.
    *
    * @param file the YAML file
    * @return what is wrong with it; RUICs without errors are added all the same
@@ -35,6 +38,22 @@ public interface Host {
    * @return problems and matches
    */
   CheckReport check(Path file, Duration wait);
+
+  /**
+   * The types of components that are installed now.
+   *
+   * @return by kind, then by id
+   */
+  List<Installed> installed();
+
+  /**
+   * Checks a value that a user wants to give to a setting.
+   *
+   * @param setting which
+   * @param value Boolean, Number, String, List or Map
+   * @return what is wrong with it and what was expected, or nothing
+   */
+  Optional<String> wrong(Setting setting, Object value);
 
   /**
    * The RUICs in the order in which they were added.

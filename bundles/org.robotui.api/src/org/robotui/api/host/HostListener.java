@@ -45,4 +45,11 @@ public interface HostListener {
   default void notice(String message) {
     alert("", message);
   }
+
+  /**
+   * The file of a configuration that runs was changed. It is told at most two seconds after the change.
+   *
+   * @param change what is wrong with it, and what it means
+   */
+  default void configurationChanged(ConfigChange change) {}
 }

@@ -1,5 +1,6 @@
 package org.robotui.api.host;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.robotui.api.Uic;
@@ -53,7 +54,32 @@ public interface Ruic extends RuicView {
   void surfaceFailed(String id, String reason);
 
   /**
-   * Ends it and starts new instances of all components.
+   * How its robot interfaces are configured now.
+   *
+   * @return in the order of the configuration
+   */
+  List<InterfaceConfig> interfaces();
+
+  /**
+   * How a robot interface stands in the file, where the user has exchanged it since.
+   *
+   * @param id of the robot interface
+   * @return as written, or none where it runs as it is written
+   */
+  Optional<InterfaceConfig> written(String id);
+
+  /**
+   * Tries another robot interface beside the one with its id. Nothing changes before {@link Exchange#apply}. What is exchanged is kept
+   * across restarts, in place of what the file says, until the file says something else.
+   *
+   * @param wanted how it shall be configured
+   * @return the trial; must be closed
+   * @throws IllegalArgumentException where there is no robot interface of that id
+   */
+  Exchange exchange(InterfaceConfig wanted);
+
+  /**
+   * Ends it and starts new instances of all components, as its configuration is written now.
    *
    * @return completes when it runs again or failed
    */

@@ -15,13 +15,15 @@ import java.util.Optional;
  * @param limit how long to run
  * @param check a file to check only
  * @param live how long to wait for the robots of the checked file; none to ask no robot
+ * @param watch true to take up what is changed in the files
  */
 record Arguments(
-    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live) {
+    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live, boolean watch) {
   static final String USAGE = """
       -config FILE...   load these configurations
       -json             print a JSON line per port and second in place of the text views
       -for SECONDS      end by itself
+      -watch            take up what is changed in the files while they run; see docs/exchange.md
       -check FILE       check a configuration and print what would be connected
       -live SECONDS     with -check: connect to the robots, and wait at most so long for what they have
       exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start
@@ -45,6 +47,7 @@ record Arguments(
     private final List<String> words;
     private final List<Path> configurations = new ArrayList<>();
     private boolean json;
+    private boolean watch;
     private Optional<Duration> limit = Optional.empty();
     private Optional<Path> check = Optional.empty();
     private Optional<Duration> live = Optional.empty();
@@ -58,13 +61,14 @@ record Arguments(
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), json, limit, check, live);
+      return new Arguments(List.copyOf(configurations), json, limit, check, live, watch);
     }
 
     private void option(String word) throws Wrong {
       switch (word) {
         case "-config" -> files(word);
         case "-json" -> json = true;
+        case "-watch" -> watch = true;
         case "-for" -> limit = Optional.of(seconds(word, value(word)));
         case "-live" -> live = Optional.of(seconds(word, value(word)));
         case "-check" -> check = Optional.of(Path.of(value(word)));

@@ -61,7 +61,7 @@ final class CheckPrinter {
     return kind == PortKind.STREAM ? "<-" : "->";
   }
 
-  private static String names(List<SourceId> ids) {
+  static String names(List<SourceId> ids) {
     return ids.stream().map(SourceId::toString).collect(Collectors.joining(", "));
   }
 
@@ -85,7 +85,7 @@ final class CheckPrinter {
     return (number == 0 ? "no" : Long.toString(number)) + " " + noun + (number == 1 ? "" : "s");
   }
 
-  private static String word(MatchState state) {
+  static String word(MatchState state) {
     return state.name().toLowerCase(Locale.ROOT);
   }
 }

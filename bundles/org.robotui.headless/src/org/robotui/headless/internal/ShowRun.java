@@ -39,11 +39,21 @@ final class ShowRun {
     try (Selector ignored = new Selector(host)) {
       Exit loaded = load(arguments.configurations());
       if (loaded == Exit.FINE || !host.ruics().isEmpty()) {
-        repeat(arguments);
+        watch(arguments);
       }
       return loaded;
     } finally {
       host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left));
+    }
+  }
+
+  private void watch(Arguments arguments) throws InterruptedException {
+    if (arguments.watch()) {
+      try (WatchedFiles files = new WatchedFiles(host, err)) {
+        repeat(arguments);
+      }
+    } else {
+      repeat(arguments);
     }
   }
 

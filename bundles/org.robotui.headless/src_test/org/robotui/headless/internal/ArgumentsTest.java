@@ -22,7 +22,7 @@ class ArgumentsTest {
 
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
-    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty()), Arguments.parse(new String[0]));
+    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), false), Arguments.parse(new String[0]));
   }
 
   @Test

@@ -4,14 +4,18 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
+import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 
@@ -22,6 +26,8 @@ public final class FakeHost implements Host {
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final AtomicInteger heartbeats = new AtomicInteger();
   private volatile List<Problem> problems = List.of();
+  private volatile List<Installed> installed = List.of();
+  private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
 
   /**
    * Adds a RUIC and tells the listeners.
@@ -53,6 +59,28 @@ public final class FakeHost implements Host {
    */
   public FakeHost finding(Problem... values) {
     problems = List.of(values);
+    return this;
+  }
+
+  /**
+   * Sets what types are installed.
+   *
+   * @param types the types
+   * @return this
+   */
+  public FakeHost installed(Installed... types) {
+    installed = List.of(types);
+    return this;
+  }
+
+  /**
+   * Sets how values of settings are checked; without it all are fine.
+   *
+   * @param check gives what is wrong, or nothing
+   * @return this
+   */
+  public FakeHost checking(BiFunction<Setting, Object, Optional<String>> check) {
+    wrong = check;
     return this;
   }
 
@@ -107,6 +135,16 @@ public final class FakeHost implements Host {
   public CheckReport check(Path file, Duration wait) {
     calls.add("check " + file.getFileName());
     return new CheckReport(problems, Map.of());
+  }
+
+  @Override
+  public List<Installed> installed() {
+    return installed;
+  }
+
+  @Override
+  public Optional<String> wrong(Setting setting, Object value) {
+    return wrong.apply(setting, value);
   }
 
   @Override

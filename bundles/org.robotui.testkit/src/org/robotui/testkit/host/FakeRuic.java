@@ -9,9 +9,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
 import org.robotui.api.Uic;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.ComponentStatus;
+import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.Ruic;
@@ -44,6 +46,8 @@ public final class FakeRuic implements Ruic {
   private volatile List<ComponentStatus> components = List.of();
   private volatile List<PortStatus> ports = List.of();
   private volatile List<Match> matches = List.of();
+  private volatile List<InterfaceConfig> interfaces = List.of();
+  private volatile Function<InterfaceConfig, FakeExchange> exchanges = wanted -> new FakeExchange();
 
   /**
    * A RUIC without components.
@@ -163,6 +167,19 @@ public final class FakeRuic implements Ruic {
   }
 
   /**
+   * Sets its robot interfaces, and what becomes of those that are tried in their place.
+   *
+   * @param trials makes the trial of what is wanted
+   * @param values how they are configured
+   * @return this
+   */
+  public FakeRuic exchanging(Function<InterfaceConfig, FakeExchange> trials, InterfaceConfig... values) {
+    exchanges = trials;
+    interfaces = List.of(values);
+    return this;
+  }
+
+  /**
    * What was asked of it, in order, for example {@code restart camera}.
    *
    * @return the calls
@@ -260,6 +277,22 @@ public final class FakeRuic implements Ruic {
   public void surfaceFailed(String id, String why) {
     calls.add("surfaceFailed " + id);
     fail(id, why);
+  }
+
+  @Override
+  public List<InterfaceConfig> interfaces() {
+    return interfaces;
+  }
+
+  @Override
+  public Optional<InterfaceConfig> written(String id) {
+    return Optional.empty();
+  }
+
+  @Override
+  public FakeExchange exchange(InterfaceConfig wanted) {
+    calls.add("exchange " + wanted.id() + " " + wanted.type() + " " + wanted.settings());
+    return exchanges.apply(wanted);
   }
 
   @Override

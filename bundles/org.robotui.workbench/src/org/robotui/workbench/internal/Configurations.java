@@ -71,6 +71,12 @@ public final class Configurations implements AutoCloseable {
     List.copyOf(problems.keySet()).forEach(this::load);
   }
 
+  /** A file was changed by somebody: what is wrong with it now. */
+  public void changed(Path file, List<Problem> found) {
+    keep(file, found);
+    listeners.forEach(Runnable::run);
+  }
+
   /** Forgets the problems. */
   public void forget() {
     problems.clear();
@@ -103,12 +109,16 @@ public final class Configurations implements AutoCloseable {
 
   private void done(Path file, List<Problem> found) {
     reading--;
+    keep(file, found);
+    loaded.accept(file, found);
+    listeners.forEach(Runnable::run);
+  }
+
+  private void keep(Path file, List<Problem> found) {
     if (found.isEmpty()) {
       problems.remove(file);
     } else {
       problems.put(file, found);
     }
-    loaded.accept(file, found);
-    listeners.forEach(Runnable::run);
   }
 }

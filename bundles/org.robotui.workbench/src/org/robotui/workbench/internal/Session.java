@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.eclipse.swt.widgets.Display;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
+import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
@@ -20,6 +21,7 @@ import org.robotui.workbench.internal.model.Alerts;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.Windows;
+import org.robotui.workbench.internal.pane.ExchangeDialog;
 
 /** What all windows of one run of the workbench share. Display thread only. */
 public final class Session {
@@ -36,6 +38,7 @@ public final class Session {
   private final Windows windows;
   private final Map<Object, WindowModel> models = new HashMap<>();
   private final Map<String, Map<String, int[]>> shares = new HashMap<>();
+  private final Map<String, ExchangeDialog> exchanges = new HashMap<>();
   private final List<Runnable> refreshers = new CopyOnWriteArrayList<>();
   private final List<Runnable> loaders = new CopyOnWriteArrayList<>();
   private final Configurations configurations;
@@ -84,6 +87,12 @@ public final class Session {
       @Override
       public void notice(String message) {
         alerts.pass(message);
+      }
+
+      @Override
+      public void configurationChanged(ConfigChange change) {
+        configurations.changed(change.file(), ConfigNews.problems(change, Session.this::isShown));
+        Optional.of(ConfigNews.notice(change)).filter(words -> !words.isEmpty()).ifPresent(alerts::pass);
       }
     });
     display.timerExec(REFRESH_MILLIS, this::periodic);
@@ -147,6 +156,16 @@ public final class Session {
   /** A window of the platform has closed. */
   public void closed(Object window) {
     Optional.ofNullable(models.remove(window)).ifPresent(windows::close);
+  }
+
+  private boolean isShown(String ruic) {
+    return models.values().stream().anyMatch(m -> m.selected().filter(r -> r.name().equals(ruic)).isPresent());
+  }
+
+  /** The window in which a RUIC's framework is changed, where it is open; at most one per RUIC. */
+  public Map<String, ExchangeDialog> exchanges() {
+    exchanges.values().removeIf(ExchangeDialog::isClosed);
+    return exchanges;
   }
 
   /** Finds a RUIC. */

@@ -1,6 +1,7 @@
 package org.robotui.core.internal.config;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,7 +28,7 @@ public final class SchemaCheck implements SettingsCheck {
   @Override
   public CheckedValue value(Setting setting, Object value) {
     List<Problem> problems = new ArrayList<>();
-    Optional<Object> read = new ValueReader(problems).read(written(value), setting.type(), setting.name());
+    Optional<Object> read = new ValueReader(problems).read(yaml(value), setting.type(), setting.name());
     return read.filter(v -> problems.isEmpty())
         .<CheckedValue>map(CheckedValue.Fits::new)
         .orElseGet(() -> new CheckedValue.Wrong(problems.getFirst().message()));
@@ -38,9 +39,42 @@ public final class SchemaCheck implements SettingsCheck {
     return new WrittenSection(new YamlValue.Section(List.of(), CHOSEN));
   }
 
-  private static YamlValue written(Object value) {
+  @Override
+  public RawSection written(Map<String, Object> values) {
+    return new WrittenSection((YamlValue.Section) yaml(values));
+  }
+
+  @Override
+  public Map<String, Object> values(RawSection raw) {
+    return section(((WrittenSection) raw).section());
+  }
+
+  private static Map<String, Object> section(YamlValue.Section section) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    section.entries().forEach(e -> values.put(e.key(), plain(e.value())));
+    return values;
+  }
+
+  private static Object plain(YamlValue value) {
     return switch (value) {
-      case List<?> list -> new YamlValue.Items(list.stream().map(SchemaCheck::written).toList(), CHOSEN);
+      case YamlValue.Scalar s -> scalar(s);
+      case YamlValue.Items i -> i.items().stream().map(SchemaCheck::plain).toList();
+      case YamlValue.Section s -> section(s);
+    };
+  }
+
+  /** Written without quotes, {@code true} is no text; numbers stay texts, which all who take numbers read. */
+  private static Object scalar(YamlValue.Scalar scalar) {
+    return switch (scalar.plain() ? scalar.text() : "") {
+      case "true", "yes", "on" -> true;
+      case "false", "no", "off" -> false;
+      default -> scalar.text();
+    };
+  }
+
+  private static YamlValue yaml(Object value) {
+    return switch (value) {
+      case List<?> list -> new YamlValue.Items(list.stream().map(SchemaCheck::yaml).toList(), CHOSEN);
       case Map<?, ?> map -> new YamlValue.Section(map.entrySet().stream().map(SchemaCheck::entry).toList(), CHOSEN);
       case String text -> new YamlValue.Scalar(text, false, CHOSEN);
       default -> new YamlValue.Scalar(value.toString(), true, CHOSEN);
@@ -48,6 +82,6 @@ public final class SchemaCheck implements SettingsCheck {
   }
 
   private static YamlValue.Entry entry(Map.Entry<?, ?> entry) {
-    return new YamlValue.Entry(entry.getKey().toString(), CHOSEN, written(entry.getValue()));
+    return new YamlValue.Entry(entry.getKey().toString(), CHOSEN, yaml(entry.getValue()));
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
 import org.robotui.core.internal.config.model.OverlayFile;
 import org.yaml.snakeyaml.DumperOptions;
@@ -55,7 +56,22 @@ public final class YamlOverlay implements OverlayFile {
   private static Map<String, Object> written(Overlay overlay) {
     Map<String, String> connections = new TreeMap<>();
     overlay.connections().forEach((port, peer) -> connections.put(port.toString(), peer.toString()));
-    return Map.of("settings", new TreeMap<>(overlay.settings()), "connect", connections);
+    Map<String, Object> written = new TreeMap<>(Map.of("settings", new TreeMap<>(overlay.settings()), "connect", connections));
+    if (!overlay.interfaces().isEmpty()) {
+      Map<String, Object> interfaces = new TreeMap<>();
+      overlay.interfaces().forEach((id, chosen) -> interfaces.put(id, written(chosen)));
+      written.put("rfics", interfaces);
+    }
+    return written;
+  }
+
+  private static Map<String, Object> written(ChosenInterface chosen) {
+    Map<String, Object> written = new LinkedHashMap<>();
+    written.put("type", chosen.type());
+    written.put("robot", chosen.robot());
+    written.put("settings", new LinkedHashMap<>(chosen.settings()));
+    written.put("instead_of", chosen.insteadOf());
+    return written;
   }
 
   private static Overlay overlay(Map<String, Object> value) {
@@ -63,7 +79,18 @@ public final class YamlOverlay implements OverlayFile {
     map(value.getOrDefault("settings", Map.of())).forEach((view, values) -> settings.put(view, asKept(map(values))));
     Map<SourceId, SourceId> connections = new LinkedHashMap<>();
     map(value.getOrDefault("connect", Map.of())).forEach((port, peer) -> connections.put(port(port), port(peer.toString())));
-    return new Overlay(settings, connections);
+    Map<String, ChosenInterface> interfaces = new LinkedHashMap<>();
+    map(value.getOrDefault("rfics", Map.of())).forEach((id, chosen) -> interfaces.put(id, chosen(map(chosen))));
+    return new Overlay(settings, connections, interfaces);
+  }
+
+  private static ChosenInterface chosen(Map<String, Object> value) {
+    return new ChosenInterface(text(value, "type"), text(value, "robot"), asKept(map(value.getOrDefault("settings", Map.of()))),
+        text(value, "instead_of"));
+  }
+
+  private static String text(Map<String, Object> value, String key) {
+    return value.getOrDefault(key, "").toString();
   }
 
   /** YAML reads small numbers as Integer; settings hold Long. */

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -12,15 +13,20 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
+import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
+import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.life.OverlayStore;
@@ -46,6 +52,8 @@ public final class Core implements Host {
   private final ScheduledThreadPoolExecutor timer = executor("robotui-timer");
   private final ScheduledThreadPoolExecutor files = executor("robotui-files");
   private final HostEvents events = new HostEvents(notifier, ruics::remove);
+  private final ConfigWatch configWatch = new ConfigWatch(files, this::reread);
+  private final Rereading rereading = new Rereading(this::running);
   private final DisplayWatch display;
   private final Arbiters arbiters;
   private final Watch watch;
@@ -68,6 +76,10 @@ public final class Core implements Host {
     parts.registry().listen(this::typesChanged);
   }
 
+  private Optional<RuicRuntime> running(String name) {
+    return ruics.stream().filter(r -> r.name().equals(name)).findFirst();
+  }
+
   private CompletableFuture<Void> typesChanged() {
     return CompletableFuture.allOf(ruics.stream().map(RuicRuntime::typesChanged).toArray(CompletableFuture<?>[]::new));
   }
@@ -88,16 +100,31 @@ public final class Core implements Host {
 
   @Override
   public List<Problem> load(Path file) {
-    ConfigResult result = parts.configs().read(file, parts.registry());
-    List<Problem> problems = new ArrayList<>(result.problems());
-    OverlayStore store = overlays.computeIfAbsent(parts.state().overlay(file),
-        path -> new OverlayStore(parts.overlays(), path, files));
-    result.ruics().forEach(config -> add(config, store, problems));
-    events.ruicsChanged();
-    return List.copyOf(problems);
+    configWatch.add(file);
+    rereading.forgetEnded(file);
+    return read(file).problems();
   }
 
-  private synchronized void add(RuicConfig config, OverlayStore store, List<Problem> problems) {
+  /** Somebody has changed a file. */
+  private void reread(Path file) {
+    events.configurationChanged(read(file));
+  }
+
+  private ConfigChange read(Path file) {
+    List<Problem> more = new ArrayList<>();
+    ConfigResult result = parts.configs().read(file, parts.registry());
+    ConfigChange change = rereading.read(file, result, config -> {
+      int before = more.size();
+      add(file, config, more);
+      return more.size() == before ? List.of(new ConfigChange.Step.Added(config.name())) : List.of();
+    });
+    events.ruicsChanged();
+    return new ConfigChange(file, Stream.concat(change.problems().stream(), more.stream()).toList(), change.steps());
+  }
+
+  private synchronized void add(Path file, RuicConfig config, List<Problem> problems) {
+    OverlayStore store = overlays.computeIfAbsent(parts.state().overlay(file),
+        path -> new OverlayStore(parts.overlays(), path, files));
     if (ruics.stream().anyMatch(r -> r.name().equals(config.name()))) {
       problems.add(new Problem(config.file(), config.line(), config.column(), Problem.Severity.ERROR,
           "a RUIC '" + config.name() + "' runs already; give this one another name, or remove the other first"));
@@ -111,6 +138,16 @@ public final class Core implements Host {
   @Override
   public CheckReport check(Path file, Duration wait) {
     return new Checker(parts).check(file, wait);
+  }
+
+  @Override
+  public List<Installed> installed() {
+    return parts.registry().installed();
+  }
+
+  @Override
+  public Optional<String> wrong(Setting setting, Object value) {
+    return parts.check().value(setting, value) instanceof CheckedValue.Wrong w ? Optional.of(w.message()) : Optional.empty();
   }
 
   @Override
@@ -155,7 +192,7 @@ public final class Core implements Host {
     arbiters.close();
     watch.close();
     timer.shutdownNow();
-    files.shutdown();
+    files.shutdown(); // a look at files that is under way may end
     notifier.close();
     return List.copyOf(left);
   }

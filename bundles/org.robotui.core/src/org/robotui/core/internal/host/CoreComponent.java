@@ -3,6 +3,7 @@ package org.robotui.core.internal.host;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -21,9 +22,11 @@ import org.robotui.api.RuicType;
 import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
+import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 import org.robotui.core.internal.config.SchemaCheck;
@@ -113,6 +116,16 @@ public final class CoreComponent implements Host {
   @Override
   public CheckReport check(Path file, Duration wait) {
     return core.check(file, wait);
+  }
+
+  @Override
+  public List<Installed> installed() {
+    return core.installed();
+  }
+
+  @Override
+  public Optional<String> wrong(Setting setting, Object value) {
+    return core.wrong(setting, value);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.robotui.core.internal.host;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.robotui.api.host.ConfigChange;
 import org.robotui.core.internal.life.Events;
 import org.robotui.core.internal.life.RuicRuntime;
 import org.slf4j.Logger;
@@ -17,6 +18,13 @@ final class HostEvents implements Events {
   HostEvents(Notifier notifier, Consumer<RuicRuntime> removed) {
     this.notifier = notifier;
     this.removed = removed;
+  }
+
+  /** A file that was loaded has changed. */
+  void configurationChanged(ConfigChange change) {
+    change.problems().forEach(p -> LOG.warn("{}", p));
+    change.steps().forEach(s -> LOG.info("{} was changed: {}", change.file(), s));
+    notifier.post(List.of("configuration", change), l -> l.configurationChanged(change));
   }
 
   void ruicsChanged() {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.robotui.api.command.Authority;
 import org.robotui.core.internal.command.CommandTarget;
@@ -23,11 +24,23 @@ final class Components {
   }
 
   /** Creates and starts all: robot interfaces first, so that views find their ports. */
-  void start(List<ComponentConfig> interfaces, List<ComponentConfig> views, Authority authority) {
+  void start(List<ComponentConfig> interfaces, List<ComponentConfig> views, Supplier<Authority> authority) {
     rfics = interfaces.stream().map(c -> new RficSlot(c, ruic)).toList();
     uics = views.stream().map(c -> new UicSlot(c, authority, ruic)).toList();
     rfics.forEach(Slot::start);
     shown().forEach(Slot::start);
+  }
+
+  /** Puts another robot interface, which does not run yet, in the place of the one of its id, which has ended. */
+  RficSlot replace(ComponentConfig next) {
+    RficSlot slot = new RficSlot(next, ruic);
+    rfics = rfics.stream().map(s -> s.id().equals(next.id()) ? slot : s).toList();
+    return slot;
+  }
+
+  /** A robot interface by its id. */
+  Optional<RficSlot> rfic(String id) {
+    return rfics.stream().filter(s -> s.id().equals(id)).findFirst();
   }
 
   /** Ends all: views first, so that nobody commands any more; robot interfaces at the same time. Returns what is left. */

@@ -1,7 +1,10 @@
 package org.robotui.core.internal.life;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -11,6 +14,12 @@ import org.robotui.api.ComponentType;
 import org.robotui.api.RficType;
 import org.robotui.api.RuicType;
 import org.robotui.api.UicType;
+import org.robotui.api.UicType.Surface;
+import org.robotui.api.config.Schema;
+import org.robotui.api.config.Setting;
+import org.robotui.api.config.Settings;
+import org.robotui.api.host.Installed;
+import org.robotui.api.host.Installed.Kind;
 import org.robotui.core.internal.config.model.TypeLookup;
 
 /** The component types that are installed now. Safe for all threads. */
@@ -71,6 +80,31 @@ public final class Registry implements TypeLookup {
   /** Names bundle and class of something made by a type, for messages. */
   public String origin(ComponentType type, Object instance) {
     return "bundle " + bundle(type).orElse("unknown") + ", class " + instance.getClass().getName();
+  }
+
+  /** All types, by kind and id. */
+  public List<Installed> installed() {
+    List<Installed> all = new ArrayList<>();
+    rfics.ids().forEach(id -> rfic(id).ifPresent(t -> all.add(installed(Kind.RFIC, t, Optional.empty(), List.of()))));
+    uics.ids().forEach(id -> uic(id).ifPresent(t -> all.add(installed(Kind.UIC, t, Optional.of(t.surface()), List.of()))));
+    ruics.ids().forEach(id -> ruic(id).ifPresent(t -> all.add(installed(Kind.RUIC, t, Optional.empty(), views(t)))));
+    return List.copyOf(all);
+  }
+
+  private Installed installed(Kind kind, ComponentType type, Optional<Surface> surface, List<String> views) {
+    return new Installed(kind, type.descriptor(), bundle(type).orElse("unknown"), surface, views);
+  }
+
+  /** With nothing set; a type that needs something has to be asked with it. */
+  private static List<String> views(RuicType type) {
+    boolean needs = type.schema().settings().stream().anyMatch(Setting::required);
+    return needs ? List.of() : type.uics(usual(type.schema())).stream().map(RuicType.UicSpec::type).toList();
+  }
+
+  private static Settings usual(Schema schema) {
+    Map<String, Object> values = new HashMap<>();
+    schema.settings().forEach(s -> s.fallback().ifPresent(f -> values.put(s.name(), f)));
+    return new Settings(schema, values);
   }
 
   /** The bundle of a type, also of one that has gone. */

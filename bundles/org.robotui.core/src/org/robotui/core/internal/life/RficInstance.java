@@ -47,6 +47,8 @@ final class RficInstance implements RficContext, Instance {
   private final ClockSource clock;
   private final Watched watched = this::check;
   private volatile Optional<Rfic> rfic = Optional.empty();
+  private final FixedFrames fixed = new FixedFrames();
+  private volatile boolean ended;
 
   RficInstance(ComponentConfig config, RficType type, Settings settings, RuicParts ruic) {
     Services services = ruic.services();
@@ -115,6 +117,7 @@ final class RficInstance implements RficContext, Instance {
     } catch (Guarded.GuardException e) {
       hung = " " + e.getMessage();
     }
+    ended = true;
     offers.close();
     calls.close();
     tasks.close();
@@ -189,8 +192,19 @@ final class RficInstance implements RficContext, Instance {
     return ruic.services().stateFolder().resolve(type.id());
   }
 
+  /** What an instance that was given up still says is not mixed into the frames of the one that took its place. */
   @Override
   public FrameSink frames() {
-    return ruic.frames();
+    return (transforms, authority) -> {
+      if (!ended) {
+        fixed.remember(transforms, authority);
+        ruic.frames().add(transforms, authority);
+      }
+    };
+  }
+
+  /** All frames were forgotten: what holds for all times is said but once by robots. */
+  void sayFixedFramesAgain() {
+    fixed.sayAgain(ruic.frames());
   }
 }

@@ -3,6 +3,7 @@ package org.robotui.core.internal.life;
 import java.util.HashMap;
 import java.util.Map;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
 
 /**
@@ -24,11 +25,31 @@ public record RuicOverlay(OverlayStore store, String ruic) {
 
   void set(String uic, String name, Object value) {
     store.change(ruic, old -> new Overlay(with(old.settings(), uic, with(settingsOf(old, uic), name, value)),
-        old.connections()));
+        old.connections(), old.interfaces()));
   }
 
   void connect(SourceId port, SourceId peer) {
-    store.change(ruic, old -> new Overlay(old.settings(), with(old.connections(), port, peer)));
+    store.change(ruic, old -> new Overlay(old.settings(), with(old.connections(), port, peer), old.interfaces()));
+  }
+
+  /** The robot interfaces that took the place of written ones, by id. */
+  Map<String, ChosenInterface> interfaces() {
+    return store.get(ruic).interfaces();
+  }
+
+  void put(String id, ChosenInterface chosen) {
+    store.change(ruic, old -> new Overlay(old.settings(), old.connections(), with(old.interfaces(), id, chosen)));
+  }
+
+  /** What is written holds again. */
+  void forgetInterface(String id) {
+    if (interfaces().containsKey(id)) {
+      store.change(ruic, old -> {
+        Map<String, ChosenInterface> others = new HashMap<>(old.interfaces());
+        others.remove(id);
+        return new Overlay(old.settings(), old.connections(), others);
+      });
+    }
   }
 
   private static Map<String, Object> settingsOf(Overlay overlay, String uic) {

@@ -2,6 +2,7 @@ package org.robotui.core.internal.life;
 
 import java.util.List;
 import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 import org.robotui.api.ComponentType;
 import org.robotui.api.host.RuicView;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -11,7 +12,7 @@ import org.robotui.core.internal.time.RuicFrames;
 /**
  * What the components of one RUIC share.
  *
- * @param config as written
+ * @param configNow as it is configured now
  * @param view the RUIC as its views see it
  * @param services of the host
  * @param serial its worker
@@ -23,7 +24,7 @@ import org.robotui.core.internal.time.RuicFrames;
  * @param wake what to do when things change
  */
 record RuicParts(
-    RuicConfig config,
+    Supplier<RuicConfig> configNow,
     RuicView view,
     Services services,
     Executor serial,
@@ -33,6 +34,10 @@ record RuicParts(
     RuicAlerts alerts,
     RuicOverlay overlay,
     Wake wake) {
+  RuicConfig config() {
+    return configNow.get();
+  }
+
   /** Names the threads that a component started by itself on a thread that is not its own; empty where there are none. */
   String strays(ComponentType type) {
     List<String> names = services.registry().bundle(type)

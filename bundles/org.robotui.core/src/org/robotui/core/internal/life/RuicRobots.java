@@ -1,10 +1,12 @@
 package org.robotui.core.internal.life;
 
 import java.time.Duration;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.robotui.api.command.Authority;
 import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.ServiceReply;
@@ -23,20 +25,28 @@ import org.robotui.core.internal.port.CallTarget;
 final class RuicRobots {
   private static final Duration STOP_CALL_LIMIT = Duration.ofSeconds(5);
 
-  private final RuicConfig config;
+  private final Supplier<RuicConfig> config;
   private final Services services;
   private final Components components;
-  private final Map<String, RobotPorts> robots = new LinkedHashMap<>();
+  private volatile Map<String, RobotPorts> robots = Map.of(); // exchanged as a whole, on the worker of the RUIC
 
-  RuicRobots(RuicConfig config, Services services, Components components) {
+  RuicRobots(Supplier<RuicConfig> config, Services services, Components components) {
     this.config = config;
     this.services = services;
     this.components = components;
-    config.rfics().stream().map(ComponentConfig::robot).distinct().forEach(r -> robots.put(r, new Robot(r)));
   }
 
+  /** Has the robots that the configuration names now, and no others. */
   void register() {
-    robots.forEach(services.arbiters()::register);
+    Map<String, RobotPorts> before = robots;
+    Map<String, RobotPorts> after = new LinkedHashMap<>();
+    config.get().rfics().stream().map(ComponentConfig::robot).distinct()
+        .forEach(name -> after.put(name, Optional.ofNullable(before.get(name)).orElseGet(() -> new Robot(name))));
+    robots = Collections.unmodifiableMap(after);
+    after.entrySet().stream().filter(e -> !before.containsKey(e.getKey()))
+        .forEach(e -> services.arbiters().register(e.getKey(), e.getValue()));
+    before.entrySet().stream().filter(e -> !after.containsKey(e.getKey()))
+        .forEach(e -> services.arbiters().unregister(e.getKey(), e.getValue()));
   }
 
   void unregister() {
@@ -49,13 +59,12 @@ final class RuicRobots {
   }
 
   Optional<Authority> authority(String component) {
-    return config.rfics().stream().filter(c -> c.id().equals(component)).findFirst()
-        .map(c -> services.arbiters().of(c.robot()));
+    return config.get().rfic(component).map(c -> services.arbiters().of(c.robot()));
   }
 
   /** The authority to show for outputs that lead nowhere. */
   Authority first() {
-    return services.arbiters().of(robots.keySet().stream().findFirst().orElse(config.name()));
+    return services.arbiters().of(robots.keySet().stream().findFirst().orElse(config.get().name()));
   }
 
   void recheck() {
@@ -76,7 +85,7 @@ final class RuicRobots {
 
     @Override
     public SafetyConfig safety() {
-      return config.safety(robot);
+      return config.get().safety(robot);
     }
 
     @Override
@@ -114,12 +123,12 @@ final class RuicRobots {
 
     @Override
     public void changed() {
-      services.events().changed(config.name());
+      services.events().changed(config.get().name());
     }
 
     @Override
     public void alert(String message) {
-      services.events().alert(config.name(), message);
+      services.events().alert(config.get().name(), message);
     }
   }
 }

@@ -2,23 +2,30 @@ package org.robotui.core.internal.life;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.robotui.api.RuicType;
 import org.robotui.api.Uic;
 import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
+import org.robotui.api.host.ConfigChange;
+import org.robotui.api.host.Exchange;
+import org.robotui.api.host.ExchangeOutcome;
+import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.layout.Layout;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
+import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.time.RuicClock;
 import org.robotui.core.internal.time.RuicFrames;
@@ -30,7 +37,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private static final Logger LOG = LoggerFactory.getLogger(RuicRuntime.class);
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
 
-  private final RuicConfig config;
+  private final AtomicReference<RuicConfig> config;
   private final Services services;
   private final SerialWorker worker;
   private final RuicFrames frames;
@@ -43,6 +50,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final Wiring wiring;
   private final Set<String> windows = ConcurrentHashMap.newKeySet();
   private final CompletableFuture<List<String>> ended = new CompletableFuture<>();
+  private final RuicInterfaces interfaces;
   private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
   private boolean wasSelected; // only on the worker
   private boolean waits; // until it is shown; only on the worker
@@ -51,25 +59,27 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   /** A RUIC that has nothing yet. */
   public RuicRuntime(RuicConfig config, RuicOverlay overlay, Services services) {
-    this.config = config;
     this.overlay = overlay;
     this.services = services;
+    this.config = new AtomicReference<>(new Written(services.check()).withChosen(config, overlay));
     this.worker = new SerialWorker("ruic-" + config.name());
     this.frames = new RuicFrames(config.frames());
     this.waits = config.startsShown();
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
     this.alerts = new RuicAlerts(services.wall());
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
-    RuicParts parts = new RuicParts(config, this, services, worker, threads, clock, frames, alerts, overlay, this);
+    RuicParts parts = new RuicParts(this.config::get, this, services, worker, threads, clock, frames, alerts, overlay, this);
     this.components = new Components(parts);
-    this.robots = new RuicRobots(config, services, components);
+    this.robots = new RuicRobots(this.config::get, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
+    this.interfaces =
+        new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
     this.layout = config.layout().orElse(layout);
   }
 
   /** Creates all components; of a RUIC that starts when it is shown, then. */
   public void initialize() {
-    robots.register();
+    robots.register(); // at once: who may command is asked for at once
     onWorker(() -> {
       if (!waits) {
         create();
@@ -87,7 +97,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   private void create() {
     waits = false;
-    switch (Plan.of(config, services.registry(), services.check())) {
+    switch (Plan.of(config.get(), services.registry(), services.check())) {
       case Plan.Outcome.Impossible i -> set(Health.failed(i.reason()));
       case Plan.Outcome.Made m -> create(m.plan());
     }
@@ -96,7 +106,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private void create(Plan plan) {
     plannedWith = plan.type();
     layout = plan.layout();
-    components.start(config.rfics(), plan.uics(), robots.first());
+    components.start(config.get().rfics(), plan.uics(), robots::first);
     wiring.rematch();
     set(Health.RUNNING);
     applySelection();
@@ -108,7 +118,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   private void tell() {
-    services.events().changed(config.name());
+    services.events().changed(name());
   }
 
   /** Component types have come or gone. Completes when that is taken up: when nothing of a type that has gone runs. */
@@ -129,8 +139,8 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     if (waits) {
       return;
     }
-    Optional<RuicType> type = services.registry().ruic(config.type());
-    if (!config.type().isEmpty() && !type.equals(plannedWith)) {
+    Optional<RuicType> type = services.registry().ruic(config.get().type());
+    if (!config.get().type().isEmpty() && !type.equals(plannedWith)) {
       end(CLOSE_LIMIT);
       create();
     } else if (components.typesChanged()) {
@@ -156,11 +166,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     plannedWith = Optional.empty();
     try {
       List<String> left = components.close(limit);
-      left.forEach(l -> services.events().alert(config.name(), l));
+      left.forEach(l -> services.events().alert(name(), l));
       return left;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return List.of(config.name() + ": closing was interrupted");
+      return List.of(name() + ": closing was interrupted");
     } finally {
       wiring.clear();
       frames.reset();
@@ -173,6 +183,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     onWorker(() -> {
       end(CLOSE_LIMIT);
       set(Health.ADDED);
+      interfaces.takeUpFile();
       create();
       done.complete(health.state());
     });
@@ -206,6 +217,41 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
       ended.complete(left);
     });
     return ended;
+  }
+
+  @Override
+  public List<InterfaceConfig> interfaces() {
+    return interfaces.all();
+  }
+
+  @Override
+  public Optional<InterfaceConfig> written(String id) {
+    return interfaces.inFile(id);
+  }
+
+  @Override
+  public Exchange exchange(InterfaceConfig wanted) {
+    return interfaces.trial(wanted, this::exchange);
+  }
+
+  private CompletionStage<ExchangeOutcome> exchange(ComponentConfig next, Map<SourceId, SourceId> connections) {
+    CompletableFuture<ExchangeOutcome> done = new CompletableFuture<>();
+    onWorker(() -> {
+      done.complete(interfaces.exchange(next, connections));
+      tell();
+    });
+    ended.thenRun(() -> done.complete(new ExchangeOutcome.Refused(name() + " has ended")));
+    return done;
+  }
+
+  /** Whether it stands in a file, named as it was loaded. */
+  public boolean isOf(String file) {
+    return config.get().file().equals(file);
+  }
+
+  /** Its file says something else now: what can be taken up while it runs is, and the rest is for the next restart. */
+  public List<ConfigChange.Step> fileChanged(RuicConfig latest) {
+    return interfaces.fileChanged(latest);
   }
 
   @Override
@@ -272,12 +318,12 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public String name() {
-    return config.name();
+    return config.get().name();
   }
 
   @Override
   public RuicSnapshot snapshot() {
-    return Snapshots.of(config.name(), health, components, wiring.matches(), services.clock());
+    return Snapshots.of(name(), health, components, wiring.matches(), services.clock());
   }
 
   @Override

@@ -43,6 +43,11 @@ public record Services(
     Supplier<List<RuicView>> ruics,
     BundleNames bundles,
     Supplier<Stage> stage) {
+  /** The same, reporting to somebody else. */
+  Services with(Events others) {
+    return new Services(registry, check, arbiters, others, watch, timer, clock, wall, stateFolder, ruics, bundles, stage);
+  }
+
   /**
    * What an application offers to views.
    *

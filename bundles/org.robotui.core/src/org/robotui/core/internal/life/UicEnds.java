@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executor;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.Match;
@@ -37,14 +38,14 @@ final class UicEnds {
   private final Map<Key, Port> ports = new HashMap<>();
   private final Principal principal;
 
-  UicEnds(List<Port> declared, Services services, Principal principal, Authority fallback, Executor answers) {
+  UicEnds(List<Port> declared, Services services, Principal principal, Supplier<Authority> fallback, Executor answers) {
     this.principal = principal;
     for (Port port : declared) {
       Key key = key(port);
       ports.put(key, port);
       switch (port) {
         case StreamPort<?> s -> inputs.put(key, new InputEnd<>(s.intake(), services.clock()));
-        case CommandPort<?> c -> outputs.put(key, new OutputEnd<>(principal, () -> fallback, services.clock()));
+        case CommandPort<?> c -> outputs.put(key, new OutputEnd<>(principal, fallback, services.clock()));
         case CallPort<?, ?> c -> callers.put(key, new CallerEnd<>(principal, answers));
         case BrowsePort b -> browsers.put(key, new BrowseEnd());
       }

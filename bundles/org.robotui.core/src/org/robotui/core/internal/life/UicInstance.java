@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
@@ -48,7 +49,7 @@ final class UicInstance implements UicContext, Instance {
   private Optional<Ticker> ticker = Optional.empty();
   private volatile Optional<Uic> uic = Optional.empty();
 
-  UicInstance(ComponentConfig config, UicType type, Settings written, Authority fallback, RuicParts ruic) {
+  UicInstance(ComponentConfig config, UicType type, Settings written, Supplier<Authority> fallback, RuicParts ruic) {
     this.config = config;
     this.type = type;
     this.ruic = ruic;

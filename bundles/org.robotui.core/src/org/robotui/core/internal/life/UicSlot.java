@@ -2,6 +2,7 @@ package org.robotui.core.internal.life;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.robotui.api.Uic;
 import org.robotui.api.UicType;
 import org.robotui.api.command.Authority;
@@ -14,10 +15,10 @@ import org.robotui.core.internal.match.Want;
 
 /** The place of one view. */
 final class UicSlot extends Slot<UicType, UicInstance> {
-  private final Authority authority;
+  private final Supplier<Authority> authority;
   private volatile boolean shown = true;
 
-  UicSlot(ComponentConfig config, Authority authority, RuicParts ruic) {
+  UicSlot(ComponentConfig config, Supplier<Authority> authority, RuicParts ruic) {
     super(config, ruic);
     this.authority = authority;
   }

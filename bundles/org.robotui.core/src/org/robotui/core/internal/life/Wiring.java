@@ -50,7 +50,7 @@ public final class Wiring {
     List<Have> haves = offers.stream().map(o -> new Have(o.id(), o.port())).toList();
     List<Want> wants = components.shown().stream().flatMap(s -> s.wants().stream()).toList();
     List<Supplier> suppliers = components.rfics().stream().map(RficSlot::supplier).toList();
-    List<Match> result = Matcher.match(wants, haves, suppliers, choices(ruic.config(), ruic.overlay().connections()));
+    List<Match> result = Matcher.match(wants, haves, suppliers, choices());
     apply(result, offers);
     boolean news = !result.equals(matches);
     matches = result;
@@ -79,6 +79,11 @@ public final class Wiring {
     }
     chosen.forEach((port, peer) -> choices.put(port, new Choice(List.of(peer), "your own choice")));
     return choices;
+  }
+
+  /** The connections that are named now. */
+  Map<SourceId, Choice> choices() {
+    return choices(ruic.config(), ruic.overlay().connections());
   }
 
   private void apply(List<Match> result, List<Offered> offers) {

@@ -48,6 +48,11 @@ public final class RuicClock implements RobotClock {
     times.values().removeIf(t -> t == source);
   }
 
+  /** What was known of the time is void: consumers get a reset. */
+  public void reset() {
+    epoch.incrementAndGet();
+  }
+
   private void jump() {
     epoch.incrementAndGet();
     jumped.run();

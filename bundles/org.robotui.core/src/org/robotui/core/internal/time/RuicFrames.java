@@ -30,8 +30,7 @@ public final class RuicFrames implements Frames, FrameSink {
   private final AtomicReference<FrameLedger> ledger = new AtomicReference<>();
   private final AtomicLong refused = new AtomicLong();
   private final LongSupplier clock;
-
-  private final TransformSet configured;
+  private volatile TransformSet configured;
 
   /**
    * With the clock of this machine.
@@ -79,6 +78,12 @@ public final class RuicFrames implements Frames, FrameSink {
   public void clear() {
     buffer.get().clear();
     ledger.get().clear();
+  }
+
+  /** Has robots stand to one another otherwise, and forgets all that they said. */
+  public void configure(List<FrameTransform> anew) {
+    configured = new TransformSet(anew);
+    reset();
   }
 
   /** Forgets really all that robots said: new instances will say it again. */

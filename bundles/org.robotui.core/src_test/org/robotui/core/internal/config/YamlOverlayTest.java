@@ -11,6 +11,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
 
 class YamlOverlayTest {
@@ -20,7 +21,8 @@ class YamlOverlayTest {
   void readsWhatItWrote() throws IOException {
     Map<String, Overlay> kept = Map.of("Natalie", new Overlay(
         Map.of("map", Map.of("follow", true, "radius", 0.25, "trail", 5000L, "layers", List.of("scan", "map"))),
-        Map.of(new SourceId("camera", "image"), new SourceId("base", "camera/image_raw"))));
+        Map.of(new SourceId("camera", "image"), new SourceId("base", "camera/image_raw")),
+        Map.of("base", new ChosenInterface("player", "Natalie", Map.of("port", "6665", "quick", true), "1f"))));
     Path file = folder.resolve("new folder").resolve("overlay.yaml");
     new YamlOverlay().write(file, kept);
     assertEquals(kept, new YamlOverlay().read(file));

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 
@@ -33,6 +34,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** Something about the window that soon is over. */
     default void notice(String message) {}
+
+    /** The file of a configuration that runs was changed. */
+    default void configurationChanged(ConfigChange change) {}
   }
 
   private static final int MOST_EVENTS = 10_000;
@@ -53,6 +57,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** An alert. */
     record Alert(String ruic, String message) implements Event {}
+
+    /** A file. */
+    record Config(ConfigChange change) implements Event {}
 
     /** A notice. */
     record Notice(String message) implements Event {}
@@ -111,6 +118,11 @@ public final class HostHub implements HostListener, AutoCloseable {
   }
 
   @Override
+  public void configurationChanged(ConfigChange change) {
+    post(new Event.Config(change));
+  }
+
+  @Override
   public void close() {
     subscription.close();
     clients.clear();
@@ -147,6 +159,7 @@ public final class HostHub implements HostListener, AutoCloseable {
       case Event.Frame f -> client -> client.frameReady(f.ruic(), f.uic());
       case Event.Show s -> client -> client.showWanted(s.from(), s.wanted());
       case Event.Alert a -> client -> client.alert(a.ruic(), a.message());
+      case Event.Config c -> client -> client.configurationChanged(c.change());
       case Event.Notice n -> client -> client.notice(n.message());
     };
     clients.forEach(call);

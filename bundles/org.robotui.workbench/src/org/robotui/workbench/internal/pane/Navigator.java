@@ -38,6 +38,9 @@ public final class Navigator extends Composite {
 
     /** Shows what is connected, and why. */
     void connections(String ruic);
+
+    /** Asks for another framework in place of the one that it has. */
+    void exchange(String ruic);
   }
 
   private static final int HEADING = 36;
@@ -166,6 +169,7 @@ public final class Navigator extends Composite {
       menu.push("Select", () -> actions.select(name));
     }
     menu.push("Show connections", () -> actions.connections(name));
+    menu.push("Change framework\u2026", () -> actions.exchange(name));
     menu.push("Restart", () -> actions.restart(name));
     menu.line();
     menu.push("Remove", () -> actions.remove(name));

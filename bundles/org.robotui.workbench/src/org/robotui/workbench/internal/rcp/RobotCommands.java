@@ -28,6 +28,7 @@ public final class RobotCommands extends AbstractHandler {
       case "restart" -> actions.withSelected(actions::restart);
       case "remove" -> actions.withSelected(actions::remove);
       case "connections" -> actions.withSelected(actions::connections);
+      case "exchange" -> actions.withSelected(actions::exchange);
       case "theme" -> session.look().change(event.getParameter(THEME));
       default -> throw new ExecutionException("no such command: " + event.getCommand().getId());
     }

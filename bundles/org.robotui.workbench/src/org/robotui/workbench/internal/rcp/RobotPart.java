@@ -8,6 +8,7 @@ import org.eclipse.ui.IViewPart;
 import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.part.ViewPart;
+import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Ruic;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.Session;
@@ -75,6 +76,15 @@ public final class RobotPart extends ViewPart {
         if (isShown(ruic)) {
           show();
         }
+      }
+
+      @Override
+      public void configurationChanged(ConfigChange change) {
+        change.steps().forEach(step -> {
+          if (step instanceof ConfigChange.Step.Exchanged e && isShown(e.ruic())) {
+            new WindowActions(session, getSite().getWorkbenchWindow()).exchange(e.ruic(), e.wanted());
+          }
+        });
       }
 
       @Override

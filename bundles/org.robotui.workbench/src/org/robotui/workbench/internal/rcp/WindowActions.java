@@ -9,10 +9,13 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.FileDialog;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.api.command.Authority;
+import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
+import org.robotui.workbench.internal.pane.ExchangeDialog;
 import org.robotui.workbench.internal.pane.Navigator;
 import org.robotui.workbench.internal.pane.RobotArea;
 import org.robotui.workbench.internal.pane.TopBar;
@@ -98,6 +101,22 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   @Override
   public void connections(String ruic) {
     session.ruic(ruic).ifPresent(r -> new ConnectionsDialog(window.getShell(), session.look().theme(), r).open());
+  }
+
+  @Override
+  public void exchange(String ruic) {
+    dialog(ruic).ifPresent(ExchangeDialog::open);
+  }
+
+  /** Somebody has written another robot interface into the file. */
+  void exchange(String ruic, InterfaceConfig wanted) {
+    dialog(ruic).ifPresent(d -> d.open(wanted));
+  }
+
+  private Optional<ExchangeDialog> dialog(String name) {
+    return session.ruic(name).filter(r -> !r.interfaces().isEmpty())
+        .map(r -> session.exchanges().computeIfAbsent(name, n -> new ExchangeDialog(window.getShell(), session.look().theme(),
+            session.host(), new ExchangeModel(session.host(), r), session.alerts()::pass)));
   }
 
   @Override

@@ -60,6 +60,11 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   }
 
   @Override
+  public void exchange(String ruic) {
+    calls.add("exchange " + ruic);
+  }
+
+  @Override
   public void connections(String ruic) {
     calls.add("connections " + ruic);
   }

@@ -8,19 +8,23 @@ import org.robotui.api.port.SourceId;
  *
  * @param settings by id of the view and name of the setting: Boolean, Long, Double, String, List or Map
  * @param connections the chosen peer by port of the view
+ * @param interfaces the robot interfaces that took the place of written ones, by id
  */
-public record Overlay(Map<String, Map<String, Object>> settings, Map<SourceId, SourceId> connections) {
+public record Overlay(
+    Map<String, Map<String, Object>> settings, Map<SourceId, SourceId> connections, Map<String, ChosenInterface> interfaces) {
   /** Nothing changed. */
-  public static final Overlay EMPTY = new Overlay(Map.of(), Map.of());
+  public static final Overlay EMPTY = new Overlay(Map.of(), Map.of(), Map.of());
 
   /**
    * Copies the maps.
    *
    * @param settings by view and name
    * @param connections by port
+   * @param interfaces by id
    */
   public Overlay {
     settings = Map.copyOf(settings);
     connections = Map.copyOf(connections);
+    interfaces = Map.copyOf(interfaces);
   }
 }

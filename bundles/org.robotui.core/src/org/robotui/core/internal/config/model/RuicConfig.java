@@ -63,6 +63,39 @@ public record RuicConfig(
   }
 
   /**
+   * The same with another robot interface in the place of that of the same id.
+   *
+   * @param next the robot interface
+   * @return a copy
+   */
+  public RuicConfig with(ComponentConfig next) {
+    List<ComponentConfig> changed = rfics.stream().map(c -> c.id().equals(next.id()) ? next : c).toList();
+    return new RuicConfig(name, file, line, column, type, raw, changed, uics, connections, layout, safety, frames,
+        startsShown);
+  }
+
+  /**
+   * The same with what may be changed while it runs as another one says it: named connections and how robots are kept safe.
+   *
+   * @param other as written now
+   * @return a copy
+   */
+  public RuicConfig withLiveParts(RuicConfig other) {
+    return new RuicConfig(name, file, line, column, type, raw, rfics, uics, other.connections, layout, other.safety, frames,
+        startsShown);
+  }
+
+  /**
+   * A robot interface by its id.
+   *
+   * @param id within the RUIC
+   * @return its configuration, or none
+   */
+  public Optional<ComponentConfig> rfic(String id) {
+    return rfics.stream().filter(c -> c.id().equals(id)).findFirst();
+  }
+
+  /**
    * How a robot is kept safe.
    *
    * @param robot its name

@@ -1,5 +1,6 @@
 package org.robotui.core.internal.config.model;
 
+import java.util.Map;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 
@@ -29,4 +30,20 @@ public interface SettingsCheck {
    * @return an empty section
    */
   RawSection nothing();
+
+  /**
+   * What a user has chosen, as if it was written.
+   *
+   * @param values Boolean, Number, String, List or Map by name
+   * @return a section without a place in a file
+   */
+  RawSection written(Map<String, Object> values);
+
+  /**
+   * What is written, as values, to be compared and shown.
+   *
+   * @param raw what was written
+   * @return by name, in the order of writing: Boolean and numbers where they are written as such, else String, List and Map
+   */
+  Map<String, Object> values(RawSection raw);
 }
