@@ -10,6 +10,7 @@ import org.robotui.api.RficContext;
 import org.robotui.api.RficWorker;
 import org.robotui.api.link.LinkState;
 import org.robotui.rfic.ros.internal.graph.Session;
+import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.message.MessageRegistry;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,14 +26,16 @@ final class RosRfic implements Rfic {
 
   private final RficContext context;
   private final RosSettings settings;
+  private final SharedMasters masters;
   private final RficWorker worker;
   private final Tidying tidying;
   private final AtomicReference<Session> session = new AtomicReference<>();
   private Optional<MessageRegistry> registry = Optional.empty(); // only on the worker
 
-  RosRfic(RficContext context, RosSettings settings) {
+  RosRfic(RficContext context, RosSettings settings, SharedMasters masters) {
     this.context = context;
     this.settings = settings;
+    this.masters = masters;
     this.worker = new RficWorker(context, RETRY, this::follow);
     this.tidying = new Tidying(context);
   }
@@ -46,7 +49,7 @@ final class RosRfic implements Rfic {
   private String follow(BooleanSupplier over) throws InterruptedException {
     MessageRegistry types = registry.orElseGet(MessageRegistry::fromEnvironment);
     registry = Optional.of(types);
-    try (Session opened = new Session(context, settings, types)) {
+    try (Session opened = new Session(context, settings, types, masters)) {
       session.set(opened);
       return opened.follow(over);
     } catch (IOException e) {

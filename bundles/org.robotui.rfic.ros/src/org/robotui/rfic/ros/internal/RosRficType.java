@@ -8,6 +8,7 @@ import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Settings;
 import org.robotui.rfic.ros.internal.call.RosPorts;
+import org.robotui.rfic.ros.internal.graph.SharedMasters;
 
 /** The type {@code ros}: a client of ROS 1. */
 @Component(service = RficType.class)
@@ -17,6 +18,8 @@ public final class RosRficType implements RficType {
       "Topics, services, parameters and transforms of a ROS 1 robot, found by asking its master.",
       RosSettings.SCHEMA, List.of(RosPorts.SERVICES, RosPorts.GRAPH));
 
+  private final SharedMasters masters = new SharedMasters();
+
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
@@ -24,6 +27,6 @@ public final class RosRficType implements RficType {
 
   @Override
   public Rfic create(RficContext context, Settings settings) {
-    return new RosRfic(context, RosSettings.of(settings, System.getenv()));
+    return new RosRfic(context, RosSettings.of(settings, System.getenv()), masters);
   }
 }

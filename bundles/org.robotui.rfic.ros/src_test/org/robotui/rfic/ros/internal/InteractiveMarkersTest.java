@@ -30,6 +30,7 @@ import org.robotui.data.MarkerFeedback;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.rfic.ros.internal.convert.SampleMarkers;
+import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.Publisher;
@@ -60,7 +61,7 @@ class InteractiveMarkersTest {
   void open() throws IOException {
     master = RosMaster.open(MasterOptions.standard(DAEMONS));
     server = RosNode.open(RosEnvironment.of(master.uri()), GraphName.of("server"), NodeOptions.standard(DAEMONS));
-    rfic = new RosRfic(context, settings());
+    rfic = new RosRfic(context, settings(), new SharedMasters());
     updates = server.publisher("/goals/update", InteractiveMarkerUpdate.CODEC, PublisherOptions.standard());
     server.publisher("/goals/update_full", InteractiveMarkerInit.CODEC, PublisherOptions.latched())
         .publish(new InteractiveMarkerInit("s", 4, List.of(SampleMarkers.interactive("goal", 2))));

@@ -26,6 +26,7 @@ import org.robotui.data.Path;
 import org.robotui.data.PoseArray;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
@@ -53,7 +54,7 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void offersConfiguredCommandsAlsoWhileNobodyListens() {
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))));
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))), new SharedMasters());
     rfic.start();
     await(() -> context.commands.containsKey("base/cmd"));
     Sent sent = send("base/cmd", VelocityCommand.ZERO);
@@ -66,7 +67,7 @@ class RosCommandsTest extends RosRficCase {
     Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
     robot.subscriber("/follow", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> paths.add(p));
     robot.subscriber("/visit", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, SubscriberOptions.standard(), (p, r) -> arrays.add(p));
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))));
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))), new SharedMasters());
     rfic.start();
     await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
     FrameId map = new FrameId("robby", "map");

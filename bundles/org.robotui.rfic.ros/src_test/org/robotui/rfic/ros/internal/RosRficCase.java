@@ -22,6 +22,7 @@ import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldPath;
 import org.robotui.data.FieldValue;
 import org.robotui.data.Stamp;
+import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosEnvironment;
@@ -45,7 +46,7 @@ abstract class RosRficCase {
   void openRobot() throws IOException {
     master = RosMaster.open(MasterOptions.standard(DAEMONS));
     robot = node("robot");
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString())));
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString())), new SharedMasters());
   }
 
   @AfterEach

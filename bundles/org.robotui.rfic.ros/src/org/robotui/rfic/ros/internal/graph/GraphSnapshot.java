@@ -1,14 +1,9 @@
 package org.robotui.rfic.ros.internal.graph;
 
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
-import org.robotui.ros.Outcome;
-import org.robotui.ros.RosNode;
-import org.robotui.ros.SystemState;
-import org.robotui.ros.TopicInfo;
 
 /**
  * Who else, beside this process, publishes and subscribes what, at one moment.
@@ -19,13 +14,11 @@ import org.robotui.ros.TopicInfo;
 record GraphSnapshot(Map<String, String> published, Map<String, String> subscribed) {
   private static final String ANY = "*";
 
-  static Outcome<GraphSnapshot> take(RosNode node) {
-    Outcome<SystemState> state = node.master().systemState();
-    if (!(state instanceof Outcome.Done<SystemState> done)) {
-      return state.map(s -> new GraphSnapshot(Map.of(), Map.of()));
-    }
-    Predicate<String> ours = ours(node.name().text());
-    return node.master().topicTypes().map(types -> of(done.value(), types, ours));
+  /** What others do, seen from one node. */
+  static GraphSnapshot of(SharedGraph graph, String self) {
+    Predicate<String> ours = ours(self);
+    return new GraphSnapshot(
+        typed(graph.state().publishers(), graph.types(), ours), typed(graph.state().subscribers(), graph.types(), ours));
   }
 
   /**
@@ -37,13 +30,6 @@ record GraphSnapshot(Map<String, String> published, Map<String, String> subscrib
     int begin = end < 0 ? -1 : self.lastIndexOf('_', end - 1);
     String process = begin < 0 ? self : self.substring(begin, end + 1);
     return begin < 0 ? self::equals : name -> name.startsWith(process, name.lastIndexOf('_', Math.max(0, name.lastIndexOf('_') - 1)));
-  }
-
-  private static GraphSnapshot of(SystemState state, List<TopicInfo> types, Predicate<String> self) {
-    Map<String, String> byTopic = new HashMap<>();
-    types.forEach(t -> byTopic.put(t.name(), t.type()));
-    return new GraphSnapshot(
-        typed(state.publishers(), byTopic, self), typed(state.subscribers(), byTopic, self));
   }
 
   /** Topics of others whose type is known; tools such as rostopic register subscriptions of type "*". */

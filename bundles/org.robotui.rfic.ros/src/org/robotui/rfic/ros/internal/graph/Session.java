@@ -28,10 +28,13 @@ import org.robotui.ros.message.MessageRegistry;
 /** One open node, and all that is offered through it. */
 public final class Session implements AutoCloseable {
   private static final Duration LOOK = Duration.ofMillis(1000);
+  /** Of several interfaces at one master, one asks for all; each looks as often as it would alone. */
+  private static final Duration FRESH = Duration.ofMillis(900);
   private static final Duration CLOCK = Duration.ofMillis(50);
 
   private final RficContext context;
   private final RosSettings settings;
+  private final SharedMaster master;
   private final RosNode node;
   private final Offers offers;
   private final TransformFeed transforms;
@@ -54,11 +57,13 @@ public final class Session implements AutoCloseable {
    * @param context what core gives
    * @param settings how the robot is reached
    * @param registry knows message definitions
+   * @param masters what interfaces share that speak to one master
    * @throws IOException where no node can be opened on this machine
    */
-  public Session(RficContext context, RosSettings settings, MessageRegistry registry) throws IOException {
+  public Session(RficContext context, RosSettings settings, MessageRegistry registry, SharedMasters masters) throws IOException {
     this.context = context;
     this.settings = settings;
+    this.master = masters.of(settings.master());
     LinkWatch watch = new LinkWatch();
     NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch).withRecords(context.stateFolder());
     this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), options);
@@ -66,7 +71,7 @@ public final class Session implements AutoCloseable {
     MarkerFeedbacks feedbacks = new MarkerFeedbacks(node, pulse);
     this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch, pulse, feedbacks);
     this.handled = context.offers().command(RosPorts.MARKER_FEEDBACK, feedbacks);
-    this.transforms = new TransformFeed(context, node, clock, settings);
+    this.transforms = new TransformFeed(context, node, clock, settings, master);
     this.description = new DescriptionFeed(context, node.parameters(), settings, Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
     this.messages = new MessageTopics(node, registry);
     this.publish = context.offers().command(RosPorts.PUBLISH, messages);
@@ -97,6 +102,7 @@ public final class Session implements AutoCloseable {
       description.tick();
       tunables.tick();
       clock.tick();
+      transforms.tick();
       try {
         return "our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS);
       } catch (TimeoutException e) {
@@ -109,9 +115,9 @@ public final class Session implements AutoCloseable {
   }
 
   private void look() {
-    switch (GraphSnapshot.take(node)) {
-      case Outcome.Done<GraphSnapshot> d -> seen(d.value());
-      case Outcome<GraphSnapshot> other -> unseen(other.reason());
+    switch (master.graph(() -> SharedGraph.ask(node), System.nanoTime(), FRESH.toNanos())) {
+      case Outcome.Done<SharedGraph> d -> seen(GraphSnapshot.of(d.value(), node.name().text()));
+      case Outcome<SharedGraph> other -> unseen(other.reason());
     }
   }
 

@@ -16,50 +16,95 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
- * Listens to transforms, moving and static. The old type {@code tf/tfMessage} has the same definition, and so the same
+ * Transforms, moving and static. Of all interfaces that speak to one master one listens, and gives to each what concerns its robot: an
+ * interface in a namespace is spared frames that begin with the name of another one. When the one that listens ends, the next one does. The old type {@code tf/tfMessage} has the same definition, and so the same
  * sum, as the present one.
  */
 final class TransformFeed implements AutoCloseable {
   private final RficContext context;
+  private final RosNode node;
   private final SessionClock clock;
+  private final SharedMaster master;
+  private final String namespace;
   private final Publication<TransformSet> publication;
   private final List<Subscriber> subscribers = new ArrayList<>();
+  private boolean closed;
 
-  TransformFeed(RficContext context, RosNode node, SessionClock clock, RosSettings settings) {
+  TransformFeed(RficContext context, RosNode node, SessionClock clock, RosSettings settings, SharedMaster master) {
     this.context = context;
+    this.node = node;
     this.clock = clock;
+    this.master = master;
+    this.namespace = settings.namespace().substring(1).replaceAll("/$", "");
     this.publication = context.offers().stream(
         new StreamPort<>("tf", TransformSet.class, Arity.MANY, "/tf and /tf_static"), Demand.IGNORED);
     if (settings.tf()) {
-      subscribe(node, "/tf", false);
-      subscribe(node, "/tf_static", true);
+      master.add(this);
+      tick();
+    } else {
+      closed = true;
     }
   }
 
-  private void subscribe(RosNode node, String topic, boolean fixed) {
-    subscribers.add(
-        node.subscriber(topic, TFMessage.CODEC, SubscriberOptions.observing(), (m, r) -> received(m, r, fixed)));
+  /** Listens for all where nobody does. Called regularly by the thread that follows the graph. */
+  synchronized void tick() {
+    if (!closed && subscribers.isEmpty() && master.listens(this)) {
+      subscribe("/tf", false);
+      subscribe("/tf_static", true);
+    }
   }
 
-  private void received(TFMessage message, Reception reception, boolean fixed) {
+  private void subscribe(String topic, boolean fixed) {
+    subscribers.add(node.subscriber(topic, TFMessage.CODEC, SubscriberOptions.observing(),
+        (message, reception) -> master.heard(message, reception, fixed)));
+  }
+
+  /** The namespace of the robot without slashes at its ends, empty for all. */
+  String namespace() {
+    return namespace;
+  }
+
+  /** Takes what concerns its robot. On the thread of the one that listens. */
+  void received(TFMessage all, Reception reception, boolean fixed) {
+    List<TransformStamped> own = all.transforms().stream().filter(t -> concerns(t.childFrameId())).toList();
+    if (own.isEmpty()) {
+      return;
+    }
+    TFMessage message = new TFMessage(own);
     FrameNames names = clock.names();
     Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
     good.ifPresent(set -> {
       context.frames().add(set, reception.callerId());
       publication.publish(set, clock.stamp(set.transforms().getFirst().stamp().nanos(), names));
     });
-    int refused = message.transforms().size() - good.map(set -> set.transforms().size()).orElse(0);
+    int refused = own.size() - good.map(set -> set.transforms().size()).orElse(0);
     if (refused > 0) {
       publication.lost(refused, refused + " transforms of " + reception.callerId() + " are no transforms");
     }
   }
 
+  private boolean concerns(String frame) {
+    int from = frame.startsWith("/") ? 1 : 0;
+    if (namespace.isEmpty() || frame.startsWith(namespace + "/", from)) {
+      return true;
+    }
+    int end = frame.indexOf('/', from);
+    return end < 0 || !isStranger(frame.substring(from, end));
+  }
+
+  private boolean isStranger(String prefix) {
+    return !namespace.startsWith(prefix + "/") && master.isNamespace(prefix);
+  }
+
   @Override
-  public void close() {
+  public synchronized void close() {
+    closed = true;
     subscribers.forEach(Subscriber::close);
+    master.remove(this);
     publication.close();
   }
 }
