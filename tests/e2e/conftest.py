@@ -182,11 +182,11 @@ def simulator(processes, environment, ros_tools):
     return robot
 
 
-def start_simulator(processes, environment, port, name):
+def start_simulator(processes, environment, port, name, *options):
     plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
     bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.geometry", "slf4j.api")
     jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in bundles]
-    process = processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--port", port], name, environment)
+    process = processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--port", port, *options], name, environment)
 
     def uri():
         for line in process.out.read_text().splitlines():

@@ -20,14 +20,17 @@ def times(figure, ours, peer, peer_name, bound):
             "goal": f"<= {bound} (lower is better)", "holds": statistics.median(ratios) <= bound, "rounds": len(ratios)}
 
 
-def figures(rounds, counts, crowd):
+def figures(rounds, counts, teams, crowd):
     few, many = counts
+    small, large = (rounds[f"team of {count}"] for count in teams)
     idle = [sum(n for name, n in r["frames"].items() if name != "Robot0") for r in rounds[many]]
     topics = f"with {crowd[0]} topics of {crowd[1]} nodes"
     return [
         alone(f"display thread p99 with {many} robots, ms", [r["p99"] for r in rounds[many]], 16, "ms"),
         alone("frames prepared by robots not selected", idle, 0, "frames"),
         times(f"processors used with {many} robots", [r["cpu"] for r in rounds[many]], [r["cpu"] for r in rounds[few]], f"itself with {few}", 2.2),
+        alone(f"display thread p99 with a team of {teams[1]}, ms", [r["p99"] for r in large], 16, "ms"),
+        times(f"processors used with a team of {teams[1]}", [r["cpu"] for r in large], [r["cpu"] for r in small], f"itself with {teams[0]}", 2.2),
         times(f"display thread p99 {topics}, ms", [r["p99"] for r in rounds["topics"]], [r["p99"] for r in rounds["alone"]], "itself without them", 2),
         times(f"processors used {topics}", [r["cpu"] for r in rounds["topics"]], [r["cpu"] for r in rounds["alone"]], "itself without them", 2),
         alone("start to first live picture, s", [r["start"] for r in rounds["demo"]], 2.5, "s"),

@@ -104,13 +104,25 @@ def expect(word, program):
 def demo_round(display):
     """The demo's robot, which runs already, as robots do."""
     root = pathlib.Path(variable("ROBOTUI_ROOT", "ui"))
+    return simulated(display, root / "configs" / "demo.yaml")
+
+
+def team_round(display, count):
+    """A swarm of COUNT robots as configs/swarm.yaml has it, all on one map and in one table."""
+    root = pathlib.Path(variable("ROBOTUI_ROOT", "ui"))
+    configuration = display.folder / "swarm.yaml"
+    configuration.write_text((root / "configs" / "swarm.yaml").read_text().replace("r1..r50", f"r1..r{count}"))
+    return simulated(display, configuration, "--swarm", str(count))
+
+
+def simulated(display, configuration, *options):
     simulator = subprocess.Popen([pathlib.Path(variable("JAVA_HOME", "ui"), "bin", "java"), "-XX:+UseSerialGC",
-                                  "-XX:TieredStopAtLevel=1", "-Dslf4j.internal.verbosity=ERROR", "-cp", variable("ROBOTUI_SIMULATOR_PATH", "ui"), "org.robotui.sim.Main"],
-                                 stdout=subprocess.PIPE, text=True)
+                                  "-XX:TieredStopAtLevel=1", "-Dslf4j.internal.verbosity=ERROR", "-cp", variable("ROBOTUI_SIMULATOR_PATH", "ui"),
+                                  "org.robotui.sim.Main", *options], stdout=subprocess.PIPE, text=True)
     try:
         uri = next(line for line in simulator.stdout if line.startswith("ROS_MASTER_URI=")).strip().split("=", 1)[1]
         time.sleep(2)
-        return measured(Workbench(display, root / "configs" / "demo.yaml", {"ROS_MASTER_URI": uri}))
+        return measured(Workbench(display, configuration, {"ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1"}))
     finally:
         simulator.kill()
         simulator.wait(10)

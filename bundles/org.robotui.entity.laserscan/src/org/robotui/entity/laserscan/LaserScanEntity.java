@@ -1,6 +1,9 @@
 package org.robotui.entity.laserscan;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import org.eclipse.swt.graphics.Color;
 import org.robotui.data.LaserScan;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Figures;
@@ -17,6 +20,7 @@ public final class LaserScanEntity implements Entity {
 
   private volatile Optional<ScanShape> shape = Optional.empty();
   private volatile boolean fan = true;
+  private volatile OptionalInt trace = OptionalInt.empty();
 
   /** Without a scan. */
   public LaserScanEntity() {
@@ -47,6 +51,15 @@ public final class LaserScanEntity implements Entity {
     fan = shown;
   }
 
+  /**
+   * Paints echoes and space in a colour of their own, to tell scans of several robots from one another. Any thread.
+   *
+   * @param of which colour of the theme's traces, from 0, taken modulo their number; none for that of lasers
+   */
+  public void tint(OptionalInt of) {
+    trace = of;
+  }
+
   @Override
   public void paint(Painter painter) {
     shape.ifPresent(s -> paint(painter, s));
@@ -63,10 +76,16 @@ public final class LaserScanEntity implements Entity {
   }
 
   private void paint(Painter painter, ScanShape s) {
+    OptionalInt own = trace;
     if (fan) {
-      painter.opacity(FAINT).fill(Role.ACCENT).area(s.fan(), s.fan().length / 2);
+      fill(painter.opacity(FAINT), own, Role.ACCENT).area(s.fan(), s.fan().length / 2);
     }
-    painter.opacity(1).fill(Role.LASER).points(s.echoes(), s.echoCount(), DOT);
+    fill(painter.opacity(1), own, Role.LASER).points(s.echoes(), s.echoCount(), DOT);
+  }
+
+  private static Painter fill(Painter painter, OptionalInt own, Role usual) {
+    List<Color> traces = painter.theme().traces();
+    return own.isEmpty() ? painter.fill(usual) : painter.fill(traces.get(own.getAsInt() % traces.size()));
   }
 
   private static Optional<Description> describe(ScanShape s, double x, double y, double tolerance) {

@@ -1,6 +1,9 @@
 package org.robotui.entity.path;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import org.eclipse.swt.graphics.Color;
 import org.robotui.data.Path;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
@@ -22,6 +25,7 @@ public final class PathEntity implements Entity {
   private record Prepared(Line line, String label) {}
 
   private volatile Optional<Prepared> prepared = Optional.empty();
+  private volatile OptionalInt trace = OptionalInt.empty();
 
   /** Without a way. */
   public PathEntity() {
@@ -40,9 +44,19 @@ public final class PathEntity implements Entity {
     prepared = Line.of(path, fixedFromFrame).map(line -> new Prepared(line, label(line, robot, speed)));
   }
 
+  /**
+   * Paints the way in a colour of its own, to tell ways of several robots from one another; what is left to go is then only told on asking. Any
+   * thread.
+   *
+   * @param of which colour of the theme's traces, from 0, taken modulo their number; none for that of plans
+   */
+  public void tint(OptionalInt of) {
+    trace = of;
+  }
+
   @Override
   public void paint(Painter painter) {
-    prepared.ifPresent(p -> paint(painter, p));
+    prepared.ifPresent(p -> paint(painter, p, trace));
   }
 
   @Override
@@ -58,12 +72,16 @@ public final class PathEntity implements Entity {
             "plan, " + Figures.of(p.line().length(), 1, "m") + " in all\n" + p.label(), p.line().distance(x, y)));
   }
 
-  private static void paint(Painter painter, Prepared p) {
+  private static void paint(Painter painter, Prepared p, OptionalInt own) {
     Line line = p.line();
-    painter.opacity(1).stroke(Role.PLAN).fill(Role.PLAN).width(WIDTH).polyline(line.xy(), line.count());
+    List<Color> traces = painter.theme().traces();
+    Color color = own.isEmpty() ? painter.theme().color(Role.PLAN) : traces.get(own.getAsInt() % traces.size());
+    painter.opacity(1).stroke(color).fill(color).width(WIDTH).polyline(line.xy(), line.count());
     painter.circle(line.endX(), line.endY(), RING);
     painter.disc(line.endX(), line.endY(), CORE);
-    painter.label(p.label(), line.endX(), line.endY(), LABEL_GAP, 0, Face.BODY);
+    if (own.isEmpty()) {
+      painter.label(p.label(), line.endX(), line.endY(), LABEL_GAP, 0, Face.BODY);
+    }
   }
 
   private static String label(Line line, Optional<Vector3> robot, double speed) {

@@ -19,10 +19,13 @@ public final class RobotEntity implements Entity {
   private static final double RIM = 1.5;
   private static final double FILL = 0.82;
   private static final double NAME_GAP = 6;
+  private static final double RING = 2.5;
+  private static final double RING_GAP = 4;
 
   private final int trace;
   private volatile Optional<Body> body = Optional.empty();
   private volatile boolean named;
+  private volatile boolean selected;
 
   /**
    * Without a place.
@@ -56,6 +59,15 @@ public final class RobotEntity implements Entity {
     named = shown;
   }
 
+  /**
+   * Whether it is marked as one that the user means. Any thread.
+   *
+   * @param meant false at the beginning
+   */
+  public void select(boolean meant) {
+    selected = meant;
+  }
+
   @Override
   public void paint(Painter painter) {
     body.ifPresent(b -> paint(painter, b));
@@ -87,6 +99,9 @@ public final class RobotEntity implements Entity {
       painter.circle(at(b).x(), at(b).y(), pixels);
     }
     paintHeading(painter, b, pixels);
+    if (selected) {
+      painter.opacity(1).stroke(Role.ACCENT).width(RING).circle(at(b).x(), at(b).y(), pixels + RING_GAP);
+    }
     if (named) {
       painter.stroke(Role.TEXT).text(b.name(), at(b).x(), at(b).y(), pixels + NAME_GAP, 0, Face.SMALL);
     }

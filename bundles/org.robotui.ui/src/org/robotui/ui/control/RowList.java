@@ -1,5 +1,6 @@
 package org.robotui.ui.control;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -281,6 +282,16 @@ public final class RowList<R> {
     if (index >= 0) {
       scroll.reveal(index);
     }
+    canvas.redraw();
+  }
+
+  /**
+   * Selects several rows, also such that are not shown yet, and no others; nobody is told.
+   *
+   * @param keys their keys
+   */
+  public void selectAll(Collection<?> keys) {
+    marks.keys(keys);
     canvas.redraw();
   }
 

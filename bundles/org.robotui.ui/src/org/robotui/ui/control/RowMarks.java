@@ -1,5 +1,6 @@
 package org.robotui.ui.control;
 
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -72,6 +73,14 @@ final class RowMarks<R> {
     marked.clear();
     marked.add(key);
     lead = Optional.of(key);
+    anchor = lead;
+  }
+
+  /** Selects these keys and no others; keys move on from where they were. */
+  void keys(Collection<?> selected) {
+    marked.clear();
+    marked.addAll(selected);
+    lead = lead.filter(marked::contains).or(() -> marked.stream().findFirst());
     anchor = lead;
   }
 

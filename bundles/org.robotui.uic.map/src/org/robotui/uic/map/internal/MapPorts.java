@@ -31,12 +31,14 @@ public final class MapPorts {
       new StreamPort<>("footprint", Footprint.class, Arity.MANY, "Outlines of robots.");
   public static final CommandPort<NavigationGoal> GOAL =
       new CommandPort<>("goal", NavigationGoal.class, Arity.OPTIONAL, "Where the robot shall go.");
+  public static final CommandPort<NavigationGoal> GOALS = new CommandPort<>(
+      "goals", NavigationGoal.class, Arity.MANY, "Of several robots: where those that are selected shall go.");
   public static final CommandPort<PoseEstimate> INITIAL_POSE =
       new CommandPort<>("initial_pose", PoseEstimate.class, Arity.OPTIONAL, "Tells localisation where the robot is.");
 
   /** All of them. */
   public static final List<Port> ALL =
-      List.of(MAP, SCAN, SONAR, ODOM, PATH, POSE, FOOTPRINT, GOAL, INITIAL_POSE);
+      List.of(MAP, SCAN, SONAR, ODOM, PATH, POSE, FOOTPRINT, GOAL, GOALS, INITIAL_POSE);
 
   private MapPorts() {}
 }

@@ -13,18 +13,21 @@ import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.view.Choices;
 import org.robotui.uic.map.internal.view.MapActions;
 import org.robotui.uic.map.internal.view.MapCanvas;
+import org.robotui.uic.map.internal.view.TeamGoals;
 
 /** A map: the model is prepared by ticks, the canvas paints it. */
 final class MapUic implements SwtUic {
   private final MapModel model;
   private final Choices choices;
   private final Commander commander;
+  private final TeamGoals goals;
   private final MapActions actions = new MapActions();
   private Optional<MapCanvas> canvas = Optional.empty();
 
   MapUic(UicContext context) {
     model = new MapModel(context);
     choices = new Choices(context.settings());
+    goals = new TeamGoals(context);
     commander = new Commander(context, MapPorts.GOAL, MapPorts.INITIAL_POSE);
   }
 
@@ -35,7 +38,7 @@ final class MapUic implements SwtUic {
 
   @Override
   public Control createControl(Composite parent, UiContext context) {
-    MapCanvas made = new MapCanvas(parent, context, model, choices, commander, actions);
+    MapCanvas made = new MapCanvas(parent, context, model, choices, commander, goals, actions);
     canvas = Optional.of(made);
     return made.control();
   }

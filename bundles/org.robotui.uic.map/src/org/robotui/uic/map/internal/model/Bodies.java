@@ -28,6 +28,7 @@ import org.robotui.uic.map.internal.Kind;
 
 /** The bodies of robots: by transforms where there are any, else by odometry, else by an estimate. Worker thread. */
 final class Bodies {
+  private static final String LAYER = Kind.ROBOT.word() + ":";
   private static final List<String> BASES = List.of("base_footprint", "base_link");
 
   private final Frames frames;
@@ -35,15 +36,18 @@ final class Bodies {
   private final Input<PoseEstimate> poses;
   private final Input<Footprint> footprints;
   private final Scene scene;
+  private final Team team;
   private final Map<String, RobotEntity> entities = new LinkedHashMap<>();
 
   Bodies(
-      Frames frames, Input<Odometry> odometry, Input<PoseEstimate> poses, Input<Footprint> footprints, Scene scene) {
+      Frames frames, Input<Odometry> odometry, Input<PoseEstimate> poses, Input<Footprint> footprints, Scene scene,
+      Team team) {
     this.frames = frames;
     this.odometry = odometry;
     this.poses = poses;
     this.footprints = footprints;
     this.scene = scene;
+    this.team = team;
   }
 
   /** Finds the robots and prepares their bodies. */
@@ -94,6 +98,7 @@ final class Bodies {
     Optional<List<Vector3>> outline = tick.placer().flatMap(p -> outline(p, place));
     double radius = outline.map(corners -> radius(corners, place)).orElse(tick.options().robotRadius());
     entity.showName(named);
+    entity.select(team.selected().contains(place.robot()));
     entity.prepare(new Body(place.robot(), place.fixedFromBase(), radius, outline, words(place)));
     scene.find(layer(place.robot())).ifPresent(l -> {
       l.show(tick.options().shows(Kind.ROBOT, l.id()));
@@ -102,7 +107,7 @@ final class Bodies {
   }
 
   private RobotEntity add(String robot) {
-    RobotEntity entity = new RobotEntity(entities.size());
+    RobotEntity entity = new RobotEntity(team.isSeveral() ? team.number(robot) : entities.size());
     scene.add(new Layer(layer(robot), Kind.ROBOT.ordinal(), robot, entity));
     return entity;
   }
@@ -137,7 +142,7 @@ final class Bodies {
   }
 
   private static String layer(String robot) {
-    return Kind.ROBOT.word() + ":" + robot;
+    return LAYER + robot;
   }
 
   private static <T extends Data> List<Envelope<T>> newest(Input<T> input) {

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
-import java.util.function.IntFunction;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
@@ -34,6 +33,13 @@ import org.robotui.uic.map.internal.Kind;
 public final class Feed<T extends Data, E extends Entity> {
   /** As long as a missing transform is not taken for more than a hiccup. */
   private static final long PATIENCE_NANOS = 1_000_000_000L;
+
+  /** Makes an entity. */
+  @FunctionalInterface
+  public interface Maker<E extends Entity> {
+    /** Makes that of a source, the n-th of its kind. */
+    E make(int number, SourceId source);
+  }
 
   /** Prepares an entity. */
   @FunctionalInterface
@@ -61,7 +67,7 @@ public final class Feed<T extends Data, E extends Entity> {
   private final Kind kind;
   private final Input<T> input;
   private final Scene scene;
-  private final IntFunction<E> maker;
+  private final Maker<E> maker;
   private final Preparer<T, E> preparer;
   private final BiFunction<T, TickContext, Object> dependence;
   private final Map<SourceId, Source<T, E>> sources = new LinkedHashMap<>();
@@ -73,7 +79,7 @@ public final class Feed<T extends Data, E extends Entity> {
    * @param kind of its layers
    * @param input where data come from
    * @param scene where layers go
-   * @param maker makes the entity of the n-th source
+   * @param maker makes the entity of a source
    * @param preparer prepares it
    * @param dependence what else the entity depends on: it is prepared anew when this changes
    */
@@ -81,7 +87,7 @@ public final class Feed<T extends Data, E extends Entity> {
       Kind kind,
       Input<T> input,
       Scene scene,
-      IntFunction<E> maker,
+      Maker<E> maker,
       Preparer<T, E> preparer,
       BiFunction<T, TickContext, Object> dependence) {
     this.kind = kind;
@@ -157,7 +163,7 @@ public final class Feed<T extends Data, E extends Entity> {
   }
 
   private Source<T, E> add(SourceId id) {
-    E entity = maker.apply(sources.size());
+    E entity = maker.make(sources.size(), id);
     Layer layer = new Layer(kind.word() + ":" + id, kind.ordinal(), kind.label() + "  \u00b7  " + id, entity);
     layer.show(false);
     Source<T, E> source = new Source<>(entity, layer);

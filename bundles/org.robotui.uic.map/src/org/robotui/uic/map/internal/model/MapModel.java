@@ -9,6 +9,7 @@ import org.robotui.api.UicContext;
 import org.robotui.api.frame.Frames;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.FrameId;
 import org.robotui.data.GridMap;
@@ -38,6 +39,9 @@ import org.robotui.uic.map.internal.MapPorts;
 
 /** Takes the newest data, finds their places in the fixed frame and prepares the layers. Worker thread. */
 public final class MapModel {
+  /** The free space of more robots would cover the floor. */
+  private static final int MOST_FANS = 4;
+
   private final Frames frames;
   private final RobotClock clock;
   private final Scene scene = new Scene();
@@ -48,6 +52,7 @@ public final class MapModel {
   private final Feed<Path, PathEntity> paths;
   private final Feed<PoseEstimate, PoseEntity> poses;
   private final Bodies bodies;
+  private final Team team;
   private MapOptions inForce;
   private long epoch;
   private volatile MapSnapshot snapshot = MapSnapshot.NONE;
@@ -56,22 +61,40 @@ public final class MapModel {
     frames = context.frames();
     clock = context.clock();
     epoch = clock.epoch();
-    maps = new Feed<>(Kind.MAP, context.input(MapPorts.MAP), scene, GridMapEntity::new, MapModel::map,
+    team = new Team(context.ruic());
+    maps = new Feed<>(Kind.MAP, context.input(MapPorts.MAP), scene, (n, source) -> new GridMapEntity(n), MapModel::map,
         (map, tick) -> latest(map.frame(), tick));
-    sonars = new Feed<>(Kind.SONAR, context.input(MapPorts.SONAR), scene, n -> new SonarEntity(), MapModel::sonar,
+    sonars = new Feed<>(Kind.SONAR, context.input(MapPorts.SONAR), scene, (n, source) -> new SonarEntity(), MapModel::sonar,
         (readings, tick) -> "");
-    scans = new Feed<>(Kind.SCAN, context.input(MapPorts.SCAN), scene, n -> new LaserScanEntity(), MapModel::scan,
+    scans = new Feed<>(Kind.SCAN, context.input(MapPorts.SCAN), scene, (n, source) -> scanOf(source), MapModel::scan,
         (scan, tick) -> "");
-    trails = new Feed<>(Kind.TRAIL, context.input(MapPorts.ODOM), scene, OdometryEntity::new, MapModel::trail,
+    trails = new Feed<>(Kind.TRAIL, context.input(MapPorts.ODOM), scene, (n, source) -> new OdometryEntity(team.tint(source).orElse(n)), MapModel::trail,
         (odometry, tick) -> List.of(latest(odometry.frame(), tick), tick.options().trailLength()));
-    paths = new Feed<>(Kind.PATH, context.input(MapPorts.PATH), scene, n -> new PathEntity(), MapModel::path,
+    paths = new Feed<>(Kind.PATH, context.input(MapPorts.PATH), scene, (n, source) -> pathOf(source), MapModel::path,
         (path, tick) -> List.of(latest(path.frame(), tick), tick.robot(path.frame().robot())));
-    poses = new Feed<>(Kind.POSE, context.input(MapPorts.POSE), scene, n -> new PoseEntity(), MapModel::pose,
+    poses = new Feed<>(Kind.POSE, context.input(MapPorts.POSE), scene, (n, source) -> new PoseEntity(), MapModel::pose,
         (pose, tick) -> latest(pose.frame(), tick));
     bodies = new Bodies(frames, context.input(MapPorts.ODOM), context.input(MapPorts.POSE),
-        context.input(MapPorts.FOOTPRINT), scene);
+        context.input(MapPorts.FOOTPRINT), scene, team);
     scene.add(new Layer(Kind.GRID.word(), Kind.GRID.ordinal(), Kind.GRID.label(), new GridEntity()));
     inForce = MapOptions.of(context.settings().current());
+  }
+
+  private LaserScanEntity scanOf(SourceId source) {
+    LaserScanEntity entity = new LaserScanEntity();
+    entity.tint(team.tint(source));
+    return entity;
+  }
+
+  private PathEntity pathOf(SourceId source) {
+    PathEntity entity = new PathEntity();
+    entity.tint(team.tint(source));
+    return entity;
+  }
+
+  /** The robots of the map. */
+  public Team team() {
+    return team;
   }
 
   /** Prepares; true where there is something new to show. */
@@ -85,8 +108,9 @@ public final class MapModel {
     for (Feed<?, ?> feed : feeds()) {
       changed |= feed.tick(tick);
     }
-    scene.layers().forEach(layer -> configure(layer, options));
-    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick));
+    boolean fans = options.fan() && tick.robots().size() <= MOST_FANS;
+    scene.layers().forEach(layer -> configure(layer, options, fans));
+    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick), team.selected());
     changed |= !next.equals(snapshot);
     snapshot = next;
     return changed;
@@ -122,9 +146,9 @@ public final class MapModel {
     }
   }
 
-  private static void configure(Layer layer, MapOptions options) {
+  private static void configure(Layer layer, MapOptions options, boolean fans) {
     switch (layer.entity()) {
-      case LaserScanEntity scan -> scan.showFan(options.fan());
+      case LaserScanEntity scan -> scan.showFan(fans);
       case OdometryEntity trail -> trail.showUncertainty(options.uncertainty());
       case GridEntity grid -> layer.show(options.shown().contains(Kind.GRID));
       default -> { }

@@ -2,6 +2,7 @@ package org.robotui.uic.map.internal.model;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.Vector3;
@@ -15,12 +16,13 @@ import org.robotui.geometry.Vector3;
  * @param notes what layers have to say
  * @param robots where they are, the one of the map's commands first
  * @param ways where the ways end that robots plan; none where nothing tells what they plan
+ * @param selected the robots that the user means
  */
 public record MapSnapshot(
     Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<Note> notes, List<RobotPlace> robots,
-    Optional<List<Vector3>> ways) {
+    Optional<List<Vector3>> ways, Set<String> selected) {
   /** Before the first tick. */
   public static final MapSnapshot NONE = new MapSnapshot(
       Optional.empty(), List.of(), new InputState.Waiting("The map has not looked for data yet."), List.of(), List.of(),
-      Optional.empty());
+      Optional.empty(), Set.of());
 }

@@ -1,5 +1,6 @@
 package org.robotui.uic.map.internal.view;
 
+import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.widgets.Event;
@@ -9,11 +10,14 @@ import org.robotui.ui.scene.SceneHands;
 /** Mouse and keys of a map, beside those that move it. Display thread. */
 final class Hands {
   private static final int REST_MILLIS = 350;
+  /** As far as a hand moves that only clicks, pixels. */
+  private static final int STILL = 4;
 
   private final MapCanvas map;
   private final PaintedCanvas surface;
   private final Runnable rest;
   private final SceneHands moving;
+  private Optional<Point> pressed = Optional.empty();
   private boolean drawing;
 
   Hands(MapCanvas map, PaintedCanvas surface) {
@@ -37,6 +41,7 @@ final class Hands {
   }
 
   private boolean press(int x, int y) {
+    pressed = Optional.of(new Point(x, y));
     drawing = map.tool().isPresent();
     map.tool().ifPresent(t -> {
       t.down(map.mover().viewport().worldX(x), map.mover().viewport().worldY(y));
@@ -60,7 +65,10 @@ final class Hands {
       drawing = false;
       map.tool().ifPresent(t -> t.up(worldX(e), worldY(e)));
       map.refresh();
+    } else if (e.button == 1 && pressed.filter(p -> Math.hypot(p.x - e.x, p.y - e.y) < STILL).isPresent()) {
+      map.click(new Point(e.x, e.y), (e.stateMask & (SWT.MOD1 | SWT.SHIFT)) != 0);
     }
+    pressed = Optional.empty();
   }
 
   private void leave() {

@@ -1,9 +1,12 @@
 package org.robotui.uic.map.internal.view;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
@@ -46,6 +49,9 @@ public final class MapCanvas {
   private final Theme theme;
   private final StateView states;
   private final Overlay overlay;
+  private final Legend legend;
+  private final TeamHands team;
+  private final TeamMarks marks;
   private final PaintedCanvas surface;
   private final SceneMover mover;
   private final Toast toast = new Toast();
@@ -55,7 +61,8 @@ public final class MapCanvas {
   private String note = "";
 
   public MapCanvas(
-      Composite parent, UiContext context, MapModel model, Choices choices, Commander commander, MapActions actions) {
+      Composite parent, UiContext context, MapModel model, Choices choices, Commander commander, TeamGoals goals,
+      MapActions actions) {
     this.context = context;
     this.model = model;
     this.choices = choices;
@@ -63,6 +70,9 @@ public final class MapCanvas {
     theme = context.theme();
     states = new StateView(theme);
     overlay = new Overlay(theme);
+    legend = new Legend(theme, model.team());
+    team = new TeamHands(this, model.team(), goals);
+    marks = new TeamMarks(model.team());
     surface = new PaintedCanvas(parent, theme, this::paint);
     mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(), SceneMover.Following.of(this::following, choices::follow),
         this::refresh);
@@ -125,6 +135,7 @@ public final class MapCanvas {
   void endTool() {
     toast.clear();
     sent.clear();
+    marks.clear();
     tool.ifPresent(t -> toggleTool(t.id()));
     refresh();
   }
@@ -144,7 +155,47 @@ public final class MapCanvas {
     return model.scene().at(v.worldX(pixel.x), v.worldY(pixel.y), TOUCH_PIXELS / v.scale());
   }
 
+  /** A click that moved nothing and used no tool. */
+  void click(Point pixel, boolean beside) {
+    if (team.isTeam()) {
+      team.click(robotAt(pixel), beside);
+      refresh();
+    }
+  }
+
+  private Optional<RobotPlace> robotAt(Point pixel) {
+    Viewport v = mover.viewport();
+    return model.snapshot().robots().stream()
+        .filter(r -> distance(r, v, pixel) < Math.max(TOUCH_PIXELS + 4, robotRadius() * v.scale()))
+        .min(Comparator.comparingDouble(r -> distance(r, v, pixel)));
+  }
+
+  private static double distance(RobotPlace robot, Viewport v, Point pixel) {
+    double dx = robot.fixedFromBase().translation().x() - v.worldX(pixel.x);
+    double dy = robot.fixedFromBase().translation().y() - v.worldY(pixel.y);
+    return Math.hypot(dx, dy) * v.scale();
+  }
+
+  double robotRadius() {
+    return choices.options().robotRadius();
+  }
+
+  TeamHands team() {
+    return team;
+  }
+
+  /** Marks where robots were sent. */
+  void mark(FrameId fixed, Map<String, RigidTransform> spots) {
+    marks.add(fixed, spots);
+  }
+
   void sendGoal(RigidTransform pose) {
+    Optional<FrameId> fixed = model.snapshot().fixed();
+    if (team.isTeam() && fixed.isPresent()) {
+      endTool(t -> t instanceof MeasureTool);
+      team.send(fixed.get(), pose, () -> new MapMenu(this, model, choices).askAll(surface, fixed.get(), pose));
+      return;
+    }
     command(frame -> {
       Told told = commander.goal(frame, pose);
       if (told.health() == Health.OK) {
@@ -180,11 +231,13 @@ public final class MapCanvas {
       model.scene().paint(painter);
     }
     sent.paint(painter, snapshot, System.nanoTime());
+    marks.paint(painter, snapshot);
     tool.ifPresent(t -> t.paint(painter));
     painter.opacity(1);
     paintState(gc, area, snapshot);
     if (!bare) {
       overlay.corners(gc, mover.viewport(), snapshot, hover.pointer());
+      legend.paint(gc, area, snapshot.robots());
     }
     tool.ifPresent(t -> overlay.hint(gc, area, t.hint()));
     toast.at(System.nanoTime()).ifPresent(t -> overlay.toast(gc, area, t));
@@ -235,10 +288,19 @@ public final class MapCanvas {
   private void command(Function<FrameId, Told> sending) {
     Told told = model.snapshot().fixed().map(sending)
         .orElse(new Told(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
+    endTool(t -> t instanceof MeasureTool);
+    say(told);
+  }
+
+  private void endTool(Predicate<Tool> kept) {
+    tool = tool.filter(kept);
+    surface.setCursor(null);
+  }
+
+  /** Says for a while what became of something. */
+  void say(Told told) {
     toast.say(told, System.nanoTime());
     surface.getDisplay().timerExec(Toast.MILLIS, surface::requestPaint);
-    tool = tool.filter(t -> t instanceof MeasureTool);
-    surface.setCursor(null);
     refresh();
   }
 

@@ -39,6 +39,15 @@ final class MapMenu {
     menu.open();
   }
 
+  /** Asks whether really all shall go. */
+  void askAll(Control control, FrameId fixed, RigidTransform pose) {
+    new PopupMenu(control, map::refresh)
+        .push("Send all selected robots there: that is every one", false, () -> { })
+        .push("Yes, send all", () -> map.team().sendMeant(fixed, pose))
+        .push("No", () -> { })
+        .open();
+  }
+
   /** What is shown. */
   void openLayers(Control control) {
     PopupMenu menu = new PopupMenu(control, map::refresh);
@@ -57,7 +66,12 @@ final class MapMenu {
   }
 
   private void place(PopupMenu menu, double x, double y) {
-    menu.push("Go here", () -> map.sendGoal(RigidTransform.planar(x, y, map.usualHeading(x, y))));
+    RigidTransform there = RigidTransform.planar(x, y, map.usualHeading(x, y));
+    if (map.team().isTeam()) {
+      model.snapshot().fixed().ifPresent(fixed -> map.team().menu(menu, fixed, RigidTransform.planar(x, y, 0)));
+    } else {
+      menu.push("Go here", () -> map.sendGoal(there));
+    }
     menu.push("The robot is here", () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
     menu.push("Centre here", () -> map.mover().center(x, y));
     menu.push("Measure", () -> map.toggleTool(MapActions.MEASURE));

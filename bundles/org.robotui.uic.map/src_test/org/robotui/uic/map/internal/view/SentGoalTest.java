@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
@@ -68,6 +69,6 @@ class SentGoalTest {
 
   private static MapSnapshot snapshot(Optional<List<Vector3>> ways, Vector3 robot) {
     RobotPlace place = new RobotPlace("Keira", RigidTransform.planar(robot.x(), robot.y(), 0), 0);
-    return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways);
+    return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways, Set.of());
   }
 }

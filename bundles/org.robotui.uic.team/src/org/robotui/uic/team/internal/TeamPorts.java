@@ -1,0 +1,34 @@
+package org.robotui.uic.team.internal;
+
+import java.util.List;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Intake;
+import org.robotui.api.port.Port;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.Battery;
+import org.robotui.data.DynamicRecord;
+import org.robotui.data.NavigationGoal;
+import org.robotui.data.Odometry;
+import org.robotui.data.VelocityCommand;
+
+/** The ports of the view. */
+public final class TeamPorts {
+  /** Where robots are. */
+  public static final StreamPort<Odometry> ODOM = new StreamPort<>("odom", Odometry.class, Arity.MANY, "Where robots are, and how fast.");
+  /** What is left. */
+  public static final StreamPort<Battery> BATTERY = new StreamPort<>("battery", Battery.class, Arity.MANY, "What they have left.");
+  /** What they do. */
+  public static final StreamPort<DynamicRecord> TASK = new StreamPort<>(
+      "task", DynamicRecord.class, Arity.MANY, "What they do: the state of their goals.", Intake.CHOSEN);
+  /** Told to keep still. */
+  public static final CommandPort<VelocityCommand> VELOCITY =
+      new CommandPort<>("velocity", VelocityCommand.class, Arity.MANY, "Where a velocity of zero is sent.");
+  /** Tells who takes goals, and what was sent last. */
+  public static final CommandPort<NavigationGoal> GOAL =
+      new CommandPort<>("goal", NavigationGoal.class, Arity.MANY, "Who can be sent somewhere.");
+  /** All of them. */
+  public static final List<Port> ALL = List.of(ODOM, BATTERY, TASK, VELOCITY, GOAL);
+
+  private TeamPorts() {}
+}

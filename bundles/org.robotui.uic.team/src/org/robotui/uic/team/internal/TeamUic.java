@@ -1,0 +1,56 @@
+package org.robotui.uic.team.internal;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
+import org.robotui.ui.SwtUic;
+import org.robotui.ui.UiContext;
+import org.robotui.uic.team.internal.model.Commands;
+import org.robotui.uic.team.internal.model.TeamLook;
+import org.robotui.uic.team.internal.model.TeamModel;
+import org.robotui.uic.team.internal.view.TeamSurface;
+
+/** The view: the tick takes what came, the surface lists and commands. */
+final class TeamUic implements SwtUic {
+  private final TeamModel model;
+  private final Commands commands;
+  private volatile TeamLook look = TeamLook.NONE;
+  private volatile Optional<TeamSurface> surface = Optional.empty();
+
+  TeamUic(UicContext context, List<String> leftOut, String task) {
+    model = new TeamModel(context, leftOut, task);
+    commands = new Commands(context);
+  }
+
+  @Override
+  public boolean tick(long nowNanos) {
+    TeamLook next = model.tick(nowNanos);
+    boolean changed = !next.equals(look);
+    look = next;
+    if (changed) {
+      surface.ifPresent(s -> s.prepare(next));
+    }
+    return changed;
+  }
+
+  @Override
+  public Control createControl(Composite parent, UiContext ui) {
+    TeamSurface made = new TeamSurface(parent, ui, commands);
+    made.prepare(look);
+    made.refresh();
+    surface = Optional.of(made);
+    return made.control();
+  }
+
+  @Override
+  public void refresh() {
+    surface.ifPresent(TeamSurface::refresh);
+  }
+
+  @Override
+  public void close() {
+    // Nothing is held but memory.
+  }
+}
