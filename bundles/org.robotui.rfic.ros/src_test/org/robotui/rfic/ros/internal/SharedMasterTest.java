@@ -23,6 +23,7 @@ import org.robotui.ros.msgs.geometry_msgs.Vector3;
 import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.testkit.FakeRficContext;
 
 /** Two interfaces to two robots at one master. */
 class SharedMasterTest extends RosRficCase {
