@@ -21,11 +21,15 @@ import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldShape;
 import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
+import org.robotui.data.JointCommand;
+import org.robotui.data.JointControl;
+import org.robotui.data.JointMode;
 import org.robotui.data.NavigationGoal;
 import org.robotui.data.PoseEstimate;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.player.interfaces.Actarray;
 import org.robotui.player.interfaces.Gripper;
 import org.robotui.player.interfaces.Localize;
 import org.robotui.player.interfaces.Planner;
@@ -34,6 +38,7 @@ import org.robotui.player.interfaces.Position2d;
 import org.robotui.player.interfaces.Position3d;
 import org.robotui.player.interfaces.Speech;
 import org.robotui.player.layout.Empty;
+import org.robotui.player.server.ServedDevice;
 
 /** What goes to the devices of our own server. */
 class PlayerCommandsTest extends PlayerRficCase {
@@ -91,6 +96,44 @@ class PlayerCommandsTest extends PlayerRficCase {
     sendUntilOut("position3d:0/velocity", new VelocityCommand(new Vector3(1, 2, 3), new Vector3(4, 5, 6)));
     await("it came", () -> !heard.isEmpty());
     assertEquals(6, ((Position3d.Velocity) heard.getFirst()).velocity().yaw());
+  }
+
+  private static JointCommand.Joint velocity(String joint, double speed) {
+    return new JointCommand.Joint(joint, new JointControl.Reference(0, speed, 0, 0, 0), Set.of(JointMode.VELOCITY));
+  }
+
+  @Test
+  void armsAreMovedAndHalted() {
+    ServedDevice arm = add("actarray:0", handler("actarray:0").on(Actarray.POSITIONS, p -> heard.add(Doubles.of(p.positions()[0], p.positions()[1])))
+        .on(Actarray.SPEEDS, s -> heard.add(s.speeds()[1])));
+    startConnected();
+    want("actarray:0");
+    arm.publish(Actarray.STATE, new Actarray.State(List.of(new Actarray.Actuator(0.5f, 0, 0, 0, 1), new Actarray.Actuator(1.5f, 0, 0, 0, 1)),
+        true), STAMP);
+    first("actarray:0/control");
+    assertInstanceOf(Sent.Out.class, send("actarray:0/joints", JointCommand.ZERO));
+    sendUntilOut("actarray:0/joints", new JointCommand(List.of(JointCommand.position("actarray_0_0", 0.25))));
+    await("the other joint stays", () -> heard.contains(Doubles.of(0.25, 1.5)));
+    sendUntilOut("actarray:0/joints", JointCommand.ZERO);
+    await("it stays where it is", () -> heard.contains(Doubles.of(0.5, 1.5)));
+    assertEquals(2, heard.size(), "what we did not move was left alone before");
+    sendUntilOut("actarray:0/joints", new JointCommand(List.of(velocity("actarray_0_1", 0.5))));
+    await("it moves", () -> heard.contains(0.5f));
+    rfic.close();
+    await("it is halted on closing", () -> heard.getLast().equals(0f));
+  }
+
+  @Test
+  void whatAnArmCannotDoIsRefused() {
+    ServedDevice arm = add("actarray:0", handler("actarray:0"));
+    startConnected();
+    want("actarray:0");
+    arm.publish(Actarray.STATE, new Actarray.State(List.of(new Actarray.Actuator(0.5f, 0, 0, 0, 1)), true), STAMP);
+    first("actarray:0");
+    JointCommand unknown = new JointCommand(List.of(JointCommand.position("elbow", 0)));
+    assertTrue(((Sent.Refused) send("actarray:0/joints", unknown)).reason().contains("elbow"));
+    JointCommand mixed = new JointCommand(List.of(JointCommand.position("actarray_0_0", 0), velocity("actarray_0_0", 1)));
+    assertTrue(((Sent.Refused) send("actarray:0/joints", mixed)).reason().contains("positions or by velocities"));
   }
 
   @Test

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.link.LinkState;
 import org.robotui.data.ClockKind;
+import org.robotui.data.Doubles;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldPath;
 import org.robotui.data.FieldValue;
@@ -31,7 +33,10 @@ import org.robotui.player.interfaces.Position2d;
 import org.robotui.player.interfaces.Ranger;
 import org.robotui.player.interfaces.Size3d;
 import org.robotui.player.interfaces.Sonar;
+import org.robotui.player.layout.Layouts;
+import org.robotui.player.server.PlayerServer;
 import org.robotui.player.server.ServedDevice;
+import org.robotui.player.server.ServerOptions;
 import org.robotui.testkit.FakeRficContext;
 
 /** Streams, frames and records, against our own server. */
@@ -161,6 +166,20 @@ class PlayerRficTest extends PlayerRficCase {
     assertEquals("gripper/state", record.schema());
     assertEquals(List.of("state", "beams", "stored"), record.fields());
     assertEquals(Optional.of(new FieldValue.Num(3, "3")), record.field("beams"));
+  }
+
+  @Test
+  void anInterfaceThatNobodyKnowsIsBytes() throws IOException {
+    server.close();
+    Layouts more = layouts.with("odour", "interface 999 odour\ndata 3 state state\nstruct state\n  u32 smell\n");
+    server = new PlayerServer(more, ServerOptions.loopback(DAEMONS, 0, () -> STAMP));
+    ServedDevice nose = server.add("odour", 2, "nose", handler("interface999:2"));
+    startConnected();
+    want("interface999:2");
+    nose.publish(3, ByteBuffer.wrap(new byte[] {0, 0, 1, 2}), STAMP);
+    DynamicRecord record = assertInstanceOf(DynamicRecord.class, first("interface999:2").value());
+    assertEquals("interface999/3", record.schema());
+    assertEquals(Optional.of(new FieldValue.Numbers(Doubles.of(0, 0, 1, 2))), record.field("bytes"));
   }
 
   @Test

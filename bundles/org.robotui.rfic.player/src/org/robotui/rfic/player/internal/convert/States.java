@@ -1,10 +1,6 @@
 package org.robotui.rfic.player.internal.convert;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.robotui.data.Battery;
-import org.robotui.data.JointState;
-import org.robotui.player.interfaces.Actarray;
 import org.robotui.player.interfaces.Power;
 
 /** What devices say of their own state. */
@@ -33,19 +29,5 @@ public final class States {
       return Battery.Status.DISCHARGING;
     }
     return told ? Battery.Status.NOT_CHARGING : Battery.Status.UNKNOWN;
-  }
-
-  /** Player's joints have numbers; their names are made of the device's. What drives them is a current, which is no effort. */
-  public static JointState joints(Actarray.State m, String device) {
-    List<JointState.Joint> joints = new ArrayList<>();
-    for (int i = 0; i < m.actuators().size(); i++) {
-      Actarray.Actuator a = m.actuators().get(i);
-      joints.add(new JointState.Joint(joint(device, i), a.position(), a.speed(), Double.NaN));
-    }
-    return new JointState(joints);
-  }
-
-  public static String joint(String device, int index) {
-    return device.replace(':', '_') + "_" + index;
   }
 }

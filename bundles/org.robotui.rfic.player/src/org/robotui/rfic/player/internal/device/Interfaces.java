@@ -22,7 +22,8 @@ final class Interfaces {
       case "gps" -> Simple.gps(feed);
       case "pointcloud3d" -> Simple.cloud(feed);
       case "fiducial" -> Simple.fiducial(feed);
-      case "actarray" -> Arms.actarray(feed);
+      case "actarray" -> new Arm(feed);
+      case "bumper" -> new BumperPorts(feed);
       case "map" -> new MapFetch(feed);
       case "planner" -> new PlannerPorts(feed);
       case "localize" -> new LocalizePorts(feed);

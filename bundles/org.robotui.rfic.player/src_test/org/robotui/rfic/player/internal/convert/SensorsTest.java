@@ -14,7 +14,6 @@ import org.robotui.data.CompressedImage;
 import org.robotui.data.FrameId;
 import org.robotui.data.GpsFix;
 import org.robotui.data.Imu;
-import org.robotui.data.JointState;
 import org.robotui.data.LaserScan;
 import org.robotui.data.PixelEncoding;
 import org.robotui.data.PointCloud;
@@ -22,7 +21,6 @@ import org.robotui.data.RangeReading;
 import org.robotui.data.RangeReadings;
 import org.robotui.data.RawImage;
 import org.robotui.geometry.Vector3;
-import org.robotui.player.interfaces.Actarray;
 import org.robotui.player.interfaces.Angles;
 import org.robotui.player.interfaces.Camera;
 import org.robotui.player.interfaces.Color;
@@ -165,15 +163,5 @@ class SensorsTest {
     assertEquals(3f, buffer.getFloat(8));
     assertEquals(0x112233, buffer.getInt(12));
     assertEquals(0, Sensing.cloud(new Pointcloud3d.Cloud(List.of()), FRAME).size());
-  }
-
-  @Test
-  void jointsAreNamedAfterTheirDevice() {
-    JointState joints = States.joints(new Actarray.State(List.of(new Actarray.Actuator(0.5f, 0.25f, 0, 3, 2)), true), "actarray:1");
-    JointState.Joint joint = joints.joints().getFirst();
-    assertEquals("actarray_1_0", joint.name());
-    assertEquals(0.5, joint.position());
-    assertEquals(0.25, joint.velocity());
-    assertTrue(Double.isNaN(joint.effort()), "a current is no effort");
   }
 }
