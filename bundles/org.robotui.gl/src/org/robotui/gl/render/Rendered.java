@@ -34,8 +34,18 @@ public sealed interface Rendered {
    * @param points drawn
    * @param pointsLeftOut by thinning
    * @param triangles drawn
+   * @param trianglesLeftOut by thinning
    * @param uploadedBytes sent to the graphics card for this picture
    * @param residentBytes held there for this scene
    */
-  record Figures(double seconds, long points, long pointsLeftOut, long triangles, long uploadedBytes, long residentBytes) {}
+  record Figures(double seconds, long points, long pointsLeftOut, long triangles, long trianglesLeftOut, long uploadedBytes, long residentBytes) {
+    /**
+     * Whether a picture of the same without thinning looks the same.
+     *
+     * @return true where nothing was left out
+     */
+    public boolean complete() {
+      return pointsLeftOut == 0 && trianglesLeftOut == 0;
+    }
+  }
 }

@@ -31,7 +31,7 @@ final class DrawnMesh implements Drawn {
   public void draw(Pass pass, Look look) {
     surface.bind(look);
     pass.light(pass.use(surface.shader(look), look), look);
-    surface.draw(pass);
+    surface.draw(pass, look);
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.robotui.gl.internal.gpu.Gpu;
 import org.robotui.gl.internal.gpu.Program;
 import org.robotui.gl.internal.splat.Splats;
 import org.robotui.gl.internal.text.GlyphTexture;
+import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Rgba;
 
 /** The drawing of one picture, or of the few pixels around the pointer. */
@@ -23,6 +24,7 @@ public final class Pass {
   private final Optional<Splats> splats;
   private final boolean picking;
   private final int every;
+  private final Fineness fineness;
   private final BooleanSupplier givenUp;
   private final Tally tally = new Tally();
 
@@ -36,9 +38,11 @@ public final class Pass {
    * @param splats where points are written that OpenGL does not draw; none where it draws all
    * @param picking whether parts and elements are drawn in place of colours
    * @param every n-th point is drawn
+   * @param fineness of surfaces
    * @param givenUp whether the rest need not be drawn
    */
-  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every, BooleanSupplier givenUp) {
+  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every, Fineness fineness,
+      BooleanSupplier givenUp) {
     this.gpu = gpu;
     this.camera = camera;
     this.programs = tools.programs();
@@ -47,6 +51,7 @@ public final class Pass {
     this.splats = splats;
     this.picking = picking;
     this.every = every;
+    this.fineness = fineness;
     this.givenUp = givenUp;
   }
 
@@ -81,6 +86,18 @@ public final class Pass {
 
   int every() {
     return every;
+  }
+
+  Fineness fineness() {
+    return fineness;
+  }
+
+  /** What a pixel shows of the nearest end of a shape; metres. */
+  double metresPerPixel(Look look, Optional<Box3> bounds) {
+    double distance = camera.perspective()
+        ? bounds.map(box -> look.eyeFromShape().apply(box.center())[0] - box.radius()).orElse(0.0)
+        : 1;
+    return Math.max(0, distance) / camera.reach();
   }
 
   /** Asked between pieces of what takes long. */

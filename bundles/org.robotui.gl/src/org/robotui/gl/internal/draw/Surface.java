@@ -12,6 +12,11 @@ import org.robotui.gl.shape.TriangleMesh;
 
 /** The buffers of a mesh, laid into a vertex array to which more may be added. */
 final class Surface {
+  private static final int CORNERS = 3;
+  /** Fewer triangles are drawn as they are. */
+  private static final int MANY = 1000;
+  /** Pictures. */
+  private static final int SETTLED = 3;
   private static final int NORMAL = 2;
   private static final int UV = 3;
   private static final Shader SHADER = Shader.of("mesh");
@@ -22,6 +27,8 @@ final class Surface {
   private final GpuBuffer indices;
   private Optional<GpuBuffer> normals = Optional.empty();
   private Optional<GpuBuffer> uv = Optional.empty();
+  private Optional<Levels> levels = Optional.empty();
+  private int draws;
   private TriangleMesh mesh = TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0));
 
   Surface(Gpu gpu) {
@@ -37,6 +44,8 @@ final class Surface {
       return 0;
     }
     mesh = wanted;
+    levels = Optional.empty();
+    draws = 0;
     array.bind();
     long sent = corners.fill(mesh.xyz(), mesh.rgba()) + indices.fill(mesh.triangles());
     corners.lay(array, 1);
@@ -80,14 +89,38 @@ final class Surface {
     look.texture().ifPresent(texture -> texture.bind());
   }
 
-  void draw(Pass pass) {
-    pass.gl().glDrawElements(GL.GL_TRIANGLES, mesh.triangles().remaining(), GL.GL_UNSIGNED_INT, 0);
-    pass.tally().triangles(mesh.elements());
+  /** As fine as is seen. */
+  void draw(Pass pass, Look look) {
+    if (pass.fineness().isExact() || mesh.elements() < MANY) {
+      draw(pass, 0, mesh.triangles().remaining(), 0);
+      return;
+    }
+    Levels finenesses = levels.orElseGet(this::levels);
+    double metres = pass.metresPerPixel(look, mesh.bounds());
+    Levels.Level now = finenesses.within(pass.fineness().pixels() * metres);
+    Levels.Level rest = finenesses.within(Fineness.AT_REST.pixels() * metres);
+    draw(pass, now.first(), now.count(), rest.count() - now.count());
+  }
+
+  /** Not before it has stayed the same for some pictures: coarsening what changes with each would cost more than it saves. */
+  private Levels levels() {
+    if (++draws < SETTLED) {
+      return Levels.none(mesh);
+    }
+    Levels made = Levels.of(mesh);
+    levels = Optional.of(made);
+    indices.fill(made.indices());
+    return made;
+  }
+
+  private void draw(Pass pass, int first, int count, int leftOut) {
+    pass.gl().glDrawElements(GL.GL_TRIANGLES, count, GL.GL_UNSIGNED_INT, (long) Integer.BYTES * first);
+    pass.tally().triangles(count / CORNERS, Math.max(0, leftOut) / CORNERS);
   }
 
   void draw(Pass pass, int instances) {
     pass.gl().glDrawElementsInstanced(GL.GL_TRIANGLES, mesh.triangles().remaining(), GL.GL_UNSIGNED_INT, 0, instances);
-    pass.tally().triangles((long) mesh.elements() * instances);
+    pass.tally().triangles((long) mesh.elements() * instances, 0);
   }
 
   boolean translucent() {

@@ -5,14 +5,16 @@ public final class Tally {
   private long points;
   private long pointsLeftOut;
   private long triangles;
+  private long trianglesLeftOut;
 
   void points(long drawn, long leftOut) {
     points += drawn;
     pointsLeftOut += leftOut;
   }
 
-  void triangles(long drawn) {
+  void triangles(long drawn, long leftOut) {
     triangles += drawn;
+    trianglesLeftOut += leftOut;
   }
 
   /**
@@ -31,6 +33,15 @@ public final class Tally {
    */
   public long pointsLeftOut() {
     return pointsLeftOut;
+  }
+
+  /**
+   * Triangles that the next complete picture has.
+   *
+   * @return not drawn
+   */
+  public long trianglesLeftOut() {
+    return trianglesLeftOut;
   }
 
   /**

@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import org.robotui.gl.internal.draw.Camera;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Label;
 import org.robotui.gl.shape.PointSet;
 import org.robotui.gl.shape.PointSet.Unit;
+import org.robotui.gl.shape.TriangleMesh;
 
 /**
  * What is seen, in the order in which it is drawn: what is opaque from the front to the back, so that what is hidden is not computed; then
@@ -46,6 +48,12 @@ record Order(List<Resident> opaque, List<Resident> translucent) {
   /** How many points there are to draw. */
   long points() {
     return points(opaque) + points(translucent);
+  }
+
+  /** How many triangles of meshes there are to draw. */
+  long triangles() {
+    return Stream.concat(opaque.stream(), translucent.stream())
+        .mapToLong(resident -> resident.part().shape() instanceof TriangleMesh mesh ? mesh.elements() : 0).sum();
   }
 
   private static long points(List<Resident> residents) {

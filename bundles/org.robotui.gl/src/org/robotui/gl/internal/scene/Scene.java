@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.robotui.gl.internal.draw.Camera;
+import org.robotui.gl.internal.draw.Fineness;
 import org.robotui.gl.internal.draw.Pass;
 import org.robotui.gl.internal.draw.Tools;
 import org.robotui.gl.internal.gpu.Gpu;
@@ -18,6 +19,8 @@ import org.robotui.gl.render.Rendered.Figures;
 /** One scene in one context. On the thread of OpenGL only. */
 final class Scene {
   private static final double NANOS = 1e9;
+  /** Triangles that software draws in time. */
+  private static final int MANY = 50_000;
 
   private final Gpu gpu;
   private final Tools tools;
@@ -57,7 +60,8 @@ final class Scene {
     Camera camera = Camera.of(request);
     Order order = Order.of(residents.all(), camera);
     Pixels target = fitting(request);
-    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()), givenUp);
+    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()),
+        fineness(order, request), givenUp);
     target.bind(request.background());
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
     canvas.drawSplatted(order);
@@ -83,7 +87,7 @@ final class Scene {
     Camera camera = whole.around(x, y, Picker.SIDE);
     Order order = Order.of(residents.all(), camera);
     Splats splats = new Splats(Picker.SIDE, Picker.SIDE, true);
-    Pass pass = new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1, () -> false);
+    Pass pass = new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1, Fineness.EXACT, () -> false);
     Canvas canvas = new Canvas(gpu, pass, camera, List.of());
     Picker pixelsAround = new Picker(gpu);
     pixelsAround.begin();
@@ -97,6 +101,11 @@ final class Scene {
   private static Pick pick(RenderRequest request, Camera camera, Resident resident, Found hit, int x, int y) {
     double depth = resident.onTop() ? hit.depth() / Canvas.TOP : (hit.depth() - Canvas.TOP) / (1 - Canvas.TOP);
     return new Pick(resident.display(), resident.part(), hit.element(), camera.place(x + hit.x(), y + hit.y(), depth, request.eye()));
+  }
+
+  private Fineness fineness(Order order, RenderRequest request) {
+    boolean hurry = request.pointBudget() < Integer.MAX_VALUE && order.triangles() > MANY;
+    return !gpu.limits().software() ? Fineness.EXACT : hurry ? Fineness.MOVING : Fineness.AT_REST;
   }
 
   private static int every(long points, int budget) {
@@ -113,7 +122,7 @@ final class Scene {
   }
 
   private Figures figures(long start, Pass pass) {
-    return new Figures((System.nanoTime() - start) / NANOS, pass.tally().points(), pass.tally().pointsLeftOut(), pass.tally().triangles(),
+    return new Figures((System.nanoTime() - start) / NANOS, pass.tally().points(), pass.tally().pointsLeftOut(), pass.tally().triangles(), pass.tally().trianglesLeftOut(),
         residents.takeSent(), residents.bytes() + pixels.map(Pixels::bytes).orElse(0L));
   }
 

@@ -296,7 +296,7 @@ public final class Studio implements AutoCloseable {
     switch (rendered) {
       case Rendered.Picture made -> {
         figures = Optional.of(made.figures());
-        complete = made.figures().pointsLeftOut() == 0;
+        complete = made.figures().complete();
         unavailable = Optional.empty();
         budget.learn(made.figures());
         meter.count(clock.getAsLong());

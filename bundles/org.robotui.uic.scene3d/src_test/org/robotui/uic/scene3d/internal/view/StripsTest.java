@@ -25,7 +25,7 @@ class StripsTest {
   private final Display display = TestDisplay.get();
 
   private static Rendered.Picture picture(int... rgb) {
-    return new Rendered.Picture(WIDTH, HEIGHT, rgb, new Rendered.Figures(0, 0, 0, 0, 0, 0), List.of());
+    return new Rendered.Picture(WIDTH, HEIGHT, rgb, new Rendered.Figures(0, 0, 0, 0, 0, 0, 0), List.of());
   }
 
   private ImageData painted(Rendered.Picture picture, int width, int height) {
