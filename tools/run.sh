@@ -2,7 +2,7 @@
 
 readonly STATE=${XDG_STATE_HOME:-$HOME/.local/state}/robotui
 readonly LIVE_SECONDS=8
-readonly DEFAULT_CONFIG=$ROOT/configs/demo.yaml
+readonly DEFAULT_CONFIG=$ROOT/configs/natalie-keira.yaml
 
 cmd_run() {
   local mode=window stay='' watch='' screenshot='' configs=() options=() window_options=()
