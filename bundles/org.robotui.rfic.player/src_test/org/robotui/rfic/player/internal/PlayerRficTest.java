@@ -191,6 +191,8 @@ class PlayerRficTest extends PlayerRficCase {
     await("the mistake is told", () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("laser:0") && c.contains("127.0.0.1")));
     laser.publish(Laser.SCAN, new Laser.Scan(Float.NaN, 1, 1, 8, new float[] {1, 8, 2}, new byte[0], 5), STAMP);
     await("values that are none are told", () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("angle")));
+    laser.publish(77, ByteBuffer.wrap(new byte[] {1, 2, 3, 4}), STAMP);
+    await("data that are not known are told", () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("data 77")));
     assertInstanceOf(LinkState.Connected.class, link());
   }
 

@@ -211,9 +211,11 @@ public final class DeviceFeed implements AutoCloseable {
     public void onData(PlayerMessage message, long receiveNanos) {
       around.pulse().heard(receiveNanos);
       Reception reception = new Reception(around.stamps().of(message.stamp()), receiveNanos, Optional.of(raw(message)));
-      for (Taker taker : takers.getOrDefault(message.subtype(), others)) {
-        take(taker, message, reception);
+      List<Taker> taking = takers.getOrDefault(message.subtype(), others);
+      if (taking.isEmpty()) {
+        outlets.stream().findFirst().ifPresent(o -> o.lost(name() + " at " + around.peer() + ": data " + message.subtype() + " are not known here"));
       }
+      taking.forEach(taker -> take(taker, message, reception));
     }
 
     @Override
