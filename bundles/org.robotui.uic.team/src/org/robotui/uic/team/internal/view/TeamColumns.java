@@ -54,7 +54,7 @@ final class TeamColumns {
         Column.figures("Battery", TeamRow::battery).width(BATTERY_WIDTH).painted(this::battery).hint(TeamRow::battery)
             .order(Comparator.comparingDouble(TeamRow::charge)),
         Column.words("Task", TeamRow::task).weight(TASK_SHARE).role(TeamColumns::task).from(ROOM_FOR_TASK).order(by(TeamRow::task)),
-        Column.figures("Position", TeamColumns::place).width(PLACE_WIDTH).hint(r -> r.place().isEmpty() ? "" : "x, y in metres, in " + r.frame())
+        Column.figures("Position", TeamColumns::place).width(PLACE_WIDTH).role(TeamColumns::placeRole).hint(r -> r.place().isEmpty() ? "" : "x, y in metres, in " + r.frame())
             .from(ROOM_FOR_PLACE).order(Comparator.comparingDouble(r -> r.place().map(p -> p.x()).orElse(Double.NaN))),
         Column.words("Link", TeamRow::link).weight(LINK_SHARE).dot(TeamRow::linkHealth).role(Role.DIM).hint(TeamRow::linkText).from(ROOM_FOR_LINK)
             .order(Comparator.comparing(TeamRow::linkHealth).thenComparing(TeamRow::link)),
@@ -79,6 +79,11 @@ final class TeamColumns {
 
   private static String place(TeamRow row) {
     return row.place().map(p -> Figures.fixed(p.x(), 2) + "  " + Figures.fixed(p.y(), 2)).orElse(Figures.UNKNOWN);
+  }
+
+  /** Where it was last, where that is not known any more. */
+  private static Role placeRole(TeamRow row) {
+    return row.doing() == Doing.LOST || row.doing() == Doing.SILENT || row.doing() == Doing.STALE ? Role.DIM : Role.TEXT;
   }
 
   private static String age(TeamRow row) {
