@@ -26,11 +26,16 @@ public final class FixedFrame {
 
   private static Optional<FrameId> best(Frames frames, List<FrameId> known, List<FrameId> named) {
     return PREFERRED.stream()
-        .flatMap(name -> known.stream().filter(f -> f.name().equals(name)))
+        .flatMap(name -> uppermost(frames, known.stream().filter(f -> f.name().equals(name)).toList()).stream())
         .findFirst()
         .or(() -> known.stream().filter(f -> frames.parent(f).isEmpty()).findFirst())
         .or(() -> PREFERRED.stream().flatMap(name -> named.stream().filter(f -> f.name().equals(name))).findFirst())
         .or(() -> named.stream().filter(f -> !f.name().isEmpty()).findFirst());
+  }
+
+  /** Of the maps of several robots the one that carries the others, where the configuration joins them. */
+  private static Optional<FrameId> uppermost(Frames frames, List<FrameId> same) {
+    return same.stream().filter(f -> frames.parent(f).filter(same::contains).isEmpty()).findFirst();
   }
 
   private static Optional<FrameId> asked(String wanted, List<FrameId> known, List<FrameId> named) {

@@ -23,6 +23,15 @@ class FixedFrameTest {
   }
 
   @Test
+  void ofTheMapsOfSeveralRobotsTheOneThatCarriesTheOthersIsTaken() {
+    FrameId natalies = new FrameId("Natalie", "map");
+    frames.fix(natalies, MAP, RigidTransform.IDENTITY);
+    frames.fix(MAP, ODOM, RigidTransform.IDENTITY);
+    frames.fix(WORLD, natalies, RigidTransform.IDENTITY);
+    assertEquals(Optional.of(natalies), auto(List.of()));
+  }
+
+  @Test
   void odomIsTakenWhereOnlyTheDataNameAMap() {
     frames.fix(ODOM, BASE, RigidTransform.IDENTITY);
     assertEquals(Optional.of(ODOM), auto(List.of(MAP)));
