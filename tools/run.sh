@@ -54,10 +54,11 @@ parse_run_options() {
 }
 
 cmd_check() {
-  local config='' live=()
+  local config='' live=() reuse=()
   while [[ $# -gt 0 ]]; do
     case $1 in
       --live) live=(-live "$LIVE_SECONDS") ;;
+      --reuse) [[ ${2:-} =~ ^(md|csv)$ ]] || usage_error "--reuse is md or csv"; reuse=(-reuse "$2"); shift ;;
       -*) usage_error "check does not know '$1'" ;;
       *) [[ -z $config ]] || usage_error "check takes one configuration"
          config=$(config_path "$1") || exit 2 ;;
@@ -68,7 +69,7 @@ cmd_check() {
   need_product
   trap end_everything EXIT
   [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$config"
-  run_application check -application org.robotui.headless.application -check "$config" "${live[@]}"
+  run_application check -application org.robotui.headless.application -check "$config" "${live[@]}" "${reuse[@]}"
 }
 
 # A file, or the name of one in configs/.

@@ -8,8 +8,9 @@ import java.util.Map;
  *
  * @param problems what is wrong with it, in the order of the file
  * @param matches what matching says, by RUIC; streams that only a running robot offers are pending
+ * @param reuse which bundles its RUICs use
  */
-public record CheckReport(List<Problem> problems, Map<String, List<Match>> matches) {
+public record CheckReport(List<Problem> problems, Map<String, List<Match>> matches, ReuseReport reuse) {
   /**
    * Whether it can be used.
    *

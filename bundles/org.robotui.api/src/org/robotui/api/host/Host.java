@@ -47,6 +47,13 @@ public interface Host {
   List<Installed> installed();
 
   /**
+   * Which bundles are used by the RUICs that there are now.
+   *
+   * @return a matrix
+   */
+  ReuseReport reuse();
+
+  /**
    * Checks a value that a user wants to give to a setting.
    *
    * @param setting which

@@ -15,10 +15,12 @@ import java.util.Optional;
  * @param limit how long to run
  * @param check a file to check only
  * @param live how long to wait for the robots of the checked file; none to ask no robot
+ * @param reuse with a check: print the matrix of what is used by which RUIC, {@code md} or {@code csv}
  * @param watch true to take up what is changed in the files
  */
 record Arguments(
-    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live, boolean watch) {
+    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live, boolean watch,
+    Optional<String> reuse) {
   static final String USAGE = """
       -config FILE...   load these configurations
       -json             print a JSON line per port and second in place of the text views
@@ -26,6 +28,7 @@ record Arguments(
       -watch            take up what is changed in the files while they run; see docs/exchange.md
       -check FILE       check a configuration and print what would be connected
       -live SECONDS     with -check: connect to the robots, and wait at most so long for what they have
+      -reuse md|csv     with -check: print which bundles are used by which robot UI
       exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start
       """;
 
@@ -48,6 +51,7 @@ record Arguments(
     private final List<Path> configurations = new ArrayList<>();
     private boolean json;
     private boolean watch;
+    private Optional<String> reuse = Optional.empty();
     private Optional<Duration> limit = Optional.empty();
     private Optional<Path> check = Optional.empty();
     private Optional<Duration> live = Optional.empty();
@@ -61,13 +65,14 @@ record Arguments(
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), json, limit, check, live, watch);
+      return new Arguments(List.copyOf(configurations), json, limit, check, live, watch, reuse);
     }
 
     private void option(String word) throws Wrong {
       switch (word) {
         case "-config" -> files(word);
         case "-json" -> json = true;
+        case "-reuse" -> reuse = Optional.of(oneOf(word, List.of("md", "csv")));
         case "-watch" -> watch = true;
         case "-for" -> limit = Optional.of(seconds(word, value(word)));
         case "-live" -> live = Optional.of(seconds(word, value(word)));
@@ -88,6 +93,14 @@ record Arguments(
         throw new Wrong(option + " needs a value");
       }
       return words.get(at++);
+    }
+
+    private String oneOf(String option, List<String> words) throws Wrong {
+      String value = value(option);
+      if (!words.contains(value)) {
+        throw new Wrong(option + " is " + String.join(" or ", words) + ", not '" + value + "'");
+      }
+      return value;
     }
 
     private static Duration seconds(String option, String text) throws Wrong {

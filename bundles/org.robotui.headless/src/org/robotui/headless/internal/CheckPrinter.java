@@ -5,11 +5,13 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.ReuseReport;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 
@@ -25,6 +27,14 @@ final class CheckPrinter {
     report.problems().forEach(p -> out.println(line(p)));
     report.matches().forEach(this::ruic);
     out.println(summary(report));
+  }
+
+  /** What several RUICs share is said in a sentence; the whole matrix where it is asked for, as Markdown or comma-separated values. */
+  void reuse(ReuseReport report, Optional<String> format) {
+    if (report.ruics().size() > 1 || format.isPresent()) {
+      out.println(report.summary());
+    }
+    format.ifPresent(f -> out.print("\n" + ("csv".equals(f) ? report.csv() : report.markdown())));
   }
 
   static String line(Problem problem) {

@@ -23,7 +23,7 @@ final class CheckRun {
     this.err = err;
   }
 
-  Exit check(Path file, Optional<Duration> live) throws InterruptedException {
+  Exit check(Path file, Optional<Duration> live, Optional<String> reuse) throws InterruptedException {
     if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
       err.println(Files.exists(file) ? file + " cannot be read" : "there is no file " + file);
       return Exit.UNREADABLE;
@@ -32,7 +32,9 @@ final class CheckRun {
     if (report.usable() && live.isPresent()) {
       report = new LiveCheck(host).check(file, live.get());
     }
-    new CheckPrinter(out).print(report);
+    CheckPrinter printer = new CheckPrinter(out);
+    printer.print(report);
+    printer.reuse(report.reuse(), reuse);
     return report.usable() ? Exit.FINE : Exit.ERRORS;
   }
 }

@@ -53,7 +53,7 @@ public final class HeadlessApplication implements IApplication {
 
   private Exit run(Host host, Arguments arguments) throws InterruptedException {
     if (arguments.check().isPresent()) {
-      return new CheckRun(host, out, err).check(arguments.check().get(), arguments.live());
+      return new CheckRun(host, out, err).check(arguments.check().get(), arguments.live(), arguments.reuse());
     }
     Thread hook = new Thread(this::stopAndWait, "robotui-stop");
     Runtime.getRuntime().addShutdownHook(hook);

@@ -38,7 +38,7 @@ final class LiveCheck {
       while (pending() && System.nanoTime() < end) {
         Thread.sleep(LOOK);
       }
-      return new CheckReport(problems, matches());
+      return new CheckReport(problems, matches(), host.reuse());
     } finally {
       host.close(CLOSE_LIMIT);
     }

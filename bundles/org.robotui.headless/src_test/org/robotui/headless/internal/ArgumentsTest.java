@@ -22,7 +22,7 @@ class ArgumentsTest {
 
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
-    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), false), Arguments.parse(new String[0]));
+    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), false, Optional.empty()), Arguments.parse(new String[0]));
   }
 
   @Test
@@ -35,6 +35,7 @@ class ArgumentsTest {
   void saysWhatIsWrong() {
     assertEquals("unknown argument -jason", wrong("-jason"));
     assertEquals("-config needs a value", wrong("-config"));
+    assertEquals("-reuse is md or csv, not 'xml'", wrong("-reuse", "xml"));
     assertEquals("-check needs a value", wrong("-check", "-json"));
     assertEquals("-for needs a number of seconds, not 'soon'", wrong("-for", "soon"));
     assertEquals("-for needs a number of seconds from 0, not 'NaN'", wrong("-for", "NaN"));

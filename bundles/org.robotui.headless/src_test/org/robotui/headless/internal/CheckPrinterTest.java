@@ -12,6 +12,7 @@ import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.ReuseReport;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
@@ -35,7 +36,7 @@ class CheckPrinterTest {
         "  ambiguous  map.odom (Data)  two fit (candidates: base.front, base.rear)",
         "  pending    map.map (Data)   base may offer it when it runs",
         "1 connected, 1 refused, 1 pending, 1 ambiguous; no errors, no warnings"),
-        print(new CheckReport(List.of(), Map.of("natalie", matches))));
+        print(new CheckReport(List.of(), Map.of("natalie", matches), ReuseReport.EMPTY)));
   }
 
   @Test
@@ -43,7 +44,7 @@ class CheckPrinterTest {
     Problem problem = new Problem("ros.yaml", 3, 5, Problem.Severity.ERROR, "unknown word 'veiws', write 'views'");
 
     assertEquals(List.of("ros.yaml:3:5: error: unknown word 'veiws', write 'views'",
-        "no connections; 1 error, no warnings"), print(new CheckReport(List.of(problem), Map.of())));
+        "no connections; 1 error, no warnings"), print(new CheckReport(List.of(problem), Map.of(), ReuseReport.EMPTY)));
   }
 
   private static Match match(

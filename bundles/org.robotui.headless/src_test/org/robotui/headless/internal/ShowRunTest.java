@@ -69,7 +69,7 @@ class ShowRunTest {
   }
 
   private Exit run(Path config, Optional<Duration> limit) throws InterruptedException {
-    Arguments arguments = new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), false);
+    Arguments arguments = new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), false, Optional.empty());
     return new ShowRun(host, print(out), print(err), stop).show(arguments);
   }
 

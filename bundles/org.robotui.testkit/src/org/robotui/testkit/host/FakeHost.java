@@ -17,6 +17,7 @@ import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
 
 /** A host with RUICs that a test adds. Safe for all threads. */
@@ -26,6 +27,7 @@ public final class FakeHost implements Host {
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final AtomicInteger heartbeats = new AtomicInteger();
   private volatile List<Problem> problems = List.of();
+  private volatile ReuseReport reuse = ReuseReport.EMPTY;
   private volatile List<Installed> installed = List.of();
   private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
 
@@ -70,6 +72,17 @@ public final class FakeHost implements Host {
    */
   public FakeHost installed(Installed... types) {
     installed = List.of(types);
+    return this;
+  }
+
+  /**
+   * Sets what its RUICs use.
+   *
+   * @param report the matrix
+   * @return this
+   */
+  public FakeHost reusing(ReuseReport report) {
+    reuse = report;
     return this;
   }
 
@@ -134,12 +147,17 @@ public final class FakeHost implements Host {
   @Override
   public CheckReport check(Path file, Duration wait) {
     calls.add("check " + file.getFileName());
-    return new CheckReport(problems, Map.of());
+    return new CheckReport(problems, Map.of(), reuse);
   }
 
   @Override
   public List<Installed> installed() {
     return installed;
+  }
+
+  @Override
+  public ReuseReport reuse() {
+    return reuse;
   }
 
   @Override

@@ -37,13 +37,17 @@ final class Checker {
     ConfigResult result = parts.configs().read(file, parts.registry());
     List<Problem> problems = new ArrayList<>(result.problems());
     Map<String, List<Match>> matches = new LinkedHashMap<>();
+    Reuse reuse = new Reuse(parts.registry(), parts.bundles());
     for (RuicConfig ruic : result.ruics()) {
       switch (Plan.of(ruic, parts.registry(), parts.check())) {
-        case Plan.Outcome.Made m -> matches.put(ruic.name(), matches(ruic, m.plan()));
+        case Plan.Outcome.Made m -> {
+          matches.put(ruic.name(), matches(ruic, m.plan()));
+          reuse.add(ruic, m.plan());
+        }
         case Plan.Outcome.Impossible i -> problems.add(missing(ruic, i.reason()));
       }
     }
-    return new CheckReport(List.copyOf(problems), matches);
+    return new CheckReport(List.copyOf(problems), matches, reuse.report());
   }
 
   private static Problem missing(RuicConfig ruic, String reason) {

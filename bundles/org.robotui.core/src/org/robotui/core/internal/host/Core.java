@@ -23,6 +23,7 @@ import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
@@ -30,6 +31,7 @@ import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.life.OverlayStore;
+import org.robotui.core.internal.life.Plan;
 import org.robotui.core.internal.life.RuicRuntime;
 import org.robotui.core.internal.life.Services;
 import org.robotui.core.internal.watch.DisplayWatchdog;
@@ -143,6 +145,17 @@ public final class Core implements Host {
   @Override
   public List<Installed> installed() {
     return parts.registry().installed();
+  }
+
+  @Override
+  public ReuseReport reuse() {
+    Reuse reuse = new Reuse(parts.registry(), parts.bundles());
+    for (RuicRuntime ruic : ruics) {
+      if (Plan.of(ruic.config(), parts.registry(), parts.check()) instanceof Plan.Outcome.Made made) {
+        reuse.add(ruic.config(), made.plan());
+      }
+    }
+    return reuse.report();
   }
 
   @Override

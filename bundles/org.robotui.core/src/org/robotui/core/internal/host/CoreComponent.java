@@ -28,6 +28,7 @@ import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
 import org.robotui.core.internal.config.SchemaCheck;
 import org.robotui.core.internal.config.YamlConfigSource;
@@ -121,6 +122,11 @@ public final class CoreComponent implements Host {
   @Override
   public List<Installed> installed() {
     return core.installed();
+  }
+
+  @Override
+  public ReuseReport reuse() {
+    return core.reuse();
   }
 
   @Override

@@ -5,9 +5,14 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import org.osgi.framework.Bundle;
 import org.osgi.framework.BundleContext;
+import org.osgi.framework.ServiceReference;
+import org.osgi.framework.wiring.BundleWiring;
 import org.robotui.core.internal.watch.BundleNames;
 
 /**
@@ -52,6 +57,29 @@ final class OsgiBundleNames implements BundleNames {
       known = now;
     }
     return now.names().computeIfAbsent(className, name -> find(name, all));
+  }
+
+  @Override
+  public Set<String> usedBy(String bundle) {
+    Set<String> used = new TreeSet<>();
+    for (Bundle each : context.getBundles()) {
+      if (bundle.equals(each.getSymbolicName())) {
+        packages(each).forEach(used::add);
+        services(each).forEach(used::add);
+      }
+    }
+    used.remove(bundle);
+    return used;
+  }
+
+  private static Stream<String> packages(Bundle bundle) {
+    return Optional.ofNullable(bundle.adapt(BundleWiring.class)).map(w -> w.getRequiredWires(null)).stream().flatMap(List::stream)
+        .map(wire -> wire.getProvider().getBundle()).map(Bundle::getSymbolicName);
+  }
+
+  private static Stream<String> services(Bundle bundle) {
+    return Optional.ofNullable(bundle.getServicesInUse()).stream().flatMap(Arrays::stream)
+        .map(ServiceReference::getBundle).filter(Bundle.class::isInstance).map(Bundle::getSymbolicName);
   }
 
   private static Optional<String> find(String className, Bundle[] all) {

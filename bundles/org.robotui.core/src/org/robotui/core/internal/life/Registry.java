@@ -108,6 +108,11 @@ public final class Registry implements TypeLookup {
   }
 
   /** The bundle of a type, also of one that has gone. */
+  public Optional<String> bundleOf(ComponentType type) {
+    return bundle(type);
+  }
+
+  /** The bundle of a type, also of one that has gone. */
   Optional<String> bundle(ComponentType type) {
     return rfics.bundle(type).or(() -> uics.bundle(type)).or(() -> ruics.bundle(type));
   }

@@ -244,6 +244,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     return done;
   }
 
+  /** As it is configured now. */
+  public RuicConfig config() {
+    return config.get();
+  }
+
   /** Whether it stands in a file, named as it was loaded. */
   public boolean isOf(String file) {
     return config.get().file().equals(file);

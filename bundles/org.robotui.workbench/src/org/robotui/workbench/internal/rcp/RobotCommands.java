@@ -29,6 +29,7 @@ public final class RobotCommands extends AbstractHandler {
       case "remove" -> actions.withSelected(actions::remove);
       case "connections" -> actions.withSelected(actions::connections);
       case "exchange" -> actions.withSelected(actions::exchange);
+      case "reuse" -> actions.reuse();
       case "theme" -> session.look().change(event.getParameter(THEME));
       default -> throw new ExecutionException("no such command: " + event.getCommand().getId());
     }

@@ -17,6 +17,7 @@ import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
 import org.robotui.workbench.internal.pane.Navigator;
+import org.robotui.workbench.internal.pane.ReuseDialog;
 import org.robotui.workbench.internal.pane.RobotArea;
 import org.robotui.workbench.internal.pane.TopBar;
 
@@ -117,6 +118,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     return session.ruic(name).filter(r -> !r.interfaces().isEmpty())
         .map(r -> session.exchanges().computeIfAbsent(name, n -> new ExchangeDialog(window.getShell(), session.look().theme(),
             session.host(), new ExchangeModel(session.host(), r), session.alerts()::pass)));
+  }
+
+  /** Shows which bundles are used by which robot UIs. */
+  void reuse() {
+    new ReuseDialog(window.getShell(), session.look().theme(), session.host().reuse()).open();
   }
 
   @Override
