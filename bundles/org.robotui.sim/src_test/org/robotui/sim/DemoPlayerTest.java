@@ -8,11 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.zip.Inflater;
 import javax.imageio.ImageIO;
@@ -49,7 +51,7 @@ class DemoPlayerTest {
   private static final long PATIENCE = 20;
 
   private final Layouts layouts = Layouts.standard();
-  private final List<AutoCloseable> open = new java.util.ArrayList<>();
+  private final List<AutoCloseable> open = new ArrayList<>();
   private PlayerClient client;
 
   private void start(String robot) throws Exception {
@@ -73,7 +75,7 @@ class DemoPlayerTest {
     }
   }
 
-  private static void eventually(java.util.function.BooleanSupplier condition) throws InterruptedException {
+  private static void eventually(BooleanSupplier condition) throws InterruptedException {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
     while (!condition.getAsBoolean()) {
       assertTrue(System.nanoTime() < end, "it does not happen");

@@ -42,8 +42,13 @@ record Air(Lcm lcm, Optional<TcpqServer> server) implements AutoCloseable {
     if (wanted.isPresent()) {
       return new Air(working(wanted.get(), threads), Optional.empty());
     }
+    return orServed(LcmUrl.of(GROUP + freePort() + "?ttl=0"), threads);
+  }
+
+  /** Takes multicast if it works, else a server. */
+  static Air orServed(LcmUrl multicast, ThreadFactory threads) throws IOException {
     try {
-      return new Air(working(LcmUrl.of(GROUP + freePort() + "?ttl=0"), threads), Optional.empty());
+      return new Air(working(multicast, threads), Optional.empty());
     } catch (IOException e) {
       LOG.warn("multicast does not work here, so LCM goes through a server: {}", e.getMessage());
       return served(threads);

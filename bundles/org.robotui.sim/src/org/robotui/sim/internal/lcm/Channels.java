@@ -2,6 +2,7 @@ package org.robotui.sim.internal.lcm;
 
 import java.io.IOException;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.SubscriptionOptions;
 import org.robotui.lcm.type.LcmRecord;
@@ -47,7 +48,7 @@ final class Channels {
 
   void listen(String channel, String typeName, Taker taker) {
     LcmType type = types.type(typeName);
-    lcm.subscribe(java.util.regex.Pattern.quote(prefix + channel), SubscriptionOptions.queued(QUEUE), message -> {
+    lcm.subscribe(Pattern.quote(prefix + channel), SubscriptionOptions.queued(QUEUE), message -> {
       try {
         taker.take(type.decode(message.data()));
       } catch (RecordException e) {

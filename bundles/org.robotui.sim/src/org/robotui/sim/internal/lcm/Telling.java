@@ -2,6 +2,7 @@ package org.robotui.sim.internal.lcm;
 
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.robotui.lcm.type.LcmRecord;
 import org.robotui.sim.internal.Event;
@@ -87,7 +88,7 @@ final class Telling {
   LcmRecord sonar(double[] ranges, long utime) {
     SonarSpec spec = robot.sonars();
     double[] heights = new double[ranges.length];
-    java.util.Arrays.fill(heights, spec.height());
+    Arrays.fill(heights, spec.height());
     return types.make("ranges_t", utime).text("frame", BASE).real("field_of_view", spec.cone())
         .real("range_min", spec.rangeMin()).real("range_max", spec.rangeMax()).numbers("ranges", ranges)
         .numbers("x", spec.mounts().stream().mapToDouble(Pose2::x).toArray()).numbers("y", spec.mounts().stream().mapToDouble(Pose2::y).toArray())
