@@ -2,6 +2,8 @@ package org.robotui.api;
 
 import java.util.List;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.SettingFault;
+import org.robotui.api.config.Settings;
 import org.robotui.api.port.Port;
 
 /**
@@ -50,6 +52,17 @@ public interface ComponentType {
    */
   default Schema schema() {
     return descriptor().schema();
+  }
+
+  /**
+   * Judges settings that fit the schema: what the schema cannot say, such as whether the files that they name are there. May read
+   * files, and is called on a worker whenever a configuration is read.
+   *
+   * @param settings checked against the schema
+   * @return what is wrong; a component of this type is not made of such settings
+   */
+  default List<SettingFault> faults(Settings settings) {
+    return List.of();
   }
 
   /**

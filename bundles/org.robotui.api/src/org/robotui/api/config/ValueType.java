@@ -61,4 +61,11 @@ public sealed interface ValueType {
    * @param alternatives the shapes
    */
   record AnyOf(List<ValueType> alternatives) implements ValueType {}
+
+  /**
+   * A value that is held as a {@link Placed}: together with where it is written.
+   *
+   * @param value what may be written
+   */
+  record WithPlace(ValueType value) implements ValueType {}
 }

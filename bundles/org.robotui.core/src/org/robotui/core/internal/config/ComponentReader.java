@@ -3,6 +3,7 @@ package org.robotui.core.internal.config;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.ComponentType;
+import org.robotui.api.config.Settings;
 import org.robotui.api.host.Problem;
 import org.robotui.core.internal.config.model.CheckedSettings;
 import org.robotui.core.internal.config.model.ComponentConfig;
@@ -77,8 +78,21 @@ final class ComponentReader {
     if (type.isEmpty()) {
       Place at = section.get("type").map(YamlValue::place).orElse(section.place());
       problems.add(at.warning("no " + what + " type '" + id + "' is installed" + NearestWord.hint(id, installed)));
-    } else if (new SchemaCheck().check(type.get().schema(), new WrittenSection(own)) instanceof CheckedSettings.Invalid i) {
-      problems.addAll(i.problems());
+    } else {
+      switch (new SchemaCheck().check(type.get().schema(), new WrittenSection(own))) {
+        case CheckedSettings.Invalid i -> problems.addAll(i.problems());
+        case CheckedSettings.Valid v -> problems.addAll(faults(type.get(), v.settings(), section.place()));
+      }
+    }
+  }
+
+  /** What a type says of settings is foreign code. */
+  private static List<Problem> faults(ComponentType type, Settings settings, Place at) {
+    try {
+      return type.faults(settings).stream()
+          .map(f -> (f.file().isEmpty() ? at : new Place(f.file(), f.line(), f.column())).error(f.message())).toList();
+    } catch (RuntimeException | LinkageError e) {
+      return List.of(at.error("'" + type.id() + "' cannot judge these settings: " + e));
     }
   }
 

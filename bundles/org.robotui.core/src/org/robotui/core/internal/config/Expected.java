@@ -18,6 +18,7 @@ final class Expected {
       case ValueType.MapOf m -> "names with values, each " + of(m.value());
       case ValueType.Section s -> "a section";
       case ValueType.AnyOf a -> a.alternatives().stream().map(Expected::of).collect(Collectors.joining(", or "));
+      case ValueType.WithPlace p -> of(p.value());
     };
   }
 
@@ -27,6 +28,7 @@ final class Expected {
       case ValueType.MapOf m -> value instanceof YamlValue.Section;
       case ValueType.Section s -> value instanceof YamlValue.Section;
       case ValueType.AnyOf a -> a.alternatives().stream().anyMatch(t -> hasShape(t, value));
+      case ValueType.WithPlace p -> hasShape(p.value(), value);
       case ValueType.Choice c -> value instanceof YamlValue.Scalar;
       default -> false;
     };

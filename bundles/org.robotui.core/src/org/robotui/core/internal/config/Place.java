@@ -1,5 +1,6 @@
 package org.robotui.core.internal.config;
 
+import org.robotui.api.config.Placed;
 import org.robotui.api.host.Problem;
 
 /**
@@ -13,6 +14,10 @@ import org.robotui.api.host.Problem;
 record Place(String file, int line, int column, String robot) {
   Place(String file, int line, int column) {
     this(file, line, column, "");
+  }
+
+  Object at(Object value) {
+    return new Placed(value, file, line, column);
   }
 
   Problem error(String message) {

@@ -59,6 +59,7 @@ final class ValueReader {
       case ValueType.MapOf m -> map(value, m, name);
       case ValueType.Section s -> section(value, s, name);
       case ValueType.AnyOf a -> anyOf(value, a, name);
+      case ValueType.WithPlace p -> read(value, p.value(), name).map(v -> value.place().at(v));
     };
   }
 

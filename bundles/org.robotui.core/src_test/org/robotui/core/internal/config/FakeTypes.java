@@ -10,8 +10,10 @@ import org.robotui.api.RuicType;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.layout.Layout;
@@ -19,7 +21,8 @@ import org.robotui.core.internal.config.model.TypeLookup;
 
 /** The types ros, map, camera and base, readable only. */
 final class FakeTypes implements TypeLookup {
-  private static final Schema ROS = Schema.of(Setting.required("master", new ValueType.Text(), "the master"));
+  private static final Schema ROS = Schema.of(Setting.required("master", new ValueType.Text(), "the master"),
+      Setting.optional("folder", new ValueType.WithPlace(new ValueType.Text()), "a folder"));
   private static final Schema MAP = Schema.of(Setting.of("follow", new ValueType.Flag(), false, "follow"));
 
   @Override
@@ -56,6 +59,12 @@ final class FakeTypes implements TypeLookup {
     @Override
     public Descriptor descriptor() {
       return new Descriptor("ros", "ROS", "", ROS, List.of());
+    }
+
+    @Override
+    public List<SettingFault> faults(Settings settings) {
+      return settings.has("folder") && settings.values().get("folder") instanceof Placed folder
+          ? List.of(folder.fault("no folder " + folder.resolve(folder.value().toString()))) : List.of();
     }
 
     @Override

@@ -91,6 +91,12 @@ class YamlConfigSourceTest {
   }
 
   @Test
+  void whatATypeFindsFaultWithHasItsPlace() throws IOException {
+    assertProblem(GOOD.replace("master: ", "folder: maps, master: "), 5, GOOD.lines().toList().get(4).indexOf("master: ") + 9,
+        "no folder " + folder.toAbsolutePath().resolve("maps"));
+  }
+
+  @Test
   void saysWhichVariableIsNotSet() throws IOException {
     assertProblem(GOOD.replace("${MASTER}", "${NOWHERE}"), 5, 32, "NOWHERE is not set");
     assertEquals(List.of(), read(GOOD.replace("${MASTER}", "${NOWHERE:-http://here:1}")).problems());

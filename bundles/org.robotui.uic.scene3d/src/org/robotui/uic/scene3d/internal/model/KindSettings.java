@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
@@ -52,6 +53,7 @@ public record KindSettings(Settings settings, List<String> problems) {
       case ValueType.MapOf m -> Optional.of(value).filter(Map.class::isInstance);
       case ValueType.Section s -> Optional.of(value).map(v -> check(s.schema(), Written.fields(v)).settings());
       case ValueType.AnyOf any -> any.alternatives().stream().flatMap(a -> take(a, value).stream()).findFirst();
+      case ValueType.WithPlace p -> take(p.value(), value).map(Placed::nowhere);
     };
   }
 
@@ -67,6 +69,7 @@ public record KindSettings(Settings settings, List<String> problems) {
       case ValueType.MapOf m -> "values by name";
       case ValueType.Section s -> "a group";
       case ValueType.AnyOf any -> String.join(", or ", any.alternatives().stream().map(KindSettings::expected).toList());
+      case ValueType.WithPlace p -> expected(p.value());
     };
   }
 
@@ -87,7 +90,11 @@ public record KindSettings(Settings settings, List<String> problems) {
     if (!setting.required()) {
       return Optional.empty();
     }
-    return Optional.of(switch (setting.type()) {
+    return Optional.of(least(setting.type()));
+  }
+
+  private static Object least(ValueType type) {
+    return switch (type) {
       case ValueType.Flag f -> false;
       case ValueType.Num n -> Math.clamp(0.0, n.min(), n.max());
       case ValueType.Int i -> Math.clamp(0L, i.min(), i.max());
@@ -97,6 +104,7 @@ public record KindSettings(Settings settings, List<String> problems) {
       case ValueType.Section s -> check(s.schema(), Map.of()).settings();
       case ValueType.Text t -> "";
       case ValueType.AnyOf any -> "";
-    });
+      case ValueType.WithPlace p -> Placed.nowhere(least(p.value()));
+    };
   }
 }
