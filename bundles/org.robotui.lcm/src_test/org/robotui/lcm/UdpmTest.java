@@ -101,7 +101,7 @@ class UdpmTest {
     CountDownLatch goOn = new CountDownLatch(1);
     slow.subscribe("DATA", SubscriptionOptions.direct(), message -> await(goOn));
     slow.subscribe("END", SubscriptionOptions.direct(), heard);
-    int count = 2000;
+    int count = 6000; // more than wait here and in the kernel
     for (int i = 0; i < count; i++) {
       one.publish("DATA", Heard.bytes(1000, i));
     }

@@ -8,22 +8,30 @@ import java.net.StandardProtocolFamily;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
+import java.time.Duration;
 import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.internal.client.Inlet;
 import org.robotui.lcm.internal.client.Link;
+import org.robotui.lcm.internal.io.Workers;
 
 /** The sockets of one multicast group: one that receives, and one that sends, whose port tells this sender from all others. */
 final class UdpmLink implements Link {
 
+  private static final Duration ENDING = Duration.ofMillis(500);
+
   private final DatagramChannel in;
   private final UdpmSender sender;
   private final Inbox inbox;
+  private final Backlog backlog;
+  private final Workers workers;
   private final String where;
 
-  private UdpmLink(DatagramChannel in, UdpmSender sender, Inbox inbox, String where) {
+  private UdpmLink(DatagramChannel in, UdpmSender sender, Inbox inbox, Backlog backlog, Workers workers, String where) {
     this.in = in;
     this.sender = sender;
     this.inbox = inbox;
+    this.backlog = backlog;
+    this.workers = workers;
     this.where = where;
   }
 
@@ -39,7 +47,8 @@ final class UdpmLink implements Link {
       int granted = in.getOption(StandardSocketOptions.SO_RCVBUF);
       String where = "%s:%d on %s, ttl %d, receive buffer %d of %d bytes".formatted(group.getAddress().getHostAddress(), group.getPort(),
           over.getName(), ttl, granted, receiveBuffer);
-      return new UdpmLink(in, UdpmSender.open(group, over, ttl), new Inbox(inlet, options), where);
+      return new UdpmLink(in, UdpmSender.open(group, over, ttl), new Inbox(inlet, options),
+          new Backlog(receiveBuffer), new Workers(options.threads()), where);
     } catch (IOException | RuntimeException e) {
       in.close();
       throw e;
@@ -58,10 +67,38 @@ final class UdpmLink implements Link {
 
   @Override
   public String receive() throws IOException {
-    ByteBuffer datagram = ByteBuffer.allocateDirect(Wire.MOST_DATAGRAM + 1);
-    while (true) {
-      SocketAddress from = in.receive(datagram.clear());
-      inbox.accept((InetSocketAddress) from, datagram.flip(), System.nanoTime());
+    workers.start("LCM socket of " + where, this::fill);
+    try {
+      while (true) {
+        Backlog.Entry datagram = backlog.take();
+        inbox.accept(datagram.from(), datagram.bytes(), datagram.received());
+        backlog.done(datagram);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted", e);
+    } finally {
+      in.close();
+      backlog.discard();
+      workers.join(System.nanoTime() + ENDING.toNanos());
+    }
+  }
+
+  /** The work of the thread that empties the kernel's buffer. */
+  private void fill() {
+    try {
+      while (true) {
+        ByteBuffer room = backlog.room();
+        SocketAddress from = in.receive(room);
+        backlog.add((InetSocketAddress) from, room, System.nanoTime());
+      }
+    } catch (IOException e) {
+      backlog.end(e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      backlog.end(new IOException("interrupted", e));
+    } catch (RuntimeException | OutOfMemoryError e) {
+      backlog.end(new IOException("datagrams cannot be received: " + e, e));
     }
   }
 
@@ -80,6 +117,7 @@ final class UdpmLink implements Link {
     try {
       in.close();
     } finally {
+      backlog.discard();
       sender.close();
     }
   }
