@@ -26,6 +26,16 @@ public interface Lcm extends AutoCloseable {
   }
 
   /**
+   * Checks a URL without connecting.
+   *
+   * @param url where to
+   * @throws IllegalArgumentException if the URL is wrong; the message says what to write
+   */
+  static void check(LcmUrl url) {
+    LcmClient.check(url);
+  }
+
+  /**
    * Where it leads.
    *
    * @return the URL

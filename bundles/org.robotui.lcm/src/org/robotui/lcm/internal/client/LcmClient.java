@@ -39,6 +39,10 @@ public final class LcmClient implements Lcm {
     return client;
   }
 
+  public static void check(LcmUrl url) {
+    Providers.of(url, LcmOptions.standard(Thread.ofPlatform().factory()), new Subscriptions(new Counters()));
+  }
+
   @Override
   public LcmUrl url() {
     return url;

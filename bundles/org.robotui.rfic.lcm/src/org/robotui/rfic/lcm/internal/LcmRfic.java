@@ -1,0 +1,57 @@
+package org.robotui.rfic.lcm.internal;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import org.robotui.api.Rfic;
+import org.robotui.api.RficContext;
+import org.robotui.api.RficWorker;
+import org.robotui.api.link.LinkState;
+import org.robotui.lcm.type.TypeFolder;
+import org.robotui.rfic.lcm.internal.session.Session;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Robots that speak LCM at one URL. One thread of its own reads the types, opens the connection and watches it. */
+final class LcmRfic implements Rfic {
+  private static final Logger LOG = LoggerFactory.getLogger(LcmRfic.class);
+  private static final Duration RETRY = Duration.ofSeconds(3);
+  private static final Duration END = Duration.ofMillis(1500);
+
+  private final RficContext context;
+  private final LcmSettings settings;
+  private final RficWorker worker;
+  private final AtomicReference<Session> session = new AtomicReference<>();
+
+  LcmRfic(RficContext context, LcmSettings settings) {
+    this.context = context;
+    this.settings = settings;
+    this.worker = new RficWorker(context, RETRY, this::follow);
+  }
+
+  @Override
+  public void start() {
+    worker.start(settings.url().toString());
+  }
+
+  private String follow(BooleanSupplier over) throws IOException, InterruptedException {
+    try (Session opened = new Session(context, settings, TypeFolder.read(settings.types()))) {
+      session.set(opened);
+      return opened.follow(over);
+    }
+  }
+
+  @Override
+  public void close() {
+    worker.stop();
+    Session opened = session.get();
+    if (opened != null) {
+      opened.close();
+    }
+    if (!worker.join(END)) {
+      LOG.warn("{} did not end in {} ms", context.instance(), END.toMillis());
+    }
+    context.link().report(new LinkState.Disconnected());
+  }
+}

@@ -1,0 +1,18 @@
+package org.robotui.rfic.lcm.internal.call;
+
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.BrowsePort;
+import org.robotui.api.port.CommandPort;
+import org.robotui.data.MessageCommand;
+
+/** The ports that are always there, whatever is heard. */
+public final class LcmPorts {
+  /** Browses what is heard. */
+  public static final BrowsePort CHANNELS = new BrowsePort("channels", Arity.MANY, "Channels, their types, and who sends on them.");
+
+  /** Says single messages. */
+  public static final CommandPort<MessageCommand> PUBLISH = new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
+      "Says a message on a channel by its name; not on channels that move the robot.");
+
+  private LcmPorts() {}
+}

@@ -1,0 +1,2 @@
+/** Robots that speak LCM: channels become ports, by listening. */
+package org.robotui.rfic.lcm.internal;

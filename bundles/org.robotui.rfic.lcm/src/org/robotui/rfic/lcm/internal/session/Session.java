@@ -1,0 +1,112 @@
+package org.robotui.rfic.lcm.internal.session;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import org.robotui.api.RficContext;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.link.Pulse;
+import org.robotui.api.port.Offer;
+import org.robotui.lcm.Lcm;
+import org.robotui.lcm.LcmMessage;
+import org.robotui.lcm.LcmOptions;
+import org.robotui.lcm.LcmState;
+import org.robotui.lcm.LcmStatistics;
+import org.robotui.lcm.SubscriptionOptions;
+import org.robotui.lcm.type.TypeException;
+import org.robotui.lcm.type.TypeLibrary;
+import org.robotui.rfic.lcm.internal.LcmSettings;
+import org.robotui.rfic.lcm.internal.call.LcmPorts;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One open connection, and all that is offered through it. */
+public final class Session implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Session.class);
+  private static final Duration LOOK = Duration.ofMillis(200);
+  /** The thread that receives must not wait for what becomes of messages. */
+  private static final SubscriptionOptions QUEUE = SubscriptionOptions.queued(4000);
+
+  private final RficContext context;
+  private final TypeLibrary types;
+  private final Channels channels;
+  private final LinkWatch watch;
+  private final Pulse pulse = new Pulse();
+  private final Lcm lcm;
+  private final Commands commands;
+  private final Offer browse;
+  private boolean remedyTold;
+
+  /**
+   * Opens a connection in the background.
+   *
+   * @param context what core gives
+   * @param settings what is to be offered
+   * @param types all types
+   */
+  public Session(RficContext context, LcmSettings settings, TypeLibrary types) {
+    this.context = context;
+    this.types = types;
+    boolean isFile = settings.url().provider().equals("file");
+    boolean writes = isFile && !settings.url().options().getOrDefault("mode", "r").equals("r");
+    this.watch = new LinkWatch(settings.url().toString(), writes, System.nanoTime());
+    this.channels = new Channels(context, settings, types, new SessionClock(context, isFile && !writes));
+    this.lcm = Lcm.open(settings.url(), LcmOptions.standard(context.threads()));
+    lcm.subscribe(".*", QUEUE, this::received);
+    this.commands = new Commands(context, lcm, settings, types, channels, pulse);
+    this.browse = context.offers().browse(LcmPorts.CHANNELS, new ChannelBrowser(channels, types, lcm));
+  }
+
+  private void received(LcmMessage message) {
+    watch.heard(message.received());
+    pulse.heard(message.received());
+    channels.accept(message);
+  }
+
+  /**
+   * Watches the connection.
+   *
+   * @param over asked again and again
+   * @return why it ended
+   * @throws InterruptedException where this thread shall end
+   */
+  public String follow(BooleanSupplier over) throws InterruptedException {
+    LinkState told = new LinkState.Disconnected();
+    while (!over.getAsBoolean()) {
+      LcmStatistics statistics = lcm.statistics();
+      LinkState now = watch.state(lcm.state(), statistics, problem(), System.nanoTime());
+      if (!now.equals(told)) {
+        context.link().report(now);
+        told = now;
+      }
+      tellRemedy(statistics);
+      Thread.sleep(LOOK);
+    }
+    return "closed";
+  }
+
+  private String problem() {
+    List<String> problems = new ArrayList<>();
+    types.problems().stream().limit(1).map(TypeException::getMessage).forEach(problems::add);
+    Stream.of(commands.problem(), channels.problem()).filter(p -> !p.isEmpty()).forEach(problems::add);
+    return String.join("; ", problems);
+  }
+
+  private void tellRemedy(LcmStatistics statistics) {
+    String remedy = LinkWatch.bufferRemedy(statistics);
+    if (!remedyTold && !remedy.isEmpty() && lcm.state() instanceof LcmState.Connected) {
+      remedyTold = true;
+      LOG.info("{}: {}, or long messages may be lost when they come fast", context.instance(), remedy);
+    }
+  }
+
+  @Override
+  public void close() {
+    commands.close();
+    browse.close();
+    lcm.close();
+    channels.close();
+  }
+}
