@@ -64,6 +64,12 @@ final class CommandBar {
     return button;
   }
 
+  /** Has questions and answers stand below a control, where they move nothing that one is about to click. */
+  void below(Control table) {
+    answer.control().moveBelow(table);
+    ask.moveBelow(table);
+  }
+
   /** Who there is, and who is meant. */
   void show(List<String> robots, List<String> meant) {
     all = robots;

@@ -53,6 +53,7 @@ public final class TeamSurface {
     filter.setLayoutData(right);
     table = new RowTable<>(root, theme, new TeamColumns(theme).all(), TeamRow::robot);
     table.control().setLayoutData(Boxes.fill());
+    bar.below(table.control());
     table.onOrder(this::again);
     table.list().named("Robots").several().onSelect(this::chosen).onOpen(r -> bar.tell(commands.open(r.robot())))
         .onFind(filter::focus).menu(this::menu);
