@@ -90,7 +90,10 @@ public sealed interface Source {
   }
 
   private static Source number(String text, Quantity quantity) {
-    String[] words = text.split("\\s+");
+    String[] words = text.strip().split("\\s+");
+    if (words[0].isEmpty()) {
+      throw new IllegalArgumentException("nothing is written here; write for example pos[0] mm");
+    }
     if (words.length > 2) {
       throw new IllegalArgumentException("'" + text + "' is more than a member and its unit; write for example pos[0] mm");
     }
