@@ -73,7 +73,7 @@ class LcmRficTest {
     robot.subscribe("VELOCITY|GOAL|SAY|MOTORS", SubscriptionOptions.direct(), toRobot::add);
     await(() -> robot.state() instanceof LcmState.Connected);
     rfic = new LcmRfic(context, Written.right(Written.settings(url, Written.types().toString(),
-        Map.of("BATTERY", "battery", "ODOMETRY", "odometry"),
+        Map.of("BATTERY", "battery", "ODOMETRY", "odometry", "TRANSFORMS", "transforms"),
         Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t"),
             "GOAL", Written.map("as", "goal", "type", "robotui.goal_t", "position", "pose.position", "orientation", "pose.orientation", "set", Map.of("id", "ui"))))));
     rfic.start();
@@ -137,6 +137,12 @@ class LcmRficTest {
     DynamicRecord record = first.raw().orElseThrow().record().orElseThrow();
     assertEquals("robotui.battery_t", record.schema());
     assertEquals(12.5, ((FieldValue.Num) record.field("voltage").orElseThrow()).value());
+  }
+
+  @Test
+  void framesAreFollowedAlsoWhileNobodyLooksAtTheirChannel() {
+    sayUntil("TRANSFORMS", "robotui.transforms_t", Map.of("transforms", List.of(Map.of("parent", "odom", "child", "base"))), () -> !context.transforms.isEmpty());
+    assertEquals("base", context.transforms.getFirst().child().name());
   }
 
   @Test

@@ -25,7 +25,8 @@ abstract class Feed<D extends Data> implements AutoCloseable {
     publication = context.offers().stream(new StreamPort<>(port, data, Arity.MANY, help), w -> wanted = w);
   }
 
-  final boolean wanted() {
+  /** Whether its messages are to be read: somebody looks at them, or the tree of frames needs them. */
+  boolean wanted() {
     return wanted;
   }
 

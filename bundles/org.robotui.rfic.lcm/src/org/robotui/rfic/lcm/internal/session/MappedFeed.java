@@ -7,6 +7,7 @@ import org.robotui.api.config.Placed;
 import org.robotui.api.port.RawMessage;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
+import org.robotui.data.TransformSet;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmType;
@@ -52,6 +53,11 @@ final class MappedFeed<D extends Data> extends Feed<D> {
 
   String channel() {
     return mapping.channel();
+  }
+
+  @Override
+  boolean wanted() {
+    return super.wanted() || shape.data() == TransformSet.class;
   }
 
   @Override
