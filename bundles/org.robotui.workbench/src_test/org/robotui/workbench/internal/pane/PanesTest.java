@@ -24,6 +24,7 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.layout.Layout;
+import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
@@ -47,7 +48,7 @@ class PanesTest {
 
   @BeforeEach
   void open() {
-    display = new Display();
+    display = TestDisplay.get();
     theme = Themes.dark(display);
     shell = new Shell(display, SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
@@ -56,8 +57,8 @@ class PanesTest {
 
   @AfterEach
   void close() {
+    shell.dispose();
     theme.dispose();
-    display.dispose();
   }
 
   @Test
