@@ -9,8 +9,9 @@ public interface Rfic extends AutoCloseable {
   void start();
 
   /**
-   * Ends everything: no thread, socket or registration of this instance is left when it returns, within two seconds also
-   * when the robot hangs. Called once on a core worker, also when {@link #start} failed.
+   * Ends everything. What this instance drives is stopped, what others drive is left alone; no thread, socket or registration of this
+   * instance is left when it returns, within two seconds also when the robot hangs. Called once on a core worker, also when
+   * {@link #start} failed or was never called.
    */
   @Override
   void close();

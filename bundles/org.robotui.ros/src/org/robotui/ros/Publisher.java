@@ -1,5 +1,6 @@
 package org.robotui.ros;
 
+import java.time.Duration;
 import java.util.Set;
 
 /**
@@ -23,6 +24,14 @@ public interface Publisher<T> extends AutoCloseable {
    * @param message the message
    */
   void publishUrgently(T message);
+
+  /**
+   * Waits until all that was published is handed to the network, for every subscriber: closing drops what waits. Interrupting does not end it.
+   *
+   * @param patience at most so long
+   * @return false where some of it still waits, as for a subscriber that does not read
+   */
+  boolean awaitSent(Duration patience);
 
   /**
    * The topic.

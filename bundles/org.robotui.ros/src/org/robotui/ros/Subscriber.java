@@ -4,6 +4,16 @@ import java.util.Set;
 
 /** Receives the messages of one topic from all its publishers. Any thread may use it. */
 public interface Subscriber extends AutoCloseable {
+  /**
+   * Messages that came and could not be read. Each ended the link that it came by, which is made again.
+   *
+   * @param count over all publishers so far
+   * @param reason why the last of them could not be read, and whose it was; empty where there is none
+   */
+  record Unreadable(long count, String reason) {
+    /** None so far. */
+    public static final Unreadable NONE = new Unreadable(0, "");
+  }
 
   /**
    * The topic.
@@ -32,6 +42,13 @@ public interface Subscriber extends AutoCloseable {
    * @return the number of messages that were decoded, over all publishers so far
    */
   long received();
+
+  /**
+   * What came in and was of no use.
+   *
+   * @return the messages that could not be read
+   */
+  Unreadable unreadable();
 
   /**
    * How often the message listener threw.

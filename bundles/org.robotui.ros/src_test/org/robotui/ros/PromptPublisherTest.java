@@ -1,6 +1,7 @@
 package org.robotui.ros;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.DataInputStream;
@@ -115,5 +116,16 @@ class PromptPublisherTest {
       received(socket, "stop");
       assertEquals(1000, publisher.dropped() - before);
     }
+  }
+
+  @Test
+  void itIsKnownWhenAllIsSentAndWhenNot() throws Exception {
+    Publisher<String> publisher = node.publisher("/chatter", new TextCodec(), PublisherOptions.standard());
+    assertTrue(publisher.awaitSent(java.time.Duration.ZERO), "nobody listens");
+    try (Socket socket = stalled(publisher)) {
+      publisher.publish("x".repeat(20_000_000));
+      assertFalse(publisher.awaitSent(java.time.Duration.ofMillis(200)), "the subscriber does not read");
+    }
+    assertTrue(publisher.awaitSent(java.time.Duration.ofSeconds(60)), "the subscriber is gone");
   }
 }

@@ -38,9 +38,10 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
    *
    * @param value the value
    * @param stamp when it was measured
+   * @param receivedNanos when its bytes were received, {@link System#nanoTime()}
    * @param raw the message as it came
    */
-  public record Published(Data value, Optional<Stamp> stamp, Optional<RawMessage> raw) {}
+  public record Published(Data value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {}
 
   /** The streams that are offered now, by name. */
   public final Map<String, StreamPort<?>> streams = new ConcurrentHashMap<>();
@@ -201,7 +202,7 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
 
     @Override
     public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
-      published.get(port).add(new Published(value, stamp, raw));
+      published.get(port).add(new Published(value, stamp, receivedNanos, raw));
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.Socket;
+import java.net.SocketException;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -70,9 +71,17 @@ final class TcpqLink implements Link {
       return Frames.read(in, maxMessageBytes);
     } catch (EOFException e) {
       throw new IOException("the server " + server + " closed the connection" + Optional.ofNullable(e.getMessage()).map(m -> ": " + m).orElse(""), e);
+    } catch (SocketException e) {
+      throw broken(e);
     } catch (IOException e) {
-      throw new IOException("the server " + server + ": " + PeerText.brief(String.valueOf(e.getMessage())), e);
+      IOException broken = broken(e);
+      inlet.counters().damaged(broken.getMessage()); // the link is soon made again, and would look as if nothing had been lost
+      throw broken;
     }
+  }
+
+  private IOException broken(IOException e) {
+    return new IOException("the server " + server + ": " + PeerText.brief(String.valueOf(e.getMessage())), e);
   }
 
   @Override

@@ -57,7 +57,9 @@ final class Tidying implements AutoCloseable {
   public void close() {
     stop();
     try {
-      thread.join(END);
+      if (thread.isAlive()) { // a thread that never began cannot be joined
+        thread.join(END);
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -123,7 +123,9 @@ final class InLink<T> {
     } catch (OutOfMemoryError e) {
       return describe("no memory for its message: " + e.getMessage());
     } catch (MessageException e) {
-      return describe("message that is no " + subscription.info().type() + ": " + e.getMessage());
+      String reason = describe("message that is no " + subscription.info().type() + ": " + e.getMessage());
+      subscription.unreadable(reason);
+      return reason;
     } finally {
       connected = false;
       if (System.nanoTime() - start > context.options().maxBackoff().toNanos()) {

@@ -27,6 +27,11 @@ record OutLink(NodeContext context, GraphName topic, String subscriber, MessageI
     queue.offerAlone(frame);
   }
 
+  /** Whether all frames were handed to the network. */
+  boolean isIdle() {
+    return queue.isIdle();
+  }
+
   /** Runs until the link ends; the calling thread is the one that listens for the peer's end. */
   void run(FrameReader in) throws IOException {
     report(new LinkState.Connected(subscriber, theirs));

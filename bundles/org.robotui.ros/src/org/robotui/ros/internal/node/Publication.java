@@ -3,11 +3,13 @@ package org.robotui.ros.internal.node;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -28,6 +30,7 @@ import org.robotui.ros.message.MessageWriter;
 
 /** One topic this node publishes, with the links to its subscribers. */
 final class Publication<T> implements Publisher<T> {
+  private static final long LOOK_NANOS = 500_000;
 
   private final NodeContext context;
   private final GraphName topic;
@@ -136,6 +139,18 @@ final class Publication<T> implements Publisher<T> {
 
   List<OutLink> links() {
     return links;
+  }
+
+  @Override
+  public boolean awaitSent(Duration patience) {
+    long end = System.nanoTime() + patience.toNanos();
+    while (!links.stream().allMatch(OutLink::isIdle)) {
+      if (System.nanoTime() - end > 0) {
+        return false;
+      }
+      LockSupport.parkNanos(LOOK_NANOS);
+    }
+    return true;
   }
 
   @Override

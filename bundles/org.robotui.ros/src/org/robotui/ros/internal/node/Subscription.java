@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -39,6 +40,7 @@ final class Subscription<T> implements Subscriber {
   private final ReentrantLock delivering = new ReentrantLock();
   private final LongAdder received = new LongAdder();
   private final LongAdder listenerErrors = new LongAdder();
+  private final AtomicReference<Unreadable> unreadable = new AtomicReference<>(Unreadable.NONE);
   private volatile boolean closed;
 
   Subscription(NodeContext context, GraphName topic, MessageCodec<T> codec, SubscriberOptions options,
@@ -155,6 +157,16 @@ final class Subscription<T> implements Subscriber {
   @Override
   public long received() {
     return received.sum();
+  }
+
+  @Override
+  public Unreadable unreadable() {
+    return unreadable.get();
+  }
+
+  /** One more message could not be read. */
+  void unreadable(String reason) {
+    unreadable.updateAndGet(before -> new Unreadable(before.count() + 1, reason));
   }
 
   @Override

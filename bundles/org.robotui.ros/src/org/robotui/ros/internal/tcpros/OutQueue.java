@@ -83,6 +83,16 @@ public final class OutQueue {
     waiting = false;
   }
 
+  /** Whether nothing waits and whoever takes the frames is done with those that it took; so it is for ever when closed. */
+  public boolean isIdle() {
+    lock.lock();
+    try {
+      return closed || frames.isEmpty() && waiting;
+    } finally {
+      lock.unlock();
+    }
+  }
+
   public void close() {
     lock.lock();
     try {

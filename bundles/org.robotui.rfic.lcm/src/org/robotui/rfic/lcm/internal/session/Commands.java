@@ -2,6 +2,7 @@ package org.robotui.rfic.lcm.internal.session;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -9,6 +10,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
@@ -34,20 +39,27 @@ import org.robotui.rfic.lcm.internal.language.FaultException;
 /** What goes to the robot. A message is sent now or not at all; nothing waits for a connection. */
 final class Commands implements CommandSink<MessageCommand>, AutoCloseable {
   private static final double SECOND = 1e9;
+  /** How long a stop at the end may take; a server that hangs keeps whoever sends to it until the link is closed. */
+  private static final Duration STOP = Duration.ofMillis(300);
 
   private final Lcm lcm;
   private final TypeLibrary types;
   private final Channels channels;
   private final Pulse pulse;
+  private final ThreadFactory threads;
   private final List<Offer> offers = new ArrayList<>();
   private final List<String> problems = new ArrayList<>();
   private final Set<String> moving = new HashSet<>();
+  /** What we drive now, by channel, each with what stops it. */
+  private final Map<String, Runnable> driven = new ConcurrentHashMap<>();
+  private volatile boolean closed;
 
   Commands(RficContext context, Lcm lcm, LcmSettings settings, TypeLibrary types, Channels channels, Pulse pulse) {
     this.lcm = lcm;
     this.types = types;
     this.channels = channels;
     this.pulse = pulse;
+    this.threads = context.threads();
     settings.commands().forEach(c -> offer(context, c, c.form()));
     offers.add(context.offers().command(LcmPorts.PUBLISH, this));
   }
@@ -74,15 +86,34 @@ final class Commands implements CommandSink<MessageCommand>, AutoCloseable {
   private <D extends Data> Sent send(String channel, CommandWriter<D> writer, D command) {
     boolean stops = command instanceof Motion<?> motion && motion.equals(motion.stopped());
     long silence = stops ? 0 : pulse.silentFor(System.nanoTime());
+    if (closed) {
+      return new Sent.Refused("the connection to " + lcm.url() + " is being closed");
+    }
     if (silence > 0) {
       return new Sent.Refused(String.format(Locale.ROOT, "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
           silence / SECOND));
     }
     try {
-      return publish(channel, writer.write(command, SessionClock.now()));
+      Sent sent = publish(channel, writer.write(command, SessionClock.now()));
+      if (sent instanceof Sent.Out) {
+        note(channel, writer, command, stops);
+      }
+      return sent;
     } catch (IllegalArgumentException e) {
       return new Sent.Refused("this is no command for " + channel + ": " + e.getMessage());
     }
+  }
+
+  private <D extends Data> void note(String channel, CommandWriter<D> writer, D command, boolean stops) {
+    if (stops) {
+      driven.remove(channel);
+    } else if (command instanceof Motion<?> motion) {
+      driven.put(channel, () -> stop(channel, writer, motion));
+    }
+  }
+
+  private <D extends Data> void stop(String channel, CommandWriter<D> writer, Motion<?> motion) {
+    publish(channel, writer.write(writer.form().data().cast(motion.stopped()), SessionClock.now()));
   }
 
   private Sent publish(String channel, ByteBuffer message) {
@@ -121,8 +152,18 @@ final class Commands implements CommandSink<MessageCommand>, AutoCloseable {
     }
   }
 
+  /** Stops what we drive, where core has not done so; what others drive is left alone. */
   @Override
   public void close() {
+    closed = true;
     offers.forEach(Offer::close);
+    if (!driven.isEmpty()) {
+      CompletableFuture.runAsync(this::stopDriven, work -> threads.newThread(work).start())
+          .completeOnTimeout(null, STOP.toMillis(), TimeUnit.MILLISECONDS).join();
+    }
+  }
+
+  private void stopDriven() {
+    driven.keySet().forEach(channel -> Optional.ofNullable(driven.remove(channel)).ifPresent(Runnable::run));
   }
 }

@@ -102,8 +102,9 @@ public final class Session implements AutoCloseable {
     }
   }
 
+  /** Whoever comes second waits until all is closed. */
   @Override
-  public void close() {
+  public synchronized void close() {
     commands.close();
     browse.close();
     lcm.close();

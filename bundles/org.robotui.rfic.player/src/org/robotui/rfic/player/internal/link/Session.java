@@ -2,7 +2,9 @@ package org.robotui.rfic.player.internal.link;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
@@ -40,6 +42,8 @@ public final class Session implements AutoCloseable {
   private final AtomicBoolean renewed = new AtomicBoolean();
   private final AtomicBoolean closed = new AtomicBoolean();
   private volatile org.robotui.player.client.LinkState state = new org.robotui.player.client.LinkState.Connecting();
+  /** The latest loss that is not told yet: a link that is made again between two looks was lost all the same. */
+  private final AtomicReference<Optional<LinkState>> lost = new AtomicReference<>(Optional.empty());
   private LinkState told = new LinkState.Disconnected();
 
   /**
@@ -72,8 +76,9 @@ public final class Session implements AutoCloseable {
 
   private void linked(org.robotui.player.client.LinkState now) {
     state = now;
-    if (now instanceof org.robotui.player.client.LinkState.Failed) {
+    if (now instanceof org.robotui.player.client.LinkState.Failed failed) {
       stamps.restart();
+      lost.set(Optional.of(failed(failed)));
     } else if (now instanceof org.robotui.player.client.LinkState.Connected) {
       renewed.set(true);
     }
@@ -115,13 +120,22 @@ public final class Session implements AutoCloseable {
     }
   }
 
+  private static LinkState failed(org.robotui.player.client.LinkState.Failed failed) {
+    return new LinkState.Failed(Remedies.with(failed.reason()), failed.retryAfter());
+  }
+
   private void report(long now) {
+    lost.getAndSet(Optional.empty()).ifPresent(this::tell);
     LinkState next = switch (state) {
       case org.robotui.player.client.LinkState.Connecting c -> new LinkState.Connecting(settings.peer());
-      case org.robotui.player.client.LinkState.Failed f -> new LinkState.Failed(Remedies.with(f.reason()), f.retryAfter());
+      case org.robotui.player.client.LinkState.Failed f -> failed(f);
       case org.robotui.player.client.LinkState.Connected c -> connected(now);
       case org.robotui.player.client.LinkState.Closed c -> new LinkState.Disconnected();
     };
+    tell(next);
+  }
+
+  private void tell(LinkState next) {
     if (!next.equals(told)) {
       told = next;
       context.link().report(next);

@@ -1,6 +1,8 @@
 package org.robotui.rfic.ros.internal.graph;
 
+import java.time.Duration;
 import java.util.Locale;
+import java.util.Optional;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
@@ -20,6 +22,9 @@ import org.robotui.ros.RosNode;
  * subscribers connect; it never latches, so that nothing is said twice.
  */
 final class CommandTopic implements AutoCloseable {
+  /** How long a stop at the end may take, where somebody listens who does not read. */
+  private static final Duration STOP = Duration.ofMillis(300);
+
   private final String topic;
   private final String type;
   private final Pulse pulse;
@@ -43,9 +48,11 @@ final class CommandTopic implements AutoCloseable {
     return type;
   }
 
+  /** Stops what we drive, where core has not done so; what others drive is left alone. */
   @Override
   public void close() {
     entry.offer.close();
+    entry.stop();
     entry.publisher.close();
   }
 
@@ -55,6 +62,8 @@ final class CommandTopic implements AutoCloseable {
     private final SessionClock clock;
     private final Publisher<M> publisher;
     private final Offer offer;
+    /** What we drive with now, from when it is sent until a stop is. */
+    private volatile Optional<Motion<?>> driven = Optional.empty();
 
     Entry(CommandType<D, M> command, RficContext context, String port, RosNode node, SessionClock clock) {
       this.command = command;
@@ -70,7 +79,19 @@ final class CommandTopic implements AutoCloseable {
       }
       boolean stops = value instanceof Motion<?> motion && motion.equals(motion.stopped());
       long silence = stops ? 0 : pulse.silentFor(System.nanoTime());
-      return silence > 0 ? new Sent.Refused(stalled(silence)) : publish(command.message().of(value, clock.nowNanos()), stops);
+      if (silence > 0) {
+        return new Sent.Refused(stalled(silence));
+      }
+      driven = value instanceof Motion<?> motion && !stops ? Optional.of(motion) : Optional.empty();
+      return publish(command.message().of(value, clock.nowNanos()), stops);
+    }
+
+    void stop() {
+      driven.map(Motion::stopped).ifPresent(zero -> {
+        publish(command.message().of(command.data().cast(zero), clock.nowNanos()), true);
+        publisher.awaitSent(STOP);
+      });
+      driven = Optional.empty();
     }
 
     private Sent publish(M message, boolean stops) {

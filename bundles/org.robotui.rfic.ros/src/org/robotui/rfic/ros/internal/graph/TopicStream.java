@@ -35,6 +35,7 @@ final class TopicStream implements Followed {
   private Optional<Subscriber> subscriber = Optional.empty();
   private boolean published = true;
   private String told = "";
+  private long unreadable;
   private volatile boolean wanted;
 
   TopicStream(
@@ -84,6 +85,15 @@ final class TopicStream implements Followed {
     } else if (!wanted) {
       end();
     }
+    subscriber.ifPresent(s -> count(s.unreadable()));
+  }
+
+  /** A link that is soon made again may look well whenever the graph is looked at; what came by it is lost all the same. */
+  private void count(Subscriber.Unreadable now) {
+    if (now.count() > unreadable) {
+      entry.publication.lost(now.count() - unreadable, now.reason());
+      unreadable = now.count();
+    }
   }
 
   @Override
@@ -108,6 +118,7 @@ final class TopicStream implements Followed {
     if (subscriber.isPresent()) {
       subscriber.get().close();
       subscriber = Optional.empty();
+      unreadable = 0;
       watch.forget(topic);
     }
   }
