@@ -54,8 +54,9 @@ final class Preview {
     List<Match> now = wiring.matches();
     List<Match> then = Matcher.match(question.wants(), question.haves(), question.suppliers(), effective(question, picked));
     List<Port> offered = question.haves().stream().filter(h -> isTried(h.id())).map(Have::port).toList();
-    List<String> missing = Exchange.missing(question.wants(), now, trial.id(), offered);
-    return verdict(wrong.or(this::failure), missing, lines(now, then, missing), notes(question, now));
+    List<Want> uncovered = Exchange.uncovered(question.wants(), now, trial.id(), offered);
+    List<String> missing = uncovered.stream().map(Exchange::sentence).toList();
+    return verdict(wrong.or(this::failure), missing, lines(now, then, uncovered), notes(question));
   }
 
   /** What the user picked, and what stands in for named connections that would lead nowhere. */
@@ -105,14 +106,13 @@ final class Preview {
     return id.component().equals(trial.id());
   }
 
-  private List<Line> lines(List<Match> now, List<Match> then, List<String> missing) {
+  private List<Line> lines(List<Match> now, List<Match> then, List<Want> uncovered) {
     List<Line> lines = new ArrayList<>();
     for (Match after : then) {
       Match before = now.stream().filter(m -> m.port().equals(after.port()) && m.kind() == after.kind()).findFirst().orElse(after);
       boolean used = before.peers().stream().anyMatch(this::isTried);
       boolean concerned = used || Stream.concat(after.peers().stream(), after.candidates().stream()).anyMatch(this::isTried);
-      String start = after.port().component() + " ";
-      boolean lost = used && missing.stream().anyMatch(m -> m.startsWith(start) && m.contains("on '" + after.port().port() + "'"));
+      boolean lost = used && uncovered.stream().anyMatch(w -> w.id().equals(after.port()) && w.port().kind() == after.kind());
       lines.add(new Line(before, withChosen(before, after), concerned, lost));
     }
     return lines;
@@ -151,7 +151,7 @@ final class Preview {
     return new ExchangePreview(verdict, sentence, trial.link(), lines, missing, notes);
   }
 
-  private List<String> notes(Question question, List<Match> now) {
+  private List<String> notes(Question question) {
     List<String> notes = new ArrayList<>();
     ruic.config().safety(trial.config().robot()).stopCall().map(stop -> stop.port())
         .filter(port -> isTried(port) && question.haves().stream().noneMatch(h -> h.id().equals(port)))

@@ -9,21 +9,30 @@ public final class Exchange {
   private Exchange() {}
 
   /**
-   * What would be missing.
+   * Which ports of views would lose what they use.
    *
    * @param wants ports of views
    * @param matches what they are connected to now
    * @param component the robot interface to be replaced
    * @param offered the ports that its replacement has
-   * @return a sentence per used connection that could not be made; empty where it can be exchanged
+   * @return those for which it has nothing that fits
    */
-  public static List<String> missing(
+  public static List<Want> uncovered(
       List<Want> wants, List<Match> matches, String component, List<? extends Port> offered) {
     return matches.stream()
         .filter(m -> m.peers().stream().anyMatch(p -> p.component().equals(component)))
         .flatMap(m -> wants.stream().filter(w -> w.id().equals(m.port()) && w.port().kind() == m.kind()))
         .filter(want -> offered.stream().noneMatch(port -> Legal.connection(want.port(), port)))
-        .map(want -> Words.need(want) + "; the replacement has nothing that fits")
         .toList();
+  }
+
+  /**
+   * Says that a port would lose what it uses.
+   *
+   * @param want the port of the view
+   * @return a sentence
+   */
+  public static String sentence(Want want) {
+    return Words.need(want) + "; the replacement has nothing that fits";
   }
 }

@@ -262,10 +262,10 @@ class MatcherTest {
     List<Want> wants = List.of(new Want(id("map.scan"), Samples.SCAN), new Want(id("map.odom"), Samples.ODOM));
     List<Match> matches = Matcher.match(wants, haves, suppliers, choices);
     List<Port> enough = List.of(stream("/laser", LaserScan.class, Arity.ONE), stream("/o", Odometry.class, Arity.ONE));
-    assertEquals(List.of(), Exchange.missing(wants, matches, "base", enough), "the unused map need not be covered");
+    assertEquals(List.of(), missing(wants, matches, "base", enough), "the unused map need not be covered");
     assertEquals(List.of("map needs Odometry on 'odom'; the replacement has nothing that fits"),
-        Exchange.missing(wants, matches, "base", enough.subList(0, 1)));
-    assertEquals(List.of(), Exchange.missing(wants, matches, "other", List.of()));
+        missing(wants, matches, "base", enough.subList(0, 1)));
+    assertEquals(List.of(), missing(wants, matches, "other", List.of()));
   }
 
   @Test
@@ -275,5 +275,9 @@ class MatcherTest {
     assertConnected(match);
     assertEquals(List.of(id("base.pose"), id("base.odom")), match.candidates());
     assertTrue(match.reason().contains("chooses among 2"), match.reason());
+  }
+
+  private static List<String> missing(List<Want> wants, List<Match> matches, String component, List<? extends Port> offered) {
+    return Exchange.uncovered(wants, matches, component, offered).stream().map(Exchange::sentence).toList();
   }
 }
