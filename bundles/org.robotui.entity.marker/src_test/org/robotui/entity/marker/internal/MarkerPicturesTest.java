@@ -1,5 +1,8 @@
 package org.robotui.entity.marker.internal;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -8,7 +11,9 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.command.CommandOutcome;
+import org.robotui.data.Color;
 import org.robotui.data.Data;
 import org.robotui.data.InteractiveMarker;
 import org.robotui.data.InteractiveMarker.Control;
@@ -79,6 +84,40 @@ class MarkerPicturesTest {
   void everyTypeOfMarker() {
     pictures.assertLike(MarkerPicturesTest.class, "every-type",
         ScenePictures.request(everyType(), ScenePictures.eye(new Vector3(-2.2, 1.5, 3), new Vector3(1, 1.5, 0))));
+  }
+
+  /** A roof, with its own colours and with that of its marker. */
+  @Test
+  void meshesOfAPackage(@TempDir Path folder) throws IOException {
+    Files.createDirectories(folder.resolve("p"));
+    Files.writeString(folder.resolve("p/package.xml"), "<package><name>p</name></package>");
+    Files.writeString(folder.resolve("p/roof.obj"), """
+        mtllib roof.mtl
+        v -0.4 -0.4 0
+        v 0.4 -0.4 0
+        v 0.4 0.4 0
+        v -0.4 0.4 0
+        v 0 -0.4 0.5
+        v 0 0.4 0.5
+        usemtl left
+        f 1 5 6 4
+        usemtl right
+        f 2 3 6 5
+        usemtl gable
+        f 1 2 5
+        f 3 4 6
+        """);
+    Files.writeString(folder.resolve("p/roof.mtl"), "newmtl left\nKd 0.2 0.6 0.9\nnewmtl right\nKd 0.9 0.7 0.2\nnewmtl gable\nKd 0.4 0.8 0.4\n");
+    Ticks scene = new Ticks(MarkersType.SCHEMA);
+    scene.values.put(MarkersType.PACKAGES, List.of(folder.toString()));
+    MarkersDisplay display = new MarkersDisplay(CONTEXT);
+    Sample roof = Sample.of(1, Type.MESH).mesh("package://p/roof.obj");
+    Sample own = Sample.of(2, Type.MESH).at(0, 0.6, 0, Quaternion.IDENTITY).scale(1, 1, 1.6).mesh("package://p/roof.obj").withMaterials();
+    display.update(scene.of(Sample.set(scene.now, roof.at(0, -0.6, 0, Quaternion.IDENTITY), own.colored(new Color(1, 1, 1, 1)))));
+    List<Part> parts = display.update(scene.of()).parts();
+    display.close();
+    pictures.assertLike(MarkerPicturesTest.class, "meshes",
+        ScenePictures.request(parts, ScenePictures.eye(new Vector3(-0.9, -1.7, 1.5), new Vector3(0, 0, 0.2))));
   }
 
   private static Control control(Mode mode, Quaternion turn) {

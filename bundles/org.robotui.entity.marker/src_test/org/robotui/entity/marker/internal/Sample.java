@@ -51,6 +51,10 @@ record Sample(String namespace, int id, Marker.Type type, String frame, RigidTra
     return new Sample(namespace, id, type, frame, pose, scale, color, lifetime, locked, points, colors, text, uri, materials);
   }
 
+  Sample colored(Color other) {
+    return new Sample(namespace, id, type, frame, pose, scale, other, lifetime, locked, points, colors, text, mesh, materials);
+  }
+
   Sample withMaterials() {
     return new Sample(namespace, id, type, frame, pose, scale, color, lifetime, locked, points, colors, text, mesh, true);
   }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -13,6 +14,7 @@ import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.RGB;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
+import org.eclipse.swt.widgets.Menu;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -38,6 +40,8 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
+import org.robotui.uic.scene3d.internal.model.DisplayCodec;
+import org.robotui.uic.scene3d.internal.model.DisplaySpec;
 import org.robotui.uic.scene3d.internal.model.FakeKind;
 import org.robotui.uic.scene3d.internal.studio.FakeGl;
 import org.robotui.uic.scene3d.internal.waypoint.Route;
@@ -255,6 +259,22 @@ class SceneSwtTest {
     window.tick();
     window.tick();
     assertFalse(gl.requests.getLast().parts().containsKey("grid"));
+  }
+
+  @Test
+  void whatIsAddedIsChosenAndShowsItsSettings() {
+    List<Menu> menus = new ArrayList<>();
+    display.addFilter(SWT.Show, e -> menus.addAll(e.widget instanceof Menu menu ? List.of(menu) : List.of()));
+    window.press("Add a display");
+    window.until(() -> !menus.isEmpty());
+    assertFalse(window.settingsSeen());
+    menus.getLast().getItem(0).notifyListeners(SWT.Selection, new Event());
+    menus.getLast().setVisible(false);
+    assertTrue(window.until(window::settingsSeen));
+    assertEquals(List.of("grid", "pose", "grid"), DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::type).toList());
+    window.flipChosen();
+    window.tick();
+    assertEquals(List.of(true, true, false), DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::shown).toList());
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.robotui.uic.scene3d.internal;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -11,6 +12,7 @@ import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Shell;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
@@ -54,19 +56,42 @@ final class SceneWindow {
     return (PaintedCanvas) children[children.length - 1];
   }
 
+  private Composite tree() {
+    return (Composite) ((Composite) control).getChildren()[0];
+  }
+
+  private SashForm split() {
+    return (SashForm) tree().getChildren()[1];
+  }
+
+  private PaintedCanvas list() {
+    return (PaintedCanvas) split().getChildren()[0];
+  }
+
   /** Chooses a display of the list. */
   void choose(int row) {
-    Composite tree = (Composite) ((Composite) control).getChildren()[0];
-    SashForm split = (SashForm) tree.getChildren()[1];
-    PaintedCanvas list = (PaintedCanvas) split.getChildren()[0];
-    new CanvasHands(list, list::paints, list::requestPaint).mouse(SWT.MouseDown, 1, 100, row * 40 + 20);
+    new CanvasHands(list(), list()::paints, list()::requestPaint).mouse(SWT.MouseDown, 1, 100, row * 40 + 20);
   }
 
   /** Presses the box of a display of the list. */
   void flip(int row) {
-    Composite tree = (Composite) ((Composite) control).getChildren()[0];
-    PaintedCanvas list = (PaintedCanvas) ((SashForm) tree.getChildren()[1]).getChildren()[0];
-    new CanvasHands(list, list::paints, list::requestPaint).mouse(SWT.MouseDown, 1, 20, row * 40 + 12);
+    new CanvasHands(list(), list()::paints, list()::requestPaint).mouse(SWT.MouseDown, 1, 20, row * 40 + 12);
+  }
+
+  /** Switches the display that is chosen in the list by its key. */
+  void flipChosen() {
+    new CanvasHands(list(), list()::paints, list()::requestPaint).key(' ');
+  }
+
+  /** Whether the settings of a display are seen below the list. */
+  boolean settingsSeen() {
+    return split().getMaximizedControl() == null;
+  }
+
+  /** Presses a button above the list, by its hint. */
+  void press(String hint) {
+    Control button = Arrays.stream(((Composite) tree().getChildren()[0]).getChildren()).filter(c -> hint.equals(c.getToolTipText())).findFirst().orElseThrow();
+    button.notifyListeners(SWT.MouseUp, new Event());
   }
 
   void tick() {

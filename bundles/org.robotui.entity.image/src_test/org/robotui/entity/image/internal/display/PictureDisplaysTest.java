@@ -172,6 +172,17 @@ class PictureDisplaysTest implements Places, DisplayContext {
     }
   }
 
+  @Test
+  @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
+  void aPictureInSpaceLooksAsItDid() {
+    try (ImageDisplay display = new ImageDisplay(this); ScenePictures pictures = new ScenePictures()) {
+      update(display, ImageType.SCHEMA, picture(OPTICAL, 64, 48));
+      work();
+      pictures.assertLike(PictureDisplaysTest.class, "image", ScenePictures.request(ScenePictures.withAxes(update(display, ImageType.SCHEMA).parts(), 0.4),
+          ScenePictures.eye(new Vector3(-0.7, 0.6, 0.6), new Vector3(0.7, 0, 0))));
+    }
+  }
+
   @Override
   public Executor background() {
     return tasks::add;

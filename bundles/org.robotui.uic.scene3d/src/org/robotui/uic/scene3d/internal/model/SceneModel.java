@@ -1,6 +1,7 @@
 package org.robotui.uic.scene3d.internal.model;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -13,6 +14,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
@@ -33,6 +35,7 @@ import org.robotui.ui.scene.FixedFrame;
 /** Drains, routes to displays, and makes the stage. Worker thread, where nothing else is said. */
 public final class SceneModel {
   private static final int MOST_TASKS = 1000;
+  private static final int MOST_FRAMES = 1000;
 
   private final Input<Data> input;
   private final Frames known;
@@ -96,7 +99,14 @@ public final class SceneModel {
     marks = waypoints.tick(places);
     changed |= !PartsCheck.same(before, marks);
     List<Stage.Robot> robots = Robots.find(places, named, r -> colors.of(r, now));
-    return show(fixed, places.all(), robots, changed);
+    return show(fixed, frames(places), robots, changed);
+  }
+
+  /** Those that can be chosen: also what only data name, in which they can be shown without any transform. */
+  private List<FrameId> frames(ScenePlaces places) {
+    List<FrameId> known = places.all();
+    return named.isEmpty() || known.containsAll(named) ? known
+        : Stream.concat(known.stream(), named.stream()).distinct().sorted(Comparator.comparing(FrameId::robot).thenComparing(FrameId::name)).toList();
   }
 
   /** Nobody looks: gives up what it holds, and asks the robot for nothing. */
@@ -135,7 +145,7 @@ public final class SceneModel {
 
   private void drain() {
     input.drain(envelope -> {
-      FrameOf.data(envelope.value()).filter(f -> named.size() < MOST_TASKS).ifPresent(named::add);
+      FrameOf.all(envelope.value()).limit(MOST_FRAMES).filter(f -> named.size() < MOST_FRAMES).forEach(named::add);
       slots.values().stream().filter(s -> s.wanted() && s.choice().sources().contains(envelope.source())).forEach(s -> s.take(envelope));
     });
   }

@@ -41,6 +41,7 @@ final class DisplayTree {
   private final PlainLabel total;
   private List<DisplayRow> rows = List.of();
   private boolean told;
+  private Optional<String> added = Optional.empty();
 
   DisplayTree(Composite parent, Theme theme, SceneSurface scene, SceneParts parts) {
     this.scene = scene;
@@ -76,6 +77,7 @@ final class DisplayTree {
       told = true;
       rows = stage.rows();
       list.show(rows);
+      choose();
       rows.stream().filter(r -> settings.shows(r.spec().id())).findFirst().ifPresentOrElse(settings::show, () -> select(Optional.empty()));
       if (rows.isEmpty()) {
         list.message(Health.NONE, "No displays", "Add one with +, or take back what the robot offers.");
@@ -88,6 +90,15 @@ final class DisplayTree {
       total.setText(words);
       total.getParent().layout();
     }
+  }
+
+  /** What a user just added, as soon as it is listed: its settings are what is wanted next. */
+  private void choose() {
+    rows.stream().filter(r -> added.filter(r.spec().id()::equals).isPresent()).findFirst().ifPresent(row -> {
+      added = Optional.empty();
+      select(Optional.of(row));
+      list.select(row.spec().id());
+    });
   }
 
   private void select(Optional<DisplayRow> row) {
@@ -136,11 +147,17 @@ final class DisplayTree {
   private void add(Control button) {
     PopupMenu menu = new PopupMenu(button, scene::refresh);
     List<DisplayType> kinds = parts.kinds().get().stream().sorted(Comparator.comparing(DisplayType::label)).toList();
-    kinds.forEach(k -> menu.push(k.label(), () -> parts.edits().add(k.id())));
+    kinds.forEach(k -> menu.push(k.label(), () -> add(k)));
     if (kinds.isEmpty()) {
       menu.push("No bundle brings displays", false, () -> { });
     }
     menu.openBelow(button);
+  }
+
+  /** Adds a display, and chooses it. */
+  void add(DisplayType kind) {
+    added = Optional.of(parts.edits().add(kind.id()));
+    scene.refresh();
   }
 
   private List<ViewAction> actions(List<DisplayRow> chosen) {

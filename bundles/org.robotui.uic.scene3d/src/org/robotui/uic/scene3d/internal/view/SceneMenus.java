@@ -142,6 +142,8 @@ final class SceneMenus {
     menu.push("Send all as poses", some && parts.sender().takesPoses(), () -> scene.say(parts.sender().poses(route)));
     menu.line();
     menu.push("Take the last change back (Ctrl+Z)", keys::undo);
+    menu.push("Load from a file\u2026", () -> new WaypointFiles(scene, parts).load());
+    menu.push("Save to a file\u2026", some, () -> new WaypointFiles(scene, parts).save());
     menu.push("Copy all as YAML", some, () -> Clipboards.copy(route.yaml()));
     menu.push("Remove all", some, () -> parts.model().soon(waypoints::clear));
   }

@@ -73,12 +73,12 @@ final class Strips {
     return wanted -> wanted == zoom ? pixels : new ImageData(points(pixels.width, zoom), points(pixels.height, zoom), DEPTH, ORDER);
   }
 
-  /** As it is where it fits; stretched for the moment in which a window has another size than its picture. Display thread. */
+  /** As it is where it fits; where a window has just got another size, as large as it was made and in the middle, until the next picture comes. Display thread. */
   void paint(GC gc, Rectangle area) {
     if (width == area.width && height == area.height && area.x == 0 && area.y == 0) {
       fill(gc);
     } else {
-      stretch(gc, area);
+      center(gc, area);
     }
   }
 
@@ -96,12 +96,12 @@ final class Strips {
     }
   }
 
-  private void stretch(GC gc, Rectangle area) {
+  private void center(GC gc, Rectangle area) {
+    int left = area.x + (area.width - width) / 2;
+    int top = area.y + (area.height - height) / 2;
     for (int i = 0; i < images.size(); i++) {
       int seen = Math.min(rows, height - i * rows);
-      int top = area.height * i * rows / height;
-      int bottom = area.height * (i * rows + seen) / height;
-      gc.drawImage(images.get(i), 0, 0, width, seen, area.x, area.y + top, area.width, bottom - top);
+      gc.drawImage(images.get(i), 0, 0, width, seen, left, top + i * rows, width, seen);
     }
   }
 

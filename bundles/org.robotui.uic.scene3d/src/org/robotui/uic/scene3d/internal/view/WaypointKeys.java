@@ -8,7 +8,7 @@ import org.robotui.ui.scene.Told;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
-/** What keys do with waypoints: with the selected one, and with all of them while their tool is in hand. Display thread. */
+/** What keys do with waypoints: with the selected one, and with all of them. Display thread. */
 final class WaypointKeys {
   private final SceneSurface scene;
   private final SceneParts parts;
@@ -43,7 +43,7 @@ final class WaypointKeys {
   private boolean all(Event e) {
     boolean driving = parts.waypoints().tour().driving().isPresent();
     boolean tool = scene.tools().using(ToolKind.WAYPOINTS);
-    if (tool && e.keyCode == 'z' && (e.stateMask & SWT.MOD1) != 0) {
+    if (e.keyCode == 'z' && (e.stateMask & SWT.MOD1) != 0) {
       undo();
       return true;
     }

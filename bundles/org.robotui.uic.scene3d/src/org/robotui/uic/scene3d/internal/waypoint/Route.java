@@ -86,7 +86,8 @@ public record Route(Optional<FrameId> frame, List<RigidTransform> poses) {
     return new Route(frame, change.apply(new ArrayList<>(poses)));
   }
 
-  private static Optional<FrameId> frame(String written) {
+  /** A frame as it is written: robot/frame. */
+  static Optional<FrameId> frame(String written) {
     int cut = written.indexOf('/');
     return cut > 0 ? Optional.of(new FrameId(written.substring(0, cut), written.substring(cut + 1))) : Optional.empty();
   }
@@ -102,7 +103,7 @@ public record Route(Optional<FrameId> frame, List<RigidTransform> poses) {
   }
 
   /** To a tenth of a millimetre and of a milliradian: what a hand can place is coarser. */
-  private static Map<String, Object> fields(RigidTransform pose) {
+  static Map<String, Object> fields(RigidTransform pose) {
     Map<String, Object> fields = new LinkedHashMap<>();
     fields.put("x", rounded(pose.translation().x()));
     fields.put("y", rounded(pose.translation().y()));

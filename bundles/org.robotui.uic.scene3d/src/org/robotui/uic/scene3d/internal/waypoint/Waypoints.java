@@ -33,6 +33,7 @@ public final class Waypoints {
   private Route route = Route.NONE;
   private Optional<Held> held = Optional.empty();
   private Optional<RigidTransform> fixedFromFrame = Optional.empty();
+  private Optional<FrameId> drawnIn = Optional.empty();
   private volatile Route shown = Route.NONE;
 
   /** Those of the settings; the tour drives along them. */
@@ -67,6 +68,7 @@ public final class Waypoints {
     Settings now = settings.current();
     route = Route.read(now);
     held = held.filter(h -> h.index < route.poses().size());
+    drawnIn = Optional.of(places.fixed());
     fixedFromFrame = places.at(frame(places.fixed()), Optional.empty()).found();
     Route seen = held.map(h -> route.with(h.index, h.pose)).orElse(route);
     shown = seen.frame().isPresent() || seen.poses().isEmpty() ? seen : new Route(Optional.of(places.fixed()), seen.poses());
@@ -89,6 +91,18 @@ public final class Waypoints {
       change(route.plus(fixedFromFrame.get().inverse().times(pose)));
     }
     return new Told(Health.OK, "Waypoint " + route.poses().size() + " added \u00b7 Ctrl+Z takes it back");
+  }
+
+  /** Takes those of a file in place of what there is. */
+  public Told take(RouteText.Outcome.Read read) {
+    if (read.poses().isEmpty()) {
+      return new Told(Health.BAD, "Not loaded: there are no waypoints in the file");
+    }
+    int count = read.poses().size();
+    return drawnIn.map(fixed -> {
+      change(read.route(fixed));
+      return new Told(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in " + frame(fixed).name() + " \u00b7 Ctrl+Z takes it back");
+    }).orElse(new Told(Health.BAD, "Not loaded: no frame is known yet"));
   }
 
   /** Removes one, by its index from 0. */

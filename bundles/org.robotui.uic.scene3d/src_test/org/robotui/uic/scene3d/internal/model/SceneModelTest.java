@@ -14,13 +14,19 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
+import org.robotui.data.Bytes;
+import org.robotui.data.Color;
 import org.robotui.data.Data;
 import org.robotui.data.Doubles;
+import org.robotui.data.Floats;
 import org.robotui.data.FrameId;
 import org.robotui.data.Image;
+import org.robotui.data.Marker;
+import org.robotui.data.MarkerSet;
 import org.robotui.data.PoseEstimate;
 import org.robotui.data.StampedPose;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.testkit.FakeFrames;
@@ -228,6 +234,32 @@ class SceneModelTest {
     assertEquals(0, robots.get(1).fixedFromBase().orElseThrow().translation().x(), 1e-12);
     assertEquals(3, robots.get(1).fixedFromBase().orElseThrow().translation().y(), 1e-12);
     assertFalse(robots.get(0).color().equals(robots.get(1).color()));
+  }
+
+  /** As a publisher of markers alone, without any transform. */
+  private static MarkerSet marker(String frame) {
+    Marker.Key key = new Marker.Key("things", 1);
+    return new MarkerSet(false, List.of(new MarkerSet.Entry(key, Optional.of(new Marker(key, new FrameId("a", frame), Optional.empty(), 0,
+        Marker.Type.CUBE, RigidTransform.IDENTITY, new Vector3(1, 1, 1), new Color(1, 0, 0, 1), 0, false, Floats.EMPTY, Bytes.EMPTY, "", "", false)))));
+  }
+
+  @Test
+  void aFrameThatOnlyMarkersNameIsDrawnInAndCanBeChosen() {
+    kinds.add(new FakeKind("markers", List.of(MarkerSet.class)));
+    input.candidates(List.of(new Input.Candidate(OTHER, "MarkerSet")));
+    start();
+    model.tick(0);
+    assertEquals(Optional.empty(), model.stage().fixed());
+    input.put(OTHER, marker("world"), System.nanoTime(), Optional.empty());
+    model.tick(1);
+    assertEquals(Optional.of(new FrameId("a", "world")), model.stage().fixed());
+    frames.fix(MAP, BASE, RigidTransform.IDENTITY);
+    model.tick(2);
+    assertEquals(Optional.of(MAP), model.stage().fixed());
+    assertEquals(List.of("base_link", "map", "world"), model.stage().frames().stream().map(FrameId::name).toList());
+    edits.fixedFrame("world");
+    model.tick(3);
+    assertEquals(Optional.of(new FrameId("a", "world")), model.stage().fixed());
   }
 
   @Test

@@ -20,7 +20,6 @@ import org.robotui.testkit.TestDisplay;
 class StripsTest {
   private static final int WIDTH = 1300;
   private static final int HEIGHT = 211;
-  private static final int GREY = 0x808080;
 
   private final Display display = TestDisplay.get();
 
@@ -54,13 +53,21 @@ class StripsTest {
   }
 
   @Test
-  void whereItIsStretchedThereAreNoSeams() {
+  void inAWindowOfAnotherSizeItLiesInTheMiddleAsLargeAsItWas() {
     int[] rgb = new int[WIDTH * HEIGHT];
-    Arrays.fill(rgb, GREY);
-    ImageData data = painted(picture(rgb), WIDTH - 111, HEIGHT + 46);
-    for (int y = 0; y < data.height; y++) {
-      assertEquals(GREY, rgb(data, 500, y), "row " + y);
+    for (int i = 0; i < rgb.length; i++) {
+      rgb[i] = i * 7919 & 0xffffff;
     }
+    int narrower = 110;
+    int higher = 46;
+    ImageData data = painted(picture(rgb.clone()), WIDTH - narrower, HEIGHT + higher);
+    for (int i = 0; i < data.width * HEIGHT; i += 13) {
+      int x = i % data.width;
+      int y = i / data.width;
+      assertEquals(rgb[y * WIDTH + x + narrower / 2], rgb(data, x, y + higher / 2), "pixel " + x + ", " + y);
+    }
+    assertEquals(0xffffff, rgb(data, 500, 3), "above it");
+    assertEquals(0xffffff, rgb(data, 500, data.height - 3), "below it");
   }
 
   private static int rgb(ImageData data, int x, int y) {

@@ -8,13 +8,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Handle;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Ray;
+import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.testkit.ScenePictures;
 import org.robotui.testkit.display.FakePlaces;
 import org.robotui.ui.Health;
 import org.robotui.ui.scene.Commander;
@@ -185,5 +188,33 @@ class WaypointsTest {
     waypoints.tick(places);
     assertEquals(Health.BAD, waypoints.add(MAP, RigidTransform.IDENTITY).health());
     assertEquals(Route.MOST, waypoints.route().poses().size());
+  }
+
+  @Test
+  void thoseOfAFileTakeThePlaceOfWhatThereIsAndCanBeTakenBack() {
+    RouteText.Outcome.Read read = new RouteText.Outcome.Read(Optional.of("odom"), List.of(RigidTransform.planar(5, 6, 0)));
+    assertEquals(Health.BAD, waypoints.take(read).health(), "no frame is known yet");
+    add(1, 0, 0);
+    add(2, 0, 0);
+    assertEquals("1 waypoint loaded in odom \u00b7 Ctrl+Z takes it back", waypoints.take(read).text());
+    assertEquals(List.of(5.0), xs(Route.read(context.settings().current())));
+    assertEquals(Optional.of(FakePlaces.frame("odom")), Route.read(context.settings().current()).frame());
+    waypoints.tick(places);
+    waypoints.undo();
+    assertEquals(List.of(1.0, 2.0), xs(Route.read(context.settings().current())));
+    assertEquals(Health.BAD, waypoints.take(new RouteText.Outcome.Read(Optional.empty(), List.of())).health());
+    assertEquals(List.of(1.0, 2.0), xs(Route.read(context.settings().current())));
+  }
+
+  @Test
+  @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
+  void theyLookAsTheyDid() {
+    add(0, 0, 0);
+    add(1, 0.8, Math.PI / 2);
+    add(1.6, -0.3, -0.5);
+    try (ScenePictures pictures = new ScenePictures()) {
+      pictures.assertLike(WaypointsTest.class, "waypoints", ScenePictures.request(waypoints.tick(places),
+          ScenePictures.eye(new Vector3(-1.2, -0.6, 1.8), new Vector3(0.8, 0.2, 0))));
+    }
   }
 }
