@@ -81,7 +81,7 @@ final class SceneCanvas {
     } else if (shot.isEmpty()) {
       states.message(gc, area, Health.WAITING, "Preparing the scene", "The first picture is being drawn.");
     } else {
-      shot.get().strips().paint(gc, area);
+      PicturePane.paint(gc, area, shot.get().image());
       over(gc, area, shot.get());
     }
   }

@@ -1,11 +1,13 @@
 package org.robotui.uic.scene3d.internal.view;
 
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.SWTException;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.ImageLoader;
+import org.eclipse.swt.graphics.PaletteData;
 import org.eclipse.swt.widgets.Display;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.Health;
@@ -42,15 +44,21 @@ final class Screenshot {
       String why = made instanceof Rendered.Unavailable none ? none.reason() : "the scene was closed";
       return new Told(Health.BAD, "Not saved: " + why);
     }
-    ImageData data = Strips.data(picture);
     ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[] {data};
+    loader.data = new ImageData[] {data(picture)};
     try {
       loader.save(file.toString(), SWT.IMAGE_PNG);
       return new Told(Health.OK, "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
     } catch (SWTException e) {
       return new Told(Health.BAD, "Not saved: " + e.getMessage());
     }
+  }
+
+  /** Words of red, green and blue, the highest byte first, after a byte of no meaning. */
+  private static ImageData data(Rendered.Picture picture) {
+    byte[] bytes = new byte[Integer.BYTES * picture.width() * picture.height()];
+    ByteBuffer.wrap(bytes).asIntBuffer().put(picture.rgb(), 0, picture.width() * picture.height());
+    return new ImageData(picture.width(), picture.height(), Integer.SIZE, new PaletteData(0xff0000, 0xff00, 0xff), Integer.BYTES, bytes);
   }
 
   private void tell(Told told) {
