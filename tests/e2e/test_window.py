@@ -208,7 +208,7 @@ def test_a_window_that_was_there_first_finds_the_robot_when_it_comes(nowhere, pr
 
 
 def test_closing_the_window_ends_all_at_once(nowhere):
-    window = Window.open(nowhere)
+    window = Window.open(nowhere, "demo")
     wait_for(window.is_live, what="a live robot")
     workbench = java_of(window.process, "equinox.launcher")
     uri = next(line.split("=", 1)[1].split()[0] for line in window.process.err.read_text().splitlines() if "export ROS_MASTER_URI=" in line)

@@ -70,6 +70,13 @@ public interface Host {
   List<Ruic> ruics();
 
   /**
+   * The windows that the loaded files ask for.
+   *
+   * @return in the order of loading and writing; their RUICs may have gone, or not have come
+   */
+  List<WindowConfig> windows();
+
+  /**
    * Tells when RUICs, their states, matches, views or frames change.
    *
    * @param listener is called on core threads; must not block

@@ -9,6 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
@@ -19,6 +20,7 @@ import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.WindowConfig;
 
 /** A host with RUICs that a test adds. Safe for all threads. */
 public final class FakeHost implements Host {
@@ -29,6 +31,7 @@ public final class FakeHost implements Host {
   private volatile List<Problem> problems = List.of();
   private volatile ReuseReport reuse = ReuseReport.EMPTY;
   private volatile List<Installed> installed = List.of();
+  private volatile List<WindowConfig> windows = List.of();
   private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
 
   /**
@@ -72,6 +75,17 @@ public final class FakeHost implements Host {
    */
   public FakeHost installed(Installed... types) {
     installed = List.of(types);
+    return this;
+  }
+
+  /**
+   * Sets what windows the files ask for.
+   *
+   * @param names the RUICs that they begin with
+   * @return this
+   */
+  public FakeHost asking(String... names) {
+    windows = Stream.of(names).map(n -> new WindowConfig(Path.of("test.yaml"), n, 1)).toList();
     return this;
   }
 
@@ -168,6 +182,11 @@ public final class FakeHost implements Host {
   @Override
   public List<Ruic> ruics() {
     return List.copyOf(ruics);
+  }
+
+  @Override
+  public List<WindowConfig> windows() {
+    return windows;
   }
 
   @Override

@@ -83,22 +83,6 @@ final class LayoutReader {
 
   private double weight(YamlValue item) {
     Optional<YamlValue> written = item instanceof YamlValue.Section s ? s.get("weight") : Optional.empty();
-    return written.flatMap(this::positive).orElse(1.0);
-  }
-
-  private Optional<Double> positive(YamlValue value) {
-    Optional<Double> number = Shape.text(value, "'weight'", problems).flatMap(LayoutReader::parsed).filter(w -> w > 0);
-    if (number.isEmpty()) {
-      problems.add(value.place().error("'weight' must be a positive number, not " + value.noun()));
-    }
-    return number;
-  }
-
-  private static Optional<Double> parsed(String text) {
-    try {
-      return Optional.of(Double.valueOf(text)).filter(d -> !d.isInfinite());
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
+    return written.flatMap(w -> Shape.positive(w, "'weight'", problems)).orElse(1.0);
   }
 }

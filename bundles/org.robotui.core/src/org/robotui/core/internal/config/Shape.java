@@ -20,9 +20,24 @@ final class Shape {
   }
 
   static Optional<String> text(YamlValue value, String what, List<Problem> problems) {
-    return value instanceof YamlValue.Scalar s && !s.isEmpty()
-        ? Optional.of(s.text())
-        : wrong(value, what, "a word", problems);
+    return text(value, what, "a word", problems);
+  }
+
+  static Optional<String> text(YamlValue value, String what, String expected, List<Problem> problems) {
+    return value instanceof YamlValue.Scalar s && !s.isEmpty() ? Optional.of(s.text()) : wrong(value, what, expected, problems);
+  }
+
+  static Optional<Double> positive(YamlValue value, String what, List<Problem> problems) {
+    Optional<Double> number = value instanceof YamlValue.Scalar s ? parsed(s.text()).filter(d -> d > 0) : Optional.empty();
+    return number.isPresent() ? number : wrong(value, what, "a positive number", problems);
+  }
+
+  private static Optional<Double> parsed(String text) {
+    try {
+      return Optional.of(Double.valueOf(text)).filter(d -> !d.isInfinite());
+    } catch (NumberFormatException e) {
+      return Optional.empty();
+    }
   }
 
   /** A list of words, or one word as a short form. */

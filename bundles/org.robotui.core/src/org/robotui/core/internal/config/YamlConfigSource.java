@@ -9,7 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.WindowConfig;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.ConfigSource;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -17,7 +19,7 @@ import org.robotui.core.internal.config.model.TypeLookup;
 
 /** Reads configuration files. */
 public final class YamlConfigSource implements ConfigSource {
-  private static final List<String> KEYS = List.of("simulator", "control", "ruics");
+  private static final List<String> KEYS = List.of("simulator", "control", "windows", "ruics");
   private static final long MAX_BYTES = 1 << 20;
 
   private final Variables variables;
@@ -34,11 +36,21 @@ public final class YamlConfigSource implements ConfigSource {
   @Override
   public ConfigResult read(Path file, TypeLookup types) {
     List<Problem> problems = new ArrayList<>();
+    return text(file, problems).map(text -> read(file, text, types)).orElseGet(() -> new ConfigResult(problems, List.of(), List.of()));
+  }
+
+  @Override
+  public ConfigResult read(Path file, String text, TypeLookup types) {
+    List<Problem> problems = new ArrayList<>();
     List<RuicConfig> ruics = new ArrayList<>();
-    text(file, problems)
-        .flatMap(text -> YamlFile.parse(file.toString(), text, variables, problems))
-        .ifPresent(root -> readRoot(root, types, problems, ruics));
-    return new ConfigResult(Repeated.merged(problems), problems.stream().anyMatch(YamlConfigSource::spoilsAll) ? List.of() : ruics);
+    List<WindowConfig> windows = new ArrayList<>();
+    YamlFile.parse(file.toString(), text, variables, problems).flatMap(root -> Shape.section(root, "a configuration", problems))
+        .ifPresent(root -> {
+          readRuics(root, types, problems, ruics);
+          root.get("windows").ifPresent(v -> windows.addAll(new WindowsReader(file, names(root), problems).read(v)));
+        });
+    boolean spoilt = problems.stream().anyMatch(YamlConfigSource::spoilsAll);
+    return new ConfigResult(Repeated.merged(problems), spoilt ? List.of() : ruics, spoilt ? List.of() : windows);
   }
 
   /** Problems of the file as such; those of one RUIC leave the others usable. */
@@ -77,12 +89,17 @@ public final class YamlConfigSource implements ConfigSource {
     }
   }
 
-  private void readRoot(YamlValue root, TypeLookup types, List<Problem> problems, List<RuicConfig> ruics) {
-    Optional<YamlValue.Section> section = Shape.section(root, "a configuration", problems);
-    section.ifPresent(s -> Shape.onlyKeys(s, KEYS, "at the top of a configuration", problems));
-    Optional<YamlValue.Section> written = section.flatMap(s -> Shape.required(s, "ruics", "names with a section each", problems))
+  private static void readRuics(YamlValue.Section root, TypeLookup types, List<Problem> problems, List<RuicConfig> ruics) {
+    Shape.onlyKeys(root, KEYS, "at the top of a configuration", problems);
+    Optional<YamlValue.Section> written = Shape.required(root, "ruics", "names with a section each", problems)
         .flatMap(v -> Shape.section(v, "'ruics'", problems));
     written.ifPresent(s -> s.entries().forEach(e -> readRuic(e, types, problems, ruics)));
+  }
+
+  /** Also of those that have errors. */
+  private static List<String> names(YamlValue.Section root) {
+    return root.get("ruics").stream().flatMap(v -> v instanceof YamlValue.Section s ? s.entries().stream() : Stream.empty())
+        .map(YamlValue.Entry::key).toList();
   }
 
   private static void readRuic(YamlValue.Entry entry, TypeLookup types, List<Problem> problems, List<RuicConfig> ruics) {

@@ -3,6 +3,8 @@ package org.robotui.core.internal.host;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -25,6 +27,7 @@ import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.WindowConfig;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
 import org.robotui.core.internal.config.model.CheckedValue;
@@ -51,6 +54,7 @@ public final class Core implements Host {
   private final Notifier notifier = new Notifier();
   private final List<RuicRuntime> ruics = new CopyOnWriteArrayList<>();
   private final Map<Path, OverlayStore> overlays = new ConcurrentHashMap<>();
+  private final Map<Path, List<WindowConfig>> windows = Collections.synchronizedMap(new LinkedHashMap<>());
   private final ScheduledThreadPoolExecutor timer = executor("robotui-timer");
   private final ScheduledThreadPoolExecutor files = executor("robotui-files");
   private final HostEvents events = new HostEvents(notifier, ruics::remove);
@@ -115,6 +119,7 @@ public final class Core implements Host {
   private ConfigChange read(Path file) {
     List<Problem> more = new ArrayList<>();
     ConfigResult result = parts.configs().read(file, parts.registry());
+    windows.put(file, result.windows());
     ConfigChange change = rereading.read(file, result, config -> {
       int before = more.size();
       add(file, config, more);
@@ -166,6 +171,13 @@ public final class Core implements Host {
   @Override
   public List<Ruic> ruics() {
     return List.copyOf(ruics);
+  }
+
+  @Override
+  public List<WindowConfig> windows() {
+    synchronized (windows) {
+      return windows.values().stream().flatMap(List::stream).toList();
+    }
   }
 
   @Override

@@ -30,6 +30,7 @@ import org.robotui.api.host.Installed;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.WindowConfig;
 import org.robotui.core.internal.config.SchemaCheck;
 import org.robotui.core.internal.config.YamlConfigSource;
 import org.robotui.core.internal.config.YamlOverlay;
@@ -137,6 +138,11 @@ public final class CoreComponent implements Host {
   @Override
   public List<Ruic> ruics() {
     return core.ruics();
+  }
+
+  @Override
+  public List<WindowConfig> windows() {
+    return core.windows();
   }
 
   @Override

@@ -49,14 +49,14 @@ final class Preview {
     return problems.stream().map(Problem::message).collect(Collectors.joining("; "));
   }
 
-  ExchangePreview of(Map<SourceId, SourceId> picked, Optional<String> wrong) {
+  ExchangePreview of(Map<SourceId, SourceId> picked, Optional<String> failure) {
     Question question = question();
     List<Match> now = wiring.matches();
     List<Match> then = Matcher.match(question.wants(), question.haves(), question.suppliers(), effective(question, picked));
     List<Port> offered = question.haves().stream().filter(h -> isTried(h.id())).map(Have::port).toList();
     List<Want> uncovered = Exchange.uncovered(question.wants(), now, trial.id(), offered);
     List<String> missing = uncovered.stream().map(Exchange::sentence).toList();
-    return verdict(wrong.or(this::failure), missing, lines(now, then, uncovered), notes(question));
+    return verdict(failure, missing, lines(now, then, uncovered), notes(question));
   }
 
   /** What the user picked, and what stands in for named connections that would lead nowhere. */
@@ -130,10 +130,6 @@ final class Preview {
         : "not there: " + String.join(", ", absent) + "; choose again in the view";
     return new Match(after.port(), after.kind(), after.typeName(), after.arity(),
         there.isEmpty() ? MatchState.PENDING : after.state(), there, after.candidates(), reason);
-  }
-
-  private Optional<String> failure() {
-    return Optional.of(trial.health()).filter(Health::isFailed).map(h -> trial.id() + " " + h.reason());
   }
 
   private ExchangePreview verdict(Optional<String> failure, List<String> missing, List<Line> lines, List<String> notes) {

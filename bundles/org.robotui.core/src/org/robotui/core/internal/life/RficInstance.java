@@ -35,7 +35,7 @@ final class RficInstance implements RficContext, Instance {
   private final ComponentConfig config;
   private final RficType type;
   private final Settings settings;
-  private final RuicParts ruic;
+  private final ComponentHome ruic;
   private final TrackedThreads threads;
   private final Link link;
   private final Arbiter arbiter;
@@ -50,13 +50,13 @@ final class RficInstance implements RficContext, Instance {
   private final FixedFrames fixed = new FixedFrames();
   private volatile boolean ended;
 
-  RficInstance(ComponentConfig config, RficType type, Settings settings, RuicParts ruic) {
+  RficInstance(ComponentConfig config, RficType type, Settings settings, ComponentHome ruic) {
     Services services = ruic.services();
     this.config = config;
     this.type = type;
     this.settings = settings;
     this.ruic = ruic;
-    String name = ruic.config().name() + "." + config.id();
+    String name = ruic.ruicName() + "." + config.id();
     this.threads = new TrackedThreads(name, (thread, error) -> died(thread, error));
     this.link = new Link(services.clock(), ruic.wake()::linkChanged);
     this.arbiter = services.arbiters().of(config.robot());
@@ -87,7 +87,7 @@ final class RficInstance implements RficContext, Instance {
   }
 
   private void alert(String what) {
-    ruic.services().events().alert(ruic.config().name(), what + " (" + origin() + ")");
+    ruic.services().events().alert(ruic.ruicName(), what + " (" + origin() + ")");
   }
 
   @Override

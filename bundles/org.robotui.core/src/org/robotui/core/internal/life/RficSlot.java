@@ -17,7 +17,7 @@ final class RficSlot extends Slot<RficType, RficInstance> {
   /** So long after its last news, a connected robot interface may still find more. */
   static final Duration SETTLING = Duration.ofSeconds(3);
 
-  RficSlot(ComponentConfig config, RuicParts ruic) {
+  RficSlot(ComponentConfig config, ComponentHome ruic) {
     super(config, ruic);
   }
 

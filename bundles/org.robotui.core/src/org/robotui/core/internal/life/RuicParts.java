@@ -1,9 +1,7 @@
 package org.robotui.core.internal.life;
 
-import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
-import org.robotui.api.ComponentType;
 import org.robotui.api.host.RuicView;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.time.RuicClock;
@@ -33,16 +31,14 @@ record RuicParts(
     RuicFrames frames,
     RuicAlerts alerts,
     RuicOverlay overlay,
-    Wake wake) {
+    Wake wake) implements ComponentHome {
   RuicConfig config() {
     return configNow.get();
   }
 
-  /** Names the threads that a component started by itself on a thread that is not its own; empty where there are none. */
-  String strays(ComponentType type) {
-    List<String> names = services.registry().bundle(type)
-        .map(bundle -> Strays.of(bundle, services.bundles())).orElse(List.of()).stream().map(Thread::getName).sorted().toList();
-    return names.isEmpty() ? "" : "; threads left that no factory made: " + String.join(", ", names);
+  @Override
+  public String ruicName() {
+    return config().name();
   }
 
   /** What to do when things change. Methods never block. */

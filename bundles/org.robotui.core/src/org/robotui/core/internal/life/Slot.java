@@ -16,13 +16,13 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
 
   private final ComponentConfig config;
-  private final RuicParts ruic;
+  private final ComponentHome ruic;
   private boolean waitsForType;
   private Optional<T> type = Optional.empty();
   private volatile Health health = Health.ADDED;
   private volatile Optional<I> instance = Optional.empty();
 
-  Slot(ComponentConfig config, RuicParts ruic) {
+  Slot(ComponentConfig config, ComponentHome ruic) {
     this.config = config;
     this.ruic = ruic;
   }
@@ -79,7 +79,7 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
   }
 
   private void alert(String message) {
-    ruic.services().events().alert(ruic.config().name(), message);
+    ruic.services().events().alert(ruic.ruicName(), message);
   }
 
   /** Ends the instance, where there is one. Returns what could not be ended. */
@@ -113,7 +113,7 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
     return config;
   }
 
-  final RuicParts ruic() {
+  final ComponentHome ruic() {
     return ruic;
   }
 

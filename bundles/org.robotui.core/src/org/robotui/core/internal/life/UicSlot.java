@@ -16,11 +16,13 @@ import org.robotui.core.internal.match.Want;
 /** The place of one view. */
 final class UicSlot extends Slot<UicType, UicInstance> {
   private final Supplier<Authority> authority;
+  private final RuicParts parts;
   private volatile boolean shown = true;
 
   UicSlot(ComponentConfig config, Supplier<Authority> authority, RuicParts ruic) {
     super(config, ruic);
     this.authority = authority;
+    this.parts = ruic;
   }
 
   @Override
@@ -35,7 +37,7 @@ final class UicSlot extends Slot<UicType, UicInstance> {
 
   @Override
   UicInstance make(UicType of, Settings settings) {
-    return new UicInstance(config(), of, settings, authority, ruic());
+    return new UicInstance(config(), of, settings, authority, parts);
   }
 
   /** False where its type is, or was when it was last there, for another surface than the application has. */

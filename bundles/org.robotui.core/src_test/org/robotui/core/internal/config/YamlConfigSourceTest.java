@@ -84,6 +84,33 @@ class YamlConfigSourceTest {
   }
 
   @Test
+  void readsWhichWindowsAreOpened() throws IOException {
+    assertEquals(List.of(), read(GOOD).windows());
+    assertEquals(List.of("Natalie 1.0"), windows("windows: Natalie\n" + GOOD));
+    assertEquals(List.of("Keira 1.0", "Natalie 2.0"),
+        windows("windows: [Keira, {show: Natalie, weight: 2}]\n" + GOOD + "  Keira: {type: base, rfics: {b: {type: ros, master: x}}}\n"));
+  }
+
+  private List<String> windows(String text) throws IOException {
+    ConfigResult result = read(text);
+    assertEquals(List.of(), result.problems());
+    return result.windows().stream().map(w -> w.ruic() + " " + w.weight()).toList();
+  }
+
+  @Test
+  void saysWhatIsWrongWithWindowsAndTheRobotsRunAllTheSame() throws IOException {
+    assertProblem("windows: [Natlie]\n" + GOOD, 1, 11, "there is no RUIC 'Natlie' for a window; did you mean 'Natalie'?");
+    assertProblem("windows: [Natalie, Natalie]\n" + GOOD, 1, 20, "'Natalie' has a window already");
+    assertProblem("windows: [{weight: 2}]\n" + GOOD, 1, 11, "'show' is missing: the name of a RUIC, such as {show: Natalie, weight: 2}");
+    assertProblem("windows: [{show: Natalie, weight: -1}]\n" + GOOD, 1, 35, "'weight' must be a positive number, not '-1'");
+    assertProblem("windows: [{show: Natalie, wieght: 1}]\n" + GOOD, 1, 27, "did you mean 'weight'?");
+    assertProblem("windows: [[Natalie]]\n" + GOOD, 1, 11, "not a list");
+    assertProblem("windows:\n" + GOOD, 1, 9, "a window must be the name of a RUIC, such as Natalie, not nothing");
+    assertProblem("windows: [" + "x, ".repeat(16) + "x]\n" + GOOD, 1, 10, "write at most 16");
+    assertEquals(1, read("windows: [Natlie]\n" + GOOD).ruics().size());
+  }
+
+  @Test
   void findsSlipsAlsoWhereTheTypeIsNotInstalled() throws IOException {
     String text = GOOD.replace("type: base", "type: bsae").replace("connect:", "conect:");
     assertProblem(text, 3, 11, "no RUIC type 'bsae' is installed; did you mean 'base'?");

@@ -3,8 +3,10 @@ package org.robotui.workbench.internal.model;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.host.WindowConfig;
 
 /**
  * All windows and what they show. A view has one control at a time, so a RUIC is shown in one window at a time: who selects
@@ -70,13 +72,22 @@ public final class Windows {
     }
   }
 
-  /** Shows the first RUIC that no window shows, where the window shows none. */
+  /** Shows the first RUIC that no window shows, where the window shows none: first those for which the files ask for windows. */
   public void fill(WindowModel model) {
     if (model.selected().isEmpty()) {
-      host.ruics().stream()
+      Stream.concat(asked().stream().flatMap(w -> ruic(w.ruic()).stream()), host.ruics().stream())
           .filter(ruic -> models.stream().noneMatch(m -> m.shows(ruic)))
           .findFirst()
           .ifPresent(ruic -> select(model, ruic));
     }
+  }
+
+  /** The windows that the files ask for, of RUICs that are there. */
+  public List<WindowConfig> asked() {
+    return host.windows().stream().filter(w -> ruic(w.ruic()).isPresent()).toList();
+  }
+
+  private Optional<Ruic> ruic(String name) {
+    return host.ruics().stream().filter(r -> r.name().equals(name)).findFirst();
   }
 }

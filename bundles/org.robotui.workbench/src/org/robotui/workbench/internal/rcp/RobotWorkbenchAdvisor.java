@@ -82,6 +82,9 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
 
   /** Views that are made for the first time take long, and nothing moves before they are there. */
   private void begin() {
+    AskedWindows windows = new AskedWindows(session);
+    windows.open(PlatformUI.getWorkbench());
+    session.onLoaded(() -> windows.open(PlatformUI.getWorkbench()));
     session.onLoaded(started);
     if (session.configurations().areRead()) {
       started.run();

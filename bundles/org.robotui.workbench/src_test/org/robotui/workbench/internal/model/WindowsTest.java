@@ -28,6 +28,17 @@ class WindowsTest {
   }
 
   @Test
+  void whatTheFilesAskForComesFirst() {
+    FakeRuic marvin = new FakeRuic("Marvin");
+    host.add(marvin).asking("Marvin", "gone", "Natalie");
+
+    assertEquals(List.of("Marvin", "Natalie"), windows.asked().stream().map(w -> w.ruic()).toList());
+    assertEquals(Optional.of(marvin), windows.open().selected());
+    assertEquals(Optional.of(natalie), windows.open().selected());
+    assertEquals(Optional.of(keira), windows.open().selected(), "of a window more, the first that is left");
+  }
+
+  @Test
   void theControlsOfTheFormerGoBeforeTheNextIsSelected() {
     WindowModel window = windows.open();
     List<String> seen = new ArrayList<>();

@@ -2,22 +2,26 @@ package org.robotui.core.internal.config.model;
 
 import java.util.List;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.WindowConfig;
 
 /**
  * What was read.
  *
  * @param problems what is wrong, in the order of the file
  * @param ruics the RUICs without errors
+ * @param windows the windows that it asks for, of RUICs that it names
  */
-public record ConfigResult(List<Problem> problems, List<RuicConfig> ruics) {
+public record ConfigResult(List<Problem> problems, List<RuicConfig> ruics, List<WindowConfig> windows) {
   /**
    * Copies the lists.
    *
    * @param problems what is wrong
    * @param ruics the RUICs without errors
+   * @param windows the windows
    */
   public ConfigResult {
     problems = List.copyOf(problems);
     ruics = List.copyOf(ruics);
+    windows = List.copyOf(windows);
   }
 }

@@ -3,7 +3,6 @@ package org.robotui.core.internal.config.model;
 import java.nio.file.Path;
 
 /** Reads configurations. */
-@FunctionalInterface
 public interface ConfigSource {
   /**
    * Reads a file and checks all that can be checked with the types installed now. A type that is not installed is a warning:
@@ -14,4 +13,14 @@ public interface ConfigSource {
    * @return problems and RUICs; never throws for anything wrong with the file, also where it is not there
    */
   ConfigResult read(Path file, TypeLookup types);
+
+  /**
+   * The same for a text that is not in its file yet.
+   *
+   * @param file where it would stand
+   * @param text all of it
+   * @param types what is installed
+   * @return problems and RUICs
+   */
+  ConfigResult read(Path file, String text, TypeLookup types);
 }

@@ -1,0 +1,109 @@
+package org.robotui.workbench.internal.rcp;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.Rectangle;
+import org.eclipse.swt.widgets.Monitor;
+import org.eclipse.swt.widgets.Shell;
+import org.eclipse.ui.IWorkbench;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.eclipse.ui.WorkbenchException;
+import org.robotui.api.host.WindowConfig;
+import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.model.WindowPlaces;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Opens the windows that configurations ask for and places them; where the user has moved or sized one in an earlier run, it goes there.
+ * Display thread only.
+ */
+final class AskedWindows {
+  private static final Logger LOG = LoggerFactory.getLogger(AskedWindows.class);
+  private static final String KEY = "window.";
+  private static final String MAXIMIZED = "maximized";
+  /** By then a window manager has put a window where it was asked to, and perhaps a little elsewhere. */
+  private static final int SETTLED_MILLIS = 1500;
+
+  private final Session session;
+  private boolean done;
+
+  AskedWindows(Session session) {
+    this.session = session;
+  }
+
+  /** Opens them once all configurations of the start are read; later calls do nothing. */
+  void open(IWorkbench workbench) {
+    if (done || !session.configurations().areRead()) {
+      return;
+    }
+    done = true;
+    List<WindowConfig> asked = session.windows().asked();
+    if (asked.isEmpty() || workbench.getWorkbenchWindowCount() == 0) {
+      return;
+    }
+    List<Shell> shells = shells(workbench, asked.size());
+    Rectangle screen = shells.getFirst().getDisplay().getPrimaryMonitor().getClientArea();
+    List<Rectangle> places = WindowPlaces.of(screen, asked.stream().map(WindowConfig::weight).toList());
+    // The first last: it stays in front and takes the keys.
+    for (int i = shells.size() - 1; i >= 0; i--) {
+      place(shells.get(i), asked.get(i), asked.size() == 1 ? Optional.empty() : Optional.of(places.get(i)));
+    }
+    shells.getFirst().setActive();
+  }
+
+  /** Each selects the RUIC that it is for as it opens; the first is there already. */
+  private List<Shell> shells(IWorkbench workbench, int count) {
+    List<Shell> shells = new ArrayList<>(List.of(workbench.getWorkbenchWindows()[0].getShell()));
+    try {
+      while (shells.size() < count) {
+        IWorkbenchWindow window = workbench.openWorkbenchWindow(RobotPerspective.ID, null);
+        shells.add(window.getShell());
+      }
+    } catch (WorkbenchException e) {
+      LOG.error("a window could not be opened", e);
+    }
+    return shells;
+  }
+
+  private void place(Shell shell, WindowConfig window, Optional<Rectangle> usual) {
+    String key = KEY + window.file().toAbsolutePath().normalize() + "#" + window.ruic();
+    Optional<String> kept = session.state().get(key);
+    Optional<Rectangle> former = kept.flatMap(AskedWindows::bounds).filter(b -> WindowPlaces.isSeen(b, screens(shell)));
+    former.or(() -> usual).ifPresent(shell::setBounds);
+    shell.setMaximized(kept.filter(MAXIMIZED::equals).isPresent());
+    if (session.arguments().isAttended()) {
+      shell.getDisplay().timerExec(SETTLED_MILLIS, () -> keepWhatIsMoved(shell, key));
+    }
+  }
+
+  private void keepWhatIsMoved(Shell shell, String key) {
+    if (!shell.isDisposed()) {
+      String placed = words(shell);
+      shell.addListener(SWT.Dispose, e -> Optional.of(words(shell)).filter(now -> !now.equals(placed))
+          .ifPresent(now -> session.state().put(key, now)));
+    }
+  }
+
+  private static List<Rectangle> screens(Shell shell) {
+    return Arrays.stream(shell.getDisplay().getMonitors()).map(Monitor::getClientArea).toList();
+  }
+
+  private static String words(Shell shell) {
+    Rectangle b = shell.getBounds();
+    return shell.getMaximized() ? MAXIMIZED : b.x + " " + b.y + " " + b.width + " " + b.height;
+  }
+
+  private static Optional<Rectangle> bounds(String words) {
+    try {
+      int[] n = Stream.of(words.split(" ")).mapToInt(Integer::parseInt).toArray();
+      return n.length == 4 ? Optional.of(new Rectangle(n[0], n[1], n[2], n[3])) : Optional.empty();
+    } catch (NumberFormatException e) {
+      return Optional.empty();
+    }
+  }
+}
