@@ -41,6 +41,8 @@ class Windows:
 
 
 def picture_of(any_window, window):
+    """In front of all others, which would cover it."""
+    output("xdotool", "windowactivate", "--sync", window, "sleep", "0.4")
     other = object.__new__(Window)
     other.process, other.id, other._stick = any_window.process, window, None
     return other.picture()
@@ -80,8 +82,9 @@ def test_each_window_begins_with_its_robot_and_a_new_one_with_what_is_left(nowhe
 def test_a_window_opens_where_the_user_left_it(nowhere, tmp_path):
     text = "windows: [Natalie, Keira]\n" + RUICS
     windows = Windows(nowhere, tmp_path, text)
-    keira = next(w for w in windows.await_count(2) if wait_for(lambda w=w: row_of(picture_of(windows.first, w)) is not None, what="a robot")
-                 and row_of(picture_of(windows.first, w)) == 1)
+    windows.await_count(2)
+    wait_for(lambda: sorted(map(str, windows.selected())) == ["0", "1"], what="the robots of both windows")
+    keira = windows.ids()[windows.selected().index(1)]
     output("xdotool", "sleep", "3", "windowsize", "--sync", keira, "1000", "700")
     output("xdotool", "windowmove", "--sync", keira, "300", "120", "sleep", "1")
     left = bounds(keira)

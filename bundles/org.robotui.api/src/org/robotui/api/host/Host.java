@@ -77,6 +77,14 @@ public interface Host {
   List<WindowConfig> windows();
 
   /**
+   * Begins to put a RUIC together, with a robot interface that is tried at once.
+   *
+   * @param wanted the robot interface
+   * @return what is put together; must be closed
+   */
+  Composition compose(InterfaceConfig wanted);
+
+  /**
    * Tells when RUICs, their states, matches, views or frames change.
    *
    * @param listener is called on core threads; must not block

@@ -9,14 +9,17 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Composition;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
+import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
@@ -32,6 +35,9 @@ public final class FakeHost implements Host {
   private volatile ReuseReport reuse = ReuseReport.EMPTY;
   private volatile List<Installed> installed = List.of();
   private volatile List<WindowConfig> windows = List.of();
+  private volatile Function<InterfaceConfig, Composition> composing = wanted -> {
+    throw new UnsupportedOperationException("no test has said what is composed");
+  };
   private volatile BiFunction<Setting, Object, Optional<String>> wrong = (setting, value) -> Optional.empty();
 
   /**
@@ -75,6 +81,17 @@ public final class FakeHost implements Host {
    */
   public FakeHost installed(Installed... types) {
     installed = List.of(types);
+    return this;
+  }
+
+  /**
+   * Sets what is put together.
+   *
+   * @param compose is given the wanted robot interface
+   * @return this
+   */
+  public FakeHost composing(Function<InterfaceConfig, Composition> compose) {
+    composing = compose;
     return this;
   }
 
@@ -187,6 +204,11 @@ public final class FakeHost implements Host {
   @Override
   public List<WindowConfig> windows() {
     return windows;
+  }
+
+  @Override
+  public Composition compose(InterfaceConfig wanted) {
+    return composing.apply(wanted);
   }
 
   @Override

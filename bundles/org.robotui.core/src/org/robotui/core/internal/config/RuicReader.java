@@ -21,7 +21,7 @@ import org.robotui.data.FrameTransform;
 
 /** Reads one RUIC. */
 final class RuicReader {
-  private static final List<String> OWN = List.of("type", "start", "rfics", "frames", "uics", "connect", "layout", "safety");
+  private static final List<String> OWN = List.of("type", "start", "rfics", "frames", "without", "uics", "connect", "layout", "safety");
 
   private static final String AT_ONCE = "at_once";
   private static final String SHOWN = "when_shown";
@@ -43,7 +43,9 @@ final class RuicReader {
     String name = entry.key();
     String type = section.get("type").flatMap(v -> Shape.text(v, "'type'", problems)).orElse("");
     WrittenSection raw = new WrittenSection(section.without(OWN));
-    Known brought = broughtViews(section, type, raw);
+    Known ofType = broughtViews(section, type, raw);
+    List<String> without = section.get("without").map(v -> without(v, ofType)).orElse(List.of());
+    Known brought = new Known(ofType.ids().stream().filter(id -> !without.contains(id)).toList(), ofType.all());
     ComponentReader components = new ComponentReader(types, problems);
     List<ComponentConfig> rfics = components.rfics(part(section, "rfics"), name);
     List<ComponentConfig> uics = components.uics(part(section, "uics"), brought);
@@ -59,7 +61,20 @@ final class RuicReader {
     List<FrameTransform> frames = section.get("frames").map(new FramesReader(problems)::read).orElse(List.of());
     boolean startsShown = section.get("start").map(this::startsShown).orElse(false);
     Place at = entry.place();
-    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, uics, connections, layout, safety, frames, startsShown);
+    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, without, uics, connections, layout, safety, frames, startsShown);
+  }
+
+  private List<String> without(YamlValue value, Known ofType) {
+    List<String> left = new ArrayList<>();
+    for (YamlValue item : Shape.items(value)) {
+      Shape.text(item, "'without'", "the id of a view of the type", problems).ifPresent(id -> {
+        left.add(id);
+        if (!ofType.mayHave(id)) {
+          problems.add(item.place().error("the type brings no view '" + id + "' that could be left out" + NearestWord.hint(id, ofType.ids())));
+        }
+      });
+    }
+    return left;
   }
 
   private boolean startsShown(YamlValue value) {

@@ -20,16 +20,19 @@ import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Composition;
 import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
+import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.WindowConfig;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
+import org.robotui.core.internal.compose.Composing;
 import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -178,6 +181,11 @@ public final class Core implements Host {
     synchronized (windows) {
       return windows.values().stream().flatMap(List::stream).toList();
     }
+  }
+
+  @Override
+  public Composition compose(InterfaceConfig wanted) {
+    return new Composing(wanted, services, parts.configs());
   }
 
   @Override

@@ -24,9 +24,11 @@ import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 import org.robotui.api.host.CheckReport;
+import org.robotui.api.host.Composition;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Installed;
+import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.Ruic;
@@ -143,6 +145,11 @@ public final class CoreComponent implements Host {
   @Override
   public List<WindowConfig> windows() {
     return core.windows();
+  }
+
+  @Override
+  public Composition compose(InterfaceConfig wanted) {
+    return core.compose(wanted);
   }
 
   @Override

@@ -52,11 +52,11 @@ public record Plan(Optional<RuicType> type, List<ComponentConfig> uics, Layout l
 
   private static Plan made(RuicConfig config, RuicType type, Settings settings, SettingsCheck check) {
     Map<String, ComponentConfig> uics = new LinkedHashMap<>();
-    type.uics(settings).forEach(spec -> uics.put(spec.id(), brought(spec, config, check)));
+    type.uics(settings).stream().filter(spec -> !config.without().contains(spec.id())).forEach(spec -> uics.put(spec.id(), brought(spec, config, check)));
     for (ComponentConfig written : config.uics()) {
       uics.merge(written.id(), written, (spec, own) -> own.type().isEmpty() ? own.withType(spec.type()) : own);
     }
-    Layout layout = config.layout().orElseGet(() -> type.layout(settings));
+    Layout layout = config.layout().orElseGet(() -> PrunedLayout.without(type.layout(settings), config.without()));
     return new Plan(Optional.of(type), uics.values().stream().map(Plan::typed).toList(), layout);
   }
 

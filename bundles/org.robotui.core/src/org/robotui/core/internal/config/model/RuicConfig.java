@@ -16,6 +16,7 @@ import org.robotui.data.FrameTransform;
  * @param type id of its type; empty where the file lists all views and the layout itself
  * @param raw settings for its type
  * @param rfics its robot interfaces
+ * @param without views of its type that are left out
  * @param uics views that it adds to, or configures of, those of its type
  * @param connections named connections
  * @param layout where the views lie, in place of the layout of its type
@@ -31,6 +32,7 @@ public record RuicConfig(
     String type,
     RawSection raw,
     List<ComponentConfig> rfics,
+    List<String> without,
     List<ComponentConfig> uics,
     List<ConnectionConfig> connections,
     Optional<Layout> layout,
@@ -47,6 +49,7 @@ public record RuicConfig(
    * @param type id of its type
    * @param raw settings for its type
    * @param rfics its robot interfaces
+   * @param without views that are left out
    * @param uics views
    * @param connections named connections
    * @param layout where the views lie
@@ -56,6 +59,7 @@ public record RuicConfig(
    */
   public RuicConfig {
     rfics = List.copyOf(rfics);
+    without = List.copyOf(without);
     uics = List.copyOf(uics);
     connections = List.copyOf(connections);
     safety = Map.copyOf(safety);
@@ -70,7 +74,7 @@ public record RuicConfig(
    */
   public RuicConfig with(ComponentConfig next) {
     List<ComponentConfig> changed = rfics.stream().map(c -> c.id().equals(next.id()) ? next : c).toList();
-    return new RuicConfig(name, file, line, column, type, raw, changed, uics, connections, layout, safety, frames,
+    return new RuicConfig(name, file, line, column, type, raw, changed, without, uics, connections, layout, safety, frames,
         startsShown);
   }
 
@@ -81,7 +85,7 @@ public record RuicConfig(
    * @return a copy
    */
   public RuicConfig withLiveParts(RuicConfig other) {
-    return new RuicConfig(name, file, line, column, type, raw, rfics, uics, other.connections, layout, other.safety, frames,
+    return new RuicConfig(name, file, line, column, type, raw, rfics, without, uics, other.connections, layout, other.safety, frames,
         startsShown);
   }
 
