@@ -52,11 +52,14 @@ final class Backlog {
 
   /** Room for the next datagram; waits where all is full. For the thread that receives. */
   synchronized ByteBuffer room() throws IOException, InterruptedException {
-    if (filling.waiting == 0) {
-      filling.used = 0; // here nothing is being put into it
-    }
-    while (!filling.hasRoom()) {
+    while (true) {
       throwEnd();
+      if (filling.waiting == 0) {
+        filling.used = 0; // here nothing is being put into it
+      }
+      if (filling.hasRoom()) {
+        return filling.bytes.slice(filling.used, ROOM);
+      }
       if (!free.isEmpty()) {
         filling = free.removeFirst();
       } else if (segments < mostSegments) {
@@ -66,8 +69,12 @@ final class Backlog {
         wait();
       }
     }
-    throwEnd();
-    return filling.bytes.slice(filling.used, ROOM);
+  }
+
+  /** How many bytes may still be put into it. */
+  synchronized long free() {
+    long left = (long) SEGMENT - ROOM - (filling.waiting == 0 ? 0 : filling.used);
+    return (long) (mostSegments - segments + free.size()) * (SEGMENT - ROOM) + Math.max(0, left);
   }
 
   /** The datagram that was put into the room is complete: from its beginning to the position. */
@@ -93,9 +100,11 @@ final class Backlog {
   /** The bytes of a datagram are not needed any more. */
   synchronized void done(Entry entry) {
     Segment segment = entry.segment();
-    if (--segment.waiting == 0 && segment != filling) {
-      segment.used = 0;
-      free.addFirst(segment);
+    if (--segment.waiting == 0) {
+      if (segment != filling) {
+        segment.used = 0;
+        free.addFirst(segment);
+      }
       notifyAll();
     }
   }

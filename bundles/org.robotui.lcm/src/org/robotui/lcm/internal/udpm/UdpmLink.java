@@ -3,7 +3,6 @@ package org.robotui.lcm.internal.udpm;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
-import java.net.SocketAddress;
 import java.net.StandardProtocolFamily;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
@@ -19,10 +18,14 @@ final class UdpmLink implements Link {
 
   private static final Duration ENDING = Duration.ofMillis(500);
 
+  /** So many times what the kernel is asked for waits outside of it, where the kernel often grants less. */
+  private static final long KEPT_BUFFERS = 2;
+
   private final DatagramChannel in;
   private final UdpmSender sender;
   private final Inbox inbox;
   private final Backlog backlog;
+  private final Gate gate;
   private final Workers workers;
   private final String where;
 
@@ -31,6 +34,7 @@ final class UdpmLink implements Link {
     this.sender = sender;
     this.inbox = inbox;
     this.backlog = backlog;
+    this.gate = new Gate(backlog.free());
     this.workers = workers;
     this.where = where;
   }
@@ -48,7 +52,7 @@ final class UdpmLink implements Link {
       String where = "%s:%d on %s, ttl %d, receive buffer %d of %d bytes".formatted(group.getAddress().getHostAddress(), group.getPort(),
           over.getName(), ttl, granted, receiveBuffer);
       return new UdpmLink(in, UdpmSender.open(group, over, ttl), new Inbox(inlet, options),
-          new Backlog(receiveBuffer), new Workers(options.threads()), where);
+          new Backlog(KEPT_BUFFERS * receiveBuffer), new Workers(options.threads()), where);
     } catch (IOException | RuntimeException e) {
       in.close();
       throw e;
@@ -89,8 +93,11 @@ final class UdpmLink implements Link {
     try {
       while (true) {
         ByteBuffer room = backlog.room();
-        SocketAddress from = in.receive(room);
-        backlog.add((InetSocketAddress) from, room, System.nanoTime());
+        InetSocketAddress from = (InetSocketAddress) in.receive(room);
+        long now = System.nanoTime();
+        if (gate.admits(from, room.duplicate().flip(), backlog.free(), now)) {
+          backlog.add(from, room, now);
+        }
       }
     } catch (IOException e) {
       backlog.end(e);

@@ -2,11 +2,15 @@ package org.robotui.lcm.internal.udpm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -112,5 +116,41 @@ class BacklogTest {
     assertTrue(receiver.get() >= 30 && receiver.get() <= 36, "held " + receiver.get());
     IOException end = assertThrows(IOException.class, backlog::take);
     assertEquals("closed", end.getMessage());
+  }
+
+  /** The receiver may be slow to wake: meanwhile also what it was filling is done. */
+  @Test
+  void segmentsThatAreDoneTogetherAreUsedAgain() throws Exception {
+    Backlog backlog = new Backlog(1);
+    int both = 34;
+    Thread receiver = Thread.ofPlatform().daemon().start(() -> {
+      try {
+        for (int i = 0; i < 5 * both; i++) {
+          put(backlog, i, 60_000);
+        }
+      } catch (Exception e) {
+        throw new AssertionError(e);
+      }
+    });
+    assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+      for (int round = 0; round < 4; round++) {
+        finishAtOnce(backlog, both, receiver);
+      }
+    });
+    backlog.discard();
+    receiver.join();
+  }
+
+  private static void finishAtOnce(Backlog backlog, int count, Thread receiver) throws Exception {
+    List<Backlog.Entry> taken = new ArrayList<>();
+    while (taken.size() < count) {
+      taken.add(backlog.take());
+    }
+    while (receiver.getState() != Thread.State.WAITING) {
+      Thread.onSpinWait();
+    }
+    synchronized (backlog) {
+      taken.forEach(backlog::done);
+    }
   }
 }
