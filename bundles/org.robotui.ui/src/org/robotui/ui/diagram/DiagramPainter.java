@@ -1,11 +1,15 @@
 package org.robotui.ui.diagram;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Color;
 import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.graphics.Transform;
 import org.robotui.ui.Face;
@@ -22,8 +26,12 @@ final class DiagramPainter {
   private static final int FADED = 110;
   private static final double TITLES_FROM = 0.3;
   private static final double NOTES_FROM = 0.5;
+  /** Labels of wires are read from here on: below the next number of a zoom they are as large as at that, as long as they do not cover each other. */
+  private static final double LABELS_FROM = 0.2;
+  private static final double LABELS_READABLE = 0.85;
   private static final int CORNER = 8;
   private static final int PADDING = 10;
+  private static final int LABEL_EDGE = 3;
   private static final double HEAD = 7;
   private static final double HEAD_WIDE = 3.5;
 
@@ -51,7 +59,9 @@ final class DiagramPainter {
     gc.setTransform(transform);
     boolean fades = !lit.isEmpty();
     diagram.boxes().stream().filter(box -> box.form() == Box.Form.GROUP && seen(box)).forEach(box -> group(gc, box, selected));
-    diagram.wires().stream().filter(this::seen).forEach(wire -> wire(gc, wire, fades, selected, lit));
+    List<Wire> wires = diagram.wires().stream().filter(this::seen).toList();
+    wires.forEach(wire -> wire(gc, wire, fades, near(wire, selected, lit)));
+    labels(gc, transform, wires, fades, wire -> near(wire, selected, lit));
     diagram.boxes().stream().filter(box -> box.form() != Box.Form.GROUP && seen(box)).forEach(box -> {
       gc.setAlpha(!fades || lit.contains(box.key()) ? OPAQUE : FADED);
       box(gc, box, selected.filter(box.key()::equals).isPresent(), lit.contains(box.key()));
@@ -133,18 +143,18 @@ final class DiagramPainter {
     gc.drawText(TextFit.shorten(gc, text, round(room)), round(x), round(y), true);
   }
 
-  private void wire(GC gc, Wire wire, boolean fades, Optional<Object> selected, Set<Object> lit) {
-    boolean near = selected.filter(key -> wire.from().equals(key) || wire.to().equals(key)).isPresent()
+  private static boolean near(Wire wire, Optional<Object> selected, Set<Object> lit) {
+    return selected.filter(key -> wire.from().equals(key) || wire.to().equals(key)).isPresent()
         || selected.isEmpty() && lit.contains(wire.from()) && lit.contains(wire.to());
+  }
+
+  private void wire(GC gc, Wire wire, boolean fades, boolean near) {
     gc.setAlpha(!fades || near ? OPAQUE : FADED);
     line(gc, near ? theme.color(Role.ACCENT) : theme.mix(wire.role(), Role.PANEL, 0.8), near ? 2 : 1);
     gc.setLineStyle(wire.dashed() ? SWT.LINE_DASH : SWT.LINE_SOLID);
     gc.drawPolyline(points(wire.corners()));
     gc.setLineStyle(SWT.LINE_SOLID);
     head(gc, wire.corners());
-    if (!wire.label().isEmpty() && zoom >= NOTES_FROM) {
-      label(gc, wire);
-    }
   }
 
   private static int[] points(List<Corner> corners) {
@@ -168,17 +178,41 @@ final class DiagramPainter {
         round(end.x() - HEAD * dx - HEAD_WIDE * dy), round(end.y() - HEAD * dy + HEAD_WIDE * dx)});
   }
 
-  private void label(GC gc, Wire wire) {
+  /** Those of what is lit go first; one that would cover another is left out. */
+  private void labels(GC gc, Transform eye, List<Wire> wires, boolean fades, Predicate<Wire> near) {
+    if (zoom < LABELS_FROM) {
+      return;
+    }
     gc.setFont(theme.font(Face.SMALL));
-    int width = gc.textExtent(wire.label()).x;
-    int height = gc.textExtent(wire.label()).y;
-    Corner middle = wire.middle();
-    int x = round(middle.x() - width / 2.0);
-    int y = round(middle.y() - height / 2.0);
     gc.setBackground(theme.color(Role.PANEL));
-    gc.fillRoundRectangle(x - 3, y, width + 6, height, CORNER, CORNER);
     gc.setForeground(theme.color(Role.TEXT));
-    gc.drawText(wire.label(), x, y, true);
+    List<Rectangle> taken = new ArrayList<>();
+    wires.stream().filter(wire -> !wire.label().isEmpty()).sorted(Comparator.comparing((Wire wire) -> !near.test(wire))).forEach(wire -> {
+      gc.setAlpha(!fades || near.test(wire) ? OPAQUE : FADED);
+      label(gc, eye, wire, taken);
+    });
+    gc.setTransform(eye);
+    gc.setAlpha(OPAQUE);
+  }
+
+  private void label(GC gc, Transform eye, Wire wire, List<Rectangle> taken) {
+    double grown = Math.max(1, LABELS_READABLE / zoom);
+    Point size = gc.textExtent(wire.label());
+    Corner middle = wire.middle();
+    Rectangle place = new Rectangle(round(middle.x() - grown * (size.x / 2.0 + LABEL_EDGE)), round(middle.y() - grown * size.y / 2.0),
+        round(grown * (size.x + 2 * LABEL_EDGE)), round(grown * size.y));
+    if (taken.stream().noneMatch(place::intersects)) {
+      taken.add(place);
+      float[] elements = new float[6];
+      eye.getElements(elements);
+      Transform there = new Transform(gc.getDevice(), elements);
+      there.translate((float) middle.x(), (float) middle.y());
+      there.scale((float) grown, (float) grown);
+      gc.setTransform(there);
+      gc.fillRoundRectangle(-size.x / 2 - LABEL_EDGE, -size.y / 2, size.x + 2 * LABEL_EDGE, size.y, CORNER, CORNER);
+      gc.drawText(wire.label(), -size.x / 2, -size.y / 2, true);
+      there.dispose();
+    }
   }
 
   /** Lines stay as thick as they are on the screen, whatever the zoom, but not thicker than the boxes allow. */

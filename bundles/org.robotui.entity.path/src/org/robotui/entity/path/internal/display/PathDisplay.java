@@ -56,7 +56,7 @@ final class PathDisplay implements Display {
   }
 
   private static Made make(Path path, String marks, Settings s) {
-    List<RigidTransform> poses = path.poses().stream().filter(p -> p.translation().isFinite() && Double.isFinite(p.rotation().norm()))
+    List<RigidTransform> poses = path.poses().stream().filter(PoseShapes::finite)
         .limit(PoseShapes.MOST).toList();
     float[] xyz = new float[3 * poses.size()];
     double length = 0;

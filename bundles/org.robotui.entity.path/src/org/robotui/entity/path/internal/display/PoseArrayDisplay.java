@@ -25,8 +25,9 @@ final class PoseArrayDisplay implements Display {
   public DisplayResult update(DisplayTick tick) {
     recent.update(tick);
     List<Part> parts = recent.newest().flatMap(e -> e.anchor().found().map(place -> part(e, place, tick))).stream().toList();
-    int count = recent.newest().map(e -> e.value().poses().size()).orElse(0);
-    return new DisplayResult(parts, recent.status(tick, status(count)), 0);
+    List<RigidTransform> poses = recent.newest().map(e -> e.value().poses()).orElse(List.of());
+    int drawn = parts.stream().mapToInt(part -> part.shape().elements()).findFirst().orElse(poses.size());
+    return new DisplayResult(parts, recent.status(tick, status(poses.size(), drawn)), 0);
   }
 
   @Override
@@ -34,9 +35,11 @@ final class PoseArrayDisplay implements Display {
     recent.clear();
   }
 
-  private static DisplayStatus status(int count) {
-    return count > PoseShapes.MOST
-        ? new DisplayStatus.Partly("the first " + PoseShapes.MOST + " of " + count + " poses")
+  private static DisplayStatus status(int count, int drawn) {
+    if (count > PoseShapes.MOST) {
+      return new DisplayStatus.Partly("the first " + PoseShapes.MOST + " of " + count + " poses");
+    }
+    return drawn < count ? new DisplayStatus.Partly(drawn + " of " + count + " poses; the others have numbers that are none")
         : new DisplayStatus.Shown(count + " poses");
   }
 
@@ -53,12 +56,8 @@ final class PoseArrayDisplay implements Display {
 
   /** Elements are the poses that are finite, in turn. */
   private static Properties describe(PoseArray array, int element) {
-    List<RigidTransform> shown = array.poses().stream().filter(PoseArrayDisplay::finite).skip(Math.max(0, element)).limit(1).toList();
+    List<RigidTransform> shown = array.poses().stream().filter(PoseShapes::finite).skip(Math.max(0, element)).limit(1).toList();
     return Optional.of(shown).filter(s -> !s.isEmpty() && element >= 0)
         .map(s -> PoseText.of("pose " + element, array.frame(), s.getFirst())).orElseGet(() -> Properties.of("poses"));
-  }
-
-  private static boolean finite(RigidTransform pose) {
-    return pose.translation().isFinite() && Double.isFinite(pose.rotation().norm());
   }
 }

@@ -21,12 +21,18 @@ final class PoseShapes {
   private PoseShapes() {}
 
   static Instances of(List<RigidTransform> poses, boolean axes, double length) {
-    Placings placings = new Placings(Math.min(MOST, poses.size()));
+    List<RigidTransform> drawn = poses.stream().filter(PoseShapes::finite).limit(MOST).toList();
+    Placings placings = new Placings(drawn.size());
     Vector3 scale = axes ? new Vector3(length, length, length) : new Vector3(length, SHAFT * length, SHAFT * length);
-    for (RigidTransform pose : poses.subList(0, Math.min(MOST, poses.size()))) {
+    for (RigidTransform pose : drawn) {
       placings.add(upright(pose), scale);
     }
     return placings.of(axes ? Meshes.axes() : Meshes.arrow());
+  }
+
+  /** Whether a pose can be drawn. */
+  static boolean finite(RigidTransform pose) {
+    return pose.translation().isFinite() && Double.isFinite(pose.rotation().norm());
   }
 
   /** Axes have colours of their own. */

@@ -26,8 +26,8 @@ final class CloudAdapters {
   private static PointCloud cloud(PointCloud2 m, FrameNames names) {
     List<PointField> fields = m.fields().stream().map(CloudAdapters::field).toList();
     ByteOrder order = m.isBigendian() ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
-    return new PointCloud(names.frame(m.header().frameId()), Math.toIntExact(m.width()), Math.toIntExact(m.height()),
-        fields, Math.toIntExact(m.pointStep()), Math.toIntExact(m.rowStep()), order, m.isDense(), Bytes.wrap(m.data()));
+    return new PointCloud(names.frame(m.header().frameId()), Sizes.of("width", m.width()), Sizes.of("height", m.height()),
+        fields, Sizes.of("point_step", m.pointStep()), Sizes.of("row_step", m.rowStep()), order, m.isDense(), Bytes.wrap(m.data()));
   }
 
   private static PointField field(org.robotui.ros.msgs.sensor_msgs.PointField f) {
@@ -35,8 +35,8 @@ final class CloudAdapters {
     if (f.datatype() < 1 || f.datatype() > formats.length) {
       throw new IllegalArgumentException("field " + f.name() + ": datatype " + f.datatype() + " is none of 1 to 8");
     }
-    int count = Math.max(1, Math.toIntExact(f.count()));
-    return new PointField(f.name(), Math.toIntExact(f.offset()), formats[f.datatype() - 1], count);
+    int count = Math.max(1, Sizes.of("count", f.count()));
+    return new PointField(f.name(), Sizes.of("offset", f.offset()), formats[f.datatype() - 1], count);
   }
 
   private static PointCloud oldCloud(org.robotui.ros.msgs.sensor_msgs.PointCloud m, FrameNames names) {

@@ -54,8 +54,8 @@ final class MotionAdapters {
   }
 
   private static GridMap map(OccupancyGrid m, FrameNames names) {
-    return new GridMap(names.frame(m.header().frameId()), m.info().resolution(), Math.toIntExact(m.info().width()),
-        Math.toIntExact(m.info().height()), Geometry.transform(m.info().origin()), Bytes.wrap(m.data()));
+    return new GridMap(names.frame(m.header().frameId()), m.info().resolution(), Sizes.of("width", m.info().width()),
+        Sizes.of("height", m.info().height()), Geometry.transform(m.info().origin()), Bytes.wrap(m.data()));
   }
 
   private static PoseEstimate estimate(PoseWithCovarianceStamped m, FrameNames names) {

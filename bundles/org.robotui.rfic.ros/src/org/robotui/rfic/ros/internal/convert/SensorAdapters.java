@@ -55,8 +55,8 @@ final class SensorAdapters {
   private static RawImage image(Image m, FrameNames names) {
     PixelEncoding encoding = PixelEncoding.fromRos(m.encoding()).orElseThrow(
         () -> new IllegalArgumentException("encoding: '" + m.encoding() + "' is none that can be shown"));
-    return new RawImage(names.frame(m.header().frameId()), Math.toIntExact(m.width()), Math.toIntExact(m.height()),
-        encoding, m.isBigendian() != 0, Math.toIntExact(m.step()), Bytes.wrap(m.data()));
+    return new RawImage(names.frame(m.header().frameId()), Sizes.of("width", m.width()), Sizes.of("height", m.height()),
+        encoding, m.isBigendian() != 0, Sizes.of("step", m.step()), Bytes.wrap(m.data()));
   }
 
   private static CompressedImage compressed(org.robotui.ros.msgs.sensor_msgs.CompressedImage m, FrameNames names) {
@@ -64,7 +64,7 @@ final class SensorAdapters {
   }
 
   private static CameraInfo cameraInfo(org.robotui.ros.msgs.sensor_msgs.CameraInfo m, FrameNames names) {
-    return new CameraInfo(names.frame(m.header().frameId()), Math.toIntExact(m.width()), Math.toIntExact(m.height()),
+    return new CameraInfo(names.frame(m.header().frameId()), Sizes.of("width", m.width()), Sizes.of("height", m.height()),
         m.distortionModel(), Doubles.wrap(m.d()), Doubles.wrap(m.k()), Doubles.wrap(m.r()), Doubles.wrap(m.p()));
   }
 

@@ -1,0 +1,121 @@
+package org.robotui.uic.scene3d.hostile;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robotui.data.Bytes;
+import org.robotui.data.CameraInfo;
+import org.robotui.data.Color;
+import org.robotui.data.Data;
+import org.robotui.data.DisplayedTrajectory;
+import org.robotui.data.Doubles;
+import org.robotui.data.Floats;
+import org.robotui.data.FrameId;
+import org.robotui.data.GridMap;
+import org.robotui.data.InteractiveMarker;
+import org.robotui.data.InteractiveMarker.Control;
+import org.robotui.data.InteractiveMarker.MenuEntry;
+import org.robotui.data.InteractiveMarkerSet;
+import org.robotui.data.JointState;
+import org.robotui.data.JointTrajectory;
+import org.robotui.data.LaserScan;
+import org.robotui.data.Marker;
+import org.robotui.data.MarkerSet;
+import org.robotui.data.NavigationGoal;
+import org.robotui.data.Odometry;
+import org.robotui.data.Path;
+import org.robotui.data.PixelEncoding;
+import org.robotui.data.PointCloud;
+import org.robotui.data.PointField;
+import org.robotui.data.PoseArray;
+import org.robotui.data.PoseEstimate;
+import org.robotui.data.RangeReading;
+import org.robotui.data.RangeReadings;
+import org.robotui.data.RawImage;
+import org.robotui.data.RobotDescription;
+import org.robotui.data.StampedPose;
+import org.robotui.data.Wrench;
+import org.robotui.geometry.Quaternion;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
+import org.robotui.testkit.display.FakePlaces;
+
+/** Data as they should be, one of each type that displays show, and one of each type of marker. */
+final class Sound {
+  private static final FrameId MAP = FakePlaces.frame("map");
+  private static final RigidTransform POSE = new RigidTransform(new Vector3(1, 2, 0.5), Quaternion.fromYaw(0.7));
+  private static final Doubles COVARIANCE = Doubles.wrap(new double[Odometry.COVARIANCE_SIZE]);
+  private static final String URDF = """
+      <robot name="arm"><link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
+        <link name="hand"><visual><geometry><sphere radius="0.2"/></geometry></visual></link>
+        <joint name="lift" type="prismatic"><parent link="base"/><child link="hand"/><axis xyz="0 0 1"/><limit lower="0" upper="1"/></joint></robot>
+      """;
+
+  private Sound() {}
+
+  static List<Data> all() {
+    List<Data> all = new ArrayList<>(List.of(cloud(), markers(), interactive(),
+        new LaserScan(MAP, -1, 0.5, 0.1, 10, 0.1, Floats.of(1, 2, 3, 4, 5), Floats.of(9, 8, 7, 6, 5)),
+        new GridMap(MAP, 0.05, 8, 4, POSE, Bytes.of(new byte[32])),
+        new Odometry(MAP, MAP, POSE, COVARIANCE, new Vector3(1, 0, 0), Vector3.ZERO, COVARIANCE),
+        new PoseEstimate(MAP, POSE, COVARIANCE), new StampedPose(MAP, POSE), new NavigationGoal(MAP, POSE),
+        new Path(MAP, List.of(POSE, RigidTransform.IDENTITY, POSE)), new PoseArray(MAP, List.of(POSE, RigidTransform.IDENTITY)),
+        new RangeReadings(List.of(new RangeReading(MAP, RangeReading.Kind.ULTRASOUND, 0.5, 0.1, 4, 2))),
+        new Wrench(MAP, new Vector3(1, 2, 3), new Vector3(0, 0, 1)),
+        new RawImage(MAP, 8, 6, PixelEncoding.RGB8, false, 24, Bytes.of(new byte[144])),
+        new CameraInfo(MAP, 8, 6, "plumb_bob", Doubles.EMPTY, Doubles.of(8, 0, 4, 0, 8, 3, 0, 0, 1), Doubles.of(1, 0, 0, 0, 1, 0, 0, 0, 1),
+            Doubles.of(8, 0, 4, 0, 0, 8, 3, 0, 0, 0, 1, 0))));
+    all.addAll(List.of(new RobotDescription(FakePlaces.ROBOT, "robot_description", URDF, "", List.of()),
+        new JointState(List.of(new JointState.Joint("lift", 0.5, 0, 0))), trajectory(),
+        new DisplayedTrajectory("arm", List.of(new JointState.Joint("lift", 0.1, 0, 0)), List.of(trajectory()))));
+    return all;
+  }
+
+  private static JointTrajectory trajectory() {
+    return new JointTrajectory(List.of("lift"), List.of(point(0, 0), point(1, 0.5), point(2, 1)));
+  }
+
+  private static JointTrajectory.Point point(double seconds, double position) {
+    return new JointTrajectory.Point(seconds, Doubles.of(position), Doubles.EMPTY, Doubles.EMPTY, Doubles.EMPTY);
+  }
+
+  private static PointCloud cloud() {
+    ByteBuffer points = ByteBuffer.allocate(20 * 24).order(ByteOrder.LITTLE_ENDIAN);
+    for (int i = 0; i < 24; i++) {
+      points.putFloat(i).putFloat(i % 5).putFloat(i % 3).putFloat(i).putInt(i * 10_000);
+    }
+    List<PointField> fields = List.of(field("x", 0), field("y", 4), field("z", 8), field("intensity", 12), field("rgb", 16));
+    return new PointCloud(MAP, 6, 4, fields, 20, 120, ByteOrder.LITTLE_ENDIAN, true, Bytes.wrap(points.array(), 0, 480));
+  }
+
+  private static PointField field(String name, int offset) {
+    return new PointField(name, offset, PointField.Format.FLOAT32, 1);
+  }
+
+  private static MarkerSet markers() {
+    List<MarkerSet.Entry> entries = new ArrayList<>();
+    for (Marker.Type type : Marker.Type.values()) {
+      Marker made = marker(type);
+      entries.add(new MarkerSet.Entry(made.key(), Optional.of(made)));
+    }
+    entries.add(new MarkerSet.Entry(new Marker.Key("gone", 1), Optional.empty()));
+    return new MarkerSet(false, entries);
+  }
+
+  private static Marker marker(Marker.Type type) {
+    return new Marker(new Marker.Key("things", type.ordinal()), MAP, Optional.empty(), 0, type, POSE, new Vector3(0.5, 0.5, 0.5), new Color(1, 0, 0, 1), 0, true,
+        Floats.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1), Bytes.of(new byte[24]), "words", "package://none/a.stl", true);
+  }
+
+  private static InteractiveMarkerSet interactive() {
+    List<Control> controls = new ArrayList<>();
+    for (InteractiveMarker.Mode mode : InteractiveMarker.Mode.values()) {
+      controls.add(new Control(mode.name(), "", mode, InteractiveMarker.Orientation.INHERIT, Quaternion.IDENTITY, true, List.of(marker(Marker.Type.CUBE)), false));
+    }
+    List<MenuEntry> menu = List.of(new MenuEntry(1, 0, "Go"), new MenuEntry(2, 1, "There"), new MenuEntry(3, 3, "Round and round"));
+    InteractiveMarker marker = new InteractiveMarker("goal", "a goal", "", MAP, Optional.empty(), POSE, 1, menu, controls);
+    return new InteractiveMarkerSet(false, List.of(new InteractiveMarkerSet.Entry("goal", Optional.of(marker))));
+  }
+}
