@@ -82,7 +82,7 @@ class ScenePicturesTest {
       rgba.put((byte) level).put((byte) (255 - level)).put((byte) 200).put((byte) 255);
     }
     xyz.flip();
-    return new PointSet(xyz, Optional.of(rgba.flip()), size, unit, style, Box3.around(xyz));
+    return new PointSet(xyz, Optional.of(rgba.flip()), size, unit, style, Box3.around(xyz), Optional.empty());
   }
 
   @Test

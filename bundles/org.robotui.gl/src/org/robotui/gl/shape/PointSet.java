@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /**
  * Many points. One with a coordinate that is not finite is not drawn. Order matters for thinning only: while the camera moves, a
- * renderer draws every n-th.
+ * renderer draws every n-th, of all or of the sample.
  *
  * @param xyz x, y, z in turn, metres; on the heap where sets come many a second, so that the memory of old ones is soon
  *     free; direct buffers are sent to the graphics card without a copy
@@ -15,8 +15,9 @@ import java.util.Optional;
  * @param unit what the size is in
  * @param style how a point looks
  * @param bounds where they lie
+ * @param sample fewer of them, of which every n-th is spread evenly over all; with no sample of its own
  */
-public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, Unit unit, Style style, Optional<Box3> bounds)
+public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, Unit unit, Style style, Optional<Box3> bounds, Optional<PointSet> sample)
     implements Shape {
   /** What sizes are in. */
   public enum Unit {
@@ -25,6 +26,14 @@ public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, U
     /** Metres in space. */
     METRES
   }
+
+  /**
+   * Some points.
+   *
+   * @param points a set
+   * @param every n-th of it
+   */
+  public record Part(PointSet points, int every) {}
 
   /** How a point looks. */
   public enum Style {
@@ -43,6 +52,7 @@ public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, U
    * @param unit of the size
    * @param style how they look
    * @param bounds where they lie
+   * @param sample fewer of them, evenly spread
    */
   public PointSet {
     xyz = xyz.slice();
@@ -62,7 +72,19 @@ public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, U
    * @return the shape
    */
   public static PointSet of(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, Unit unit) {
-    return new PointSet(xyz, rgba, size, unit, Style.SQUARE, Box3.around(xyz));
+    return new PointSet(xyz, rgba, size, unit, Style.SQUARE, Box3.around(xyz), Optional.empty());
+  }
+
+  /**
+   * What to draw where not all is to be drawn.
+   *
+   * @param every n-th of all points is wanted
+   * @return as many, or some more
+   */
+  public Part part(int every) {
+    return every == 1 ? new Part(this, 1) : sample.filter(s -> s.elements() >= elements() / every)
+        .map(s -> new Part(s, (int) Math.max(1, (long) every * s.elements() / elements())))
+        .orElseGet(() -> new Part(this, every));
   }
 
   @Override
@@ -72,6 +94,6 @@ public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, U
 
   @Override
   public long bytes() {
-    return elements() * (rgba.isPresent() ? 16L : 12L);
+    return elements() * (rgba.isPresent() ? 16L : 12L) + sample.map(PointSet::bytes).orElse(0L);
   }
 }

@@ -48,7 +48,7 @@ record Prepared(Optional<PointSet> shape, Optional<Order> order, Optional<String
       }
       default -> rgba = Optional.empty();
     }
-    PointSet shape = new PointSet(points.xyz(), rgba, look.size(), look.unit(), look.style(), Box3.around(points.xyz()));
+    PointSet shape = Sample.in(new PointSet(points.xyz(), rgba, look.size(), look.unit(), look.style(), Box3.around(points.xyz()), Optional.empty()));
     return new Prepared(Optional.of(shape), Optional.of(points.order()), complaint);
   }
 

@@ -57,16 +57,18 @@ class PointCloudDisplayTest {
   }
 
   @Test
-  void anyBeginningAndEveryNthIsSpreadEvenlyOverTheCloud() {
-    PointSet set = points(Clouds.line(10_000));
-    for (int nth : new int[] {1, 2, 3, 7, 10, 16, 50}) {
+  void ofTheMostThatAreWantedEveryNthIsSpreadEvenlyOverTheCloud() {
+    probe.set("most_points", 10_000L);
+    PointSet set = points(Clouds.line(20_000));
+    assertEquals(10_000, set.elements());
+    for (int nth : new int[] {1, 2, 3, 7, 10, 16}) {
       int[] tenths = new int[10];
       int taken = 0;
-      for (int i = 0; i < 10_000 && taken < 200; i += nth, taken++) {
-        tenths[(int) (set.xyz().get(3 * i) / 1000)]++;
+      for (int i = 0; i < 10_000 && taken < 600; i += nth, taken++) {
+        tenths[(int) (set.xyz().get(3 * i) / 2000)]++;
       }
       for (int count : tenths) {
-        assertTrue(count >= 15 && count <= 25, "every " + nth + "th: " + List.of(tenths[0], tenths[5], count));
+        assertTrue(count >= 48 && count <= 72, "every " + nth + "th: " + List.of(tenths[0], tenths[5], count));
       }
     }
   }

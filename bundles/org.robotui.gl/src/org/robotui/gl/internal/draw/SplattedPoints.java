@@ -48,7 +48,8 @@ final class SplattedPoints implements Drawn {
   public void draw(Pass pass, Look look) {
     Optional<Splats> splats = pass.splats();
     if (splats.isPresent() && (pass.picking() || !translucent && look.color().alpha() == 1)) {
-      int count = new PointPainter(splats.get(), brush(pass, look)).paint(points, pass.every(), pass.givenUp());
+      PointSet.Part part = points.part(pass.every());
+      int count = new PointPainter(splats.get(), brush(pass, look)).paint(part.points(), part.every(), pass.givenUp());
       pass.tally().points(count, points.elements() - count);
     } else {
       inOpenGl().draw(pass, look);

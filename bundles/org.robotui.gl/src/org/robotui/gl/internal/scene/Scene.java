@@ -108,8 +108,10 @@ final class Scene {
     return !gpu.limits().software() ? Fineness.EXACT : hurry ? Fineness.MOVING : Fineness.AT_REST;
   }
 
+  /** Rows of a sensor have even lengths: an odd number takes other columns of each. */
   private static int every(long points, int budget) {
-    return (int) Math.max(1, Math.ceilDiv(points, Math.max(1, budget)));
+    int every = (int) Math.max(1, Math.ceilDiv(points, Math.max(1, budget)));
+    return every > 2 ? every | 1 : every;
   }
 
   private Pixels fitting(RenderRequest request) {

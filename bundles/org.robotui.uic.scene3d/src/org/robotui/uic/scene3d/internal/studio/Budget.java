@@ -4,8 +4,8 @@ import org.robotui.gl.render.Rendered;
 
 /** How many points may be drawn while the camera moves, so that it stays fluid: learned from what pictures cost. */
 final class Budget {
-  /** What a picture may cost while the camera moves: 25 a second. */
-  static final double TARGET_SECONDS = 0.04;
+  /** What a picture may cost while the camera moves: the hand shall see its answer within 50 ms, on the screen. */
+  static final double TARGET_SECONDS = 0.025;
 
   /** Fewer would show nothing. */
   static final int LEAST = 20_000;
