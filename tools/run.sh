@@ -5,13 +5,13 @@ readonly LIVE_SECONDS=8
 readonly DEFAULT_CONFIG=$ROOT/configs/natalie-keira.yaml
 
 cmd_run() {
-  local mode=window stay='' watch='' screenshot='' configs=() options=() window_options=()
+  local mode=window stay='' watch='' screenshot='' configs=() options=() window_options=() text_options=()
   parse_run_options "$@"
   [[ ${#configs[@]} -gt 0 ]] || configs=("$(config_path "$DEFAULT_CONFIG")") || exit 2
   mode=$(mode_for_display "$mode" "$screenshot") || exit 2
   case $mode in
     json) options+=(-json) ;;&
-    json | text) [[ -z $watch ]] || options+=(-watch) ;;
+    json | text) options+=("${text_options[@]}"); [[ -z $watch ]] || options+=(-watch) ;;
     window)
       options+=("${window_options[@]}")
       need_packages "The window" "${WINDOW_PACKAGES[@]}" || exit 1
@@ -32,6 +32,7 @@ parse_run_options() {
       --json) mode=json ;;
       --stay) stay=yes ;;
       --watch) watch=yes ;;
+      --show) [[ -n ${2:-} ]] || usage_error "--show needs the name of a robot UI"; text_options+=(-show "$2"); shift ;;
       --for) require_seconds "$1" "${2:-}"; options+=(-for "$2"); shift ;;
       --after) require_seconds "$1" "${2:-}"; window_options+=(-after "$2"); shift ;;
       --measure)

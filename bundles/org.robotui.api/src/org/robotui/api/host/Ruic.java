@@ -16,6 +16,13 @@ public interface Ruic extends RuicView {
   Layout layout();
 
   /**
+   * Whether it waits until it is shown for the first time, as {@code start: when_shown} has it; until then nothing of it runs.
+   *
+   * @return how it is configured now
+   */
+  boolean startsShown();
+
+  /**
    * Shows it in a window; the RUIC that the window showed before is unselected.
    *
    * @param window names the window

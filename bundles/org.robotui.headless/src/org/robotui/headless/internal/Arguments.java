@@ -4,8 +4,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What the command line asks for.
@@ -16,15 +18,17 @@ import java.util.Optional;
  * @param check a file to check only
  * @param live how long to wait for the robots of the checked file; none to ask no robot
  * @param reuse with a check: print the matrix of what is used by which RUIC, {@code md} or {@code csv}
+ * @param shown names of RUICs that are shown though they start only when they are shown
  * @param watch true to take up what is changed in the files
  */
 record Arguments(
-    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live, boolean watch,
-    Optional<String> reuse) {
+    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live, Set<String> shown,
+    boolean watch, Optional<String> reuse) {
   static final String USAGE = """
       -config FILE...   load these configurations
       -json             print a JSON line per port and second in place of the text views
       -for SECONDS      end by itself
+      -show NAME        also show this robot UI, which starts only when it is shown; may be given several times
       -watch            take up what is changed in the files while they run; see docs/exchange.md
       -check FILE       check a configuration and print what would be connected
       -live SECONDS     with -check: connect to the robots, and wait at most so long for what they have
@@ -49,6 +53,7 @@ record Arguments(
   private static final class Parser {
     private final List<String> words;
     private final List<Path> configurations = new ArrayList<>();
+    private final Set<String> shown = new LinkedHashSet<>();
     private boolean json;
     private boolean watch;
     private Optional<String> reuse = Optional.empty();
@@ -65,7 +70,7 @@ record Arguments(
       while (at < words.size()) {
         option(words.get(at++));
       }
-      return new Arguments(List.copyOf(configurations), json, limit, check, live, watch, reuse);
+      return new Arguments(List.copyOf(configurations), json, limit, check, live, Set.copyOf(shown), watch, reuse);
     }
 
     private void option(String word) throws Wrong {
@@ -73,6 +78,7 @@ record Arguments(
         case "-config" -> files(word);
         case "-json" -> json = true;
         case "-reuse" -> reuse = Optional.of(oneOf(word, List.of("md", "csv")));
+        case "-show" -> shown.add(value(word));
         case "-watch" -> watch = true;
         case "-for" -> limit = Optional.of(seconds(word, value(word)));
         case "-live" -> live = Optional.of(seconds(word, value(word)));

@@ -6,14 +6,19 @@ import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Ruic;
 
-/** A terminal shows all robots at once: each RUIC that comes is selected, in a window of its own. */
+/**
+ * A terminal shows all robots at once: each RUIC that comes is selected, in a window of its own. Those that start only when they are shown are
+ * shown where they were asked for.
+ */
 final class Selector implements HostListener, AutoCloseable {
   private final Host host;
+  private final Set<String> wanted;
   private final Set<String> selected = ConcurrentHashMap.newKeySet();
   private final Host.Subscription subscription;
 
-  Selector(Host host) {
+  Selector(Host host, Set<String> wanted) {
     this.host = host;
+    this.wanted = Set.copyOf(wanted);
     subscription = host.listen(this);
     ruicsChanged();
   }
@@ -21,7 +26,7 @@ final class Selector implements HostListener, AutoCloseable {
   @Override
   public void ruicsChanged() {
     for (Ruic ruic : host.ruics()) {
-      if (selected.add(ruic.name())) {
+      if ((!ruic.startsShown() || wanted.contains(ruic.name())) && selected.add(ruic.name())) {
         ruic.select("terminal/" + ruic.name());
       }
     }

@@ -5,12 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
+import org.robotui.api.host.Ruic;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -36,8 +38,9 @@ final class ShowRun {
 
   Exit show(Arguments arguments) throws InterruptedException {
     host.open(Surface.TEXT, USER);
-    try (Selector ignored = new Selector(host)) {
+    try (Selector ignored = new Selector(host, arguments.shown())) {
       Exit loaded = load(arguments.configurations());
+      sayWhatIsLeftOut(arguments.shown());
       if (loaded == Exit.FINE || !host.ruics().isEmpty()) {
         watch(arguments);
       }
@@ -45,6 +48,14 @@ final class ShowRun {
     } finally {
       host.close(CLOSE_LIMIT).forEach(left -> LOG.warn("not ended in time: {}", left));
     }
+  }
+
+  private void sayWhatIsLeftOut(Set<String> shown) {
+    List<String> names = host.ruics().stream().map(Ruic::name).toList();
+    host.ruics().stream().filter(ruic -> ruic.startsShown() && !shown.contains(ruic.name()))
+        .forEach(ruic -> err.println(ruic.name() + " is not started, as it starts when it is shown; show it with  --show \"" + ruic.name() + "\""));
+    shown.stream().filter(name -> !names.contains(name))
+        .forEach(name -> err.println("there is no robot UI '" + name + "' to show; there are: " + String.join(", ", names)));
   }
 
   private void watch(Arguments arguments) throws InterruptedException {

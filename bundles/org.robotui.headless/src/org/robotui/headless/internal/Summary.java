@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.host.RuicState;
 
 /** A RUIC in a few lines, for those without a text view of their own. */
 final class Summary {
@@ -16,6 +17,9 @@ final class Summary {
   }
 
   private static String head(RuicSnapshot ruic) {
+    if (ruic.state() == RuicState.ADDED) {
+      return ruic.name() + "  not started  it starts when it is shown: --show " + ruic.name();
+    }
     String reason = ruic.reason().isEmpty() ? ruic.link().reason() : ruic.reason();
     return ruic.name() + "  " + ruic.state().name().toLowerCase(Locale.ROOT) + "  " + ruic.link().word()
         + (reason.isEmpty() ? "" : "  " + reason);

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class ArgumentsTest {
@@ -22,7 +23,13 @@ class ArgumentsTest {
 
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
-    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), false, Optional.empty()), Arguments.parse(new String[0]));
+    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), Set.of(), false, Optional.empty()), Arguments.parse(new String[0]));
+  }
+
+  @Test
+  void robotsThatWaitAreNamedOneByOne() throws Exception {
+    assertEquals(Set.of("a", "b c"), Arguments.parse(new String[] {"-show", "a", "-show", "b c"}).shown());
+    assertEquals("-show needs a value", wrong("-show"));
   }
 
   @Test

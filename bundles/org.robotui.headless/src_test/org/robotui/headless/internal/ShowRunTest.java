@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -44,6 +45,19 @@ class ShowRunTest {
   }
 
   @Test
+  void whatStartsWhenItIsShownIsLeftAloneUnlessItIsAskedFor() throws Exception {
+    FakeRuic waiting = new FakeRuic("waiting").waiting();
+    FakeRuic shown = new FakeRuic("shown").waiting();
+    host.add(waiting).add(shown);
+
+    run(file, Optional.of(Duration.ofMillis(20)), "shown");
+
+    assertEquals(List.of(), waiting.calls());
+    assertEquals(List.of("select terminal/shown"), shown.calls());
+    assertEquals("waiting is not started, as it starts when it is shown; show it with  --show \"waiting\"", err.toString(StandardCharsets.UTF_8).strip());
+  }
+
+  @Test
   void endsWhenItIsStopped() throws Exception {
     stop.countDown();
 
@@ -68,8 +82,9 @@ class ShowRunTest {
     assertEquals("a.yaml:1:2: error: wrong", err.toString(StandardCharsets.UTF_8).strip());
   }
 
-  private Exit run(Path config, Optional<Duration> limit) throws InterruptedException {
-    Arguments arguments = new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), false, Optional.empty());
+  private Exit run(Path config, Optional<Duration> limit, String... shown) throws InterruptedException {
+    Set<String> names = Set.of(shown);
+    Arguments arguments = new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), names, false, Optional.empty());
     return new ShowRun(host, print(out), print(err), stop).show(arguments);
   }
 

@@ -62,6 +62,13 @@ class TextPagesTest {
   }
 
   @Test
+  void aRobotThatWaitsSaysHowItStarts() {
+    host.add(new FakeRuic("a").waiting());
+
+    assertEquals(List.of("a  not started  it starts when it is shown: --show a"), pages.lines(100, 24));
+  }
+
+  @Test
   void aViewForAWindowIsNoFailure() {
     assertEquals("  plan (map) is not shown in a terminal: it needs a window",
         Summary.failure(failed("plan", "map", "type 'map' is not installed; installed are text")));

@@ -42,6 +42,7 @@ public final class FakeRuic implements Ruic {
   private volatile Layout layout = new Layout.View("none");
   private volatile LinkState link = new LinkState.Connected("test");
   private volatile RuicState state = RuicState.INITIALIZED;
+  private volatile boolean waits;
   private volatile String reason = "";
   private volatile List<ComponentStatus> components = List.of();
   private volatile List<PortStatus> ports = List.of();
@@ -57,6 +58,21 @@ public final class FakeRuic implements Ruic {
   public FakeRuic(String name) {
     this.name = name;
     authority = new FakeAuthority(name);
+  }
+
+  /**
+   * Makes it one that starts when it is shown.
+   *
+   * @return this
+   */
+  public FakeRuic waiting() {
+    waits = true;
+    return in(RuicState.ADDED, "");
+  }
+
+  @Override
+  public boolean startsShown() {
+    return waits;
   }
 
   /**

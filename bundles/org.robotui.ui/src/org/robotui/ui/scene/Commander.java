@@ -62,12 +62,22 @@ public final class Commander {
    * @return what became of it
    */
   public Told initialPose(FrameId frame, RigidTransform pose) {
+    return send(poses, roughly(frame, pose), "Pose " + words(pose) + " sent");
+  }
+
+  /**
+   * Where the user believes a robot to be: within half a metre and 15 degrees.
+   *
+   * @param frame in which the pose is given
+   * @param pose where, and where it looks
+   * @return the estimate
+   */
+  public static PoseEstimate roughly(FrameId frame, RigidTransform pose) {
     double[] covariance = new double[Odometry.COVARIANCE_SIZE];
     covariance[0] = PLACE_VARIANCE;
     covariance[YY] = PLACE_VARIANCE;
     covariance[YAW_YAW] = HEADING_VARIANCE;
-    PoseEstimate estimate = new PoseEstimate(frame, pose, Doubles.wrap(covariance));
-    return send(poses, estimate, "Pose " + words(pose) + " sent");
+    return new PoseEstimate(frame, pose, Doubles.wrap(covariance));
   }
 
   /**

@@ -322,6 +322,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   @Override
+  public boolean startsShown() {
+    return config.get().startsShown();
+  }
+
+  @Override
   public String name() {
     return config.get().name();
   }

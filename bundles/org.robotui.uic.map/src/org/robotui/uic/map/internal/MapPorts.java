@@ -35,10 +35,12 @@ public final class MapPorts {
       "goals", NavigationGoal.class, Arity.MANY, "Of several robots: where those that are selected shall go.");
   public static final CommandPort<PoseEstimate> INITIAL_POSE =
       new CommandPort<>("initial_pose", PoseEstimate.class, Arity.OPTIONAL, "Tells localisation where the robot is.");
+  public static final CommandPort<PoseEstimate> INITIAL_POSES = new CommandPort<>(
+      "initial_poses", PoseEstimate.class, Arity.MANY, "Of several robots: tells the localisation of the selected one where it is.");
 
   /** All of them. */
   public static final List<Port> ALL =
-      List.of(MAP, SCAN, SONAR, ODOM, PATH, POSE, FOOTPRINT, GOAL, GOALS, INITIAL_POSE);
+      List.of(MAP, SCAN, SONAR, ODOM, PATH, POSE, FOOTPRINT, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
 
   private MapPorts() {}
 }

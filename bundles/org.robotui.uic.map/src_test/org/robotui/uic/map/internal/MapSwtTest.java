@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
@@ -27,6 +29,9 @@ import org.robotui.ui.Themes;
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class MapSwtTest {
   private static final char ESCAPE = SWT.ESC;
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+  /** Half as much again as it is; a picture made anew for each paint would be a million more. */
+  private static final long MOST_PAINT_BYTES = 550_000;
   private final Display display = TestDisplay.get();
   private Theme theme;
   private MapStage stage;
@@ -163,15 +168,18 @@ class MapSwtTest {
   }
 
   @Test
-  void paintingARoomTakesWellUnderEightMilliseconds() {
-    double[] millis = new double[80];
-    for (int i = 0; i < millis.length; i++) {
-      stage.tick();
-      millis[i] = stage.canvas().paintNanos() * 1e-6;
+  void paintingARoomAllocatesLittleAndHappensOnceWhereItIsAskedFor() {
+    stage.tick();
+    long before = stage.canvas().paints();
+    long[] bytes = new long[20];
+    for (int i = 0; i < bytes.length; i++) {
+      long start = THREADS.getCurrentThreadAllocatedBytes();
+      stage.settle();
+      bytes[i] = THREADS.getCurrentThreadAllocatedBytes() - start;
     }
-    Arrays.sort(millis);
-    // The lower quartile: what else the machine does is not to be measured.
-    assertTrue(millis[20] < 8, () -> "painting takes " + Arrays.toString(millis) + " ms");
+    Arrays.sort(bytes);
+    assertEquals(bytes.length, stage.canvas().paints() - before);
+    assertTrue(bytes[bytes.length / 2] < MOST_PAINT_BYTES, () -> "painting allocates " + Arrays.toString(bytes) + " bytes");
   }
 
   @Test

@@ -54,6 +54,9 @@ public record RobotRow(String name, Health health, String figure, String second)
     if (ruic.state() == RuicState.FAILED) {
       return "failed";
     }
+    if (ruic.state() == RuicState.ADDED) {
+      return "not started";
+    }
     if (!(ruic.link() instanceof LinkState.Connected) && !(ruic.link() instanceof LinkState.Degraded)) {
       return ruic.link().word();
     }

@@ -56,6 +56,13 @@ class RobotRowTest {
   }
 
   @Test
+  void whatWaitsToBeShownIsNotDisconnected() {
+    ruic.linked(new LinkState.Disconnected()).in(RuicState.ADDED, "");
+
+    assertEquals(new RobotRow("Keira", Health.NONE, "not started", "ros"), row());
+  }
+
+  @Test
   void aFailedRuicSaysWhy() {
     ruic.in(RuicState.FAILED, "the type is not installed");
 

@@ -20,7 +20,7 @@ final class Summary {
   }
 
   private static String links(List<String> words) {
-    String states = Stream.of("connected", "degraded", "connecting", "disconnected", "failed")
+    String states = Stream.of("connected", "degraded", "connecting", "disconnected", "not started", "failed")
         .map(word -> count(words, word)).filter(part -> !part.isEmpty()).collect(Collectors.joining(", "));
     return counted(words.size(), "link", "links") + (states.isEmpty() ? "" : ": " + states);
   }
@@ -31,6 +31,9 @@ final class Summary {
   }
 
   private static String word(ComponentStatus component) {
+    if (component.state() == RuicState.ADDED) {
+      return "not started";
+    }
     return component.state() == RuicState.FAILED ? "failed" : component.link().map(Summary::word).orElse("disconnected");
   }
 

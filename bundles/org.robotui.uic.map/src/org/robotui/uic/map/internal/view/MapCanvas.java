@@ -207,7 +207,7 @@ public final class MapCanvas {
   }
 
   void sendPose(RigidTransform pose) {
-    command(frame -> commander.initialPose(frame, pose));
+    command(frame -> team.isTeam() ? team.place(frame, pose) : commander.initialPose(frame, pose));
   }
 
   /** Where a robot would look at a place if nothing else is said: on from where it is now. */
@@ -219,7 +219,7 @@ public final class MapCanvas {
   }
 
   double presentHeading(double x, double y) {
-    return robot().map(r -> r.fixedFromBase().rotation().yaw()).orElse(0.0);
+    return (team.isTeam() ? team.meantPlace(model.snapshot().robots()) : robot()).map(r -> r.fixedFromBase().rotation().yaw()).orElse(0.0);
   }
 
   private void paint(GC gc, Rectangle area) {

@@ -72,7 +72,7 @@ final class MapMenu {
     } else {
       menu.push("Go here", () -> map.sendGoal(there));
     }
-    menu.push("The robot is here", () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
+    menu.push(map.team().isTeam() ? "The selected robot is here" : "The robot is here", () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
     menu.push("Centre here", () -> map.mover().center(x, y));
     menu.push("Measure", () -> map.toggleTool(MapActions.MEASURE));
     menu.push("Copy coordinates", () -> Clipboards.copy(Figures.fixed(x, 3).replace('\u2212', '-') + " "

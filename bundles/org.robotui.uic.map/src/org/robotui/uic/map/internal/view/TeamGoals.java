@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import org.robotui.api.UicContext;
 import org.robotui.api.command.Authority;
@@ -16,24 +17,33 @@ import org.robotui.api.command.Authority.LeaseOutcome;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.command.Output;
 import org.robotui.api.port.SourceId;
+import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.NavigationGoal;
+import org.robotui.data.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.Commander;
 import org.robotui.ui.scene.Told;
 import org.robotui.uic.map.internal.MapPorts;
 
 /**
- * Sends several robots to a place: each to a spot of its own around it, given in a frame of its own, through the arbiter of its own. Never blocks.
+ * Sends several robots to a place: each to a spot of its own around it, given in a frame of its own, through the arbiter of its own; and tells one
+ * where it is. Never blocks.
  */
 public final class TeamGoals {
   private static final Duration VALID = Duration.ofSeconds(2);
   private static final List<String> MAPS = List.of("map", "odom");
-  private static final String USUAL = "goal";
+  private static final Words GOALS = new Words("goals", "goals", List.of("goal"));
+  private static final Words POSES = new Words("poses", "initial_poses", List.of("initial_pose", "initialpose"));
 
   private final UicContext context;
   private final Output<NavigationGoal> goals;
+  private final Output<PoseEstimate> poses;
+
+  /** What is sent, the port of the map for it, and what robots usually call theirs. */
+  private record Words(String what, String port, List<String> usual) {}
 
   /**
    * What became of it.
@@ -47,6 +57,7 @@ public final class TeamGoals {
   public TeamGoals(UicContext context) {
     this.context = context;
     this.goals = context.output(MapPorts.GOALS);
+    this.poses = context.output(MapPorts.INITIAL_POSES);
   }
 
   /** The robots that can be sent somewhere. */
@@ -80,37 +91,53 @@ public final class TeamGoals {
     return new Sent(told, sent);
   }
 
-  /** Why it was not sent, none where it was. */
+  /**
+   * Tells a robot where it is.
+   *
+   * @param robot which one
+   * @param fixed in which the place is given
+   * @param pose where, and where it looks
+   */
+  Told place(String robot, FrameId fixed, RigidTransform pose) {
+    return send(poses, robot, POSES, fixed, pose, Commander::roughly)
+        .map(why -> new Told(Health.BAD, "Not sent. " + robot + ": " + why)).orElse(new Told(Health.OK, "Pose sent to " + robot));
+  }
+
   private Optional<String> send(String robot, FrameId fixed, RigidTransform spot) {
-    List<SourceId> fitting = goals.targets().stream()
+    return send(goals, robot, GOALS, fixed, spot, NavigationGoal::new);
+  }
+
+  /** Why it was not sent, none where it was. */
+  private <T extends Data> Optional<String> send(
+      Output<T> output, String robot, Words words, FrameId fixed, RigidTransform spot, BiFunction<FrameId, RigidTransform, T> command) {
+    List<SourceId> fitting = output.targets().stream()
         .filter(t -> authority(t).filter(a -> a.robot().equals(robot)).isPresent()).toList();
-    List<SourceId> usual = fitting.stream().filter(t -> t.port().substring(t.port().lastIndexOf('/') + 1).equals(USUAL)).toList();
+    List<SourceId> usual = fitting.stream().filter(t -> words.usual().contains(t.port().substring(t.port().lastIndexOf('/') + 1))).toList();
     List<SourceId> one = fitting.size() == 1 ? fitting : usual;
     if (one.size() != 1) {
-      return Optional.of(fitting.isEmpty() ? "it takes no goals" : "it takes several kinds of goals; name one under 'connect', for example  map.goals: "
-          + fitting.getFirst());
+      return Optional.of(fitting.isEmpty() ? "it takes no " + words.what()
+          : "it takes several kinds of " + words.what() + "; name one under 'connect', for example  map." + words.port() + ": " + fitting.getFirst());
     }
-    Optional<NavigationGoal> goal = own(robot, fixed, spot);
-    if (goal.isEmpty()) {
+    Optional<T> own = own(robot, fixed, spot, command);
+    if (own.isEmpty()) {
       return Optional.of("where it is relative to " + fixed + " is not known; write it under 'frames'");
     }
     Authority authority = authority(one.getFirst()).orElseThrow();
     if (authority.take(context.principal(), false) instanceof LeaseOutcome.HeldBy held) {
       return Optional.of(held.holder().label() + " drives it");
     }
-    return goals.send(one.getFirst(), goal.get(), VALID) instanceof CommandOutcome.Refused r
-        ? Optional.of(r.explanation()) : Optional.empty();
+    return output.send(one.getFirst(), own.get(), VALID) instanceof CommandOutcome.Refused r ? Optional.of(r.explanation()) : Optional.empty();
   }
 
-  /** The goal in a frame of the robot: that of the same name, else its map, else where its odometry began. */
-  private Optional<NavigationGoal> own(String robot, FrameId fixed, RigidTransform spot) {
+  /** The command in a frame of the robot: that of the same name, else its map, else where its odometry began. */
+  private <T> Optional<T> own(String robot, FrameId fixed, RigidTransform spot, BiFunction<FrameId, RigidTransform, T> command) {
     if (fixed.robot().equals(robot)) {
-      return Optional.of(new NavigationGoal(fixed, spot));
+      return Optional.of(command.apply(fixed, spot));
     }
     Set<FrameId> known = Set.copyOf(context.frames().all());
     return Stream.concat(Stream.of(fixed.name()), MAPS.stream()).distinct().map(name -> new FrameId(robot, name)).filter(known::contains)
         .flatMap(frame -> context.frames().lookup(frame, fixed, Optional.empty()).transform()
-            .map(t -> new NavigationGoal(frame, t.times(spot))).stream())
+            .map(t -> command.apply(frame, t.times(spot))).stream())
         .findFirst();
   }
 

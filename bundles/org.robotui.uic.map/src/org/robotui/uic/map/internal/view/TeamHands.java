@@ -59,6 +59,18 @@ final class TeamHands {
     }
   }
 
+  /** Tells the one that is selected where it is. */
+  Told place(FrameId fixed, RigidTransform pose) {
+    Set<String> selected = team.selected();
+    return selected.size() == 1 ? goals.place(selected.iterator().next(), fixed, pose)
+        : new Told(Health.WARNING, "Not sent: select the one robot that is there, here or in the team's table");
+  }
+
+  /** Where the one that is selected looks. */
+  Optional<RobotPlace> meantPlace(List<RobotPlace> robots) {
+    return robots.stream().filter(robot -> team.selected().size() == 1 && team.selected().contains(robot.robot())).findFirst();
+  }
+
   /** Sends all who are selected, without a question. */
   void sendMeant(FrameId fixed, RigidTransform pose) {
     send(meant(), fixed, pose);

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
 import org.robotui.data.NavigationGoal;
+import org.robotui.data.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.testkit.FakeAuthority;
@@ -99,5 +100,20 @@ class TeamGoalsTest {
         assertTrue(a.minus(new Vector3(7, 3, 0)).norm() < 0.8 * Math.sqrt(count) + 0.01);
       }
     }
+  }
+
+  @Test
+  void oneIsToldWhereItIsInAFrameOfItsOwn() {
+    FakeOutput<PoseEstimate> poses = context.output(MapPorts.INITIAL_POSES);
+    poses.targets(List.of(new SourceId("base1", "initialpose"), new SourceId("base2", "initialpose"), new SourceId("base2", "other_pose")));
+
+    assertEquals("Pose sent to r2", goals.place("r2", HALL, RigidTransform.planar(5, 20, 1)).text());
+
+    FakeOutput.Sent<PoseEstimate> sent = poses.sent().getFirst();
+    assertEquals(List.of(new SourceId("base2", "initialpose")), sent.targets());
+    assertEquals(new FrameId("r2", "map"), sent.command().frame());
+    assertEquals(10, sent.command().pose().translation().y(), 1e-9);
+    assertEquals("Not sent. r3: it takes no poses", goals.place("r3", HALL, RigidTransform.planar(5, 20, 1)).text());
+    assertEquals(0, output.sent().size());
   }
 }
