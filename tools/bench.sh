@@ -3,6 +3,7 @@
 #   {"bench": ..., "figure": ..., "ours": ..., "peer": ..., "peer_name": ..., "ratio": ..., "goal": ..., "holds": ...}
 
 readonly BENCHES=$ROOT/tests/bench
+readonly RFIC_BENCHES=(lcm player)   # what robots speak that has no publisher to wait for: together they are "rfic"
 
 cmd_bench() {
   local names name results failed=()
@@ -26,6 +27,10 @@ cmd_bench() {
 
 bench_names() {
   local run
+  if [[ ${1:-} == rfic ]]; then
+    printf '%s\n' "${RFIC_BENCHES[@]}"
+    return 0
+  fi
   for run in "$BENCHES"/${1:-*}/run; do
     [[ -x $run ]] && basename "$(dirname "$run")"
   done
