@@ -73,6 +73,34 @@ cmd_check() {
   run_application check -application org.robotui.headless.application -check "$config" "${live[@]}" "${reuse[@]}"
 }
 
+cmd_new() {
+  [[ ${1:-} == --* ]] || { cmd_new_plugin "$@"; return; }
+  local file='' options=()
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --name)         # the launcher takes -name for itself
+        [[ -n ${2:-} ]] || usage_error "$1 needs a value"
+        options+=(-called "$2")
+        shift
+        ;;
+      --rfic | --set | --robot | --ruic | --views | --connect | --wait)
+        [[ -n ${2:-} ]] || usage_error "$1 needs a value"
+        options+=("-${1#--}" "$2")
+        shift
+        ;;
+      --dry) options+=(-dry) ;;
+      -*) usage_error "new does not know '$1'" ;;
+      *) [[ -z $file ]] || usage_error "new writes one file"
+         file=$(realpath -m "$1") ;;
+    esac
+    shift
+  done
+  [[ -n $file ]] || usage_error "new needs a file: one that is not there yet, or a configuration to which the robot is added"
+  need_product
+  trap end_everything EXIT
+  run_application check -application org.robotui.headless.application -new "$file" "${options[@]}"
+}
+
 # A file, or the name of one in configs/.
 config_path() {
   local file

@@ -1,8 +1,12 @@
 package org.robotui.api.host;
 
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.SourceId;
 
 /**
  * What is known so far of a robot for which a UI is put together.
@@ -74,5 +78,28 @@ public record CompositionState(Stage stage, String sentence, LinkState link, Lis
    */
   public Optional<RuicFit> ruic(String type) {
     return ruics.stream().filter(r -> r.type().equals(type)).findFirst();
+  }
+
+  /**
+   * What is proposed to be shown with a type of RUIC: those of its views that fit. A view that has to be told its ports is among them.
+   *
+   * @param ruic id of the type
+   * @return types of views, in the order of its layout
+   */
+  public List<String> proposedViews(String ruic) {
+    return ruic(ruic).stream().flatMap(r -> r.views().stream()).filter(v -> view(v).filter(ViewFit::fits).isPresent()).toList();
+  }
+
+  /**
+   * What is proposed where several ports fit: the one with the shortest name, which is the plain one where others are derived, else the first.
+   *
+   * @param shown types of views
+   * @return the port of the robot by port of a view
+   */
+  public Map<SourceId, SourceId> proposedConnections(List<String> shown) {
+    Map<SourceId, SourceId> all = new LinkedHashMap<>();
+    shown.stream().flatMap(v -> view(v).stream()).flatMap(v -> v.choices().stream())
+        .forEach(m -> m.candidates().stream().min(Comparator.comparingInt(c -> c.port().length())).ifPresent(c -> all.put(m.port(), c)));
+    return all;
   }
 }

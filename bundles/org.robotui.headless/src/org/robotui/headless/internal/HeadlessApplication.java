@@ -3,6 +3,7 @@ package org.robotui.headless.internal;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import org.eclipse.equinox.app.IApplication;
@@ -24,10 +25,11 @@ public final class HeadlessApplication implements IApplication {
     String[] words = (String[]) context.getArguments().get(IApplicationContext.APPLICATION_ARGS);
     context.applicationRunning();
     try {
-      return run(Arguments.parse(words)).code();
+      return (Arrays.asList(words).contains("-new") ? compose(NewArguments.parse(Arrays.asList(words))) : run(Arguments.parse(words))).code();
     } catch (Arguments.Wrong e) {
       err.println(e.getMessage());
       err.print(Arguments.USAGE);
+      err.print(NewArguments.USAGE);
       return Exit.USAGE.code();
     } finally {
       out.flush();
@@ -40,14 +42,27 @@ public final class HeadlessApplication implements IApplication {
     stop.countDown();
   }
 
+  private Exit compose(NewArguments wanted) throws InterruptedException {
+    return withHost(host -> new NewRun(host, out, err).run(wanted));
+  }
+
   private Exit run(Arguments arguments) throws InterruptedException {
+    return withHost(host -> run(host, arguments));
+  }
+
+  /** What is done with the core. */
+  private interface Task {
+    Exit run(Host host) throws InterruptedException;
+  }
+
+  private Exit withHost(Task task) throws InterruptedException {
     try (HostService service = new HostService(FrameworkUtil.getBundle(getClass()).getBundleContext())) {
       Optional<Host> host = service.await(CORE_LIMIT);
       if (host.isEmpty()) {
         err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
         return Exit.NO_CORE;
       }
-      return run(host.get(), arguments);
+      return task.run(host.get());
     }
   }
 

@@ -4,8 +4,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
@@ -28,6 +30,7 @@ public final class Configurations implements AutoCloseable {
   private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
   private final ExecutorService worker = Executors.newSingleThreadExecutor(
       Thread.ofPlatform().daemon().name("robotui-load").factory());
+  private final Set<Path> files = new LinkedHashSet<>();
   private int reading;
 
   /**
@@ -48,10 +51,21 @@ public final class Configurations implements AutoCloseable {
   /** Reads a file and adds its RUICs. */
   public void load(Path file) {
     reading++;
+    files.add(file);
     worker.execute(() -> {
       List<Problem> found = read(file);
       display.execute(() -> done(file, found));
     });
+  }
+
+  /** All files that were read, in their order, as they were named. */
+  public List<Path> files() {
+    return List.copyOf(files);
+  }
+
+  /** Runs what reads and writes files, off the display thread and one after the other. */
+  public Executor background() {
+    return worker;
   }
 
   /** Whether the display knows the outcome of all that was to be read. */

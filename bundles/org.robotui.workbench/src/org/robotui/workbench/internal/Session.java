@@ -41,6 +41,7 @@ public final class Session {
   private final Map<String, ExchangeDialog> exchanges = new HashMap<>();
   private final List<Runnable> refreshers = new CopyOnWriteArrayList<>();
   private final List<Runnable> loaders = new CopyOnWriteArrayList<>();
+  private final Map<String, WindowModel> awaited = new HashMap<>();
   private final Configurations configurations;
   private final Alerts alerts = new Alerts(System::nanoTime);
 
@@ -70,6 +71,7 @@ public final class Session {
       @Override
       public void ruicsChanged() {
         windows.ruicsChanged();
+        showAwaited();
         refresh();
       }
 
@@ -156,6 +158,21 @@ public final class Session {
   /** A window of the platform has closed. */
   public void closed(Object window) {
     Optional.ofNullable(models.remove(window)).ifPresent(windows::close);
+  }
+
+  /** Shows a RUIC in a window as soon as it is there. */
+  public void showWhenThere(WindowModel model, String name) {
+    awaited.put(name, model);
+    showAwaited();
+  }
+
+  private void showAwaited() {
+    List.copyOf(awaited.keySet()).forEach(name -> ruic(name).ifPresent(r -> {
+      WindowModel model = awaited.remove(name);
+      if (models.containsValue(model)) {
+        windows.select(model, r);
+      }
+    }));
   }
 
   private boolean isShown(String ruic) {

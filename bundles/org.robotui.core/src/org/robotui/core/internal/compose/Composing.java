@@ -31,6 +31,9 @@ public final class Composing implements Composition {
   /** A robot that is there answers sooner; what comes later is shown all the same. */
   private static final Duration PATIENCE = Duration.ofSeconds(8);
 
+  /** A robot that is only looked at has no name yet, but frames want one. */
+  private static final String UNNAMED = "robot";
+
   private final InterfaceConfig wanted;
   private final Services services;
   private final LoneInterface robot;
@@ -48,7 +51,7 @@ public final class Composing implements Composition {
     this.wanted = wanted;
     this.services = services;
     this.began = services.clock().nanos();
-    ComponentConfig config = new ComponentConfig(wanted.id(), wanted.type(), wanted.title(), wanted.robot(),
+    ComponentConfig config = new ComponentConfig(wanted.id(), wanted.type(), wanted.title(), wanted.robot().isBlank() ? UNNAMED : wanted.robot(),
         services.check().written(wanted.settings()), "", 0, 0);
     this.robot = new LoneInterface(config, "new", services);
     this.drafting = new Drafting(configs, services.registry(), wanted,

@@ -24,6 +24,9 @@ public final class Navigator extends Composite {
     /** Lets the user choose a configuration and loads it. */
     void open();
 
+    /** Puts together a UI for a robot that has none. */
+    void create();
+
     /** Shows a robot in this window. */
     void select(String ruic);
 
@@ -70,7 +73,7 @@ public final class Navigator extends Composite {
     robots = new RobotList(this, theme, actions::select);
     robots.setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
     robots.addListener(SWT.MenuDetect, e -> contextMenu());
-    addButton();
+    addButtons();
     portsHeading = heading("");
     scroller = new ScrolledComposite(this, SWT.V_SCROLL);
     ports = new PortList(scroller, theme);
@@ -109,14 +112,19 @@ public final class Navigator extends Composite {
     return words;
   }
 
-  private void addButton() {
-    QuietButton button = new QuietButton(this, theme, actions::open).icon(Icon.PLUS).text("Open configuration\u2026")
-        .hint("Open a configuration file and add its robots");
-    GridData data = new GridData(SWT.BEGINNING, SWT.TOP, true, false);
-    data.verticalIndent = 2 * Theme.STEP;
-    button.setLayoutData(data);
+  private void addButtons() {
+    place(new QuietButton(this, theme, actions::create).icon(Icon.PLUS).text("New robot UI\u2026")
+        .hint("Ask a robot what it offers, and write a configuration for it (Ctrl+Shift+N)"), 2 * Theme.STEP);
+    place(new QuietButton(this, theme, actions::open).icon(Icon.TEXT).text("Open configuration\u2026")
+        .hint("Open a configuration file and add its robots (Ctrl+O)"), 0);
     Words gap = new Words(this, theme, Face.SMALL, Role.DIM, "");
     gap.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
+  }
+
+  private static void place(QuietButton button, int indent) {
+    GridData data = new GridData(SWT.BEGINNING, SWT.TOP, true, false);
+    data.verticalIndent = indent;
+    button.setLayoutData(data);
   }
 
   private void scroll() {
@@ -156,7 +164,7 @@ public final class Navigator extends Composite {
   }
 
   private void contextMenu() {
-    PopupMenu menu = new PopupMenu(this).push("Open configuration\u2026", actions::open);
+    PopupMenu menu = new PopupMenu(this).push("New robot UI\u2026", actions::create).push("Open configuration\u2026", actions::open);
     robots.pointed().map(RobotRow::name).ifPresent(name -> robotItems(menu, name));
     menu.open();
   }

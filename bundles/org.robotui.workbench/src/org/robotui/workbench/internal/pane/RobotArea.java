@@ -29,6 +29,9 @@ public final class RobotArea extends Composite {
     /** Lets the user choose a configuration and loads it. */
     void open();
 
+    /** Puts together a UI for a robot that has none. */
+    void create();
+
     /** Starts the selected robot's interface anew. */
     void restart(Ruic ruic);
 
@@ -84,8 +87,8 @@ public final class RobotArea extends Composite {
   /** Shows a RUIC as it is now. */
   public void show(Optional<Ruic> ruic) {
     if (ruic.isEmpty()) {
-      say(Health.NONE, "No robot is selected", "Select a robot at the left, or open a configuration that names one.",
-          List.of(new MessagePane.Choice("Open configuration\u2026", actions::open)));
+      say(Health.NONE, "No robot is selected", "Select a robot at the left, make a UI for a new one, or open a configuration that names one.",
+          List.of(new MessagePane.Choice("New robot UI\u2026", actions::create), new MessagePane.Choice("Open configuration\u2026", actions::open)));
     } else {
       show(ruic.get(), ruic.get().snapshot());
     }

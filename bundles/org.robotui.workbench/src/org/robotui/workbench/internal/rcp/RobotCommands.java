@@ -19,6 +19,7 @@ public final class RobotCommands extends AbstractHandler {
     Session session = WorkbenchServices.session();
     WindowActions actions = new WindowActions(session, window);
     switch (event.getCommand().getId().substring(PREFIX.length())) {
+      case "new" -> actions.create();
       case "open" -> actions.open();
       case "reload" -> actions.reload();
       case "stop" -> actions.stop();

@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal.rcp;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.eclipse.jface.dialogs.MessageDialog;
@@ -13,9 +14,11 @@ import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.model.ExchangeModel;
+import org.robotui.workbench.internal.model.NewRobotModel;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
+import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.Navigator;
 import org.robotui.workbench.internal.pane.ReuseDialog;
 import org.robotui.workbench.internal.pane.RobotArea;
@@ -70,6 +73,19 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
       session.state().put(FOLDER, file.getParent().toString());
       session.configurations().load(file);
     });
+  }
+
+  @Override
+  public void create() {
+    List<Path> files = session.configurations().files();
+    Path near = files.stream().findFirst().map(Path::toAbsolutePath)
+        .orElseGet(() -> Path.of(session.state().get(FOLDER).orElse(System.getProperty("user.home"))).resolve("robot.yaml"));
+    WindowModel shown = model();
+    new NewRobotDialog(window.getShell(), session.look().theme(), session.host(), new NewRobotModel(session.host(), near), files,
+        session.configurations().background(), (file, name) -> {
+          session.showWhenThere(shown, name);
+          session.configurations().load(files.stream().filter(f -> f.toAbsolutePath().normalize().equals(file)).findFirst().orElse(file));
+        }).open();
   }
 
   @Override

@@ -35,6 +35,11 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   }
 
   @Override
+  public void create() {
+    // nothing
+  }
+
+  @Override
   public void open() {
     calls.add("open");
   }
