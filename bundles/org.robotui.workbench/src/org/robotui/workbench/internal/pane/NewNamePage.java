@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
+import org.eclipse.swt.custom.StyleRange;
 import org.eclipse.swt.custom.StyledText;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
@@ -77,9 +78,11 @@ final class NewNamePage extends Composite {
         int lines = (int) t.added().lines().count();
         int from = preview.getOffsetAtLine(first);
         int to = first + lines < preview.getLineCount() ? preview.getOffsetAtLine(first + lines) : preview.getCharCount();
-        preview.setStyleRange(new org.eclipse.swt.custom.StyleRange(from, to - from, theme.color(Role.TEXT), null));
-        preview.setLineBackground(first, Math.min(lines, preview.getLineCount() - first), theme.mix(Role.ACCENT, Role.GROUND, 0.12));
-        preview.setTopIndex(Math.max(0, first - 3));
+        preview.setStyleRange(new StyleRange(from, to - from, theme.color(Role.TEXT), null));
+        if (!t.isNew()) {
+          preview.setLineBackground(first, Math.min(lines, preview.getLineCount() - first), theme.mix(Role.ACCENT, Role.GROUND, 0.12));
+          preview.setTopIndex(Math.max(0, first - 3));
+        }
       }
     }
   }
