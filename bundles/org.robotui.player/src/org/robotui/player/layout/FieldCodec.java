@@ -41,6 +41,15 @@ final class FieldCodec {
 
     @Override
     public Object readMany(int count, XdrReader in) throws PlayerException {
+      return switch (primitive) {
+        case I32 -> in.i32s(count);
+        case F32 -> in.f32s(count);
+        case F64 -> in.f64s(count);
+        default -> readOneByOne(count, in);
+      };
+    }
+
+    private Object readOneByOne(int count, XdrReader in) throws PlayerException {
       Object array = primitive.zeros(count);
       for (int i = 0; i < count; i++) {
         Array.set(array, i, primitive.read(in));

@@ -6,11 +6,14 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.Supplier;
 
 /** Messages and the server's greeting as bytes of a stream. */
 public final class Framing {
 
   private static final String GREETING = "Player v.";
+  private static final int AT_ONCE = 1 << 18;
 
   private Framing() {
   }
@@ -24,7 +27,7 @@ public final class Framing {
    * @throws PlayerException if it is another greeting
    */
   public static String readBanner(InputStream in) throws IOException, PlayerException {
-    byte[] bytes = exactly(in, PlayerMessage.BANNER_BYTES, "the greeting");
+    byte[] bytes = exactly(in, PlayerMessage.BANNER_BYTES, () -> "the greeting");
     int end = 0;
     while (end < bytes.length && bytes[end] >= ' ' && bytes[end] < 0x7f) {
       end++;
@@ -58,7 +61,7 @@ public final class Framing {
    * @throws PlayerException if the header is none; the stream is of no use after that
    */
   public static PlayerMessage read(InputStream in) throws IOException, PlayerException {
-    XdrReader xdr = new XdrReader(ByteBuffer.wrap(exactly(in, PlayerMessage.HEADER_BYTES, "a header")));
+    XdrReader xdr = new XdrReader(ByteBuffer.wrap(exactly(in, PlayerMessage.HEADER_BYTES, () -> "a header")));
     try {
       int host = xdr.i32();
       DeviceAddress device = new DeviceAddress(host, xdr.i32(), xdr.within(0, 0xffff), xdr.within(0, 0xffff));
@@ -77,7 +80,7 @@ public final class Framing {
     if (size > PlayerMessage.MAX_BYTES - PlayerMessage.HEADER_BYTES) {
       throw new PlayerException("a message of " + size + " bytes from device " + device + " is longer than Player's messages can be");
     }
-    return exactly(in, (int) size, "a message of device " + device);
+    return exactly(in, (int) size, () -> "a message of device " + device);
   }
 
   /**
@@ -96,12 +99,20 @@ public final class Framing {
     return out.putInt(payload.remaining()).put(payload).flip();
   }
 
-  /** Reads as the bytes come: what a peer only announces takes no memory. */
-  private static byte[] exactly(InputStream in, int size, String what) throws IOException {
-    byte[] bytes = in.readNBytes(size);
-    if (bytes.length < size) {
-      throw new EOFException(bytes.length == 0 ? "the peer closed the connection"
-          : "the peer closed the connection after " + bytes.length + " of " + size + " bytes of " + what);
+  /** Reads as the bytes come: what a peer only announces takes little memory. */
+  private static byte[] exactly(InputStream in, int size, Supplier<String> what) throws IOException {
+    byte[] bytes = new byte[Math.min(size, AT_ONCE)];
+    int came = 0;
+    while (came < size) {
+      if (came == bytes.length) {
+        bytes = Arrays.copyOf(bytes, (int) Math.min(size, 2L * came));
+      }
+      int more = in.read(bytes, came, bytes.length - came);
+      if (more < 0) {
+        throw new EOFException(came == 0 ? "the peer closed the connection"
+            : "the peer closed the connection after " + came + " of " + size + " bytes of " + what.get());
+      }
+      came += more;
     }
     return bytes;
   }

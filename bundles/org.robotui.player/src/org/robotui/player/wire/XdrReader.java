@@ -95,6 +95,48 @@ public final class XdrReader {
   }
 
   /**
+   * Signed numbers of four bytes.
+   *
+   * @param count how many
+   * @return the numbers
+   * @throws PlayerException if the bytes end before them
+   */
+  public int[] i32s(int count) throws PlayerException {
+    int[] numbers = new int[needed(count, Integer.BYTES)];
+    in.asIntBuffer().get(numbers);
+    in.position(in.position() + count * Integer.BYTES);
+    return numbers;
+  }
+
+  /**
+   * Real numbers of four bytes.
+   *
+   * @param count how many
+   * @return the numbers, possibly not finite
+   * @throws PlayerException if the bytes end before them
+   */
+  public float[] f32s(int count) throws PlayerException {
+    float[] numbers = new float[needed(count, Float.BYTES)];
+    in.asFloatBuffer().get(numbers);
+    in.position(in.position() + count * Float.BYTES);
+    return numbers;
+  }
+
+  /**
+   * Real numbers of eight bytes.
+   *
+   * @param count how many
+   * @return the numbers, possibly not finite
+   * @throws PlayerException if the bytes end before them
+   */
+  public double[] f64s(int count) throws PlayerException {
+    double[] numbers = new double[needed(count, Double.BYTES)];
+    in.asDoubleBuffer().get(numbers);
+    in.position(in.position() + count * Double.BYTES);
+    return numbers;
+  }
+
+  /**
    * How many elements follow.
    *
    * @param elementBytes the fewest bytes an element takes
@@ -153,6 +195,12 @@ public final class XdrReader {
 
   static int padding(int count) {
     return -count & 3;
+  }
+
+  /** The count, if there are so many. */
+  private int needed(int count, int each) throws PlayerException {
+    need((int) Math.min(Integer.MAX_VALUE, (long) count * each));
+    return count;
   }
 
   private void need(int bytes) throws PlayerException {
