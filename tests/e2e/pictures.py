@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Makes the pictures of docs/images anew, from the finished product on the demo's robot: pictures.py, in a display of 1600 x 1000."""
+"""Makes pictures of docs/images anew, from the finished product on simulated robots: pictures.py [PICTURE...], in a display of 1600 x 1000.
+Without names it makes all that it knows; the others of docs/images are taken by hand."""
 import os
 import pathlib
 import subprocess
@@ -14,6 +15,10 @@ from views import Views
 IMAGES = ROOT / "docs" / "images"
 MOST_BYTES = 250_000
 WIDTH = 1500
+# Of each picture the configuration, and colours of what must be seen in it.
+CONFIGURED = {"scene-two-frameworks-dark.png": ("two-frameworks", [0x3ecf8e, 0xf5b83d])}
+# Made together, as the robot drives meanwhile.
+DEMO = {"workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
 # Across the building, so that it drives for a while.
 GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
 BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
@@ -66,18 +71,34 @@ def light(robot, configuration):
     window.close()
 
 
+def configured(processes, environment, wanted):
+    """Those of ready configurations, which start their own robots."""
+    for name, (configuration, colours) in CONFIGURED.items():
+        if name in wanted:
+            window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", configuration], name, environment))
+            wait_for(lambda: all(window.picture().count(colour) > 200 for colour in colours), seconds=180, what=f"all robots of {configuration}")
+            time.sleep(15)                      # the rates of its ports, and trails
+            save(window, name)
+            window.close()
+
+
 def main():
     if missing():
         sys.exit(f"pictures need {missing()}")
+    wanted = set(sys.argv[1:]) or {*CONFIGURED, *DEMO}
+    if wanted - {*CONFIGURED, *DEMO}:
+        sys.exit(f"known are {', '.join(sorted({*CONFIGURED, *DEMO}))}")
     with tempfile.TemporaryDirectory() as folder:
         processes = Processes(pathlib.Path(folder))
         environment = dict(os.environ) | {"ROS_HOME": f"{folder}/ros", "XDG_STATE_HOME": f"{folder}/state", "PYTHONUNBUFFERED": "1"}
         configuration = pathlib.Path(folder) / "demo.yaml"
         configuration.write_text((ROOT / "configs" / "demo.yaml").read_text().replace("simulator: mobile-base\n", ""))
         try:
-            robot = start_simulator(processes, environment, 0, "simulator")
-            dark(robot, configuration)
-            light(robot, configuration)
+            configured(processes, environment, wanted)
+            if wanted & DEMO:
+                robot = start_simulator(processes, environment, 0, "simulator")
+                dark(robot, configuration)
+                light(robot, configuration)
         finally:
             processes.end()
 

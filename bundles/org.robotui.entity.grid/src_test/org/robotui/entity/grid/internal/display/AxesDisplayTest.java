@@ -32,6 +32,9 @@ class AxesDisplayTest {
     Part part = probe.parts().getFirst();
     assertTrue(part.describer().describe(0, Vector3.ZERO).toString().contains("90.0\u00b0"));
     assertEquals(2, part.fixedFromShape().translation().y());
+    assertEquals(2, probe.set("frame", "robot/base").parts().getFirst().fixedFromShape().translation().y());
+    assertEquals(2, probe.set("frame", "robot:base").parts().getFirst().fixedFromShape().translation().y());
+    assertInstanceOf(DisplayStatus.NoFrame.class, probe.set("frame", "other/base").tick().status());
     probe.close();
   }
 }

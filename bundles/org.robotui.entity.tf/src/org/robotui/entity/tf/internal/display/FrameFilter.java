@@ -17,7 +17,8 @@ record FrameFilter(List<?> shown, List<?> hidden) {
   }
 
   private static boolean names(List<?> patterns, FrameId frame) {
-    return patterns.stream().map(Object::toString).anyMatch(pattern -> fits(pattern, frame.name()) || fits(pattern, frame.toString()));
+    return patterns.stream().map(Object::toString).anyMatch(pattern ->
+        fits(pattern, frame.name()) || fits(pattern, frame.toString()) || fits(pattern, frame.robot() + '/' + frame.name()));
   }
 
   private static boolean fits(String pattern, String name) {
