@@ -3,6 +3,7 @@ package org.robotui.lcm;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.ThreadFactory;
+import javax.net.SocketFactory;
 
 /**
  * What a connection is given by its owner.
@@ -16,14 +17,16 @@ import java.util.concurrent.ThreadFactory;
  * @param connectTime     how long a server may take to answer
  * @param minBackoff      the pause after the first failed attempt; doubles with each further one
  * @param maxBackoff      the longest pause between attempts
+ * @param sockets         makes the sockets to servers, not yet connected
  */
 public record LcmOptions(ThreadFactory threads, LcmStateListener states, int maxMessageBytes, long partialBytes, Duration partialTime,
-    int receiveBuffer, Duration connectTime, Duration minBackoff, Duration maxBackoff) {
+    int receiveBuffer, Duration connectTime, Duration minBackoff, Duration maxBackoff, SocketFactory sockets) {
 
   /** Checks the bounds. */
   public LcmOptions {
     Objects.requireNonNull(threads, "threads");
     Objects.requireNonNull(states, "states");
+    Objects.requireNonNull(sockets, "sockets");
     if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || partialBytes < 1 || receiveBuffer < 1) {
       throw new IllegalArgumentException("messages of " + maxMessageBytes + ", partial ones of " + partialBytes
           + ", a receive buffer of " + receiveBuffer + " bytes");
@@ -42,7 +45,7 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    */
   public static LcmOptions standard(ThreadFactory threads) {
     return new LcmOptions(threads, LcmStateListener.none(), 64 << 20, 64L << 20, Duration.ofSeconds(1), 16 << 20, Duration.ofSeconds(5),
-        Duration.ofMillis(100), Duration.ofSeconds(5));
+        Duration.ofMillis(100), Duration.ofSeconds(5), SocketFactory.getDefault());
   }
 
   /**
@@ -52,7 +55,8 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * @return the changed options
    */
   public LcmOptions withStates(LcmStateListener listener) {
-    return new LcmOptions(threads, listener, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff);
+    return new LcmOptions(threads, listener, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff,
+        sockets);
   }
 
   /**
@@ -64,7 +68,8 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * @return the changed options
    */
   public LcmOptions withBounds(int messageBytes, long partial, Duration wait) {
-    return new LcmOptions(threads, states, messageBytes, partial, wait, receiveBuffer, connectTime, minBackoff, maxBackoff);
+    return new LcmOptions(threads, states, messageBytes, partial, wait, receiveBuffer, connectTime, minBackoff, maxBackoff,
+        sockets);
   }
 
   /**
@@ -75,6 +80,18 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * @return the changed options
    */
   public LcmOptions withTimes(Duration connect, Duration longest) {
-    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connect, minBackoff, longest);
+    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connect, minBackoff, longest,
+        sockets);
+  }
+
+  /**
+   * The same options with other sockets to servers, for example such that another process keeps.
+   *
+   * @param made makes them, not yet connected; they close and time out as usual ones do
+   * @return the changed options
+   */
+  public LcmOptions withSockets(SocketFactory made) {
+    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff,
+        made);
   }
 }

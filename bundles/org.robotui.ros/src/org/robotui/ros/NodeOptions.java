@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
+import javax.net.SocketFactory;
 
 /**
  * What a node is given by its owner.
@@ -18,15 +19,20 @@ import java.util.concurrent.ThreadFactory;
  * @param minBackoff       the pause after the first failed attempt to reach a peer; doubles with each further one
  * @param maxBackoff       the longest pause between attempts
  * @param records          a folder where the node keeps a note of itself while it is registered, see {@link Leftovers}; none if empty
+ * @param sockets          makes the sockets to publishers and services, not yet connected
+ * @param farewells        takes what shall be said to the master when this process cannot say it itself
  */
 public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMessageBytes, int maxHeaderBytes,
-    Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records) {
+    Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records,
+    SocketFactory sockets, Farewells farewells) {
 
   /** Checks the bounds. */
   public NodeOptions {
     Objects.requireNonNull(threads, "threads");
     Objects.requireNonNull(links, "links");
     Objects.requireNonNull(records, "records");
+    Objects.requireNonNull(sockets, "sockets");
+    Objects.requireNonNull(farewells, "farewells");
     if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || maxHeaderBytes < 64) {
       throw new IllegalArgumentException("messages of " + maxMessageBytes + " and headers of " + maxHeaderBytes + " bytes");
     }
@@ -43,7 +49,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    */
   public static NodeOptions standard(ThreadFactory threads) {
     return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5), Duration.ofSeconds(2),
-        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty());
+        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty(), SocketFactory.getDefault(), Farewells.none());
   }
 
   /**
@@ -54,7 +60,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    */
   public NodeOptions withLinks(LinkListener listener) {
     return new NodeOptions(threads, listener, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
-        maxBackoff, records);
+        maxBackoff, records, sockets, farewells);
   }
 
   /**
@@ -64,7 +70,8 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    * @return the changed options
    */
   public NodeOptions withMaxMessageBytes(long bytes) {
-    return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records);
+    return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records,
+        sockets, farewells);
   }
 
   /**
@@ -76,7 +83,8 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    * @return the changed options
    */
   public NodeOptions withTimes(Duration handshake, Duration check, Duration longestWait) {
-    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait, records);
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait, records,
+        sockets, farewells);
   }
 
   /**
@@ -88,6 +96,18 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    */
   public NodeOptions withRecords(Path folder) {
     return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff,
-        Optional.of(folder));
+        Optional.of(folder), sockets, farewells);
+  }
+
+  /**
+   * The same options for a node of which another process takes care, too.
+   *
+   * @param made  makes sockets, not yet connected; they close and time out as usual ones do
+   * @param taker what shall be said to the master when this process cannot say it itself
+   * @return the changed options
+   */
+  public NodeOptions withCare(SocketFactory made, Farewells taker) {
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records,
+        made, taker);
   }
 }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
+import javax.net.SocketFactory;
 
 /**
  * What a client is given by its owner.
@@ -20,9 +21,11 @@ import java.util.concurrent.ThreadFactory;
  * @param maxRequests how many requests may wait for their answers
  * @param minBackoff  the pause after the first failed attempt to reach the server; doubles with each further one
  * @param maxBackoff  the longest pause between attempts
+ * @param sockets     makes the sockets, not yet connected
  */
 public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<byte[]> key, Optional<Duration> pull, boolean newestOnly,
-    Duration handshake, Duration messageTime, Duration answerTime, int maxRequests, Duration minBackoff, Duration maxBackoff) {
+    Duration handshake, Duration messageTime, Duration answerTime, int maxRequests, Duration minBackoff, Duration maxBackoff,
+    SocketFactory sockets) {
 
   private static final int KEY_BYTES = 32;
 
@@ -30,6 +33,7 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
   public ClientOptions {
     Objects.requireNonNull(threads, "threads");
     Objects.requireNonNull(links, "links");
+    Objects.requireNonNull(sockets, "sockets");
     if (key.filter(bytes -> bytes.length > KEY_BYTES).isPresent() || maxRequests < 1) {
       throw new IllegalArgumentException("a key has at most 32 bytes, and at least one request must be possible");
     }
@@ -49,7 +53,8 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    */
   public static ClientOptions standard(ThreadFactory threads) {
     return new ClientOptions(threads, LinkListener.none(), Optional.empty(), Optional.empty(), false, Duration.ofSeconds(5),
-        Duration.ofSeconds(5), Duration.ofSeconds(5), 256, Duration.ofMillis(100), Duration.ofSeconds(5));
+        Duration.ofSeconds(5), Duration.ofSeconds(5), 256, Duration.ofMillis(100), Duration.ofSeconds(5),
+        SocketFactory.getDefault());
   }
 
   /**
@@ -60,7 +65,7 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    */
   public ClientOptions withLinks(LinkListener listener) {
     return new ClientOptions(threads, listener, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests, minBackoff,
-        maxBackoff);
+        maxBackoff, sockets);
   }
 
   /**
@@ -71,7 +76,7 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    */
   public ClientOptions withKey(byte[] bytes) {
     return new ClientOptions(threads, links, Optional.of(bytes.clone()), pull, newestOnly, handshake, messageTime, answerTime, maxRequests,
-        minBackoff, maxBackoff);
+        minBackoff, maxBackoff, sockets);
   }
 
   /**
@@ -82,7 +87,7 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    */
   public ClientOptions withPull(Duration period) {
     return new ClientOptions(threads, links, key, Optional.of(period), true, handshake, messageTime, answerTime, maxRequests, minBackoff,
-        maxBackoff);
+        maxBackoff, sockets);
   }
 
   /**
@@ -95,6 +100,18 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    * @return the changed options
    */
   public ClientOptions withTimes(Duration beginning, Duration message, Duration answer, Duration longestWait) {
-    return new ClientOptions(threads, links, key, pull, newestOnly, beginning, message, answer, maxRequests, minBackoff, longestWait);
+    return new ClientOptions(threads, links, key, pull, newestOnly, beginning, message, answer, maxRequests, minBackoff, longestWait,
+        sockets);
+  }
+
+  /**
+   * The same options with other sockets, for example such that another process keeps.
+   *
+   * @param made makes them, not yet connected; they close and time out as usual ones do
+   * @return the changed options
+   */
+  public ClientOptions withSockets(SocketFactory made) {
+    return new ClientOptions(threads, links, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests, minBackoff, maxBackoff,
+        made);
   }
 }

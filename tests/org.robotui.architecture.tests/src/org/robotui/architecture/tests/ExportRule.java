@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 /** Internals are not exported. */
 final class ExportRule implements Rule {
 
-  private static final List<String> EXPORTERS = List.of("org.robotui.geometry", "org.robotui.lcm", "org.robotui.player", "org.robotui.ros",
+  private static final List<String> EXPORTERS = List.of("org.robotui.geometry", "org.robotui.guard", "org.robotui.lcm", "org.robotui.player", "org.robotui.ros",
       "org.robotui.urdf", "org.robotui.xbot", "org.robotui.data", "org.robotui.api", "org.robotui.ui", "org.robotui.gl",
       "org.robotui.entity.*", "org.robotui.testkit");
 

@@ -26,6 +26,7 @@ final class ReservedPackagesRule implements Rule {
       new Reservation(List.of("org.robotui.ros"), List.of("org.robotui.ros", "org.robotui.rfic.*", "org.robotui.sim")),
       new Reservation(List.of("org.robotui.lcm"), List.of("org.robotui.lcm", "org.robotui.rfic.*", "org.robotui.sim")),
       new Reservation(List.of("org.robotui.player"), List.of("org.robotui.player", "org.robotui.rfic.*", "org.robotui.sim")),
+      new Reservation(List.of("org.robotui.guard"), List.of("org.robotui.guard", "org.robotui.rfic.*")),
       new Reservation(List.of("org.robotui.sim"), List.of("org.robotui.sim")));
 
   @Override

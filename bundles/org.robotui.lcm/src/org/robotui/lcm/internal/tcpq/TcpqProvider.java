@@ -2,7 +2,7 @@ package org.robotui.lcm.internal.tcpq;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.nio.channels.SocketChannel;
+import java.net.Socket;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -42,17 +42,17 @@ public final class TcpqProvider implements Provider {
   @Override
   public Link open() throws IOException {
     String server = host + ":" + port;
-    SocketChannel channel = SocketChannel.open();
+    Socket socket = options.sockets().createSocket();
     try {
       InetSocketAddress address = new InetSocketAddress(host, port);
       if (address.isUnresolved()) {
         throw new IOException("its name cannot be resolved");
       }
-      channel.socket().setTcpNoDelay(true);
-      channel.socket().connect(address, (int) options.connectTime().toMillis());
-      return TcpqLink.greet(channel.socket(), server, options, inlet);
+      socket.setTcpNoDelay(true);
+      socket.connect(address, (int) options.connectTime().toMillis());
+      return TcpqLink.greet(socket, server, options, inlet);
     } catch (IOException | RuntimeException e) {
-      channel.close();
+      socket.close();
       throw new IOException("cannot reach the LCM server " + server + ": " + e.getMessage(), e);
     }
   }

@@ -112,20 +112,28 @@ public final class ClientRuntime {
     Backoff backoff = new Backoff(options.minBackoff(), options.maxBackoff());
     while (!isClosing()) {
       announce(new LinkState.Connecting());
-      Connection connection = new Connection(peer(), options);
-      attempt = Optional.of(connection);
-      String reason = peer() + ": " + serve(connection, backoff);
-      current = Optional.empty();
-      connection.close();
-      connection.fail(reason);
-      pause(reason, backoff);
+      pause(peer() + ": " + attempt(backoff), backoff);
     }
     String reason = "the client of " + peer() + " was closed";
     devices.values().forEach(device -> device.lost(reason));
     announce(new LinkState.Closed());
   }
 
-  /** Runs one connection; answers why it ended. */
+  /** Makes one connection and runs it; answers why it ended. */
+  private String attempt(Backoff backoff) {
+    try {
+      Connection connection = new Connection(peer(), options);
+      attempt = Optional.of(connection);
+      String reason = serve(connection, backoff);
+      current = Optional.empty();
+      connection.close();
+      connection.fail(peer() + ": " + reason);
+      return reason;
+    } catch (IOException e) {
+      return "no socket: " + e.getMessage();
+    }
+  }
+
   private String serve(Connection connection, Backoff backoff) {
     try {
       if (isClosing()) {

@@ -38,7 +38,7 @@ final class Connection implements Closeable {
 
   private final String peer;
   private final ClientOptions options;
-  private final Socket socket = new Socket();
+  private final Socket socket;
   private final OutBox out;
   private final Requests requests;
   private final AtomicLong sequence = new AtomicLong();
@@ -48,8 +48,10 @@ final class Connection implements Closeable {
   private int robot;
   private String version = "";
 
-  Connection(String peer, ClientOptions options) {
+  /** Of a socket that is not connected yet. */
+  Connection(String peer, ClientOptions options) throws IOException {
     this.peer = peer;
+    this.socket = options.sockets().createSocket();
     this.options = options;
     this.out = new OutBox(options.maxRequests());
     this.requests = new Requests(peer, options.maxRequests());

@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import javax.net.SocketFactory;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficWorker;
 import org.robotui.api.link.LinkState;
+import org.robotui.guard.Guard;
+import org.robotui.guard.Guards;
 import org.robotui.lcm.type.TypeFolder;
 import org.robotui.rfic.lcm.internal.session.Session;
 import org.slf4j.Logger;
@@ -21,12 +24,14 @@ final class LcmRfic implements Rfic {
 
   private final RficContext context;
   private final LcmSettings settings;
+  private final Guards guards;
   private final RficWorker worker;
   private final AtomicReference<Session> session = new AtomicReference<>();
 
-  LcmRfic(RficContext context, LcmSettings settings) {
+  LcmRfic(RficContext context, LcmSettings settings, Guards guards) {
     this.context = context;
     this.settings = settings;
+    this.guards = guards;
     this.worker = new RficWorker(context, RETRY, this::follow);
   }
 
@@ -36,7 +41,17 @@ final class LcmRfic implements Rfic {
   }
 
   private String follow(BooleanSupplier over) throws IOException, InterruptedException {
-    try (Session opened = new Session(context, settings, TypeFolder.read(settings.types()))) {
+    return settings.guard() ? guarded(over) : follow(SocketFactory.getDefault(), over);
+  }
+
+  private String guarded(BooleanSupplier over) throws IOException, InterruptedException {
+    try (Guard guard = guards.open()) {
+      return follow(guard.sockets(), over);
+    }
+  }
+
+  private String follow(SocketFactory sockets, BooleanSupplier over) throws IOException, InterruptedException {
+    try (Session opened = new Session(context, settings, TypeFolder.read(settings.types()), sockets)) {
       session.set(opened);
       return opened.follow(over);
     }

@@ -10,6 +10,7 @@ import org.robotui.api.RficType;
 import org.robotui.api.config.Placed;
 import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.lcm.internal.call.LcmPorts;
 
 /** The type {@code lcm}: listens to the channels of LCM. */
@@ -19,6 +20,8 @@ public final class LcmRficType implements RficType {
   private static final Descriptor DESCRIPTOR = new Descriptor("lcm", "LCM",
       "Channels of robots that speak LCM, found by listening; their types are read from .lcm files.",
       LcmSettings.SCHEMA, List.of(LcmPorts.CHANNELS, LcmPorts.PUBLISH));
+
+  private final Guards guards = new Guards();
 
   @Override
   public Descriptor descriptor() {
@@ -41,6 +44,6 @@ public final class LcmRficType implements RficType {
     if (!reader.faults().isEmpty()) {
       throw new IllegalArgumentException(reader.faults().stream().map(SettingFault::toString).collect(Collectors.joining("; ")));
     }
-    return new LcmRfic(context, read);
+    return new LcmRfic(context, read, guards);
   }
 }

@@ -20,8 +20,9 @@ import org.robotui.rfic.lcm.internal.language.Mapping;
  * @param types where its types are declared: files and folders
  * @param streams which channels become which data
  * @param commands which commands go to which channel
+ * @param guard whether a process of its own keeps the connection
  */
-public record LcmSettings(LcmUrl url, List<Path> types, List<Stream> streams, List<Command> commands) {
+public record LcmSettings(LcmUrl url, List<Path> types, List<Stream> streams, List<Command> commands, boolean guard) {
   private static final ValueType TEXT = new ValueType.Text();
   private static final ValueType TEXTS = new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT)));
   private static final ValueType FIELD =
@@ -35,7 +36,9 @@ public record LcmSettings(LcmUrl url, List<Path> types, List<Stream> streams, Li
       Setting.optional("types", new ValueType.WithPlace(TEXTS), "files and folders of .lcm files, relative to this file"),
       Setting.of("channels", new ValueType.MapOf(new ValueType.AnyOf(List.of(MAPPING, new ValueType.ListOf(MAPPING)))), Map.of(),
           "what the messages of channels become; others become records with the fields of their type"),
-      Setting.of("commands", new ValueType.MapOf(MAPPING), Map.of(), "which channels take which commands"));
+      Setting.of("commands", new ValueType.MapOf(MAPPING), Map.of(), "which channels take which commands"),
+      Setting.optional("guard", new ValueType.WithPlace(new ValueType.Flag()), "for tcpq: keeps the connection in a small process of its own, "
+          + "so that the server never waits for a workbench that is stopped or killed"));
 
   /**
    * A channel whose messages become data.

@@ -52,7 +52,7 @@ final class SettingsReader {
       all.forEach(each -> attempt(() -> stream(channel.toString(), (Placed) each)));
     });
     settings.map("commands").forEach((channel, written) -> attempt(() -> command(channel.toString(), (Placed) written)));
-    return new LcmSettings(url, types, streams, commands);
+    return new LcmSettings(url, types, streams, commands, settings.has("guard") && guard((Placed) settings.values().get("guard"), url));
   }
 
   /** A part of the reading. */
@@ -87,6 +87,14 @@ final class SettingsReader {
       faults.add(written.fault("'url': " + e.getMessage()));
       return LcmUrl.of(LcmUrl.DEFAULT);
     }
+  }
+
+  private boolean guard(Placed written, LcmUrl url) {
+    boolean wanted = written.value().equals(true);
+    if (wanted && !url.provider().equals("tcpq")) {
+      faults.add(written.fault("'guard' is for servers (tcpq://HOST:PORT) alone: nobody waits for who listens to " + url + "; leave it out"));
+    }
+    return wanted;
   }
 
   private static LcmUrl checked(LcmUrl url) {

@@ -28,6 +28,15 @@ class FaultsTest {
   }
 
   @Test
+  void aGuardIsForServersAlone() {
+    Settings server = Written.settings("tcpq://127.0.0.1:7700", TYPES, Map.of(), Map.of());
+    Settings group = Written.settings("udpm://239.255.76.67:7667?ttl=0", TYPES, Map.of(), Map.of());
+    assertEquals(List.of(), faults(Written.guarded(server, true)));
+    assertEquals(List.of(), faults(Written.guarded(group, false)));
+    assertFault("robot.yaml:4:9", "for servers (tcpq://HOST:PORT) alone", faults(Written.guarded(group, true)));
+  }
+
+  @Test
   void whatIsRightHasNoFaults() {
     assertEquals(List.of(), faults(
         Map.of("ODOMETRY", Written.map("as", "odometry", "type", "robotui.odometry_t"), "LASER", "laserscan"),

@@ -12,7 +12,16 @@ import org.robotui.testkit.rfic.RficContract;
 class LcmContractTest {
   @TestFactory
   Stream<DynamicTest> contract() {
-    return RficContract.of(LcmPeer::new).map(check -> dynamicTest(check.name(), () -> {
+    return contract(false);
+  }
+
+  @TestFactory
+  Stream<DynamicTest> contract_with_a_guard() {
+    return contract(true);
+  }
+
+  private static Stream<DynamicTest> contract(boolean guard) {
+    return RficContract.of(() -> new LcmPeer(guard)).map(check -> dynamicTest(check.name(), () -> {
       assumeTrue(check.lacking().isEmpty(), () -> check.lacking().orElse(""));
       check.run();
     }));

@@ -15,6 +15,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
+import org.robotui.api.config.Settings;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
 import org.robotui.data.Doubles;
@@ -27,6 +28,7 @@ import org.robotui.data.Stamp;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.guard.Guards;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.LcmOptions;
@@ -70,12 +72,14 @@ final class LcmPeer implements Peer {
 
   private final List<Data> heard = new CopyOnWriteArrayList<>();
   private final Gate gate;
+  private final boolean guard;
   private final Path file;
   private final TypeLibrary types;
   private Optional<TcpqServer> server = Optional.empty();
   private Optional<Lcm> robot = Optional.empty();
 
-  LcmPeer() {
+  LcmPeer(boolean guard) {
+    this.guard = guard;
     try {
       gate = new Gate();
       file = Files.writeString(Files.createTempFile("tck", ".lcm"), TYPES);
@@ -93,7 +97,8 @@ final class LcmPeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return new LcmRfic(context, Written.right(Written.settings("tcpq://127.0.0.1:" + gate.port(), file.toString(), CHANNELS, Map.of("DRIVE", DRIVE))));
+    Settings settings = Written.settings("tcpq://127.0.0.1:" + gate.port(), file.toString(), CHANNELS, Map.of("DRIVE", DRIVE));
+    return new LcmRfic(context, Written.right(Written.guarded(settings, guard)), new Guards());
   }
 
   @Override

@@ -33,6 +33,7 @@ import org.robotui.data.MessageCommand;
 import org.robotui.data.NavigationGoal;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.guard.Guards;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.LcmOptions;
@@ -75,7 +76,7 @@ class LcmRficTest {
     rfic = new LcmRfic(context, Written.right(Written.settings(url, Written.types().toString(),
         Map.of("BATTERY", "battery", "ODOMETRY", "odometry", "TRANSFORMS", "transforms"),
         Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t"),
-            "GOAL", Written.map("as", "goal", "type", "robotui.goal_t", "position", "pose.position", "orientation", "pose.orientation", "set", Map.of("id", "ui"))))));
+            "GOAL", Written.map("as", "goal", "type", "robotui.goal_t", "position", "pose.position", "orientation", "pose.orientation", "set", Map.of("id", "ui"))))), new Guards());
     rfic.start();
     await(() -> context.browsers.containsKey("channels"));
   }

@@ -28,6 +28,7 @@ import org.robotui.data.Battery;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
 import org.robotui.data.VelocityCommand;
+import org.robotui.guard.Guards;
 import org.robotui.lcm.log.EventLogIndex;
 import org.robotui.lcm.log.EventLogWriter;
 import org.robotui.lcm.tcpq.TcpqServer;
@@ -74,7 +75,7 @@ class StockToolsTest {
 
   private void open(String at) {
     rfic = new LcmRfic(context, Written.right(Written.settings(at, Written.types().toString(), Map.of("BATTERY", "battery"),
-        Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t")))));
+        Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t")))), new Guards());
     rfic.start();
     await(() -> context.streams.containsKey("BATTERY") && context.sinks.containsKey("VELOCITY"));
     context.demand("BATTERY", true);

@@ -36,6 +36,13 @@ public final class Written {
     return new Settings(LcmSettings.SCHEMA, values);
   }
 
+  /** The same settings, with a guard or not. */
+  public static Settings guarded(Settings settings, boolean guard) {
+    Map<String, Object> values = new HashMap<>(settings.values());
+    values.put("guard", new Placed(guard, FILE, 4, 9));
+    return new Settings(LcmSettings.SCHEMA, values);
+  }
+
   private static Map<String, Object> all(Map<String, ?> mappings, int line) {
     Map<String, Object> all = new LinkedHashMap<>();
     mappings.forEach((channel, written) -> all.put(channel, written instanceof List<?> list

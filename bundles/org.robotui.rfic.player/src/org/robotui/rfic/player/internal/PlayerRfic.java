@@ -1,12 +1,16 @@
 package org.robotui.rfic.player.internal;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import javax.net.SocketFactory;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficWorker;
 import org.robotui.api.link.LinkState;
+import org.robotui.guard.Guard;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.player.internal.link.Session;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,12 +23,14 @@ final class PlayerRfic implements Rfic {
 
   private final RficContext context;
   private final PlayerSettings settings;
+  private final Guards guards;
   private final RficWorker worker;
   private final AtomicReference<Session> session = new AtomicReference<>();
 
-  PlayerRfic(RficContext context, PlayerSettings settings) {
+  PlayerRfic(RficContext context, PlayerSettings settings, Guards guards) {
     this.context = context;
     this.settings = settings;
+    this.guards = guards;
     this.worker = new RficWorker(context, RETRY, this::follow);
   }
 
@@ -33,8 +39,18 @@ final class PlayerRfic implements Rfic {
     worker.start(settings.peer());
   }
 
-  private String follow(BooleanSupplier over) throws InterruptedException {
-    try (Session opened = new Session(context, settings)) {
+  private String follow(BooleanSupplier over) throws IOException, InterruptedException {
+    return settings.guard() ? guarded(over) : follow(SocketFactory.getDefault(), over);
+  }
+
+  private String guarded(BooleanSupplier over) throws IOException, InterruptedException {
+    try (Guard guard = guards.open()) {
+      return follow(guard.sockets(), over);
+    }
+  }
+
+  private String follow(SocketFactory sockets, BooleanSupplier over) throws InterruptedException {
+    try (Session opened = new Session(context, settings, sockets)) {
       session.set(opened);
       opened.follow(over);
       return "closed";

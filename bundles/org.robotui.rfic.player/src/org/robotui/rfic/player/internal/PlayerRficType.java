@@ -7,6 +7,7 @@ import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Settings;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.player.internal.call.PlayerPorts;
 
 /** The type {@code player}: a client of a Player server. */
@@ -17,6 +18,8 @@ public final class PlayerRficType implements RficType {
       "Devices of a Player server, found by asking for its list of devices.",
       PlayerSettings.SCHEMA, List.of(PlayerPorts.SERVICES, PlayerPorts.GRAPH));
 
+  private final Guards guards = new Guards();
+
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
@@ -24,6 +27,6 @@ public final class PlayerRficType implements RficType {
 
   @Override
   public Rfic create(RficContext context, Settings settings) {
-    return new PlayerRfic(context, PlayerSettings.of(settings, System.getenv()));
+    return new PlayerRfic(context, PlayerSettings.of(settings, System.getenv()), guards);
   }
 }

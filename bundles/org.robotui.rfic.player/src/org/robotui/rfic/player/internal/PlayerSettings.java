@@ -27,6 +27,7 @@ import org.robotui.rfic.player.internal.link.Stamps;
  * @param frames how frames are called
  * @param sonars what Player does not tell of sonars
  * @param clock whose clock the server's stamps are of
+ * @param guard whether a process of its own keeps the connection
  */
 public record PlayerSettings(
     String host,
@@ -38,7 +39,8 @@ public record PlayerSettings(
     Optional<String> base,
     FrameNames.Names frames,
     Sonars.Beam sonars,
-    Stamps.Kind clock) {
+    Stamps.Kind clock,
+    boolean guard) {
   private static final String LOCAL = "localhost";
   private static final int PORT = 6665;
   private static final int LAST_PORT = 0xffff;
@@ -63,7 +65,9 @@ public record PlayerSettings(
       Setting.of("sonar_cone", new ValueType.Num(0, Math.PI, "rad"), 0.26, "opening of sonars, which the interface sonar does not tell"),
       Setting.of("sonar_range", new ValueType.Num(0, 1000, "m"), 5.0, "how far sonars see, which the interface sonar does not tell"),
       Setting.of("clock", new ValueType.Choice(List.of("auto", "robot", "simulated")), "auto",
-          "whose time the server's stamps are; auto: that of a robot if they are after 2001, else simulated"));
+          "whose time the server's stamps are; auto: that of a robot if they are after 2001, else simulated"),
+      Setting.of("guard", new ValueType.Flag(), false,
+          "keeps connections in a small process of its own, so that the robot never waits for a workbench that is stopped or killed"));
 
   static PlayerSettings of(Settings settings, Map<String, String> variables) {
     boolean pull = settings.text("data").equals("pull");
@@ -77,7 +81,8 @@ public record PlayerSettings(
         settings.has("base") ? Optional.of(settings.text("base")) : Optional.empty(),
         new FrameNames.Names(settings.text("base_frame"), settings.text("odom_frame"), settings.text("map_frame")),
         new Sonars.Beam(settings.number("sonar_cone"), settings.number("sonar_range")),
-        Stamps.Kind.of(settings.text("clock")));
+        Stamps.Kind.of(settings.text("clock")),
+        settings.flag("guard"));
   }
 
   /**

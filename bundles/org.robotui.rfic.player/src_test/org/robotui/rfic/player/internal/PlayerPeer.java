@@ -25,6 +25,7 @@ import org.robotui.data.Stamp;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.guard.Guards;
 import org.robotui.player.interfaces.Laser;
 import org.robotui.player.interfaces.Pose2d;
 import org.robotui.player.interfaces.Position2d;
@@ -50,10 +51,12 @@ final class PlayerPeer implements Peer {
   private final Layouts layouts = Layouts.standard();
   private final List<Data> heard = new CopyOnWriteArrayList<>();
   private final Gate gate;
+  private final boolean guard;
   private Optional<PlayerServer> server = Optional.empty();
   private Map<Sample, ServedDevice> devices = Map.of();
 
-  PlayerPeer() {
+  PlayerPeer(boolean guard) {
+    this.guard = guard;
     try {
       gate = new Gate();
     } catch (IOException e) {
@@ -68,7 +71,7 @@ final class PlayerPeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return new PlayerRfic(context, PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port()), Map.of()));
+    return new PlayerRfic(context, PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port(), "guard", guard), Map.of()), new Guards());
   }
 
   @Override

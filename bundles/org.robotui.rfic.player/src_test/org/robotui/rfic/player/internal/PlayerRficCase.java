@@ -25,6 +25,7 @@ import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.Data;
 import org.robotui.data.DynamicRecord;
+import org.robotui.guard.Guards;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.server.PlayerServer;
 import org.robotui.player.server.ServedDevice;
@@ -83,7 +84,7 @@ abstract class PlayerRficCase {
   void start(Map<String, Object> written) {
     Map<String, Object> all = new HashMap<>(Map.of("host", "127.0.0.1", "port", (long) server.port()));
     all.putAll(written);
-    rfic = new PlayerRfic(context, settings(all, Map.of()));
+    rfic = new PlayerRfic(context, settings(all, Map.of()), new Guards());
     rfic.start();
   }
 

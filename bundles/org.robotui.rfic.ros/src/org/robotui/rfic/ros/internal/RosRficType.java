@@ -7,6 +7,7 @@ import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Settings;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.call.RosPorts;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 
@@ -19,6 +20,7 @@ public final class RosRficType implements RficType {
       RosSettings.SCHEMA, List.of(RosPorts.SERVICES, RosPorts.GRAPH));
 
   private final SharedMasters masters = new SharedMasters();
+  private final Guards guards = new Guards();
 
   @Override
   public Descriptor descriptor() {
@@ -27,6 +29,6 @@ public final class RosRficType implements RficType {
 
   @Override
   public Rfic create(RficContext context, Settings settings) {
-    return new RosRfic(context, RosSettings.of(settings, System.getenv()), masters);
+    return new RosRfic(context, RosSettings.of(settings, System.getenv()), masters, guards);
   }
 }

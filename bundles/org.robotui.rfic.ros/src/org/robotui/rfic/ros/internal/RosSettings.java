@@ -20,6 +20,7 @@ import org.robotui.ros.RosEnvironment;
  * @param commands topics by ROS type that are offered for commands also while nobody subscribes to them
  * @param node first part of our node's name
  * @param tf whether transforms are listened to
+ * @param guard whether a process of its own keeps the connections
  */
 public record RosSettings(
     RosEnvironment environment,
@@ -27,7 +28,8 @@ public record RosSettings(
     List<Pattern> include,
     Map<String, List<String>> commands,
     String node,
-    boolean tf) {
+    boolean tf,
+    boolean guard) {
   private static final ValueType TEXT = new ValueType.Text();
   private static final ValueType TEXTS = new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT)));
 
@@ -42,7 +44,9 @@ public record RosSettings(
       Setting.of("path", TEXTS, List.of(), "topics to which waypoints are sent as a path"),
       Setting.of("poses", TEXTS, List.of(), "topics to which waypoints are sent as an array of poses"),
       Setting.of("node", TEXT, "robotui", "first part of the name of our node"),
-      Setting.of("tf", new ValueType.Flag(), true, "whether transforms are listened to"));
+      Setting.of("tf", new ValueType.Flag(), true, "whether transforms are listened to"),
+      Setting.of("guard", new ValueType.Flag(), false,
+          "keeps connections in a small process of its own, so that the robot never waits for a workbench that is stopped or killed"));
 
   static RosSettings of(Settings settings, Map<String, String> variables) {
     List<String> arguments = new ArrayList<>();
@@ -59,7 +63,7 @@ public record RosSettings(
             "geometry_msgs/PoseWithCovarianceStamped", texts(settings, "initial_pose"),
             "nav_msgs/Path", texts(settings, "path"),
             "geometry_msgs/PoseArray", texts(settings, "poses")),
-        settings.text("node"), settings.flag("tf"));
+        settings.text("node"), settings.flag("tf"), settings.flag("guard"));
   }
 
   /**

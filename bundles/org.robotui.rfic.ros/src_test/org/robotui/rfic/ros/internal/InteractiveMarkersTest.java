@@ -21,14 +21,15 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.config.Settings;
-import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.CommandSink;
 import org.robotui.data.FrameId;
 import org.robotui.data.InteractiveMarker;
 import org.robotui.data.InteractiveMarkerSet;
 import org.robotui.data.MarkerFeedback;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.convert.SampleMarkers;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
@@ -61,7 +62,7 @@ class InteractiveMarkersTest {
   void open() throws IOException {
     master = RosMaster.open(MasterOptions.standard(DAEMONS));
     server = RosNode.open(RosEnvironment.of(master.uri()), GraphName.of("server"), NodeOptions.standard(DAEMONS));
-    rfic = new RosRfic(context, settings(), new SharedMasters());
+    rfic = new RosRfic(context, settings(), new SharedMasters(), new Guards());
     updates = server.publisher("/goals/update", InteractiveMarkerUpdate.CODEC, PublisherOptions.standard());
     server.publisher("/goals/update_full", InteractiveMarkerInit.CODEC, PublisherOptions.latched())
         .publish(new InteractiveMarkerInit("s", 4, List.of(SampleMarkers.interactive("goal", 2))));

@@ -14,8 +14,8 @@ import java.util.concurrent.ConcurrentLinkedDeque;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
-import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.DynamicRecord;
@@ -26,6 +26,7 @@ import org.robotui.data.Path;
 import org.robotui.data.PoseArray;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
@@ -54,7 +55,7 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void offersConfiguredCommandsAlsoWhileNobodyListens() {
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))), new SharedMasters());
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))), new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.commands.containsKey("base/cmd"));
     Sent sent = send("base/cmd", VelocityCommand.ZERO);
@@ -67,7 +68,7 @@ class RosCommandsTest extends RosRficCase {
     Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
     robot.subscriber("/follow", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> paths.add(p));
     robot.subscriber("/visit", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, SubscriberOptions.standard(), (p, r) -> arrays.add(p));
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))), new SharedMasters());
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))), new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
     FrameId map = new FrameId("robby", "map");

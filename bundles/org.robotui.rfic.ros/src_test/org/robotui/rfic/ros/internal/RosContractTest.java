@@ -12,7 +12,16 @@ import org.robotui.testkit.rfic.RficContract;
 class RosContractTest {
   @TestFactory
   Stream<DynamicTest> contract() {
-    return RficContract.of(RosPeer::new).map(check -> dynamicTest(check.name(), () -> {
+    return contract(false);
+  }
+
+  @TestFactory
+  Stream<DynamicTest> contract_with_a_guard() {
+    return contract(true);
+  }
+
+  private static Stream<DynamicTest> contract(boolean guard) {
+    return RficContract.of(() -> new RosPeer(guard)).map(check -> dynamicTest(check.name(), () -> {
       assumeTrue(check.lacking().isEmpty(), () -> check.lacking().orElse(""));
       check.run();
     }));

@@ -26,6 +26,7 @@ import org.robotui.data.Odometry;
 import org.robotui.data.Stamp;
 import org.robotui.data.VelocityCommand;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -74,6 +75,7 @@ final class RosPeer implements Peer {
 
   private final List<Data> heard = new CopyOnWriteArrayList<>();
   private final Gate gate;
+  private final boolean guard;
   private Optional<Running> running = Optional.empty();
 
   /** What is there between a start and its end. */
@@ -97,7 +99,8 @@ final class RosPeer implements Peer {
     }
   }
 
-  RosPeer() {
+  RosPeer(boolean guard) {
+    this.guard = guard;
     try {
       gate = new Gate();
     } catch (IOException e) {
@@ -118,7 +121,7 @@ final class RosPeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return new RosRfic(context, RosRficCase.settings(Map.of("master", "http://127.0.0.1:" + gate.port())), new SharedMasters());
+    return new RosRfic(context, RosRficCase.settings(Map.of("master", "http://127.0.0.1:" + gate.port(), "guard", guard)), new SharedMasters(), new Guards());
   }
 
   @Override

@@ -14,14 +14,15 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
-import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.CommandSink;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldPath;
 import org.robotui.data.FieldValue;
 import org.robotui.data.Stamp;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -46,7 +47,7 @@ abstract class RosRficCase {
   void openRobot() throws IOException {
     master = RosMaster.open(MasterOptions.standard(DAEMONS));
     robot = node("robot");
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString())), new SharedMasters());
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString())), new SharedMasters(), new Guards());
   }
 
   @AfterEach

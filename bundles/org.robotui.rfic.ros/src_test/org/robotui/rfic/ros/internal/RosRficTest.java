@@ -24,6 +24,7 @@ import org.robotui.data.LaserScan;
 import org.robotui.data.RecordShape;
 import org.robotui.data.RobotDescription;
 import org.robotui.data.Stamp;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
@@ -114,7 +115,7 @@ class RosRficTest extends RosRficCase {
   void seesOnlyItsNamespace() throws IOException {
     robot.publisher("/r1/value", StdFloat64.CODEC, PublisherOptions.standard());
     robot.publisher("/r2/value", StdFloat64.CODEC, PublisherOptions.standard());
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "namespace", "r1")), new SharedMasters());
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "namespace", "r1")), new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.streams.containsKey("value"));
     assertEquals(2, context.streams.size(), () -> context.streams.keySet().toString());

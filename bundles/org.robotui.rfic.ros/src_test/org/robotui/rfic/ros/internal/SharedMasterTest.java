@@ -13,6 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.link.LinkState;
+import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
@@ -35,8 +36,8 @@ class SharedMasterTest extends RosRficCase {
 
   @BeforeEach
   void openBoth() {
-    rfic = new RosRfic(context, in("r1"), masters);
-    other = new RosRfic(second, in("r2"), masters);
+    rfic = new RosRfic(context, in("r1"), masters, new Guards());
+    other = new RosRfic(second, in("r2"), masters, new Guards());
     moving = robot.publisher("/tf", TFMessage.CODEC, PublisherOptions.standard());
     fixed = robot.publisher("/tf_static", TFMessage.CODEC, PublisherOptions.latched());
     robot.publisher("/r1/value", StdFloat64.CODEC, PublisherOptions.standard());

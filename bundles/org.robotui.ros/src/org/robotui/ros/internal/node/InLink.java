@@ -136,7 +136,7 @@ final class InLink<T> {
 
   private void connect() throws IOException, MessageException {
     HostPort target = requestTopic();
-    Socket socket = new Socket();
+    Socket socket = context.options().sockets().createSocket();
     if (!open.add(socket)) {
       return;
     }

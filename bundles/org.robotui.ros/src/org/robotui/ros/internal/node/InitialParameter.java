@@ -1,9 +1,11 @@
 package org.robotui.ros.internal.node;
 
+import java.util.Optional;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
 
 /** A private parameter from the command line: set when the master is reached, and again when it forgot. */
 record InitialParameter(GraphName node, GraphName key, XmlRpcValue value) implements Registration {
@@ -20,8 +22,8 @@ record InitialParameter(GraphName node, GraphName key, XmlRpcValue value) implem
 
   /** Parameters outlive their node, as with every ROS program. */
   @Override
-  public Outcome<XmlRpcValue> unregister(RosApi master) {
-    return new Outcome.Done<>(value);
+  public Optional<MethodCall> farewell() {
+    return Optional.empty();
   }
 
   @Override

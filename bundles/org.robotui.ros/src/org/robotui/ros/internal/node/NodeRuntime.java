@@ -256,6 +256,7 @@ public final class NodeRuntime implements RosNode {
     }
     boolean forgotten = new NodeShutdown(context, registrar.close(), masterAddress)
         .run(List.of(parts::close, tcp::close, http::close, sockets::close), master);
+    registrar.withdrawFarewells();
     if (forgotten) {
       record.delete();
     }

@@ -1,10 +1,12 @@
 package org.robotui.ros.internal.node;
 
 import java.util.List;
+import java.util.Optional;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
 
 /** A service this node offers, as the master should know it. */
 record OfferedService(GraphName node, GraphName service, String rpcUri, String uri) implements Registration {
@@ -21,8 +23,8 @@ record OfferedService(GraphName node, GraphName service, String rpcUri, String u
   }
 
   @Override
-  public Outcome<XmlRpcValue> unregister(RosApi master) {
-    return master.call("unregisterService", XmlRpcValue.of(node.text()), XmlRpcValue.of(service.text()), XmlRpcValue.of(rpcUri));
+  public Optional<MethodCall> farewell() {
+    return Optional.of(new MethodCall("unregisterService", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(service.text()), XmlRpcValue.of(rpcUri))));
   }
 
   /** A service has one provider: when another node took it over, taking it back would make the two quarrel for ever. */

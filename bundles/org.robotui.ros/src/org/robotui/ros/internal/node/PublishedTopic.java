@@ -1,10 +1,12 @@
 package org.robotui.ros.internal.node;
 
 import java.util.List;
+import java.util.Optional;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
 
 /** A topic this node publishes, as the master should know it. */
 record PublishedTopic(GraphName node, GraphName topic, String type, String uri) implements Registration {
@@ -21,8 +23,8 @@ record PublishedTopic(GraphName node, GraphName topic, String type, String uri) 
   }
 
   @Override
-  public Outcome<XmlRpcValue> unregister(RosApi master) {
-    return master.call("unregisterPublisher", XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri));
+  public Optional<MethodCall> farewell() {
+    return Optional.of(new MethodCall("unregisterPublisher", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri))));
   }
 
   @Override

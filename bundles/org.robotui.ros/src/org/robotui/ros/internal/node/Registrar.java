@@ -34,6 +34,7 @@ final class Registrar {
   /** What should be known, and whether it is. */
   private final Map<Registration, Boolean> wanted = new LinkedHashMap<>();
   private final List<Registration> unwanted = new ArrayList<>();
+  private final LastWords lastWords;
   private boolean dirty;
   private boolean closed;
   private boolean connected;
@@ -44,6 +45,7 @@ final class Registrar {
     this.context = context;
     this.master = master;
     this.masterName = masterName;
+    this.lastWords = new LastWords(context.options().farewells(), master);
   }
 
   void start() {
@@ -70,6 +72,7 @@ final class Registrar {
   /** Drops a registration that another one of the same kind keeps alive at the master. */
   void forget(Registration registration) {
     locked(() -> wanted.remove(registration));
+    lastWords.withdraw(registration);
   }
 
   private void locked(Runnable change) {
@@ -129,6 +132,11 @@ final class Registrar {
     }
   }
 
+  /** After the master was told all, or cannot be told. */
+  void withdrawFarewells() {
+    lastWords.withdrawAll();
+  }
+
   private Optional<String> reconcile() {
     Optional<String> problem = check();
     for (Registration registration : snapshot(unwanted)) {
@@ -166,6 +174,7 @@ final class Registrar {
   /** A refusal concerns this registration alone: the others go on, and it is tried again with the next check. */
   private Optional<String> register(Registration registration) {
     locked(() -> everRegistered = true);
+    lastWords.leave(registration);
     Outcome<XmlRpcValue> outcome = registration.register(master);
     if (outcome instanceof Outcome.Done<XmlRpcValue> done) {
       locked(() -> wanted.computeIfPresent(registration, (key, known) -> true));
@@ -183,6 +192,7 @@ final class Registrar {
   private Optional<String> unregister(Registration registration) {
     Outcome<XmlRpcValue> outcome = registration.unregister(master);
     if (outcome instanceof Outcome.Done || outcome instanceof Outcome.Refused) {
+      lastWords.withdraw(registration);
       locked(() -> unwanted.remove(registration));
       return Optional.empty();
     }

@@ -9,6 +9,7 @@ import org.robotui.ros.Outcome;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.io.HostPort;
 import org.robotui.ros.internal.io.PeerText;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
@@ -30,6 +31,20 @@ final class RosApi implements Closeable {
 
   Outcome<XmlRpcValue> call(String method, XmlRpcValue... arguments) {
     return call(timeout, method, arguments);
+  }
+
+  Outcome<XmlRpcValue> call(MethodCall call) {
+    return call(call.method(), call.arguments().toArray(XmlRpcValue[]::new));
+  }
+
+  /** The request that this call would be, on a connection of its own. */
+  byte[] words(MethodCall call) {
+    return client.words(call);
+  }
+
+  /** Whom it calls. */
+  HostPort target() {
+    return client.target();
   }
 
   Outcome<XmlRpcValue> call(Duration within, String method, XmlRpcValue... arguments) {

@@ -22,15 +22,16 @@ final class ServiceLink implements Closeable {
   private static final long FRESH_NANOS = 100_000_000;
 
   private final NodeContext context;
-  private final Socket socket = new Socket();
+  private final Socket socket;
   private final Closeables owner;
   private TimedStream stream;
   private FrameReader in;
   private ConnectionHeader header;
   private long lastUsed;
 
-  ServiceLink(NodeContext context, Closeables owner) {
+  ServiceLink(NodeContext context, Closeables owner) throws IOException {
     this.context = context;
+    this.socket = context.options().sockets().createSocket();
     this.owner = owner;
   }
 

@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
 
 /** A topic this node subscribes to: one registration for all its subscribers. */
 final class SubscribedTopic implements Registration {
@@ -63,8 +65,8 @@ final class SubscribedTopic implements Registration {
   }
 
   @Override
-  public Outcome<XmlRpcValue> unregister(RosApi master) {
-    return master.call("unregisterSubscriber", XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri));
+  public Optional<MethodCall> farewell() {
+    return Optional.of(new MethodCall("unregisterSubscriber", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri))));
   }
 
   /** Comparing the number of publishers finds updates that never reached us, as when peers cannot connect to this machine. */

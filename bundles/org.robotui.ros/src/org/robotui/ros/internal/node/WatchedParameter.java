@@ -1,11 +1,13 @@
 package org.robotui.ros.internal.node;
 
+import java.util.List;
 import java.util.Optional;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.ParameterListener;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.xmlrpc.MethodCall;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -52,8 +54,8 @@ final class WatchedParameter implements Registration {
   }
 
   @Override
-  public Outcome<XmlRpcValue> unregister(RosApi master) {
-    return master.call("unsubscribeParam", XmlRpcValue.of(node.text()), XmlRpcValue.of(uri), XmlRpcValue.of(key.text()));
+  public Optional<MethodCall> farewell() {
+    return Optional.of(new MethodCall("unsubscribeParam", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(uri), XmlRpcValue.of(key.text()))));
   }
 
   /** The system state shows no parameters; a restarted master is known by its run id. */

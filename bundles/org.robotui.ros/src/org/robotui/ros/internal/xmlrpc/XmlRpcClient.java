@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -113,12 +114,22 @@ public final class XmlRpcClient implements Closeable {
     }
   }
 
+  /** The bytes of a call after which the server is to close the connection. */
+  public byte[] words(MethodCall call) {
+    byte[] body = XmlRpcWriter.call(call);
+    return joined(HttpHead.bytes("POST / HTTP/1.1", "Host: " + target, "User-Agent: RobotUI", "Connection: close",
+        "Content-Type: text/xml", "Content-Length: " + body.length), body);
+  }
+
   private void send(byte[] body, Socket socket) throws IOException {
-    byte[] head = HttpHead.bytes("POST / HTTP/1.1", "Host: " + target, "User-Agent: RobotUI",
-        "Content-Type: text/xml", "Content-Length: " + body.length);
-    byte[] all = java.util.Arrays.copyOf(head, head.length + body.length);
+    socket.getOutputStream().write(joined(HttpHead.bytes("POST / HTTP/1.1", "Host: " + target, "User-Agent: RobotUI",
+        "Content-Type: text/xml", "Content-Length: " + body.length), body));
+  }
+
+  private static byte[] joined(byte[] head, byte[] body) {
+    byte[] all = Arrays.copyOf(head, head.length + body.length);
     System.arraycopy(body, 0, all, head.length, body.length);
-    socket.getOutputStream().write(all);
+    return all;
   }
 
   private static void requireOk(HttpHead head) throws XmlRpcException {

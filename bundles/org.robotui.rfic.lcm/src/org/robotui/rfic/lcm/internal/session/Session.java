@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import javax.net.SocketFactory;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
@@ -45,15 +46,16 @@ public final class Session implements AutoCloseable {
    * @param context what core gives
    * @param settings what is to be offered
    * @param types all types
+   * @param sockets makes connections to a server
    */
-  public Session(RficContext context, LcmSettings settings, TypeLibrary types) {
+  public Session(RficContext context, LcmSettings settings, TypeLibrary types, SocketFactory sockets) {
     this.context = context;
     this.types = types;
     boolean isFile = settings.url().provider().equals("file");
     boolean writes = isFile && !settings.url().options().getOrDefault("mode", "r").equals("r");
     this.watch = new LinkWatch(settings.url().toString(), writes, System.nanoTime());
     this.channels = new Channels(context, settings, types, new SessionClock(context, isFile && !writes));
-    this.lcm = Lcm.open(settings.url(), LcmOptions.standard(context.threads()));
+    this.lcm = Lcm.open(settings.url(), LcmOptions.standard(context.threads()).withSockets(sockets));
     lcm.subscribe(".*", QUEUE, this::received);
     this.commands = new Commands(context, lcm, settings, types, channels, pulse);
     this.browse = context.offers().browse(LcmPorts.CHANNELS, new ChannelBrowser(channels, types, lcm));

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import javax.net.SocketFactory;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
@@ -51,15 +52,16 @@ public final class Session implements AutoCloseable {
    *
    * @param context what core gives
    * @param settings how the server is reached
+   * @param sockets makes its connections
    */
-  public Session(RficContext context, PlayerSettings settings) {
+  public Session(RficContext context, PlayerSettings settings, SocketFactory sockets) {
     this.context = context;
     this.settings = settings;
     Layouts layouts = Layouts.standard();
     Pulse pulse = new Pulse();
     this.stamps = new Stamps(context.clock(), settings.clock());
     this.tree = new FrameTree(context, new FrameNames(context.robot(), settings.frames()));
-    this.client = new PlayerClient(settings.host(), settings.port(), layouts, options());
+    this.client = new PlayerClient(settings.host(), settings.port(), layouts, options(sockets));
     this.liveness = new Liveness(client, pulse);
     Surroundings around = new Surroundings(context, layouts, tree, stamps, pulse, settings.sonars(), this::isBase, this::carries,
         settings.peer());
@@ -68,10 +70,10 @@ public final class Session implements AutoCloseable {
     this.graph = context.offers().browse(PlayerPorts.GRAPH, new PlayerBrowser(client, devices, layouts));
   }
 
-  private ClientOptions options() {
+  private ClientOptions options(SocketFactory sockets) {
     ClientOptions s = ClientOptions.standard(context.threads());
     return new ClientOptions(s.threads(), this::linked, settings.key(), settings.pull(), settings.newestOnly(), HANDSHAKE, s.messageTime(),
-        ANSWER, s.maxRequests(), s.minBackoff(), LONGEST_PAUSE);
+        ANSWER, s.maxRequests(), s.minBackoff(), LONGEST_PAUSE, sockets);
   }
 
   private void linked(org.robotui.player.client.LinkState now) {

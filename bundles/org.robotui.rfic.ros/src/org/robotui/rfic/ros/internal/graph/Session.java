@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
@@ -58,15 +59,17 @@ public final class Session implements AutoCloseable {
    * @param settings how the robot is reached
    * @param registry knows message definitions
    * @param masters what interfaces share that speak to one master
+   * @param care what else the node is given
    * @throws IOException where no node can be opened on this machine
    */
-  public Session(RficContext context, RosSettings settings, MessageRegistry registry, SharedMasters masters) throws IOException {
+  public Session(RficContext context, RosSettings settings, MessageRegistry registry, SharedMasters masters, UnaryOperator<NodeOptions> care)
+      throws IOException {
     this.context = context;
     this.settings = settings;
     this.master = masters.of(settings.master());
     LinkWatch watch = new LinkWatch();
     NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch).withRecords(context.stateFolder());
-    this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), options);
+    this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), care.apply(options));
     this.clock = new SessionClock(context, node.clock());
     MarkerFeedbacks feedbacks = new MarkerFeedbacks(node, pulse);
     this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch, pulse, feedbacks);
