@@ -88,13 +88,18 @@ public final class Composing implements Composition {
   private String sentence(Stage stage, Optional<String> failure, int ports) {
     return switch (stage) {
       case FAILED -> failure.orElse("it cannot be started");
-      case CONNECTING -> "connecting: " + robot.supplier().status();
+      case CONNECTING -> "connecting" + reason();
       case LOOKING -> ports + " ports so far; still looking for more";
       case FOUND -> ports == 0 ? "connected, but the robot offers nothing; start its programs" : "connected; " + ports + " ports";
-      case KNOWN -> "not reached: " + robot.supplier().status() + ". What this type always offers is known, so you can go on";
-      case UNREACHED -> "not reached: " + robot.supplier().status()
+      case KNOWN -> "not reached" + reason() + ". What this type always offers is known, so you can go on";
+      case UNREACHED -> "not reached" + reason()
           + ". Start the robot's software, check address and port, and connect again; without it nobody knows what it offers";
     };
+  }
+
+  private String reason() {
+    String reason = robot.link().reason();
+    return reason.isEmpty() ? "" : ": " + reason;
   }
 
   private static PortStatus offered(Have have) {
