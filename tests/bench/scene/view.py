@@ -21,6 +21,7 @@ START_PATIENCE = 120
 DRAG, ENOUGH = 8, 8                                                 # seconds, rectangles
 STILL = 1.5                                                         # seconds in which nothing more comes
 PATCH = 20                                                          # pixels that tell how the camera stands
+CLEAR = 150                                                         # of three times 255, between its colours
 HALTS = 50                                                          # attempts
 JUMP = 60                                                           # pixels of the mouse
 
@@ -139,11 +140,17 @@ class View:
 
     def _sides(self, places):
         """Where the view differs most between two places of the mouse, and its mean colour there for each."""
-        means = []
-        for place in reversed(places):                              # and so the mouse is where the first jump begins
-            self.screen.move(*place)
-            means.insert(0, patches(self._rested()))
-        row, column = numpy.unravel_index(numpy.abs(means[0] - means[1]).sum(axis=2).argmax(), means[0].shape[:2])
+        end = time.monotonic() + START_PATIENCE
+        apart = numpy.zeros((1, 1))
+        while apart.max() < CLEAR:                                  # a view that answers late looks as if it had come to rest
+            if time.monotonic() > end:
+                raise CannotMeasure(f"the view of {self.program.name} does not follow the mouse")
+            means = []
+            for place in reversed(places):                          # and so the mouse is where the first jump begins
+                self.screen.move(*place)
+                means.insert(0, patches(self._rested()))
+            apart = numpy.abs(means[0] - means[1]).sum(axis=2)
+        row, column = numpy.unravel_index(apart.argmax(), apart.shape)
         patch = Area(self.area.x + int(column) * PATCH, self.area.y + int(row) * PATCH, PATCH, PATCH)
         return patch, [mean[row, column] for mean in means]
 
