@@ -28,6 +28,7 @@ final class Surface {
   private Optional<GpuBuffer> normals = Optional.empty();
   private Optional<GpuBuffer> uv = Optional.empty();
   private Optional<Levels> levels = Optional.empty();
+  private double openness = 1;
   private int draws;
   private TriangleMesh mesh = TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0));
 
@@ -45,6 +46,7 @@ final class Surface {
     }
     mesh = wanted;
     levels = Optional.empty();
+    openness = 1;
     draws = 0;
     array.bind();
     long sent = corners.fill(mesh.xyz(), mesh.rgba()) + indices.fill(mesh.triangles());
@@ -99,7 +101,14 @@ final class Surface {
     double metres = pass.metresPerPixel(look, mesh.bounds());
     Levels.Level now = finenesses.within(pass.fineness().pixels() * metres);
     Levels.Level rest = finenesses.within(Fineness.AT_REST.pixels() * metres);
+    boolean body = openness <= pass.fineness().openness() && !translucent() && look.color().alpha() == 1;
+    if (body) {
+      pass.gl().glEnable(GL.GL_CULL_FACE);
+    }
     draw(pass, now.first(), now.count(), rest.count() - now.count());
+    if (body) {
+      pass.gl().glDisable(GL.GL_CULL_FACE);
+    }
   }
 
   /** Not before it has stayed the same for some pictures: coarsening what changes with each would cost more than it saves. */
@@ -109,6 +118,7 @@ final class Surface {
     }
     Levels made = Levels.of(mesh);
     levels = Optional.of(made);
+    openness = Solid.openness(mesh);
     indices.fill(made.indices());
     return made;
   }

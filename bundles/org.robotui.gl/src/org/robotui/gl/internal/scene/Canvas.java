@@ -33,6 +33,7 @@ final class Canvas {
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LEQUAL);
     gl.glDisable(GL.GL_CULL_FACE);
+    gl.glFrontFace(GL.GL_CW); // rows of a picture go down, and so what is counterclockwise to the eye is not to OpenGL
     gl.glDisable(GL.GL_DITHER);
   }
 
