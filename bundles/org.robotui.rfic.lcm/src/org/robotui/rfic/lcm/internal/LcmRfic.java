@@ -2,6 +2,7 @@ package org.robotui.rfic.lcm.internal;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import javax.net.SocketFactory;
@@ -51,9 +52,20 @@ final class LcmRfic implements Rfic {
   }
 
   private String follow(SocketFactory sockets, BooleanSupplier over) throws IOException, InterruptedException {
-    try (Session opened = new Session(context, settings, TypeFolder.read(settings.types()), sockets)) {
-      session.set(opened);
-      return opened.follow(over);
+    // a recording would begin anew, or be written over
+    boolean watched = !settings.url().provider().equals("file");
+    TypeFiles files = new TypeFiles(watched ? settings.types() : List.of());
+    while (true) {
+      boolean[] changed = {false};
+      files.reading(System.nanoTime());
+      try (Session opened = new Session(context, settings, TypeFolder.read(settings.types()), sockets)) {
+        session.set(opened);
+        String end = opened.follow(() -> over.getAsBoolean() || (changed[0] = files.changed(System.nanoTime())));
+        if (!changed[0]) {
+          return end;
+        }
+      }
+      LOG.info("{}: .lcm files have changed and are read anew", context.instance());
     }
   }
 

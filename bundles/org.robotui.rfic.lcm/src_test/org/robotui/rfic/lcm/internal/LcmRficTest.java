@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -19,8 +21,10 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Browser;
+import org.robotui.api.port.CallException;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.data.Battery;
@@ -179,6 +183,33 @@ class LcmRficTest {
     Browser.Item item = browser.list(Browser.Kind.TOPIC).stream().filter(i -> i.name().equals("ODD")).findFirst().orElseThrow();
     assertEquals("unknown type 0x0102030405060708", item.type());
     assertTrue(browser.describe(item).facts().get("problem").contains("has the fingerprint 0x0102030405060708"));
+  }
+
+  @Test
+  void typesThatAreAddedWhileItRunsAreTakenUp(@TempDir Path folder) throws Exception {
+    FakeRficContext later = new FakeRficContext();
+    LcmRfic second = new LcmRfic(later, Written.right(Written.settings(url, folder.toString(), Map.of(), Map.of())), new Guards());
+    second.start();
+    try {
+      sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0), () -> typeOf(later, "POWER").startsWith("unknown type"));
+      for (Path file : Files.list(Written.types().resolve("robotui")).toList()) {
+        Files.copy(file, folder.resolve(file.getFileName().toString()));
+      }
+      sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0), () -> typeOf(later, "POWER").equals("robotui.battery_t"));
+    } finally {
+      second.close();
+    }
+    await(() -> later.threads.stream().noneMatch(Thread::isAlive));
+  }
+
+  private static String typeOf(FakeRficContext context, String channel) {
+    try {
+      Browser browser = context.browsers.get("channels");
+      List<Browser.Item> items = browser == null ? List.of() : browser.list(Browser.Kind.TOPIC);
+      return items.stream().filter(item -> item.name().equals(channel)).map(Browser.Item::type).findFirst().orElse("");
+    } catch (CallException e) {
+      throw new AssertionError(e);
+    }
   }
 
   private void publish(String channel, byte[] message) {
