@@ -130,6 +130,36 @@ class SceneSwtTest {
     assertEquals(List.of(), gl.requests.getLast().selection());
   }
 
+  /** Where the words at the top begin, by the first pixel of their edge or letters in a row. */
+  private int banner() {
+    ImageData picture = window.picture();
+    int left = window.canvas().getLocation().x;
+    RGB ground = theme.palette().rgb(Role.GROUND);
+    for (int x = left; x < picture.width; x++) {
+      if (!rgb(picture, x, 24).equals(ground)) {
+        return x;
+      }
+    }
+    return picture.width;
+  }
+
+  @Test
+  void theWordsOfAToolMakeRoomForTheCardOfTheSelection() {
+    window.shell.setSize(1200, 500);
+    window.hands().settle();
+    window.tick();
+    window.act("measure");
+    int alone = banner();
+    window.act("measure");
+    hit(FakeKind.line(0));
+    click(300, 200);
+    window.tick();
+    window.tick();
+    window.act("measure");
+    window.tick();
+    assertTrue(banner() < alone - 100, () -> banner() + " and " + alone);
+  }
+
   @Test
   void aHandleIsDraggedAndTheCameraStands() {
     AtomicInteger drags = new AtomicInteger();

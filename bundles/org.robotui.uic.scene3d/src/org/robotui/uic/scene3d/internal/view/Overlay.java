@@ -77,6 +77,12 @@ final class Overlay {
     }
   }
 
+  /** What is left of the picture beside the card: words at its top go there, where there is room for them. */
+  static Rectangle besideCard(Rectangle area) {
+    int left = area.width - CARD_WIDTH - 2 * Theme.EDGE;
+    return left < CARD_WIDTH ? area : new Rectangle(area.x, area.y, left, area.height);
+  }
+
   private void entry(GC gc, Properties.Entry entry, int left, int top, int width) {
     gc.setForeground(theme.color(Role.DIM));
     String name = TextFit.shorten(gc, entry.name(), width / 2);

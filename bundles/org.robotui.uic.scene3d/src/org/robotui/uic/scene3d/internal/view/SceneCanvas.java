@@ -16,6 +16,7 @@ import org.robotui.ui.Theme;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Lens;
+import org.robotui.uic.scene3d.internal.model.Selection;
 import org.robotui.uic.scene3d.internal.studio.Look;
 import org.robotui.uic.scene3d.internal.studio.Screen;
 
@@ -89,7 +90,8 @@ final class SceneCanvas {
   private void over(GC gc, Rectangle area, Shot shot) {
     Lens lens = lens(shot.from());
     overlay.paint(gc, area, new Overlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
-    marks.paint(gc, area, lens, surface.tools());
-    parts.picks().selection().ifPresent(s -> overlay.card(gc, area, s));
+    Optional<Selection> selection = parts.picks().selection();
+    marks.paint(gc, selection.isPresent() ? Overlay.besideCard(area) : area, lens, surface.tools());
+    selection.ifPresent(s -> overlay.card(gc, area, s));
   }
 }
