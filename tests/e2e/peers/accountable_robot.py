@@ -2,7 +2,8 @@
 """A robot of rospy whose every step can be accounted for: it moves only as it is commanded, and publishes where it is.
 
 Odometry and a scan come ten times a second, with the number of the step in their headers. A second node (--driver) makes
-it drive in a figure of eight, and is the only one that commands it.
+it drive in a figure of eight, and is the only one that commands it. With --no-queues it also sends pictures, and waits for all its
+subscribers.
 """
 import math
 import sys
@@ -10,7 +11,7 @@ import sys
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from sensor_msgs.msg import LaserScan
+from sensor_msgs.msg import Image, LaserScan
 
 RATE = 10.0
 TIME_OUT = 0.5
@@ -52,15 +53,26 @@ def scan():
     return message
 
 
+def image():
+    message = Image(width=320, height=240, encoding="rgb8", step=960, data=bytes(960 * 240))
+    message.header.stamp = rospy.Time.now()
+    message.header.frame_id = "camera"
+    return message
+
+
 def live():
     rospy.init_node("accountable_robot")
-    odometries = rospy.Publisher("odom", Odometry, queue_size=1)
-    scans = rospy.Publisher("scan", LaserScan, queue_size=1)
+    queue = None if "--no-queues" in sys.argv else 1        # without one, whoever publishes waits for all subscribers
+    odometries = rospy.Publisher("odom", Odometry, queue_size=queue)
+    scans = rospy.Publisher("scan", LaserScan, queue_size=queue)
+    images = rospy.Publisher("image", Image, queue_size=None) if queue is None else None
     robot, rate = Robot(), rospy.Rate(RATE)
     while not rospy.is_shutdown():
         robot.step()
         odometries.publish(robot.odometry())
         scans.publish(scan())
+        if images:
+            images.publish(image())
         rate.sleep()
 
 
