@@ -108,7 +108,7 @@ class Form:
     def may_go_on(self):
         """Whether the last button is in the accent's colours."""
         picture = output("import", "-silent", "-window", self.window, "-depth", "8", "ppm:-")
-        return Picture(picture).count(DARK["accent"], self.width - 90, self.height - 40) > 20
+        return Picture(picture).count(DARK["accent"], self.width - 90, self.height - 40) > 8
 
 
 @pytest.mark.parametrize("speaks, steps", [("player", 2), ("ros", 3)])
