@@ -3,9 +3,11 @@ package org.robotui.core.internal.port;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
@@ -18,13 +20,18 @@ import org.robotui.data.Data;
 public final class InputEnd<T extends Data> implements Input<T> {
   private record Line<T extends Data>(StreamSource<T> source, Tap<T> tap) {}
 
-  private record Lines<T extends Data>(List<Line<T>> all, List<Candidate> candidates, String reason) {}
+  /** Views ask for each of their sources, several times a tick: fifty robots would be looked through fifty times. */
+  private record Lines<T extends Data>(List<Line<T>> all, Map<SourceId, Line<T>> byId, List<Candidate> candidates, String reason) {
+    static <T extends Data> Lines<T> of(List<Line<T>> all, List<Candidate> candidates, String reason) {
+      return new Lines<>(List.copyOf(all), all.stream().collect(Collectors.toMap(l -> l.source().id(), l -> l, (first, second) -> first)), candidates, reason);
+    }
+  }
 
   private final Intake intake;
   private final NanoClock clock;
   private List<StreamSource<T>> matched = List.of(); // under the lock
   private Set<SourceId> chosen = Set.of(); // under the lock
-  private volatile Lines<T> lines = new Lines<>(List.of(), List.of(), "not matched yet");
+  private volatile Lines<T> lines = Lines.of(List.of(), List.of(), "not matched yet");
 
   /** An end without sources. */
   public InputEnd(Intake intake, NanoClock clock) {
@@ -63,7 +70,7 @@ public final class InputEnd<T extends Data> implements Input<T> {
             .orElseGet(() -> new Line<>(source, source.join(intake))));
       }
     }
-    lines = new Lines<>(List.copyOf(after), candidates, reason);
+    lines = Lines.of(after, candidates, reason);
     before.stream().filter(l -> !after.contains(l)).forEach(l -> l.source().leave(l.tap()));
   }
 
@@ -120,7 +127,7 @@ public final class InputEnd<T extends Data> implements Input<T> {
   }
 
   private Optional<Line<T>> find(SourceId source) {
-    return lines.all().stream().filter(l -> l.source().id().equals(source)).findFirst();
+    return Optional.ofNullable(lines.byId().get(source));
   }
 
   @Override
