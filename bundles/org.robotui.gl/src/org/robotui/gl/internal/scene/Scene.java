@@ -65,6 +65,9 @@ final class Scene {
     target.bind(request.background());
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
     canvas.drawSplatted(order);
+    if (givenUp.getAsBoolean()) {
+      return new Rendered.Skipped();
+    }
     if (target.beginWithSplats(gpu)) {
       canvas.keepAlpha();
     } else {
