@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
-import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Monitor;
 import org.eclipse.swt.widgets.Shell;
@@ -25,9 +23,6 @@ import org.slf4j.LoggerFactory;
 final class AskedWindows {
   private static final Logger LOG = LoggerFactory.getLogger(AskedWindows.class);
   private static final String KEY = "window.";
-  private static final String MAXIMIZED = "maximized";
-  /** By then a window manager has put a window where it was asked to, and perhaps a little elsewhere. */
-  private static final int SETTLED_MILLIS = 1500;
 
   private final Session session;
   private boolean done;
@@ -73,37 +68,15 @@ final class AskedWindows {
   private void place(Shell shell, WindowConfig window, Optional<Rectangle> usual) {
     String key = KEY + window.file().toAbsolutePath().normalize() + "#" + window.ruic();
     Optional<String> kept = session.state().get(key);
-    Optional<Rectangle> former = kept.flatMap(AskedWindows::bounds).filter(b -> WindowPlaces.isSeen(b, screens(shell)));
+    Optional<Rectangle> former = kept.flatMap(KeptPlace::bounds).filter(b -> WindowPlaces.isSeen(b, screens(shell)));
     former.or(() -> usual).ifPresent(shell::setBounds);
-    shell.setMaximized(kept.filter(MAXIMIZED::equals).isPresent());
+    shell.setMaximized(kept.filter(KeptPlace.MAXIMIZED::equals).isPresent());
     if (session.arguments().isAttended()) {
-      shell.getDisplay().timerExec(SETTLED_MILLIS, () -> keepWhatIsMoved(shell, key));
-    }
-  }
-
-  private void keepWhatIsMoved(Shell shell, String key) {
-    if (!shell.isDisposed()) {
-      String placed = words(shell);
-      shell.addListener(SWT.Dispose, e -> Optional.of(words(shell)).filter(now -> !now.equals(placed))
-          .ifPresent(now -> session.state().put(key, now)));
+      KeptPlace.follow(shell, place -> session.state().put(key, place));
     }
   }
 
   private static List<Rectangle> screens(Shell shell) {
     return Arrays.stream(shell.getDisplay().getMonitors()).map(Monitor::getClientArea).toList();
-  }
-
-  private static String words(Shell shell) {
-    Rectangle b = shell.getBounds();
-    return shell.getMaximized() ? MAXIMIZED : b.x + " " + b.y + " " + b.width + " " + b.height;
-  }
-
-  private static Optional<Rectangle> bounds(String words) {
-    try {
-      int[] n = Stream.of(words.split(" ")).mapToInt(Integer::parseInt).toArray();
-      return n.length == 4 ? Optional.of(new Rectangle(n[0], n[1], n[2], n[3])) : Optional.empty();
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
   }
 }
