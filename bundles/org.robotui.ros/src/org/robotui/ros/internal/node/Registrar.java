@@ -26,6 +26,9 @@ final class Registrar {
 
   private static final Logger LOG = LoggerFactory.getLogger(Registrar.class);
 
+  /** The whole state with every so many checks. */
+  private static final int WHOLE = 5;
+
   private final NodeContext context;
   private final RosApi master;
   private final String masterName;
@@ -40,6 +43,7 @@ final class Registrar {
   private boolean connected;
   private boolean everRegistered;
   private Optional<XmlRpcValue> runId = Optional.empty();
+  private int checks;
 
   Registrar(NodeContext context, RosApi master, String masterName) {
     this.context = context;
@@ -148,12 +152,26 @@ final class Registrar {
     return problem;
   }
 
+  /**
+   * A master that restarts has another run id, which is a small question. All that it knows is a large answer where there are many nodes, and
+   * only shows what others took from us; so it is asked for less often.
+   */
   private Optional<String> check() {
     Outcome<XmlRpcValue> id = master.call("getParam", XmlRpcValue.of(context.name().text()), XmlRpcValue.of("/run_id"));
-    if (id instanceof Outcome.Done<XmlRpcValue> done && !runId.equals(Optional.of(done.value()))) {
+    if (id instanceof Outcome.Done<XmlRpcValue> done) {
+      boolean same = runId.equals(Optional.of(done.value()));
+      if (same && checks++ % WHOLE != 0) {
+        return Optional.empty();
+      }
       runId = Optional.of(done.value());
-      forgetAll();
+      if (!same) {
+        forgetAll();
+      }
     }
+    return id instanceof Outcome.Done || id instanceof Outcome.Refused ? compare() : Optional.of(id.reason());
+  }
+
+  private Optional<String> compare() {
     Outcome<SystemState> state = master.call("getSystemState", XmlRpcValue.of(context.name().text())).map(GraphCodec::state);
     state.toOptional().ifPresent(this::compare);
     return switch (state) {
