@@ -20,7 +20,6 @@ import org.robotui.ui.ViewAction;
 /** The widgets of a field that is typed in one line. Display thread. */
 final class FormRow {
   private static final int NARROWEST = 60;
-  private static final int INSET = 6;
 
   private final Theme theme;
   private final FormLeaf leaf;
@@ -67,11 +66,7 @@ final class FormRow {
   }
 
   private Control text() {
-    Composite well = new Composite(editor, SWT.NONE);
-    well.setBackground(theme.color(Role.GROUND));
-    GridLayout inside = layout(1);
-    inside.marginWidth = INSET;
-    well.setLayout(inside);
+    Composite well = Well.in(editor, theme);
     well.setLayoutData(high(wide()));
     Text text = new Text(well, SWT.SINGLE);
     text.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, true));

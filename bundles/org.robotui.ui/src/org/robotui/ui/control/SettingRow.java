@@ -17,7 +17,6 @@ import org.robotui.ui.Theme;
 
 /** The widgets of one setting: its editor, and below it what it is for or what is wrong. Display thread. */
 final class SettingRow {
-  private static final int INSET = 6;
   private static final int NARROWEST = 120;
 
   private final Composite editor;
@@ -47,7 +46,9 @@ final class SettingRow {
     if (!value.canBeTyped()) {
       Label only = new PlainLabel(editor, SWT.NONE, theme, Face.BODY, Role.DIM);
       only.setText(value.value().isPresent() ? "as written in the file" : "can only be written in the file");
-      only.setLayoutData(high());
+      GridData beside = wide();
+      beside.verticalIndent = Theme.STEP;
+      only.setLayoutData(beside);
       return only;
     }
     return switch (value.setting().type()) {
@@ -106,12 +107,7 @@ final class SettingRow {
   }
 
   private Control text() {
-    Composite well = new Composite(editor, SWT.NONE);
-    well.setBackground(theme.color(Role.GROUND));
-    GridLayout inside = new GridLayout(1, false);
-    inside.marginWidth = INSET;
-    inside.marginHeight = 0;
-    well.setLayout(inside);
+    Composite well = Well.in(editor, theme);
     well.setLayoutData(high());
     Text text = new Text(well, SWT.SINGLE);
     text.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, true));

@@ -91,7 +91,7 @@ public final class Composing implements Composition {
       case CONNECTING -> "connecting" + reason();
       case LOOKING -> ports + " ports so far; still looking for more";
       case FOUND -> ports == 0 ? "connected, but the robot offers nothing; start its programs" : "connected; " + ports + " ports";
-      case KNOWN -> "not reached" + reason() + ". What this type always offers is known, so you can go on";
+      case KNOWN -> "what this type always offers is known, so you can go on; the robot is not reached" + reason();
       case UNREACHED -> "not reached" + reason()
           + ". Start the robot's software, check address and port, and connect again; without it nobody knows what it offers";
     };

@@ -142,6 +142,11 @@ public final class NewRobotModel implements AutoCloseable {
     return all;
   }
 
+  /** Ports of views for which the user has chosen. */
+  public Set<SourceId> decided() {
+    return Set.copyOf(connections.keySet());
+  }
+
   /** Connects a port. */
   public void choose(SourceId port, SourceId peer) {
     connections.put(port, peer);

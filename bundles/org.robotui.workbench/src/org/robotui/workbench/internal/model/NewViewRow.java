@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.api.host.CompositionState;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.RuicFit;
@@ -30,16 +31,17 @@ import org.robotui.ui.Health;
 public record NewViewRow(String key, String view, Optional<SourceId> port, boolean chosen, String label, String hint, Health health, String state,
     String why, List<SourceId> candidates) {
 
-  /** Rows: the views of the type of RUIC that fit, then others that fit, then what does not. */
-  public static List<NewViewRow> of(CompositionState state, RuicFit ruic, List<String> chosen, Map<SourceId, SourceId> connections) {
+  /** Rows: the views of the type of RUIC that fit, then others that fit, then what does not; {@code decided} are ports that the user has chosen. */
+  public static List<NewViewRow> of(CompositionState state, RuicFit ruic, List<String> chosen, Map<SourceId, SourceId> connections,
+      Set<SourceId> decided) {
     List<NewViewRow> rows = new ArrayList<>();
     state.views().stream()
         .sorted(Comparator.comparing((ViewFit v) -> !v.fits()).thenComparing(v -> !ruic.views().contains(v.type())).thenComparing(v -> place(ruic, v)))
         .forEach(view -> {
           boolean taken = chosen.contains(view.type());
-          rows.add(of(view, ruic, taken));
+          rows.add(of(view, ruic, taken, decided));
           if (taken) {
-            view.choices().forEach(m -> rows.add(of(view, m, connections)));
+            view.choices().forEach(m -> rows.add(of(view, m, connections, decided.contains(m.port()))));
           }
         });
     return rows;
@@ -50,16 +52,18 @@ public record NewViewRow(String key, String view, Optional<SourceId> port, boole
     return index < 0 ? Integer.MAX_VALUE : index;
   }
 
-  private static NewViewRow of(ViewFit view, RuicFit ruic, boolean chosen) {
+  private static NewViewRow of(ViewFit view, RuicFit ruic, boolean chosen, Set<SourceId> decided) {
     boolean more = view.fits() && !ruic.views().contains(view.type());
-    return new NewViewRow(view.type(), view.type(), Optional.empty(), chosen, view.label(), view.help(), health(view.fit()), word(view.fit()),
+    boolean settled = view.fit() == Fit.AMBIGUOUS && view.choices().stream().map(Match::port).allMatch(decided::contains);
+    Fit fit = settled ? Fit.CONNECTED : view.fit();
+    return new NewViewRow(view.type(), view.type(), Optional.empty(), chosen, view.label(), view.help(), health(fit), word(fit),
         (more ? "not part of " + ruic.label() + "; " : "") + view.reason(), List.of());
   }
 
-  private static NewViewRow of(ViewFit view, Match match, Map<SourceId, SourceId> connections) {
+  private static NewViewRow of(ViewFit view, Match match, Map<SourceId, SourceId> connections, boolean decided) {
     SourceId peer = connections.getOrDefault(match.port(), match.candidates().getFirst());
-    return new NewViewRow(match.port().toString(), view.type(), Optional.of(match.port()), true, match.port().port(), match.typeName(), Health.WARNING,
-        "choose", peer.port() + " is taken; " + match.candidates().size() + " fit: press to choose another", match.candidates());
+    return new NewViewRow(match.port().toString(), view.type(), Optional.of(match.port()), true, match.port().port(), match.typeName(),
+        decided ? Health.OK : Health.WARNING, decided ? "chosen" : "choose", peer.port() + " is taken; " + match.candidates().size() + " fit: press to choose another", match.candidates());
   }
 
   private static Health health(Fit fit) {

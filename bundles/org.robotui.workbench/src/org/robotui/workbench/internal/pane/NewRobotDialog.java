@@ -162,11 +162,24 @@ public final class NewRobotDialog {
 
   private void say(Optional<CompositionState> state) {
     switch (page) {
-      case 0 -> state.ifPresentOrElse(s -> notice.show(health(s), s.sentence()),
-          () -> notice.show(Health.NONE, robot.isFine() ? "Say where the robot is, and press Connect." : "Something in the settings is wrong."));
+      case 0 -> state.ifPresentOrElse(s -> notice.show(health(s), robot.sentence(s)), this::sayWhatToType);
       case 1 -> state.ifPresent(s -> notice.show(model.views(s).isEmpty() ? Health.WARNING : Health.NONE, views.summary(s)));
-      default -> notice.show(text.filter(CompositionText.Refused.class::isInstance).isPresent() ? Health.BAD : Health.OK, sentence());
+      default -> notice.show(health(), sentence());
     }
+  }
+
+  private void sayWhatToType() {
+    if (robot.isFine()) {
+      notice.show(Health.NONE, "Say where the robot is, and press Connect.");
+    } else {
+      notice.show(Health.BAD, "Correct what is marked in the settings.");
+    }
+  }
+
+  /** That nothing was typed yet is no mistake. */
+  private Health health() {
+    boolean refused = text.filter(CompositionText.Refused.class::isInstance).isPresent();
+    return !refused ? Health.OK : model.name().isBlank() ? Health.NONE : Health.BAD;
   }
 
   private String sentence() {

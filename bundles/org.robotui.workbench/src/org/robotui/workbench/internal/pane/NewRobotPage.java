@@ -108,12 +108,30 @@ final class NewRobotPage extends Composite {
       message(Health.NONE, "Not connected yet", "What the robot offers is shown here.");
     } else if (state.get().ports().isEmpty()) {
       Health health = trying ? Health.WAITING : state.get().stage() == Stage.FOUND ? Health.WARNING : Health.BAD;
-      message(health, trying ? "Connecting" : state.get().stage() == Stage.FOUND ? "Nothing there" : "Not reached", LinkLook.text(state.get().link()));
+      message(health, title(state.get().stage()), state.get().stage() == Stage.FAILED ? state.get().sentence() : LinkLook.text(state.get().link()));
     } else if (!state.get().ports().equals(shown)) {
       shown = state.get().ports();
       ports.list().noMessage();
       ports.show(shown);
     }
+  }
+
+  /** What is so, in a line: the reason is not said twice where it fills the page. */
+  String sentence(CompositionState state) {
+    return switch (state.stage()) {
+      case UNREACHED -> "Not reached. Correct the settings or start the robot's software, and connect again.";
+      case FAILED -> state.ports().isEmpty() ? "Correct the settings, and connect again." : state.sentence();
+      case CONNECTING, LOOKING, FOUND, KNOWN -> state.sentence();
+    };
+  }
+
+  private static String title(Stage stage) {
+    return switch (stage) {
+      case CONNECTING, LOOKING -> "Connecting";
+      case FOUND -> "Nothing there";
+      case KNOWN, UNREACHED -> "Not reached";
+      case FAILED -> "Cannot be started";
+    };
   }
 
   private void message(Health health, String title, String sentence) {

@@ -78,7 +78,8 @@ final class NewViewsPage extends Composite {
     Optional<RuicFit> chosen = model.ruic(state);
     ruic.show(chosen.map(RuicFit::label).orElse("none is installed"));
     reason.show(Role.DIM, chosen.map(RuicFit::reason).orElse(""), chosen.map(RuicFit::help).orElse(""));
-    List<NewViewRow> next = chosen.map(r -> NewViewRow.of(state, r, model.views(state), model.connections(state))).orElse(List.of());
+    List<NewViewRow> next = chosen.map(r -> NewViewRow.of(state, r, model.views(state), model.connections(state),
+        model.decided())).orElse(List.of());
     if (!next.equals(rows)) {
       rows = next;
       table.show(rows);
@@ -88,7 +89,8 @@ final class NewViewsPage extends Composite {
   /** What is chosen, in a sentence. */
   String summary(CompositionState state) {
     List<String> views = model.views(state);
-    long choices = views.stream().flatMap(v -> state.view(v).stream()).flatMap(v -> v.choices().stream()).count();
+    long choices = views.stream().flatMap(v -> state.view(v).stream()).flatMap(v -> v.choices().stream())
+        .filter(m -> !model.decided().contains(m.port())).count();
     String chosen = views.isEmpty() ? "Choose at least one view." : views.size() + (views.size() == 1 ? " view." : " views.");
     return choices == 0 ? chosen : chosen + " " + choices + (choices == 1 ? " port has" : " ports have") + " several that fit: the plainest was taken.";
   }

@@ -29,6 +29,7 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 import org.robotui.testkit.host.FakeHost;
+import org.robotui.ui.Health;
 
 class NewRobotModelTest {
   private static final SourceId IMAGE = new SourceId("camera", "image");
@@ -124,10 +125,23 @@ class NewRobotModelTest {
 
   @Test
   void rowsShowWhatIsChosenFirstAndPortsBelowTheirViews() {
-    List<NewViewRow> rows = NewViewRow.of(FOUND, model.ruic(FOUND).orElseThrow(), model.views(FOUND), model.connections(FOUND));
+    List<NewViewRow> rows = rows();
     assertEquals(List.of("camera", "camera.image", "map", "plot", "gps"), rows.stream().map(NewViewRow::key).toList());
     assertEquals(List.of("ambiguous", "choose", "connected", "connected", "does not fit"), rows.stream().map(NewViewRow::state).toList());
     assertTrue(rows.get(1).why().startsWith("raw is taken; 2 fit"), rows.get(1)::why);
     assertTrue(rows.get(3).why().startsWith("not part of Rover"), rows.get(3)::why);
+  }
+
+  @Test
+  void whatTheUserHasChosenIsNoLongerAmbiguous() {
+    model.choose(IMAGE, FRONT);
+    List<NewViewRow> rows = rows();
+    assertEquals(List.of("connected", "chosen"), rows.stream().map(NewViewRow::state).limit(2).toList());
+    assertEquals(List.of(Health.OK, Health.OK), rows.stream().map(NewViewRow::health).limit(2).toList());
+    assertTrue(rows.get(1).why().startsWith("front/raw is taken"), rows.get(1)::why);
+  }
+
+  private List<NewViewRow> rows() {
+    return NewViewRow.of(FOUND, model.ruic(FOUND).orElseThrow(), model.views(FOUND), model.connections(FOUND), model.decided());
   }
 }
