@@ -133,15 +133,16 @@ public final class StateView {
    */
   public void banner(GC gc, Rectangle area, Health health, String words) {
     gc.setFont(theme.font(Face.SMALL));
-    Point size = gc.textExtent(words);
     int lead = HealthDot.SIZE + 3 * Theme.STEP;
+    String fitting = TextFit.shorten(gc, words, area.width - lead - 2 * Theme.STEP - 2 * Theme.EDGE);
+    Point size = gc.textExtent(fitting);
     int width = size.x + lead + 2 * Theme.STEP;
     int left = area.x + (area.width - width) / 2;
     int top = area.y + Theme.EDGE;
     pill(gc, new Rectangle(left, top, width, BANNER_HEIGHT));
     HealthDot.paint(gc, theme, health, left + Theme.EDGE, top + BANNER_HEIGHT / 2);
     gc.setForeground(theme.color(health.role()));
-    gc.drawText(words, left + lead + Theme.STEP / 2, top + (BANNER_HEIGHT - size.y) / 2, true);
+    gc.drawText(fitting, left + lead + Theme.STEP / 2, top + (BANNER_HEIGHT - size.y) / 2, true);
   }
 
   /**

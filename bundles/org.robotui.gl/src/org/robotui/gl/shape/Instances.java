@@ -3,6 +3,9 @@ package org.robotui.gl.shape;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Optional;
+import org.robotui.geometry.Quaternion;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
 
 /**
  * One mesh many times: arrows of poses, cubes and spheres of marker lists.
@@ -35,7 +38,7 @@ public record Instances(TriangleMesh mesh, FloatBuffer placings, Optional<ByteBu
   }
 
   /**
-   * A mesh many times, with its bounds computed: a ball around the mesh at each place, scaled by the greatest scale.
+   * A mesh many times, with its bounds computed: a box around the mesh at each place. What is placed at no number counts for nothing.
    *
    * @param mesh what is repeated
    * @param placings where
@@ -47,18 +50,25 @@ public record Instances(TriangleMesh mesh, FloatBuffer placings, Optional<ByteBu
   }
 
   private static Optional<Box3> around(Box3 mesh, FloatBuffer placings) {
-    float[] centers = new float[placings.remaining() / PLACING * 3];
-    double greatest = 0;
-    for (int i = 0; i < centers.length / 3; i++) {
-      int from = placings.position() + i * PLACING;
-      for (int axis = 0; axis < 3; axis++) {
-        centers[3 * i + axis] = placings.get(from + axis);
-        double scale = Math.abs(placings.get(from + 7 + axis));
-        greatest = Double.isFinite(scale) ? Math.max(greatest, scale) : greatest;
+    Optional<Box3> all = Optional.empty();
+    for (int from = placings.position(); from < placings.limit(); from += PLACING) {
+      Vector3 scale = vector(placings, from + 7);
+      Quaternion turn = new Quaternion(placings.get(from + 3), placings.get(from + 4), placings.get(from + 5), placings.get(from + 6));
+      RigidTransform at = new RigidTransform(vector(placings, from), turn);
+      Box3 box = new Box3(scaled(mesh.low(), scale), scaled(mesh.high(), scale)).in(at);
+      if (box.low().isFinite() && box.high().isFinite()) {
+        all = Optional.of(all.map(box::union).orElse(box));
       }
     }
-    double reach = (mesh.center().norm() + mesh.radius()) * greatest;
-    return Box3.around(FloatBuffer.wrap(centers)).map(box -> box.grown(reach));
+    return all;
+  }
+
+  private static Vector3 vector(FloatBuffer numbers, int from) {
+    return new Vector3(numbers.get(from), numbers.get(from + 1), numbers.get(from + 2));
+  }
+
+  private static Vector3 scaled(Vector3 place, Vector3 scale) {
+    return new Vector3(place.x() * scale.x(), place.y() * scale.y(), place.z() * scale.z());
   }
 
   @Override

@@ -55,12 +55,17 @@ class ShapeTest {
   }
 
   @Test
-  void instancesReachAsFarAsTheGreatestScale() {
+  void instancesLieWhereEachIsPlacedTurnedAndScaled() {
     TriangleMesh mesh = TriangleMesh.of(FloatBuffer.wrap(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}), Optional.empty(),
         IntBuffer.wrap(new int[] {0, 1, 2}));
-    FloatBuffer placing = FloatBuffer.wrap(new float[] {5, 0, 0, 0, 0, 0, 1, 3, 3, 3});
-    Box3 bounds = Instances.of(mesh, placing, Optional.empty()).bounds().orElseThrow();
-    assertEquals(true, bounds.high().x() >= 8, bounds.toString());
+    float half = (float) Math.sqrt(0.5);
+    FloatBuffer placings = FloatBuffer.wrap(new float[] {
+        5, 0, 0, 0, 0, 0, 1, 3, 1, 1,
+        0, 2, 0, 0, 0, half, half, 4, 1, 1,
+        Float.NaN, 0, 0, 0, 0, 0, 1, 90, 90, 90});
+    Box3 bounds = Instances.of(mesh, placings, Optional.empty()).bounds().orElseThrow();
+    assertEquals(0, bounds.low().minus(new Vector3(-1, 0, 0)).norm(), 1e-5, bounds.toString());
+    assertEquals(0, bounds.high().minus(new Vector3(8, 6, 0)).norm(), 1e-5, bounds.toString());
   }
 
   @Test

@@ -6,7 +6,8 @@ import org.robotui.gl.shape.Ray;
 /** How hands move a camera. Distances on the screen are in points. */
 public final class Moves {
   private static final double RADIANS_PER_POINT = 0.006;
-  private static final double STEP = 0.15;
+  /** A key that is held down repeats some 30 times a second: so about half of what is seen in front of the eye passes in one. */
+  private static final double STEP = 0.02;
 
   private Moves() {}
 

@@ -36,7 +36,7 @@ public final class Automatic {
     List<SourceId> fitting = SourceChoice.fitting(kind.accepts().getFirst(), offered);
     List<DisplaySpec> specs = new ArrayList<>();
     for (SourceId source : fitting.stream().limit(MOST_LISTED).toList()) {
-      String name = fitting.size() == 1 ? "" : kind.label() + ' ' + SourceName.of(source);
+      String name = fitting.size() == 1 ? "" : SourceName.among(source, fitting) + " · " + kind.label();
       DisplaySpec spec = DisplaySpec.of(DisplayCodec.free(kind.id() + ':' + SourceName.of(source), taken), kind.id());
       specs.add(spec.named(name).from(List.of(SourceName.of(source))).show(specs.size() < MOST_SHOWN));
     }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.Pick;
 import org.robotui.gl.render.RenderRequest.Selected;
+import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Properties;
 
 /** What is selected, and what the pointer is over. Safe for all threads. */
@@ -15,14 +16,18 @@ public final class Picks {
 
   /** What a pick says; the words of a display that fails are left out. */
   public static Selection of(Pick pick) {
-    return new Selection(pick.display().toString(), pick.part(), pick.place(), words(pick));
+    return selected(pick.display().toString(), pick.part(), pick.element(), pick.place());
   }
 
-  private static Properties words(Pick pick) {
+  private static Selection selected(String display, Part part, int element, Vector3 place) {
+    return new Selection(display, part, element, place, words(display, part, element, place));
+  }
+
+  private static Properties words(String display, Part part, int element, Vector3 place) {
     try {
-      return pick.part().describer().describe(pick.element(), pick.place());
+      return part.describer().describe(element, place);
     } catch (RuntimeException e) {
-      return Properties.of(pick.display().toString(), new Properties.Entry("description", "failed: " + e));
+      return Properties.of(display, new Properties.Entry("description", "failed: " + e));
     }
   }
 
@@ -46,12 +51,12 @@ public final class Picks {
     return hover;
   }
 
-  /** Forgets what is no more; true where something went. */
+  /** Forgets what is no more, and goes along with what has moved; true where something else is to be said of the selection then. */
   public synchronized boolean keep(Stage stage) {
     Optional<Selection> before = selection;
-    selection = selection.filter(s -> there(s, stage));
-    hover = hover.filter(s -> there(s, stage));
-    return !before.equals(selection);
+    selection = selection.flatMap(s -> now(s, stage));
+    hover = hover.flatMap(s -> now(s, stage));
+    return !before.map(Selection::said).equals(selection.map(Selection::said));
   }
 
   /** For the renderer: what is selected, else what would be. */
@@ -67,7 +72,17 @@ public final class Picks {
     return selection.map(Selection::place);
   }
 
-  private static boolean there(Selection s, Stage stage) {
-    return stage.parts().getOrDefault(s.display(), List.of()).stream().anyMatch(p -> p.key().equals(s.part().key()));
+  private static Optional<Selection> now(Selection s, Stage stage) {
+    return stage.parts().getOrDefault(s.display(), List.of()).stream().filter(p -> p.key().equals(s.part().key())).findFirst()
+        .map(part -> moved(s, part));
+  }
+
+  /** Of another shape nobody knows which element was meant: that of a cloud is another point. */
+  private static Selection moved(Selection s, Part part) {
+    if (part == s.part() || part.shape() != s.part().shape()) {
+      return s;
+    }
+    Vector3 place = part.fixedFromShape().apply(s.part().fixedFromShape().inverse().apply(s.place()));
+    return selected(s.display(), part, s.element(), place);
   }
 }

@@ -1,5 +1,6 @@
 package org.robotui.uic.scene3d.internal.model;
 
+import java.util.List;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.RenderRequest.Selected;
 import org.robotui.gl.shape.Part;
@@ -10,13 +11,19 @@ import org.robotui.gl.shape.Properties;
  *
  * @param display its id
  * @param part the part
- * @param place where it was hit
+ * @param element which of its elements
+ * @param place where it was hit, and has moved to with it since; metres in the fixed frame
  * @param properties what is known of it
  */
-public record Selection(String display, Part part, Vector3 place, Properties properties) {
+public record Selection(String display, Part part, int element, Vector3 place, Properties properties) {
   /** For the renderer. */
   public Selected selected() {
     return new Selected(display, part.key());
+  }
+
+  /** What users are told: two that differ in it are painted differently. */
+  Object said() {
+    return List.of(place, properties);
   }
 
   /** Whether both are the same part. */

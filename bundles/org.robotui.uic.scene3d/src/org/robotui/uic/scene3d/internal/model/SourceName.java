@@ -1,5 +1,6 @@
 package org.robotui.uic.scene3d.internal.model;
 
+import java.util.List;
 import org.robotui.api.port.SourceId;
 
 /** How sources are written: {@code base/scan} for the topic {@code /scan} of the robot interface {@code base}. */
@@ -9,6 +10,20 @@ public final class SourceName {
   /** The name of a source. */
   public static String of(SourceId source) {
     return source.component() + '/' + bare(source.port());
+  }
+
+  /** A short name among others: without the folders that all of them begin with, as lists have no room for what tells nothing. */
+  static String among(SourceId source, List<SourceId> all) {
+    String name = of(source);
+    int from = 0;
+    for (int slash = name.indexOf('/'); slash >= 0; slash = name.indexOf('/', from)) {
+      String folders = name.substring(0, slash + 1);
+      if (!all.stream().allMatch(other -> of(other).startsWith(folders))) {
+        break;
+      }
+      from = slash + 1;
+    }
+    return name.substring(from);
   }
 
   /** Whether a name means a source: with or without the robot interface. */

@@ -1,7 +1,9 @@
 package org.robotui.uic.scene3d.internal.view;
 
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.eclipse.swt.SWT;
+import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Button;
@@ -19,7 +21,7 @@ final class NameDialog {
   private final Shell shell;
   private Optional<String> answer = Optional.empty();
 
-  private NameDialog(Control over, String title, String before) {
+  private NameDialog(Control over, String title, String before, Predicate<String> fits) {
     shell = new Shell(over.getShell(), SWT.DIALOG_TRIM | SWT.APPLICATION_MODAL);
     shell.setText(title);
     GridLayout layout = new GridLayout(1, false);
@@ -33,13 +35,26 @@ final class NameDialog {
     text.setLayoutData(wide);
     text.setText(before);
     text.selectAll();
-    buttons(text);
+    buttons(text, fits);
     shell.pack();
+    shell.setLocation(middle(over));
+  }
+
+  /** Over the middle of what it asks for: where window managers put it otherwise, nobody looks. */
+  private Point middle(Control over) {
+    Point size = over.getSize();
+    Point own = shell.getSize();
+    return over.toDisplay((size.x - own.x) / 2, (size.y - own.y) / 2);
   }
 
   /** Asks; none where nothing was written or it was cancelled. */
   static Optional<String> ask(Control over, String title, String before) {
-    NameDialog dialog = new NameDialog(over, title, before);
+    return ask(over, title, before, words -> !words.isBlank());
+  }
+
+  /** Asks for what fits, else there is no OK; none where it was cancelled. */
+  static Optional<String> ask(Control over, String title, String before, Predicate<String> fits) {
+    NameDialog dialog = new NameDialog(over, title, before, fits);
     dialog.shell.open();
     while (!dialog.shell.isDisposed()) {
       if (!dialog.shell.getDisplay().readAndDispatch()) {
@@ -49,7 +64,7 @@ final class NameDialog {
     return dialog.answer.map(String::strip).filter(a -> !a.isEmpty());
   }
 
-  private void buttons(Text text) {
+  private void buttons(Text text, Predicate<String> fits) {
     Composite bar = new Composite(shell, SWT.NONE);
     bar.setLayoutData(new GridData(SWT.END, SWT.CENTER, true, false));
     bar.setLayout(new GridLayout(2, true));
@@ -60,6 +75,8 @@ final class NameDialog {
       answer = Optional.of(text.getText());
       shell.close();
     });
+    ok.setEnabled(fits.test(text.getText()));
+    text.addListener(SWT.Modify, e -> ok.setEnabled(fits.test(text.getText())));
     shell.setDefaultButton(ok);
   }
 

@@ -76,7 +76,7 @@ final class SceneMenus {
     size(menu, shot, (int) (size.x * scale), (int) (size.y * scale), "As seen");
     size(menu, shot, 1920, 1080, "Full HD");
     size(menu, shot, 3840, 2160, "4K");
-    menu.push("Other size\u2026", () -> SizeDialog.ask(control, size.x, size.y).ifPresent(s -> shot.save(s.x, s.y)));
+    menu.push("Other size\u2026", () -> SizeDialog.ask(scene.canvas(), size.x, size.y).ifPresent(s -> shot.save(s.x, s.y)));
     menu.open();
   }
 

@@ -110,7 +110,7 @@ class SceneModelTest {
     offer(POSE, OTHER);
     start();
     model.tick(0);
-    assertEquals(List.of("Fake grid", "Fake pose base/pose", "Fake pose base/other"), model.stage().rows().stream().map(DisplayRow::name).toList());
+    assertEquals(List.of("Fake grid", "pose · Fake pose", "other · Fake pose"), model.stage().rows().stream().map(DisplayRow::name).toList());
     put(OTHER);
     model.tick(1);
     assertTrue(model.stage().parts().containsKey(row(2).spec().id()));
