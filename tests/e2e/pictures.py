@@ -10,25 +10,31 @@ import time
 
 from conftest import ROOT, Processes, start_simulator, wait_for
 from desktop import LIGHT, Keys, Motion, Window, missing
-from views import Views
+from views import MANIPULATOR, Views
 
 IMAGES = ROOT / "docs" / "images"
 MOST_BYTES = 250_000
 WIDTH = 1500
 # Of each picture the configuration, and colours of what must be seen in it.
 CONFIGURED = {"scene-two-frameworks-dark.png": ("two-frameworks", [0x3ecf8e, 0xf5b83d])}
-# Made together, as the robot drives meanwhile.
-DEMO = {"workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
+# The same of robots under control in real time: also what is cut out of the window, none for all of it.
+CONTROLLED = {"scene-arm-dark.png": ("arm", "records"), "humanoid-dark.png": ("humanoid", None)}
+SECONDS_OF_HOMING = 1.5                         # the motion takes some more
+# Made together, as the robot drives meanwhile; the first ones are one view each.
+OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
+DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
+KNOWN = {*CONFIGURED, *CONTROLLED, *DEMO}
 # Across the building, so that it drives for a while.
 GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
 BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
 
 
-def save(window, name):
-    """Small enough for a repository: fewer pixels, and no more colours than can be told apart here."""
+def save(window, name, part=None):
+    """Small enough for a repository: fewer pixels, and no more colours than can be told apart here. A part is a rectangle of the window."""
     raw = window.process.out.parent / name
     subprocess.run(["import", "-silent", "-window", window.id, raw], check=True, timeout=30)
-    subprocess.run(["convert", raw, "-resize", str(WIDTH), "-dither", "None", "-colors", "255", "-strip", "-define", "png:compression-level=9",
+    left, top, right, bottom = part or (0, 0, window.picture().width, window.picture().height)
+    subprocess.run(["convert", raw, "-crop", f"{right - left}x{bottom - top}+{left}+{top}", "+repage", "-resize", f"{WIDTH}>", "-dither", "None", "-colors", "255", "-strip", "-define", "png:compression-level=9",
                     f"png8:{IMAGES / name}"], check=True, timeout=60)
     size = (IMAGES / name).stat().st_size
     assert size < MOST_BYTES, f"{name} has {size} bytes"
@@ -46,9 +52,30 @@ def on_its_way(robot, goal, seconds):
     time.sleep(seconds)                         # what the trail and the plot show
 
 
+def with_title(views, stack):
+    """A view with the line of titles above it."""
+    left, top, _, _ = views.lines[stack]
+    return left, top, *views.body(stack)[2:]
+
+
+def of_views(window, views):
+    for name, view in OF_VIEWS.items():
+        left, top, right, bottom = views.open(view)
+        window.move(((left + right) // 2, (top + bottom) // 2))
+        time.sleep(10)                          # a cloud and the rates; where all is seen at first
+        if view == "scene3d":
+            window.click((right - 40, bottom - 60))
+            for key in ("Escape", "plus", "plus"):
+                Keys.press(key)
+            time.sleep(2)
+        save(window, name, with_title(views, "main"))
+    views.open("map")
+
+
 def dark(robot, configuration):
     window = Window.open(robot, configuration, "--theme", "dark", name="dark")
     views = Views(window)
+    of_views(window, views)
     on_its_way(robot, GOAL, 11)
     save(window, "workbench-dark.png")
     body = views.open("topics")
@@ -82,12 +109,27 @@ def configured(processes, environment, wanted):
             window.close()
 
 
+def controlled(processes, environment, wanted):
+    """Those of real-time controls, which are started by their configurations, at home or on their way there."""
+    for name, (configuration, stack) in CONTROLLED.items():
+        if name in wanted:
+            window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", configuration], name, environment))
+            views = Views(window, MANIPULATOR)
+            wait_for(window.is_live, seconds=60, what=f"the {configuration}")
+            time.sleep(8)                       # the rates of its ports, and a scene that shows all
+            subprocess.run([ROOT / "robotui", "rt-ctl", "switch", "Homing", "1"], env=environment, check=True, timeout=60)
+            time.sleep(SECONDS_OF_HOMING)
+            save(window, name, with_title(views, stack) if stack else None)
+            window.close()
+            window.process.wait(60)
+
+
 def main():
     if missing():
         sys.exit(f"pictures need {missing()}")
-    wanted = set(sys.argv[1:]) or {*CONFIGURED, *DEMO}
-    if wanted - {*CONFIGURED, *DEMO}:
-        sys.exit(f"known are {', '.join(sorted({*CONFIGURED, *DEMO}))}")
+    wanted = set(sys.argv[1:]) or KNOWN
+    if wanted - KNOWN:
+        sys.exit(f"known are {', '.join(sorted(KNOWN))}")
     with tempfile.TemporaryDirectory() as folder:
         processes = Processes(pathlib.Path(folder))
         environment = dict(os.environ) | {"ROS_HOME": f"{folder}/ros", "XDG_STATE_HOME": f"{folder}/state", "PYTHONUNBUFFERED": "1"}
@@ -95,6 +137,7 @@ def main():
         configuration.write_text((ROOT / "configs" / "demo.yaml").read_text().replace("simulator: mobile-base\n", ""))
         try:
             configured(processes, environment, wanted)
+            controlled(processes, environment, wanted)
             if wanted & DEMO:
                 robot = start_simulator(processes, environment, 0, "simulator")
                 dark(robot, configuration)
