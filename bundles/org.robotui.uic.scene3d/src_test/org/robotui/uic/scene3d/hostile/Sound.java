@@ -56,7 +56,7 @@ final class Sound {
   private Sound() {}
 
   static List<Data> all() {
-    List<Data> all = new ArrayList<>(List.of(cloud(), markers(), interactive(),
+    List<Data> all = new ArrayList<>(List.<Data>of(cloud(), markers(), interactive(),
         new LaserScan(MAP, -1, 0.5, 0.1, 10, 0.1, Floats.of(1, 2, 3, 4, 5), Floats.of(9, 8, 7, 6, 5)),
         new GridMap(MAP, 0.05, 8, 4, POSE, Bytes.of(new byte[32])),
         new Odometry(MAP, MAP, POSE, COVARIANCE, new Vector3(1, 0, 0), Vector3.ZERO, COVARIANCE),
@@ -67,7 +67,7 @@ final class Sound {
         new RawImage(MAP, 8, 6, PixelEncoding.RGB8, false, 24, Bytes.of(new byte[144])),
         new CameraInfo(MAP, 8, 6, "plumb_bob", Doubles.EMPTY, Doubles.of(8, 0, 4, 0, 8, 3, 0, 0, 1), Doubles.of(1, 0, 0, 0, 1, 0, 0, 0, 1),
             Doubles.of(8, 0, 4, 0, 0, 8, 3, 0, 0, 0, 1, 0))));
-    all.addAll(List.of(new RobotDescription(FakePlaces.ROBOT, "robot_description", URDF, "", List.of()),
+    all.addAll(List.<Data>of(new RobotDescription(FakePlaces.ROBOT, "robot_description", URDF, "", List.of()),
         new JointState(List.of(new JointState.Joint("lift", 0.5, 0, 0))), trajectory(),
         new DisplayedTrajectory("arm", List.of(new JointState.Joint("lift", 0.1, 0, 0)), List.of(trajectory()))));
     return all;

@@ -87,11 +87,9 @@ final class CommandTopic implements AutoCloseable {
     }
 
     void stop() {
-      driven.map(Motion::stopped).ifPresent(zero -> {
-        publish(command.message().of(command.data().cast(zero), clock.nowNanos()), true);
-        publisher.awaitSent(STOP);
-      });
+      driven.map(Motion::stopped).ifPresent(zero -> publish(command.message().of(command.data().cast(zero), clock.nowNanos()), true));
       driven = Optional.empty();
+      publisher.awaitSent(STOP); // core may have sent a stop a moment ago: closing would drop it
     }
 
     private Sent publish(M message, boolean stops) {
