@@ -18,6 +18,7 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Icons;
 import org.robotui.ui.Role;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
 /**
@@ -167,13 +168,14 @@ public final class QuietButton extends Canvas {
     gc.setAntialias(SWT.ON);
     paintGround(gc, area);
     gc.setForeground(ink());
-    int x = (area.width - contentWidth()) / 2;
+    int x = Math.max(Theme.STEP, (area.width - contentWidth()) / 2);
     if (icon.isPresent()) {
       Icons.paint(gc, icon.get(), x, (area.height - Icons.SIZE) / 2, Icons.SIZE);
       x += Icons.SIZE + 2 * Theme.STEP;
     }
     gc.setFont(getFont());
-    gc.drawText(text, x, (area.height - gc.textExtent(text).y) / 2, true);
+    String fitting = contentWidth() > area.width ? TextFit.shorten(gc, text, area.width - x - Theme.STEP) : text;
+    gc.drawText(fitting, x, (area.height - gc.textExtent(text).y) / 2, true);
     if (isFocusControl()) {
       gc.setForeground(theme.color(Role.ACCENT));
       gc.setLineWidth(1);

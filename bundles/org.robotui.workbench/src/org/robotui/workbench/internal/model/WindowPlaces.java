@@ -7,7 +7,7 @@ import org.eclipse.swt.graphics.Rectangle;
 /** Where windows lie on a screen: side by side where each has room enough, else overlapping, each with its title in sight. */
 public final class WindowPlaces {
   /** Below this the bar at the top of a window would have to be cut, in points. */
-  static final int LEAST_WIDTH = 880;
+  public static final int LEAST_WIDTH = 880;
   private static final int USUAL_WIDTH = 1600;
   private static final int USUAL_HEIGHT = 980;
   /** From one window of a cascade to the next. */

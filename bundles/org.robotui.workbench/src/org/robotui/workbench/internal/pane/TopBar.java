@@ -46,6 +46,7 @@ public final class TopBar extends Composite {
   private static final int HEIGHT = 44;
   private static final int BUTTON_HEIGHT = 30;
   private static final int SEARCH_WIDTH = 300;
+  private static final int LEAST_SEARCH_WIDTH = 40;
   private static final int LEASE_WIDTH = 190;
   private static final int STOP_WIDTH = 128;
 
@@ -53,6 +54,7 @@ public final class TopBar extends Composite {
   private final LeaseLamp lease;
   private final QuietButton release;
   private final QuietButton stop;
+  private final GridData search;
 
   /** Makes the bar. */
   public TopBar(Composite parent, Theme theme, List<MenuTitle> menus, Actions actions) {
@@ -67,7 +69,7 @@ public final class TopBar extends Composite {
     product();
     menus.forEach(m -> menu(m, actions));
     spring();
-    search(actions);
+    search = search(actions);
     spring();
     release = place(new QuietButton(this, theme, actions::release), SWT.DEFAULT).text("Release stop")
         .hint("Release the stop of all robots; nothing moves by that");
@@ -76,6 +78,7 @@ public final class TopBar extends Composite {
     stop = place(new QuietButton(this, theme, actions::stop), STOP_WIDTH).text("STOP  (F12)").fill(Role.BAD)
         .hint("Stop all robots and keep them stopped until released (F12, or space in a view)");
     ((GridData) stop.getLayoutData()).horizontalIndent = 2 * Theme.STEP;
+    addListener(SWT.Resize, e -> fit());
     // Line at the lower edge.
     addPaintListener(e -> {
       e.gc.setForeground(theme.color(Role.LINE));
@@ -108,13 +111,20 @@ public final class TopBar extends Composite {
     button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, true));
   }
 
-  private void search(Actions actions) {
+  /** In a narrow window the search gives way: the stop is always seen. */
+  private void fit() {
+    int others = super.computeSize(SWT.DEFAULT, SWT.DEFAULT, true).x - search.widthHint;
+    search.widthHint = Math.clamp(getClientArea().width - others, LEAST_SEARCH_WIDTH, SEARCH_WIDTH);
+    layout();
+  }
+
+  private GridData search(Actions actions) {
     SearchField field = new SearchField(this, theme, actions::search);
     GridData data = new GridData(SWT.CENTER, SWT.CENTER, false, true);
     data.widthHint = SEARCH_WIDTH;
     data.heightHint = BUTTON_HEIGHT;
-    data.minimumWidth = 0;
     field.setLayoutData(data);
+    return data;
   }
 
   private void spring() {

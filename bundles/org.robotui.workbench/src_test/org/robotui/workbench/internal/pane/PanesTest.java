@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,6 +33,7 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.display.StopKeys;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
+import org.robotui.workbench.internal.model.WindowPlaces;
 
 @EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class PanesTest {
@@ -212,6 +214,22 @@ class PanesTest {
     assertEquals(before, lamp.getLocation().x);
     press(bar, "Release the stop of all robots; nothing moves by that");
     assertEquals(List.of("release"), actions.calls);
+  }
+
+  @Test
+  void theStopIsSeenWholeInNarrowWindowsToo() {
+    TopBar bar = new TopBar(shell, theme, Menus.ALL, actions);
+    for (int width : new int[] {1600, WindowPlaces.LEAST_WIDTH, 954, 1200, WindowPlaces.LEAST_WIDTH}) {
+      bar.setSize(width, 44);
+      QuietButton stop = button(bar, "Stop all robots");
+      assertTrue(stop.getLocation().x + stop.getSize().x <= width, () -> width + " pixels: " + stop.getBounds());
+      assertTrue(stop.getSize().x > 100);
+    }
+  }
+
+  private static QuietButton button(Composite parent, String hint) {
+    return Arrays.stream(parent.getChildren()).filter(QuietButton.class::isInstance).map(QuietButton.class::cast)
+        .filter(b -> String.valueOf(b.getToolTipText()).startsWith(hint)).findFirst().orElseThrow();
   }
 
   @Test
