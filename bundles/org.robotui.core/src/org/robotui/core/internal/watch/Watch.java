@@ -8,10 +8,17 @@ import org.robotui.core.internal.time.NanoClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The thread that looks for what hangs, ten times a second. It only looks: what it calls must not block. */
+/**
+ * The thread that looks for what hangs, ten times a second. It only looks: what it calls must not block. Where it could not look itself for a while, as
+ * the process was stopped or the machine slept, nobody else could do anything either: all have some time before it looks again.
+ */
 public final class Watch implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
   private static final long PERIOD_NANOS = 100_000_000L;
+  /** No busy machine keeps it from looking for so long. */
+  private static final long STOPPED_NANOS = 1_000_000_000L;
+  /** As long as a tick may take. */
+  private static final long GRACE_NANOS = 2_000_000_000L;
 
   /** Something that may hang. */
   @FunctionalInterface
@@ -24,10 +31,15 @@ public final class Watch implements AutoCloseable {
   private final List<Watched> watched = new CopyOnWriteArrayList<>();
   private final Thread thread;
   private volatile boolean closed;
+  /** On the thread only, as the next. */
+  private long looked;
+  private long patientUntil;
 
   /** Starts to look. */
   public Watch(NanoClock clock) {
     this.clock = clock;
+    looked = clock.nanos();
+    patientUntil = looked;
     thread = Thread.ofPlatform().daemon().name("robotui-watch").start(this::run);
   }
 
@@ -51,7 +63,11 @@ public final class Watch implements AutoCloseable {
   private void look() {
     try {
       long now = clock.nanos();
-      watched.forEach(w -> check(w, now));
+      patientUntil = now - looked > STOPPED_NANOS ? now + GRACE_NANOS : patientUntil;
+      looked = now;
+      if (now - patientUntil >= 0) {
+        watched.forEach(w -> check(w, now));
+      }
     } catch (RuntimeException | Error e) { // going through the list needs memory as well: what is left is looked at next time
       Thrown.log(LOG, "Looking failed", e);
     }
