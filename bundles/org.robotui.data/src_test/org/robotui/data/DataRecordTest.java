@@ -48,6 +48,16 @@ class DataRecordTest {
   }
 
   @Test
+  void whatIsPressedIsAField() {
+    Bumpers bumpers = new Bumpers(FRAME, List.of(new Bumper(RigidTransform.planar(0.2, 0, 0.5), 0.3, 0.2, false),
+        new Bumper(RigidTransform.IDENTITY, 0.3, 0.2, true)));
+    assertEquals(Optional.of(new FieldValue.Flag(false)), at(bumpers, "bumpers[0].pressed"));
+    assertEquals(Optional.of(new FieldValue.Flag(true)), at(bumpers, "bumpers[1].pressed"));
+    assertEquals(Optional.of(new FieldValue.Num(0.3, "0.3")), at(bumpers, "bumpers[0].length"));
+    assertEquals(1, bumpers.pressed());
+  }
+
+  @Test
   void anAbsentOptionalHasNoValueButItsName() {
     Imu imu = new Imu(FRAME, Optional.empty(), Optional.of(new Vector3(0, 0, 1)), Optional.empty());
     assertEquals(Optional.empty(), at(imu, "orientation.x"));

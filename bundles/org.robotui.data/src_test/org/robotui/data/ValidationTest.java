@@ -31,6 +31,8 @@ class ValidationTest {
     assertRefused("charge", () -> new Battery(12, 1, 1.5, Battery.Status.UNKNOWN));
     assertRefused("latitude", () -> new GpsFix(FRAME, GpsFix.Quality.FIX, 42, 0, 0, 0));
     assertRefused("linear", () -> VelocityCommand.planar(Double.NaN, 0));
+    assertRefused("length", () -> new Bumper(RigidTransform.IDENTITY, Double.POSITIVE_INFINITY, 0, false));
+    assertRefused("radius", () -> new Bumper(RigidTransform.IDENTITY, 0.3, -0.1, false));
     assertRefused("robot", () -> new FrameId(" ", "base_link"));
     assertRefused("robot", () -> new RobotDescription("", "/robot_description", "<robot/>", "", List.of()));
     assertRefused("urdf", () -> new RobotDescription("robby", "/robot_description", " ", "", List.of()));

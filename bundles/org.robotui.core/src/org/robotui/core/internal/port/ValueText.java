@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.robotui.data.Battery;
+import org.robotui.data.Bumpers;
 import org.robotui.data.CameraInfo;
 import org.robotui.data.CompressedImage;
 import org.robotui.data.Data;
@@ -50,6 +51,7 @@ public final class ValueText {
     return switch (value) {
       case LaserScan scan -> scan.ranges().size() + " beams" + nearest(scan);
       case RangeReadings readings -> readings.readings().size() + " ranges" + nearest(readings);
+      case Bumpers bumpers -> bumpers.bumpers().size() + " bumpers, " + (bumpers.pressed() == 0 ? "free" : bumpers.pressed() + " pressed");
       case RawImage image ->
           image.width() + "x" + image.height() + " " + image.encoding().name().toLowerCase(Locale.ROOT);
       case CompressedImage image -> image.format() + ", " + size(image.data().size());

@@ -11,8 +11,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.zip.Deflater;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.link.LinkState;
+import org.robotui.data.Bumpers;
 import org.robotui.data.GridMap;
-import org.robotui.data.MarkerSet;
 import org.robotui.data.Odometry;
 import org.robotui.data.Path;
 import org.robotui.data.PoseArray;
@@ -25,6 +25,7 @@ import org.robotui.player.interfaces.Pose2d;
 import org.robotui.player.interfaces.Pose3d;
 import org.robotui.player.interfaces.Position2d;
 import org.robotui.player.server.ServedDevice;
+import org.robotui.player.server.TypedHandler;
 
 /** Maps, ways, localisation and what the configuration says of frames. */
 class PlayerPlacesTest extends PlayerRficCase {
@@ -172,15 +173,30 @@ class PlayerPlacesTest extends PlayerRficCase {
 
   @Test
   void bumpersAreAroundTheRobot() {
-    ServedDevice bumpers = add("bumper:0", handler("bumper:0").on(Bumper.GET_GEOMETRY, q -> Optional.of(
+    Bumpers told = bumpers(handler("bumper:0").on(Bumper.GET_GEOMETRY, q -> Optional.of(
         new Bumper.Geometry(List.of(new Bumper.Part(new Pose3d(0.2, 0, 0, 0, 0, 0), 0.3f, 0))))));
+    assertEquals("base_link", told.frame().name());
+    assertEquals(0.3, told.bumpers().getFirst().length(), 1e-6);
+    assertTrue(told.bumpers().getFirst().pressed());
+    assertEquals("bumper/state", first("bumper:0").raw().orElseThrow().schema());
+    assertTrue(first("bumper:0").stamp().isPresent());
+  }
+
+  @Test
+  void whichBumpersArePressedIsToldAlsoWhereTheirPlaceIsNot() {
+    Bumpers told = bumpers(handler("bumper:0"));
+    assertEquals(0, told.bumpers().getFirst().length());
+    assertTrue(told.bumpers().getFirst().pressed());
+  }
+
+  private Bumpers bumpers(TypedHandler device) {
+    ServedDevice bumpers = add("bumper:0", device);
     startConnected();
-    want("bumper:0/markers");
+    want("bumper:0");
     await("they come", () -> {
       bumpers.publish(Bumper.STATE, new Bumper.State(new byte[] {1}), STAMP);
-      return !context.published.get("bumper:0/markers").isEmpty();
+      return !context.published.get("bumper:0").isEmpty();
     });
-    assertEquals(1, ((MarkerSet) first("bumper:0/markers").value()).entries().size());
-    assertEquals("bumper/state", first("bumper:0").raw().orElseThrow().schema());
+    return (Bumpers) first("bumper:0").value();
   }
 }

@@ -17,7 +17,9 @@ public enum Kind {
   /** Estimates of poses. */
   POSE("pose", "Estimated pose"),
   /** Bodies of robots. */
-  ROBOT("robot", "Robot");
+  ROBOT("robot", "Robot"),
+  /** Bumpers, on the rim of bodies. */
+  BUMPER("bumper", "Bumpers");
 
   private final String word;
   private final String label;

@@ -5,6 +5,7 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
+import org.robotui.data.Bumpers;
 import org.robotui.data.Footprint;
 import org.robotui.data.GridMap;
 import org.robotui.data.LaserScan;
@@ -22,6 +23,8 @@ public final class MapPorts {
       new StreamPort<>("scan", LaserScan.class, Arity.MANY, "Laser scans.");
   public static final StreamPort<RangeReadings> SONAR =
       new StreamPort<>("sonar", RangeReadings.class, Arity.MANY, "Distances of sonars and infrared sensors.");
+  public static final StreamPort<Bumpers> BUMPER =
+      new StreamPort<>("bumper", Bumpers.class, Arity.MANY, "Bumpers, and which are pressed.");
   public static final StreamPort<Odometry> ODOM =
       new StreamPort<>("odom", Odometry.class, Arity.MANY, "Where robots are and have been.");
   public static final StreamPort<Path> PATH = new StreamPort<>("path", Path.class, Arity.MANY, "Planned ways.");
@@ -40,7 +43,7 @@ public final class MapPorts {
 
   /** All of them. */
   public static final List<Port> ALL =
-      List.of(MAP, SCAN, SONAR, ODOM, PATH, POSE, FOOTPRINT, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
+      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
 
   private MapPorts() {}
 }

@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.port.SourceId;
+import org.robotui.data.Bumper;
+import org.robotui.data.Bumpers;
 import org.robotui.data.Bytes;
 import org.robotui.data.Doubles;
 import org.robotui.data.Floats;
@@ -62,6 +64,7 @@ public final class DemoRoom {
     context.input(MapPorts.MAP).put(source("map"), map(), nanos, Optional.empty());
     context.input(MapPorts.SCAN).put(source("scan"), scan(), nanos, Optional.empty());
     context.input(MapPorts.SONAR).put(source("sonar"), sonars(), nanos, Optional.empty());
+    context.input(MapPorts.BUMPER).put(source("bumper"), bumpers(), nanos, Optional.empty());
     context.input(MapPorts.PATH).put(source("plan"), plan(), nanos, Optional.empty());
     context.input(MapPorts.ODOM).put(source("odom"), odometry(ROBOT_AT), nanos, Optional.empty());
   }
@@ -129,6 +132,16 @@ public final class DemoRoom {
           frame("sonar_" + i), RangeReading.Kind.ULTRASOUND, Math.toRadians(25), 0.1, 2.5, ranges[i]));
     }
     return new RangeReadings(readings);
+  }
+
+  /** Two around the front; that at the right is pressed. */
+  public static Bumpers bumpers() {
+    return new Bumpers(BASE, List.of(bumper(Math.toRadians(45), false), bumper(Math.toRadians(-45), true)));
+  }
+
+  private static Bumper bumper(double bearing, boolean pressed) {
+    double radius = 0.25;
+    return new Bumper(RigidTransform.planar(radius * Math.cos(bearing), radius * Math.sin(bearing), bearing), 1.4 * radius, radius, pressed);
   }
 
   private static double cast(RigidTransform laser, double angle, double limit, int noise) {

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robotui.data.Data;
+import org.robotui.entity.bumper.internal.display.BumperType;
 import org.robotui.entity.gridmap.internal.display.GridMapType;
 import org.robotui.entity.image.internal.display.CameraType;
 import org.robotui.entity.image.internal.display.ImageType;
@@ -46,7 +47,7 @@ import org.robotui.testkit.display.DisplayProbe;
 class HostileDataTest {
   private static final List<DisplayType> TYPES = List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
       new PoseEstimateType(), new StampedPoseType(), new GoalType(), new PathType(), new PoseArrayType(), new MarkersType(), new InteractiveType(),
-      new ImageType(), new CameraType(), new SonarType(), new WrenchType(), new RobotModelType(new ModelShelf()), new TrajectoryType(new ModelShelf()));
+      new ImageType(), new CameraType(), new SonarType(), new BumperType(), new WrenchType(), new RobotModelType(new ModelShelf()), new TrajectoryType(new ModelShelf()));
   private static final int ROUNDS = 250;
   private static final int CHANGES = 4;
   /** A hundred times of what the sound data need, and lists of twenty thousand. */

@@ -5,6 +5,8 @@ import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.robotui.data.Bumper;
+import org.robotui.data.Bumpers;
 import org.robotui.data.Bytes;
 import org.robotui.data.CameraInfo;
 import org.robotui.data.Color;
@@ -63,6 +65,7 @@ final class Sound {
         new PoseEstimate(MAP, POSE, COVARIANCE), new StampedPose(MAP, POSE), new NavigationGoal(MAP, POSE),
         new Path(MAP, List.of(POSE, RigidTransform.IDENTITY, POSE)), new PoseArray(MAP, List.of(POSE, RigidTransform.IDENTITY)),
         new RangeReadings(List.of(new RangeReading(MAP, RangeReading.Kind.ULTRASOUND, 0.5, 0.1, 4, 2))),
+        new Bumpers(MAP, List.of(new Bumper(POSE, 0.3, 0.2, true), new Bumper(RigidTransform.IDENTITY, 0.3, 0, false))),
         new Wrench(MAP, new Vector3(1, 2, 3), new Vector3(0, 0, 1)),
         new RawImage(MAP, 8, 6, PixelEncoding.RGB8, false, 24, Bytes.of(new byte[144])),
         new CameraInfo(MAP, 8, 6, "plumb_bob", Doubles.EMPTY, Doubles.of(8, 0, 4, 0, 8, 3, 0, 0, 1), Doubles.of(1, 0, 0, 0, 1, 0, 0, 0, 1),

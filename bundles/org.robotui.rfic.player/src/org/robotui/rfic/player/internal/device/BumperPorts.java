@@ -1,30 +1,30 @@
 package org.robotui.rfic.player.internal.device;
 
+import java.util.List;
 import java.util.Optional;
+import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
-import org.robotui.data.MarkerSet;
 import org.robotui.player.interfaces.Bumper;
-import org.robotui.rfic.player.internal.convert.Bumpers;
+import org.robotui.rfic.player.internal.convert.BumperParts;
 
-/** Bumpers: which are pressed as a record, for plots and alerts, and as lines around the robot, for scenes. */
+/** Bumpers: where they are, and which are pressed. A device that does not tell where they are still tells which are pressed. */
 final class BumperPorts {
-  private final DeviceFeed feed;
-  private final Outlet<MarkerSet> outlet;
+  private final Outlet<Bumpers> outlet;
   private final FrameId base;
-  private volatile Optional<Bumper.Geometry> geometry = Optional.empty();
+  private volatile Optional<List<Bumper.Part>> parts = Optional.empty();
 
   BumperPorts(DeviceFeed feed) {
-    this.feed = feed;
     this.base = feed.around().tree().names().base();
-    feed.records("", feed.around().layouts().byName("bumper").flatMap(b -> b.message(Bumper.STATE.wireType(), Bumper.STATE.message())));
-    this.outlet = feed.outlet("/markers", MarkerSet.class, "where its bumpers are, red where they are pressed");
-    feed.onOpen(() -> feed.ask(Bumper.GET_GEOMETRY, g -> geometry = Optional.of(g), outlet::failed));
-    feed.on(Bumper.GEOMETRY, outlet, (m, r) -> geometry = Optional.of(m));
-    feed.on(Bumper.STATE, outlet, this::told);
+    this.outlet = feed.outlet("", Bumpers.class, "its bumpers, and which are pressed");
+    feed.onOpen(() -> feed.ask(Bumper.GET_GEOMETRY, g -> parts = Optional.of(g.bumpers()), this::untold));
+    feed.on(Bumper.GEOMETRY, outlet, (m, r) -> parts = Optional.of(m.bumpers()));
+    feed.on(Bumper.STATE, outlet, (m, r) -> parts.ifPresent(known -> outlet.publish(BumperParts.of(known, m.pressed(), base), r)));
   }
 
-  private void told(Bumper.State m, Reception reception) {
-    geometry.ifPresent(g -> outlet.publish(
-        Bumpers.of(g, m.pressed(), base, feed.name(), reception.stamp(), reception.nanos()), reception));
+  private void untold(String reason) {
+    if (parts.isEmpty()) {
+      parts = Optional.of(List.of());
+      outlet.lost(reason + "; where the bumpers are is not known");
+    }
   }
 }

@@ -5,10 +5,10 @@ import org.robotui.api.RficContext;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
+import org.robotui.data.Bumpers;
 import org.robotui.data.Data;
 import org.robotui.data.Footprint;
 import org.robotui.data.LaserScan;
-import org.robotui.data.MarkerSet;
 import org.robotui.data.PointCloud;
 import org.robotui.data.PoseArray;
 import org.robotui.data.PoseEstimate;
@@ -17,7 +17,7 @@ import org.robotui.data.RangeReadings;
 /** A stream of a device. Core's thread merely notes the demand; the thread that follows the devices acts on it. */
 final class Outlet<D extends Data> implements AutoCloseable {
   private static final Set<Class<?>> PLACED = Set.of(LaserScan.class, RangeReadings.class, PointCloud.class, PoseArray.class,
-      PoseEstimate.class, Footprint.class, MarkerSet.class);
+      PoseEstimate.class, Footprint.class, Bumpers.class);
 
   private final Publication<D> publication;
   private final boolean placed;

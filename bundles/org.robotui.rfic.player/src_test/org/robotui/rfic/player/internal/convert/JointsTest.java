@@ -6,20 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.FrameId;
 import org.robotui.data.JointCommand;
 import org.robotui.data.JointControl;
 import org.robotui.data.JointModel;
 import org.robotui.data.JointState;
-import org.robotui.data.Marker;
-import org.robotui.data.MarkerSet;
 import org.robotui.player.interfaces.Actarray;
 import org.robotui.player.interfaces.Angles;
-import org.robotui.player.interfaces.Bumper;
 import org.robotui.player.interfaces.Point3d;
-import org.robotui.player.interfaces.Pose3d;
 
 class JointsTest {
   private static final Actarray.State STATE = new Actarray.State(
@@ -55,19 +49,5 @@ class JointsTest {
     assertEquals(JointControl.Source.COMMANDED, joints.get(1).source());
     assertEquals(0.75, joints.get(1).reference().position());
     assertEquals(-1, joints.get(1).measured().position());
-  }
-
-  @Test
-  void bumpersAreLinesThatTellWhereTheyArePressed() {
-    Bumper.Geometry geometry = new Bumper.Geometry(List.of(new Bumper.Part(new Pose3d(0.25, 0.1, 0, 0, 0, 0), 0.2f, 0),
-        new Bumper.Part(new Pose3d(-0.25, 0, 0, 0, 0, Math.PI), 0.2f, 0.3f)));
-    MarkerSet set = Bumpers.of(geometry, new byte[] {0, 1}, new FrameId("r", "base_link"), "bumper:0", Optional.empty(), 1);
-    Marker straight = set.entries().get(0).marker().orElseThrow();
-    assertEquals(0.25f, straight.points().get(0), 1e-6);
-    assertEquals(0.0f, straight.points().get(1), 1e-6);
-    assertEquals(0.2f, straight.points().get(straight.points().size() - 2), 1e-6);
-    Marker bent = set.entries().get(1).marker().orElseThrow();
-    assertTrue(bent.color().red() > straight.color().red());
-    assertTrue(bent.points().get(0) > -0.25f, "its ends are nearer to the robot than its middle");
   }
 }

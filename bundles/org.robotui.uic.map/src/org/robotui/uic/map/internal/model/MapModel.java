@@ -11,6 +11,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
+import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
 import org.robotui.data.GridMap;
 import org.robotui.data.LaserScan;
@@ -19,6 +20,7 @@ import org.robotui.data.Path;
 import org.robotui.data.PoseEstimate;
 import org.robotui.data.RangeReading;
 import org.robotui.data.RangeReadings;
+import org.robotui.entity.bumper.BumperEntity;
 import org.robotui.entity.grid.GridEntity;
 import org.robotui.entity.gridmap.GridMapEntity;
 import org.robotui.entity.laserscan.LaserScanEntity;
@@ -48,6 +50,7 @@ public final class MapModel {
   private final Feed<GridMap, GridMapEntity> maps;
   private final Feed<LaserScan, LaserScanEntity> scans;
   private final Feed<RangeReadings, SonarEntity> sonars;
+  private final Feed<Bumpers, BumperEntity> bumpers;
   private final Feed<Odometry, OdometryEntity> trails;
   private final Feed<Path, PathEntity> paths;
   private final Feed<PoseEstimate, PoseEntity> poses;
@@ -66,6 +69,8 @@ public final class MapModel {
         (map, tick) -> latest(map.frame(), tick));
     sonars = new Feed<>(Kind.SONAR, context.input(MapPorts.SONAR), scene, (n, source) -> new SonarEntity(), MapModel::sonar,
         (readings, tick) -> "");
+    bumpers = new Feed<>(Kind.BUMPER, context.input(MapPorts.BUMPER), scene, (n, source) -> new BumperEntity(), MapModel::bumper,
+        (told, tick) -> latest(told.frame(), tick));
     scans = new Feed<>(Kind.SCAN, context.input(MapPorts.SCAN), scene, (n, source) -> scanOf(source), MapModel::scan,
         (scan, tick) -> "");
     trails = new Feed<>(Kind.TRAIL, context.input(MapPorts.ODOM), scene, (n, source) -> new OdometryEntity(team.tint(source).orElse(n)), MapModel::trail,
@@ -132,7 +137,7 @@ public final class MapModel {
   }
 
   private List<Feed<?, ?>> feeds() {
-    return List.of(maps, sonars, scans, trails, paths, poses);
+    return List.of(maps, sonars, scans, trails, paths, poses, bumpers);
   }
 
   private void forgetAfterJump() {
@@ -212,6 +217,10 @@ public final class MapModel {
     double speed = tick.robot(robot).map(RobotPlace::speed).orElse(0.0);
     return placed(tick.placer().orElseThrow().latest(e.value().frame()),
         t -> entity.prepare(e.value(), t, tick.position(robot), speed));
+  }
+
+  private static Optional<String> bumper(BumperEntity entity, Envelope<Bumpers> e, TickContext tick) {
+    return placed(tick.placer().orElseThrow().latest(e.value().frame()), t -> entity.prepare(e.value(), t));
   }
 
   private static Optional<String> sonar(SonarEntity entity, Envelope<RangeReadings> e, TickContext tick) {

@@ -6,7 +6,7 @@ import org.robotui.api.port.InputState;
 
 /** The state of several inputs as a whole: the best of them. */
 final class WholeState {
-  private static final String HELP = "The map shows maps, laser scans, sonars, odometry, poses and plans: ";
+  private static final String HELP = "The map shows maps, laser scans, sonars, bumpers, odometry, poses and plans: ";
 
   private WholeState() {}
 

@@ -41,7 +41,7 @@ class MapModelTest {
     MapModel model = new MapModel(context);
     tick(model);
     assertEquals(List.of("grid", "map:base.map", "sonar:base.sonar", "scan:base.scan", "trail:base.odom",
-        "path:base.plan", "robot:Keira"), model.scene().layers().stream().map(Layer::id).toList());
+        "path:base.plan", "robot:Keira", "bumper:base.bumper"), model.scene().layers().stream().map(Layer::id).toList());
     assertTrue(model.scene().layers().stream().allMatch(Layer::visible));
     assertEquals(List.of(), model.snapshot().notes());
     assertEquals(Optional.of(DemoRoom.MAP), model.snapshot().fixed());
@@ -131,6 +131,23 @@ class MapModelTest {
     byOdometry.tick(now, options(bare));
     assertEquals(RigidTransform.planar(3, 0, 0), byOdometry.snapshot().robots().getFirst().fixedFromBase());
     assertEquals(Optional.of(DemoRoom.ODOM), byOdometry.snapshot().fixed());
+  }
+
+  @Test
+  void bumpersAreOnTheRimOfTheRobotAboveItsBody() {
+    DemoRoom.fill(context, now);
+    MapModel model = new MapModel(context);
+    tick(model);
+    Layer bumpers = layer(model, "bumper:base.bumper");
+    assertTrue(bumpers.visible());
+    assertTrue(bumpers.order() > Kind.ROBOT.ordinal());
+    double bearing = Math.toRadians(20 - 45);
+    double x = DemoRoom.ROBOT_AT.translation().x() + 0.25 * Math.cos(bearing);
+    double y = DemoRoom.ROBOT_AT.translation().y() + 0.25 * Math.sin(bearing);
+    assertEquals("bumper 1: pressed", bumpers.entity().describeAt(x, y, 0.01).orElseThrow().text());
+    context.settings().set(Kind.BUMPER.setting(), false);
+    assertTrue(tick(model));
+    assertFalse(bumpers.visible());
   }
 
   @Test

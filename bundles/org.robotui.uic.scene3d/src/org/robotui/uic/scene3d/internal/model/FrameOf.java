@@ -2,6 +2,7 @@ package org.robotui.uic.scene3d.internal.model;
 
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robotui.data.Bumpers;
 import org.robotui.data.CameraInfo;
 import org.robotui.data.Data;
 import org.robotui.data.Footprint;
@@ -45,6 +46,7 @@ final class FrameOf {
       case Footprint f -> Stream.of(f.frame());
       case Wrench w -> Stream.of(w.frame());
       case RangeReadings r -> r.readings().stream().map(RangeReading::frame);
+      case Bumpers b -> Stream.of(b.frame());
       case MarkerSet m -> m.entries().stream().flatMap(e -> e.marker().stream()).map(Marker::frame);
       case InteractiveMarkerSet m -> m.entries().stream().flatMap(e -> e.marker().stream()).map(InteractiveMarker::frame);
       default -> Stream.empty();
