@@ -26,6 +26,14 @@ final class Matches {
     return of(want, MatchState.AMBIGUOUS, List.of(), candidates, reason);
   }
 
+  /** Of a port for one robot beside a port for all of them. */
+  static Match covered(Match match, Match all) {
+    SourceId first = match.candidates().getFirst();
+    return new Match(match.port(), match.kind(), match.typeName(), match.arity(), MatchState.REFUSED, List.of(), match.candidates(),
+        "not needed: '" + all.port().port() + "' takes all " + match.candidates().size() + " that fit, and the view sends to those that are selected. "
+            + "For one alone write under 'connect':  " + match.port() + ": " + first);
+  }
+
   private static Match of(
       Want want, MatchState state, List<SourceId> peers, List<SourceId> candidates, String reason) {
     return new Match(want.id(), want.port().kind(), want.port().typeName(), want.port().arity(), state, peers,

@@ -115,6 +115,32 @@ class MatcherTest {
         offers("base.c", new CallPort<>("c", String.class, Number.class, Arity.ONE, "")).match(asks));
   }
 
+  private List<Match> matchOneAndAll() {
+    Port one = new CommandPort<>("goal", Twist.class, Arity.OPTIONAL, "");
+    Port all = new CommandPort<>("goals", Twist.class, Arity.MANY, "");
+    return Matcher.match(Stream.of(one, all).map(p -> new Want(new SourceId("map", p.name()), p)).toList(), haves, suppliers, choices);
+  }
+
+  @Test
+  void aPortForOneRobotIsNoQuestionWhereAnotherTakesAllOfThem() {
+    suppliers.add(new Supplier("keira", true, ""));
+    CommandPort<Twist> takes = new CommandPort<>("goal", Twist.class, Arity.ONE, "");
+    offers("base.move_base/goal", takes).offers("keira.planner:0/goal", takes);
+    List<Match> matches = matchOneAndAll();
+    assertState(MatchState.REFUSED, "not needed: 'goals' takes all 2 that fit", matches.getFirst());
+    assertTrue(matches.getFirst().reason().contains("map.goal: base.move_base/goal"), matches.getFirst().reason());
+    assertConnected(matches.getLast(), "base.move_base/goal", "keira.planner:0/goal");
+    named("map.goal", "keira.planner:0/goal");
+    assertConnected(matchOneAndAll().getFirst(), "keira.planner:0/goal");
+  }
+
+  @Test
+  void ofSeveralThatOneRobotTakesOneHasToBeChosen() {
+    CommandPort<Twist> takes = new CommandPort<>("", Twist.class, Arity.ONE, "");
+    offers("base.near", takes).offers("base.far", takes);
+    assertState(MatchState.AMBIGUOUS, "2 fit", matchOneAndAll().getFirst());
+  }
+
   @Test
   void browsersFitBrowsersOnly() {
     offers("base.scan", LaserScan.class).offers("base.ros", new BrowsePort("ros", Arity.ONE, ""));
