@@ -80,7 +80,8 @@ final class Drafting {
       return new Refused(Field.NAME, "there is a '" + draft.name() + "' in " + draft.file().getFileName() + " already; choose another name");
     }
     return Insertion.into(before, lines).map(insertion -> checked(draft, insertion, Optional.of(former)))
-        .orElseGet(() -> new Refused(Field.FILE, "the section 'ruics' stands in one line there; write each RUIC in lines of its own, or choose a new file"));
+        .orElseGet(() -> new Refused(Field.FILE, draft.file() + ":" + Insertion.sectionLine(before) + ": 'ruics' stands in braces there, to which nothing can be"
+            + " added; write each robot UI in lines of its own below 'ruics:', without the braces, or choose a new file"));
   }
 
   /** What is written must be read as what was meant, and change nothing of what was there. */

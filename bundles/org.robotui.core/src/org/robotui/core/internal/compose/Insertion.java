@@ -3,10 +3,11 @@ package org.robotui.core.internal.compose;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Adds a RUIC to the text of a configuration and leaves every character of it as it is.
+ * Adds a RUIC to the text of a configuration and leaves every character of it as it is, but for empty braces in place of the RUICs.
  *
  * @param whole the new text
  * @param added what is new in it, with whole lines
@@ -15,6 +16,7 @@ import java.util.stream.Collectors;
 record Insertion(String whole, String added, int line) {
   private static final String SECTION = "ruics:";
   private static final String HEAD = "# Written by New Robot UI from what the robot offered; docs/configuration.md explains every word.";
+  private static final Pattern EMPTY = Pattern.compile("\\{\\s*}");
   private static final int USUAL_INDENT = 2;
 
   /** A text of its own. */
@@ -25,7 +27,7 @@ record Insertion(String whole, String added, int line) {
     return new Insertion(text, text, 1);
   }
 
-  /** At the end of the RUICs of a text; nothing where these stand in braces. */
+  /** At the end of the RUICs of a text, or in place of empty braces; nothing where they stand in braces. */
   static Optional<Insertion> into(String text, List<String> ruic) {
     String end = text.contains("\r\n") ? "\r\n" : "\n";
     List<String> lines = text.isEmpty() ? List.of() : List.of(text.split("\r?\n", -1));
@@ -33,13 +35,31 @@ record Insertion(String whole, String added, int line) {
     if (section < 0) {
       return Optional.of(insert(lines, contentEnd(lines, lines.size()), block(ruic, USUAL_INDENT, true), end));
     }
+    if (EMPTY.matcher(rest(lines.get(section))).matches()) {
+      return Optional.of(filled(lines, section, block(ruic, USUAL_INDENT, false), end));
+    }
     if (!rest(lines.get(section)).isEmpty()) {
       return Optional.empty();
     }
     int after = next(lines, section + 1);
     List<String> body = lines.subList(section + 1, after);
+    if (body.stream().filter(Insertion::isContent).findFirst().filter(l -> l.stripLeading().startsWith("{")).isPresent()) {
+      return Optional.empty();
+    }
     int indent = body.stream().filter(Insertion::isContent).findFirst().map(Insertion::indent).orElse(USUAL_INDENT);
     return Optional.of(insert(lines, contentEnd(lines, after), block(ruic, indent, false), end));
+  }
+
+  /** Where the RUICs of a text begin, from 1. */
+  static int sectionLine(String text) {
+    return section(text.lines().toList()) + 1;
+  }
+
+  /** The braces go, and with them only the blanks before them: what stands behind them is a comment. */
+  private static Insertion filled(List<String> lines, int section, List<String> block, String end) {
+    List<String> opened = new ArrayList<>(lines);
+    opened.set(section, lines.get(section).replaceFirst("\\s*\\{\\s*}", ""));
+    return insert(opened, section + 1, block, end);
   }
 
   private static List<String> block(List<String> ruic, int indent, boolean withSection) {

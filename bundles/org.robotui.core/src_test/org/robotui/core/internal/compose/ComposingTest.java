@@ -215,7 +215,7 @@ class ComposingTest {
       refused(composition.text(draft("K", "rovr", "a.yaml", "all")), Field.VIEWS, "there are other, rover, single");
       refused(composition.text(draft("K", "rover", "a.txt", "all")), Field.FILE, "ends with .yaml");
       refused(composition.text(draft("K", "rover", "no/a.yaml", "all")), Field.FILE, "there is no folder");
-      refused(composition.text(draft("K", "rover", "flow.yaml", "all")), Field.FILE, "stands in one line");
+      refused(composition.text(draft("K", "rover", "flow.yaml", "all")), Field.FILE, "flow.yaml:1: 'ruics' stands in braces");
       refused(composition.text(draft("K", "rover", "broken.yaml", "all")), Field.FILE, "has an error, which comes first");
     }
   }

@@ -45,5 +45,17 @@ class InsertionTest {
   @Test
   void whatStandsInBracesIsLeftAlone() {
     assertTrue(Insertion.into("ruics: {A: {type: base}}\n", RUIC).isEmpty());
+    assertTrue(Insertion.into("ruics: {\n  A: {type: base},\n}\n", RUIC).isEmpty());
+    assertTrue(Insertion.into("ruics: {\n}\n", RUIC).isEmpty());
+    assertTrue(Insertion.into("ruics:   # below\n  {A: {type: base}}\n", RUIC).isEmpty());
+    assertEquals(3, Insertion.sectionLine("# head\n\nruics: {A: {type: base}}\n"));
+  }
+
+  @Test
+  void emptyBracesMakeRoom() {
+    Insertion filled = Insertion.into("# head\nruics: {}   # none yet\nwindows: [Keira]\n", RUIC).orElseThrow();
+    assertEquals("# head\nruics:   # none yet\n  Keira:\n    type: base\nwindows: [Keira]\n", filled.whole());
+    assertEquals(3, filled.line());
+    assertEquals("ruics:\r\n  Keira:\r\n    type: base\r\n", Insertion.into("ruics: { }\r\n", RUIC).orElseThrow().whole());
   }
 }
