@@ -21,6 +21,12 @@ public final class RateMeter {
   private final AtomicLongArray slots = new AtomicLongArray(SLOTS);
   private final AtomicLongArray times = new AtomicLongArray(TIMES);
   private final AtomicLong count = new AtomicLong();
+  /** How many of them have their time written. */
+  private final AtomicLong timed = new AtomicLong();
+  /** Every view asks with every tick, and most ask about a value that they have asked about before. */
+  private volatile Typical typical = new Typical(0, 0);
+
+  private record Typical(long count, double seconds) {}
 
   /** Starts counting at a moment of the monotonic clock. */
   public RateMeter(long now) {
@@ -32,6 +38,7 @@ public final class RateMeter {
     long id = slotId(now);
     slots.accumulateAndGet((int) (id % SLOTS), id, RateMeter::increment);
     times.set((int) (count.getAndIncrement() % TIMES), now);
+    timed.incrementAndGet();
   }
 
   private long slotId(long now) {
@@ -82,7 +89,16 @@ public final class RateMeter {
 
   /** The median interval between the last values; 0 where there were fewer than two. */
   public double typicalPeriodSeconds() {
-    int n = (int) Math.min(count.get(), TIMES);
+    long present = timed.get();
+    Typical known = typical;
+    if (known.count() != present) {
+      known = new Typical(present, medianGap((int) Math.min(present, TIMES)) * SECONDS);
+      typical = known;
+    }
+    return known.seconds();
+  }
+
+  private double medianGap(int n) {
     if (n < 2) {
       return 0;
     }
@@ -92,6 +108,6 @@ public final class RateMeter {
     long[] gaps = new long[n - 1];
     Arrays.setAll(gaps, i -> sorted[i + 1] - sorted[i]);
     Arrays.sort(gaps);
-    return gaps[gaps.length / 2] * SECONDS;
+    return gaps[gaps.length / 2];
   }
 }
