@@ -62,7 +62,7 @@ public final class SurfacePixels {
       return there != 0 && (long) data.invokeExact(there) != 0
           && (int) stride.invokeExact(there) == BYTES * pixels && (int) height.invokeExact(there) == rows;
     } catch (Throwable e) {
-      throw unexpected(e);
+      throw Unexpected.of(e);
     }
   }
 
@@ -81,7 +81,7 @@ public final class SurfacePixels {
       }
       move.invokeExact((long) data.invokeExact(there), rgb, (long) BYTES * count);
     } catch (Throwable e) {
-      throw unexpected(e);
+      throw Unexpected.of(e);
     }
   }
 
@@ -94,16 +94,7 @@ public final class SurfacePixels {
     try {
       changed.invokeExact((long) surface.invokeExact(image));
     } catch (Throwable e) {
-      throw unexpected(e);
+      throw Unexpected.of(e);
     }
-  }
-
-  /** What is called declares nothing. */
-  private static RuntimeException unexpected(Throwable e) {
-    return switch (e) {
-      case Error error -> throw error;
-      case RuntimeException runtime -> runtime;
-      default -> new IllegalStateException(e);
-    };
   }
 }

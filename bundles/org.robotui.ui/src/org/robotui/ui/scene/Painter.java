@@ -1,7 +1,10 @@
 package org.robotui.ui.scene;
 
+import java.util.EnumMap;
+import java.util.Map;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Color;
+import org.eclipse.swt.graphics.Font;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Image;
 import org.eclipse.swt.graphics.LineAttributes;
@@ -10,6 +13,7 @@ import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Transform;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Face;
+import org.robotui.ui.ImageFill;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
@@ -19,14 +23,14 @@ import org.robotui.ui.Theme;
  */
 public final class Painter {
   private static final int OPAQUE = 255;
-  private static final int FULL_TURN = 360;
   private static final int LONG_LINE = 100;
-  private static final double CLOSE_PIXELS = 1.5;
+  private static final double STRAIGHT_PIXELS = 0.25;
   private static final double GROUND_OPACITY = 0.85;
 
   private final GC gc;
   private final Viewport viewport;
   private final Theme theme;
+  private final Map<Face, Integer> heights = new EnumMap<>(Face.class);
   private double fade = 1;
   private double opacity = 1;
   private boolean again;
@@ -252,7 +256,7 @@ public final class Painter {
    * @param pixels radius
    */
   public void disc(double x, double y, double pixels) {
-    Path path = circlePath(x, y, pixels);
+    Path path = Circles.disc(gc.getDevice(), viewport.pixelX(x), viewport.pixelY(y), pixels);
     gc.fillPath(path);
     path.dispose();
   }
@@ -265,13 +269,27 @@ public final class Painter {
    * @param pixels radius
    */
   public void circle(double x, double y, double pixels) {
-    Path path = circlePath(x, y, pixels);
-    gc.drawPath(path);
+    double left = viewport.pixelX(x);
+    double top = viewport.pixelY(y);
+    if (gc.getLineStyle() == SWT.LINE_SOLID) {
+      ring(Circles.ring(gc.getDevice(), left, top, pixels, gc.getLineAttributes().width));
+    } else {
+      Path path = Circles.disc(gc.getDevice(), left, top, pixels);
+      gc.drawPath(path);
+      path.dispose();
+    }
+  }
+
+  private void ring(Path path) {
+    Color filling = gc.getBackground();
+    gc.setBackground(gc.getForeground());
+    gc.fillPath(path);
+    gc.setBackground(filling);
     path.dispose();
   }
 
   /**
-   * Draws text to the right of a point, or around it.
+   * Draws a line of text to the right of a point, or around it.
    *
    * @param text the text
    * @param x metres
@@ -281,11 +299,19 @@ public final class Painter {
    * @param face typeface and size
    */
   public void text(String text, double x, double y, double dx, double dy, Face face) {
-    gc.setFont(theme.font(face));
-    Point size = gc.textExtent(text);
+    font(face);
+    // The height is that of the font: asking for the extent of each text takes as long as drawing it.
+    int height = heights.computeIfAbsent(face, f -> gc.textExtent(text).y);
     int left = (int) Math.round(viewport.pixelX(x) + dx);
-    int top = (int) Math.round(viewport.pixelY(y) + dy - size.y / 2.0);
+    int top = (int) Math.round(viewport.pixelY(y) + dy - height / 2.0);
     gc.drawText(text, left, top, true);
+  }
+
+  private void font(Face face) {
+    Font font = theme.font(face);
+    if (!font.equals(gc.getFont())) {
+      gc.setFont(font);
+    }
   }
 
   /**
@@ -299,7 +325,7 @@ public final class Painter {
    * @param face typeface and size
    */
   public void label(String text, double x, double y, double dx, double dy, Face face) {
-    gc.setFont(theme.font(face));
+    font(face);
     Point size = gc.textExtent(text);
     int left = (int) Math.round(viewport.pixelX(x) + dx);
     int top = (int) Math.round(viewport.pixelY(y) + dy - size.y / 2.0);
@@ -328,42 +354,23 @@ public final class Painter {
     gc.setInterpolation(SWT.NONE);
     // Smoothed edges would show as seams between the tiles of a large map.
     gc.setAntialias(SWT.OFF);
-    gc.setTransform(transform);
-    gc.drawImage(image, 0, 0);
-    gc.setTransform(null);
+    ImageFill.draw(gc, image, image.getBounds(), transform);
     gc.setAntialias(SWT.ON);
     transform.dispose();
   }
 
-  /** Of long lines, points that lie too close together to be told apart are left out, but for the ends. */
   private Path path(double[] xy, int count) {
-    Path path = new Path(gc.getDevice());
-    double least = count > LONG_LINE ? CLOSE_PIXELS * CLOSE_PIXELS : 0;
-    double lastX = viewport.pixelX(xy[0]);
-    double lastY = viewport.pixelY(xy[1]);
-    path.moveTo((float) lastX, (float) lastY);
-    for (int i = 1; i < count; i++) {
-      double x = viewport.pixelX(xy[2 * i]);
-      double y = viewport.pixelY(xy[2 * i + 1]);
-      if (i == count - 1 || square(x - lastX) + square(y - lastY) >= least) {
-        path.lineTo((float) x, (float) y);
-        lastX = x;
-        lastY = y;
-      }
+    double[] pixels = new double[2 * count];
+    for (int i = 0; i < count; i++) {
+      pixels[2 * i] = viewport.pixelX(xy[2 * i]);
+      pixels[2 * i + 1] = viewport.pixelY(xy[2 * i + 1]);
     }
-    return path;
-  }
-
-  private static double square(double value) {
-    return value * value;
-  }
-
-  private Path circlePath(double x, double y, double radius) {
+    int kept = count > LONG_LINE ? LineThinner.thin(pixels, count, STRAIGHT_PIXELS) : count;
     Path path = new Path(gc.getDevice());
-    float left = (float) (viewport.pixelX(x) - radius);
-    float top = (float) (viewport.pixelY(y) - radius);
-    path.addArc(left, top, (float) (2 * radius), (float) (2 * radius), 0, FULL_TURN);
-    path.close();
+    path.moveTo((float) pixels[0], (float) pixels[1]);
+    for (int i = 1; i < kept; i++) {
+      path.lineTo((float) pixels[2 * i], (float) pixels[2 * i + 1]);
+    }
     return path;
   }
 

@@ -19,6 +19,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.entity.image.Legend;
 import org.robotui.entity.image.Picture;
+import org.robotui.ui.ImageFill;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
@@ -270,11 +271,9 @@ final class CameraSurface {
     double shrunk = (double) picture.width() / pixels.width;
     Placement small = new Placement(at.left(), at.top(), at.scale() * shrunk);
     Rectangle seen = small.seen(area, pixels.width, pixels.height);
-    Rectangle target = small.region(seen.x, seen.y, seen.width, seen.height);
     gc.setInterpolation(smooth && at.scale() < PIXELS_SHOWN_FROM ? SWT.LOW : SWT.NONE);
     gc.setAlpha(StateView.contentAlpha(shot.state()));
-    gc.drawImage(screen.image(pixels), seen.x, seen.y, seen.width, seen.height,
-        target.x, target.y, target.width, target.height);
+    ImageFill.draw(gc, screen.image(pixels), seen, small.region(seen.x, seen.y, seen.width, seen.height));
     gc.setAlpha(255);
   }
 
