@@ -10,13 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.robotui.gl.internal.scene.Stage.flat;
-import static org.robotui.gl.internal.scene.Stage.part;
 import static org.robotui.gl.internal.scene.Stage.request;
 import static org.robotui.gl.internal.scene.Stage.square;
 
-import java.nio.ByteBuffer;
-import java.nio.FloatBuffer;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,26 +24,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.robotui.gl.internal.context.NoOpenGl;
 import org.robotui.gl.internal.gpu.GpuFailure;
-import org.robotui.gl.internal.gpu.Ledger;
-import org.robotui.gl.internal.gpu.Ledger.Kind;
 import org.robotui.gl.render.RenderRequest;
 import org.robotui.gl.render.Rendered;
 import org.robotui.gl.render.Rendered.Figures;
-import org.robotui.gl.render.Renderer;
-import org.robotui.gl.shape.Instances;
 import org.robotui.gl.shape.Label;
 import org.robotui.gl.shape.LineSet;
-import org.robotui.gl.shape.Material;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.PointSet.Unit;
-import org.robotui.gl.shape.Texture;
 import org.robotui.gl.shape.TriangleMesh;
 
 /** What is held on the graphics card, what is sent there, and what happens when it is lost. */
 @EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+", disabledReason = "no display: DISPLAY is not set")
 class MemoryTest {
   private static final int RED = 0xff0000;
-  private static final int TIMES = 200;
 
   private final Stage stage = new Stage();
 
@@ -97,37 +86,6 @@ class MemoryTest {
     });
     assertEquals(1, problems.size());
     assertTrue(problems.getFirst().contains("large"), problems::getFirst);
-  }
-
-  @Test
-  void nothingIsLeftWhenManyScenesWereOpenedAndClosed() throws Exception {
-    ByteBuffer rgba = ByteBuffer.allocate(16);
-    Texture texture = new Texture(2, 2, rgba, true);
-    for (int i = 0; i < TIMES; i++) {
-      Renderer renderer = stage.open();
-      RenderRequest request = request(
-          flat("p", Stage.points(2, 0, 0, 0), RED), flat("l", LineSet.of(LineSet.Kind.STRIP, 1, new float[6]), RED),
-          part("m", square(0, 0.1f), Material.picture(texture, 1)), flat("t", new Label("word", 9, Unit.PIXELS), RED),
-          flat("i", Instances.of(square(0, 0.1f), FloatBuffer.wrap(new float[10]), Optional.empty()), RED));
-      assertInstanceOf(Rendered.Picture.class, renderer.render(request).toCompletableFuture().get(60, TimeUnit.SECONDS));
-      renderer.pick(request, 50, 50).toCompletableFuture().get(60, TimeUnit.SECONDS);
-      renderer.close();
-    }
-    Ledger ledger = stage.there(() -> stage.thread().present().orElseThrow().ledger());
-    assertEquals(0, Arrays.stream(Kind.values()).mapToInt(ledger::held).sum());
-    assertEquals(0, ledger.bytes());
-    assertFalse(stage.there(this::anyObjectLeft));
-  }
-
-  /** Names of objects are small numbers; OpenGL itself says which of them are in use. Its own picture of 16 x 16 is one texture. */
-  private boolean anyObjectLeft() {
-    var gl = stage.thread().present().orElseThrow().gl();
-    for (int id = 1; id < 4 * TIMES; id++) {
-      if (gl.glIsBuffer(id) || gl.glIsVertexArray(id) || gl.glIsProgram(id) || gl.glIsTexture(id) && id > 1) {
-        return true;
-      }
-    }
-    return false;
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
@@ -17,7 +18,6 @@ import org.eclipse.swt.widgets.Display;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
-import org.robotui.gl.render.OpenGl;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
@@ -37,7 +37,7 @@ class SceneMemoryTest {
 
   private final Display display = TestDisplay.get();
   private final Theme theme = Themes.dark(display);
-  private final OpenGl gl = new OpenGl();
+  private final HeldGl gl = new HeldGl();
   private final CountedGl counted = new CountedGl(gl, new AtomicLong());
   private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private Optional<SceneWindow> shown = Optional.empty();
@@ -115,6 +115,7 @@ class SceneMemoryTest {
     // A picture may be in work still, which is thrown away when it is made.
     awaitFor(PATIENCE_MS, () -> resources() <= resources);
     assertTrue(resources() <= resources, () -> resources() + " and not " + resources + " images, fonts, colours of the toolkit");
+    assertEquals(Map.of(), gl.held(), "objects of OpenGL");
     assertEquals(running, Thread.activeCount(), "threads");
     assertTrue(heap() < heap + 4 * MIB, "the heap grew from " + heap + " to " + heap());
     assertTrue(resident() < resident + 64 * MIB, "the process grew from " + resident + " to " + resident());

@@ -61,12 +61,12 @@ class StudioTest {
     gl.answer(0.4, 1_000_000, 0);
     rig.move(p -> Moves.turn(p, 5, 0));
     studio.moved();
-    assertEquals(62_500, gl.requests.getLast().pointBudget(), 1);
-    gl.answer(0.0125, 62_500, 937_500);
+    assertEquals(50_000, gl.requests.getLast().pointBudget(), 1);
+    gl.answer(0.01, 50_000, 950_000);
     rig.move(p -> Moves.turn(p, 5, 0));
     studio.moved();
-    assertEquals(125_000, gl.requests.getLast().pointBudget(), 1);
-    gl.answer(0.025, 125_000, 875_000);
+    assertEquals(100_000, gl.requests.getLast().pointBudget(), 1);
+    gl.answer(0.02, 100_000, 900_000);
     int before = gl.requests.size();
     studio.pump();
     assertEquals(before, gl.requests.size());
@@ -74,6 +74,21 @@ class StudioTest {
     studio.pump();
     assertEquals(Integer.MAX_VALUE, gl.requests.getLast().pointBudget());
     assertEquals(before + 1, gl.requests.size());
+  }
+
+  @Test
+  void aCompletePictureDoesNotRaiseWhatIsDrawnWhileTheCameraMoves() {
+    studio.look(LOOK);
+    gl.answer(0.4, 5_000_000, 0);
+    rig.move(p -> Moves.turn(p, 5, 0));
+    studio.moved();
+    gl.answer(0.04, 250_000, 4_750_000);
+    now += Studio.REST_NANOS;
+    studio.pump();
+    gl.answer(0.4, 5_000_000, 0);
+    rig.move(p -> Moves.turn(p, 5, 0));
+    studio.moved();
+    assertEquals(125_000, gl.requests.getLast().pointBudget(), 1, "as those learned that are drawn one here, one there");
   }
 
   @Test
@@ -99,12 +114,12 @@ class StudioTest {
     rig.move(p -> Moves.turn(p, 5, 0));
     studio.moved();
     assertEquals(1, gl.givenUp);
-    assertEquals(312_500, gl.requests.getLast().pointBudget(), 1);
+    assertEquals(250_000, gl.requests.getLast().pointBudget(), 1);
     rig.move(p -> Moves.turn(p, 5, 0));
     studio.moved();
     assertEquals(1, gl.givenUp, "one of few points is not");
-    gl.answer(0.025, 312_500, 4_687_500);
-    gl.answer(0.025, 312_500, 4_687_500);
+    gl.answer(0.02, 250_000, 4_750_000);
+    gl.answer(0.02, 250_000, 4_750_000);
     now += Studio.REST_NANOS;
     studio.pump();
     assertEquals(Integer.MAX_VALUE, gl.requests.getLast().pointBudget());
