@@ -46,15 +46,17 @@ public final class TopBar extends Composite {
   private static final int HEIGHT = 44;
   private static final int BUTTON_HEIGHT = 30;
   private static final int SEARCH_WIDTH = 300;
-  private static final int LEAST_SEARCH_WIDTH = 40;
+  /** With less there is no search field: its keys would be cut off. */
+  private static final int LEAST_SEARCH_WIDTH = 80;
   private static final int LEASE_WIDTH = 190;
+  private static final int LEAST_LEASE_WIDTH = 60;
   private static final int STOP_WIDTH = 128;
 
   private final Theme theme;
   private final LeaseLamp lease;
   private final QuietButton release;
   private final QuietButton stop;
-  private final GridData search;
+  private final SearchField search;
 
   /** Makes the bar. */
   public TopBar(Composite parent, Theme theme, List<MenuTitle> menus, Actions actions) {
@@ -77,7 +79,7 @@ public final class TopBar extends Composite {
     lease = place(new LeaseLamp(this, theme, actions::lease), LEASE_WIDTH);
     stop = place(new QuietButton(this, theme, actions::stop), STOP_WIDTH).text("STOP  (F12)").fill(Role.BAD)
         .hint("Stop all robots and keep them stopped until released (F12, or space in a view)");
-    ((GridData) stop.getLayoutData()).horizontalIndent = 2 * Theme.STEP;
+    of(stop).horizontalIndent = 2 * Theme.STEP;
     addListener(SWT.Resize, e -> fit());
     // Line at the lower edge.
     addPaintListener(e -> {
@@ -89,7 +91,10 @@ public final class TopBar extends Composite {
   /** Shows who drives, and whether any robot is stopped. */
   public void show(Lease shown, boolean stopped) {
     lease.show(shown);
-    release.setVisible(stopped);
+    if (release.getVisible() != stopped) {
+      release.setVisible(stopped);
+      fit();
+    }
     stop.text(stopped ? "STOPPED" : "STOP  (F12)");
   }
 
@@ -111,20 +116,41 @@ public final class TopBar extends Composite {
     button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, true));
   }
 
-  /** In a narrow window the search gives way: the stop is always seen. */
+  /** In a narrow window the search gives way, then who drives, then the place of the button that releases: the stop is always seen. */
   private void fit() {
-    int others = super.computeSize(SWT.DEFAULT, SWT.DEFAULT, true).x - search.widthHint;
-    search.widthHint = Math.clamp(getClientArea().width - others, LEAST_SEARCH_WIDTH, SEARCH_WIDTH);
+    width(search, SEARCH_WIDTH);
+    width(lease, LEASE_WIDTH);
+    of(release).exclude = false;
+    int missing = super.computeSize(SWT.DEFAULT, SWT.DEFAULT, true).x - getClientArea().width;
+    missing = narrow(search, 0, missing);
+    search.setVisible(of(search).widthHint >= LEAST_SEARCH_WIDTH);
+    missing = narrow(lease, LEAST_LEASE_WIDTH, missing);
+    of(release).exclude = missing > 0 && !release.getVisible();
     layout();
   }
 
-  private GridData search(Actions actions) {
+  /** What is missing then. */
+  private static int narrow(Control control, int least, int missing) {
+    int before = of(control).widthHint;
+    width(control, Math.clamp(before - (long) missing, least, before));
+    return missing - (before - of(control).widthHint);
+  }
+
+  private static void width(Control control, int width) {
+    of(control).widthHint = width;
+  }
+
+  private static GridData of(Control control) {
+    return (GridData) control.getLayoutData();
+  }
+
+  private SearchField search(Actions actions) {
     SearchField field = new SearchField(this, theme, actions::search);
     GridData data = new GridData(SWT.CENTER, SWT.CENTER, false, true);
     data.widthHint = SEARCH_WIDTH;
     data.heightHint = BUTTON_HEIGHT;
     field.setLayoutData(data);
-    return data;
+    return field;
   }
 
   private void spring() {

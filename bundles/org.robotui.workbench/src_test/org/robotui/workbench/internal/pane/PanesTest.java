@@ -219,12 +219,16 @@ class PanesTest {
   @Test
   void theStopIsSeenWholeInNarrowWindowsToo() {
     TopBar bar = new TopBar(shell, theme, Menus.ALL, actions);
-    for (int width : new int[] {1600, WindowPlaces.LEAST_WIDTH, 954, 1200, WindowPlaces.LEAST_WIDTH}) {
+    for (int width : new int[] {1600, WindowPlaces.LEAST_WIDTH, 954, 780, 1200, WindowPlaces.LEAST_WIDTH}) {
       bar.setSize(width, 44);
       QuietButton stop = button(bar, "Stop all robots");
       assertTrue(stop.getLocation().x + stop.getSize().x <= width, () -> width + " pixels: " + stop.getBounds());
       assertTrue(stop.getSize().x > 100);
     }
+    bar.setSize(820, 44);
+    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), true);
+    QuietButton release = button(bar, "Release the stop");
+    assertTrue(release.getSize().x > 80 && release.getLocation().x + release.getSize().x <= button(bar, "Stop all robots").getLocation().x);
   }
 
   private static QuietButton button(Composite parent, String hint) {
