@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.io.Closeables;
@@ -41,15 +42,28 @@ record NodeShutdown(NodeContext context, List<Registration> registrations, HostP
   }
 
   private CountDownLatch unregister(List<Closeable> clients, AtomicInteger known) {
-    Queue<Registration> queue = new ConcurrentLinkedQueue<>(registrations);
-    int workers = Math.min(PARALLEL, queue.size());
-    CountDownLatch done = new CountDownLatch(workers);
-    for (int i = 0; i < workers; i++) {
-      RosApi client = new RosApi(master, "master", FOR_MASTER);
-      clients.add(client);
-      context.start("unregister", () -> drain(queue, client, known, done));
+    List<RosApi> apis = Stream.generate(() -> new RosApi(master, "master", FOR_MASTER)).limit(Math.min(PARALLEL, registrations.size())).toList();
+    clients.addAll(apis);
+    CountDownLatch done = new CountDownLatch(apis.size());
+    if (!apis.isEmpty()) {
+      context.start("unregister", () -> tell(apis, known, done));
     }
     return done;
+  }
+
+  /** All in one request: a master that is slow, or is left by many nodes at once, has it all the same when our time is over. */
+  private void tell(List<RosApi> apis, AtomicInteger known, CountDownLatch done) {
+    Outcome<Integer> told = apis.getFirst().callAll(registrations.stream().flatMap(r -> r.farewell().stream()).toList());
+    if (told instanceof Outcome.Failed) {
+      Queue<Registration> queue = new ConcurrentLinkedQueue<>(registrations);
+      apis.stream().skip(1).forEach(api -> context.start("unregister", () -> drain(queue, api, known, done)));
+      drain(queue, apis.getFirst(), known, done);
+      return;
+    }
+    if (told instanceof Outcome.Done) {
+      known.set(0);
+    }
+    apis.forEach(api -> done.countDown());
   }
 
   private static void drain(Queue<Registration> queue, RosApi client, AtomicInteger known, CountDownLatch done) {

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.io.HostPort;
@@ -35,6 +36,21 @@ final class RosApi implements Closeable {
 
   Outcome<XmlRpcValue> call(MethodCall call) {
     return call(call.method(), call.arguments().toArray(XmlRpcValue[]::new));
+  }
+
+  /** Makes several calls in one request; answers how many were answered, whatever the answers say. A peer may not know how. */
+  Outcome<Integer> callAll(List<MethodCall> calls) {
+    XmlRpcValue all = new XmlRpcValue.Array(calls.stream().<XmlRpcValue>map(call -> new XmlRpcValue.Struct(
+        Map.of("methodName", XmlRpcValue.of(call.method()), "params", new XmlRpcValue.Array(call.arguments())))).toList());
+    try {
+      return client.call("system.multicall", List.of(all), timeout) instanceof XmlRpcValue.Array answers && answers.items().size() == calls.size()
+          && answers.items().stream().allMatch(XmlRpcValue.Array.class::isInstance)
+          ? new Outcome.Done<>(calls.size()) : new Outcome.Failed<>(prefix + "system.multicall did not answer all calls");
+    } catch (SocketTimeoutException e) {
+      return new Outcome.TimedOut<>(prefix + e.getMessage(), timeout);
+    } catch (IOException | XmlRpcFault e) {
+      return new Outcome.Failed<>(prefix + PeerText.brief(String.valueOf(e.getMessage())));
+    }
   }
 
   /** The request that this call would be, on a connection of its own. */
