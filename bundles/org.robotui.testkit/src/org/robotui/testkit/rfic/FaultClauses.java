@@ -15,6 +15,7 @@ final class FaultClauses {
     return List.of(
         Clause.connected("tells why a robot is lost, and brings its data again when it is back", FaultClauses::back, Capability.RETURN),
         Clause.connected("tells of a robot that hangs, and goes on with it", FaultClauses::hung, Capability.HANG),
+        Clause.connected("tells of a robot that hangs though it is commanded", FaultClauses::hungDriven, Capability.HANG, Capability.COMMANDS),
         Clause.connected("complains of what nobody can read, and goes on", FaultClauses::garbled, Capability.GARBAGE),
         Clause.connected("ends in time while the robot hangs", FaultClauses::endsHung, Capability.HANG),
         Clause.connected("ends in time while the robot hangs and is commanded", FaultClauses::endsCommanding, Capability.HANG, Capability.COMMANDS));
@@ -44,6 +45,20 @@ final class FaultClauses {
     trial.peer.goOn();
     trial.awaitConnected();
     trial.next(sample);
+  }
+
+  /** What is sent is no sign of life, also where it is heard by whoever sends it. */
+  private static void hungDriven(Trial trial) throws Exception {
+    trial.want(trial.first(), true);
+    trial.next(trial.first());
+    trial.drive();
+    trial.peer.hang();
+    trial.await("it is told that the robot hangs", () -> {
+      if (trial.context.commands.containsKey(trial.peer.motionPort())) {
+        trial.send(trial.peer.motion());
+      }
+      return !(trial.link() instanceof LinkState.Connected) && !trial.link().reason().isBlank();
+    }, () -> trial.link().toString());
   }
 
   private static void garbled(Trial trial) throws Exception {

@@ -23,6 +23,8 @@ final class Trial implements AutoCloseable {
   private static final Duration LOOK = Duration.ofMillis(20);
 
   final FakeRficContext context = new FakeRficContext();
+  /** Nothing was received before; what came while it was being connected may be brought later. */
+  final long made = System.nanoTime();
   final Peer peer;
   final Rfic rfic;
   private boolean ended;

@@ -11,6 +11,7 @@ enum Flaw {
   ASKS_FOR_ALL("asks the robot for nothing that nobody wants"),
   FORGETS_DEMAND("tells why a robot is lost, and brings its data again when it is back"),
   SWALLOWS_GARBAGE("complains of what nobody can read, and goes on"),
+  HEARS_ITSELF("tells of a robot that hangs though it is commanded"),
   DEGREES("takes motions, and the robot hears them with their units"),
   NEVER_STOPS("stops what it drives when it ends"),
   STOPS_OTHERS("leaves alone at its end what it drives no more"),

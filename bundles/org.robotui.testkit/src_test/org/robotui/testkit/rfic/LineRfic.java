@@ -6,6 +6,7 @@ import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Optional;
@@ -78,7 +79,7 @@ final class LineRfic implements Rfic {
         say("want");
       }
       say(kept);
-      for (String line = in.readLine(); line != null && !over.getAsBoolean(); line = in.readLine()) {
+      for (String line = line(in); line != null && !over.getAsBoolean(); line = line(in)) {
         heard(line);
       }
       return "port " + port + " hung up";
@@ -86,6 +87,18 @@ final class LineRfic implements Rfic {
       link = Optional.empty();
       if (flaw != Flaw.LEAVES_SOCKET) {
         socket.close();
+      }
+    }
+  }
+
+  private String line(BufferedReader in) throws IOException {
+    while (true) {
+      try {
+        return in.readLine();
+      } catch (SocketTimeoutException e) {
+        if (!driven || flaw != Flaw.HEARS_ITSELF) {
+          throw e;
+        }
       }
     }
   }

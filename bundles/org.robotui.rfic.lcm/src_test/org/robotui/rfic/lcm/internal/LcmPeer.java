@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -35,8 +36,6 @@ import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.LcmState;
 import org.robotui.lcm.LcmUrl;
 import org.robotui.lcm.SubscriptionOptions;
-import org.robotui.lcm.tcpq.TcpqServer;
-import org.robotui.lcm.tcpq.TcpqServerOptions;
 import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.RecordException;
@@ -44,11 +43,10 @@ import org.robotui.lcm.type.TypeFolder;
 import org.robotui.lcm.type.TypeLibrary;
 import org.robotui.rfic.lcm.internal.convert.RecordFiller;
 import org.robotui.testkit.rfic.Capability;
-import org.robotui.testkit.rfic.Gate;
 import org.robotui.testkit.rfic.Peer;
 import org.robotui.testkit.rfic.Sample;
 
-/** A base with a laser that speaks through a server of messages, behind a gate, in types and units of its own. */
+/** A base with a laser that speaks in types and units of its own. */
 final class LcmPeer implements Peer {
   private static final String TYPES = """
       package tck;
@@ -71,17 +69,16 @@ final class LcmPeer implements Peer {
   private static final Map<String, Object> DRIVE = Written.map("as", "velocity", "type", "tck.drive_t", "vx", "speed mm/s", "wz", "turn deg/s");
 
   private final List<Data> heard = new CopyOnWriteArrayList<>();
-  private final Gate gate;
+  private final LcmBus bus;
   private final boolean guard;
   private final Path file;
   private final TypeLibrary types;
-  private Optional<TcpqServer> server = Optional.empty();
   private Optional<Lcm> robot = Optional.empty();
 
-  LcmPeer(boolean guard) {
+  LcmPeer(LcmBus bus, boolean guard) {
+    this.bus = bus;
     this.guard = guard;
     try {
-      gate = new Gate();
       file = Files.writeString(Files.createTempFile("tck", ".lcm"), TYPES);
       types = TypeFolder.read(List.of(file));
     } catch (IOException e) {
@@ -91,31 +88,34 @@ final class LcmPeer implements Peer {
 
   @Override
   public Map<Capability, String> lacks() {
-    return Map.of(Capability.DEMAND, "a client listens to all channels, as it learns what there is only by what is said",
-        Capability.REGISTRATIONS, "LCM keeps no list of who is there");
+    Map<Capability, String> lacks = new EnumMap<>(Capability.class);
+    lacks.put(Capability.DEMAND, "a client listens to all channels, as it learns what there is only by what is said");
+    lacks.put(Capability.REGISTRATIONS, "LCM keeps no list of who is there");
+    lacks.putAll(bus.lacks());
+    return lacks;
   }
 
   @Override
   public Rfic create(RficContext context) {
-    Settings settings = Written.settings("tcpq://127.0.0.1:" + gate.port(), file.toString(), CHANNELS, Map.of("DRIVE", DRIVE));
+    Settings settings = Written.settings(bus.url(), file.toString(), CHANNELS, Map.of("DRIVE", DRIVE));
     return new LcmRfic(context, Written.right(Written.guarded(settings, guard)), new Guards());
   }
 
   @Override
   public void start() throws IOException {
-    TcpqServer opened = TcpqServer.open(TcpqServerOptions.loopback(THREADS, 0));
-    server = Optional.of(opened);
-    Lcm programs = Lcm.open(LcmUrl.of("tcpq://127.0.0.1:" + opened.address().getPort()), LcmOptions.standard(THREADS));
+    Lcm programs = Lcm.open(LcmUrl.of(bus.open()), LcmOptions.standard(THREADS));
     programs.subscribe("DRIVE", SubscriptionOptions.direct(), this::hear);
     robot = Optional.of(programs);
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (!(programs.state() instanceof LcmState.Connected) && System.nanoTime() < end) {
       LockSupport.parkNanos(1_000_000);
     }
-    gate.open(opened.address().getPort());
   }
 
   private void hear(LcmMessage message) {
+    if (bus.holds()) {
+      return;
+    }
     try {
       LcmRecord drive = types.decode(message.data());
       heard.add(VelocityCommand.planar(drive.number("speed").orElseThrow() / 1000, Math.toRadians(drive.number("turn").orElseThrow())));
@@ -126,21 +126,19 @@ final class LcmPeer implements Peer {
 
   @Override
   public void kill() {
-    gate.shut();
     robot.ifPresent(Lcm::close);
-    server.ifPresent(TcpqServer::close);
     robot = Optional.empty();
-    server = Optional.empty();
+    bus.shut();
   }
 
   @Override
   public void hang() {
-    gate.hold();
+    bus.hold();
   }
 
   @Override
   public void goOn() {
-    gate.goOn();
+    bus.goOn();
   }
 
   @Override
@@ -150,7 +148,7 @@ final class LcmPeer implements Peer {
     robot.orElseThrow().publish(SCAN.port(), ByteBuffer.wrap(whole, 0, whole.length - 3));
     byte[] garbage = new byte[256];
     Arrays.fill(garbage, (byte) 0xff);
-    gate.inject(garbage);
+    bus.inject(garbage);
   }
 
   @Override
@@ -160,7 +158,7 @@ final class LcmPeer implements Peer {
 
   @Override
   public void say(Sample sample) throws IOException {
-    Optional<Lcm> speaking = robot.filter(r -> r.state() instanceof LcmState.Connected);
+    Optional<Lcm> speaking = robot.filter(r -> !bus.holds() && r.state() instanceof LcmState.Connected);
     if (speaking.isPresent()) {
       speaking.get().publish(sample.port(), encoded(sample));
     }
@@ -201,13 +199,13 @@ final class LcmPeer implements Peer {
 
   @Override
   public int links() {
-    return gate.links();
+    return bus.links();
   }
 
   @Override
   public void close() {
     kill();
-    gate.close();
+    bus.close();
     try {
       Files.delete(file);
     } catch (IOException e) {

@@ -3,7 +3,9 @@ package org.robotui.rfic.lcm.internal.session;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.net.SocketFactory;
 import org.robotui.api.RficContext;
@@ -38,6 +40,8 @@ public final class Session implements AutoCloseable {
   private final Lcm lcm;
   private final Commands commands;
   private final Offer browse;
+  /** Where commands go: these channels bring our own messages back, which are no sign of the robot. */
+  private final Set<String> commanded;
   private boolean remedyTold;
 
   /**
@@ -53,6 +57,7 @@ public final class Session implements AutoCloseable {
     this.types = types;
     boolean isFile = settings.url().provider().equals("file");
     boolean writes = isFile && !settings.url().options().getOrDefault("mode", "r").equals("r");
+    this.commanded = settings.commands().stream().map(c -> c.mapping().channel()).collect(Collectors.toUnmodifiableSet());
     this.watch = new LinkWatch(settings.url().toString(), writes, System.nanoTime());
     this.channels = new Channels(context, settings, types, new SessionClock(context, isFile && !writes));
     this.lcm = Lcm.open(settings.url(), LcmOptions.standard(context.threads()).withSockets(sockets));
@@ -62,8 +67,10 @@ public final class Session implements AutoCloseable {
   }
 
   private void received(LcmMessage message) {
-    watch.heard(message.received());
-    pulse.heard(message.received());
+    if (!commanded.contains(message.channel())) {
+      watch.heard(message.received());
+      pulse.heard(message.received());
+    }
     channels.accept(message);
   }
 
