@@ -2,22 +2,27 @@ import java.util.Locale;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.LcmState;
+import org.robotui.lcm.LcmStatistics;
 import org.robotui.lcm.LcmUrl;
 import org.robotui.lcm.SubscriptionOptions;
 
-/** Counts messages with our client and says at each END what came since the last one. */
+/** Counts messages with our client and says at each END what came since the last one, and what the client counted as lost. */
 public final class BenchReceiver {
   private long messages;
   private long bytes;
   private long first;
   private long last;
+  private long lost;
   private byte told;
+  private final Lcm lcm;
 
-  private BenchReceiver() {}
+  private BenchReceiver(Lcm lcm) {
+    this.lcm = lcm;
+  }
 
   public static void main(String[] arguments) throws InterruptedException {
-    BenchReceiver counts = new BenchReceiver();
     Lcm lcm = Lcm.open(LcmUrl.of(arguments[0]), LcmOptions.standard(Thread.ofPlatform().factory()));
+    BenchReceiver counts = new BenchReceiver(lcm);
     lcm.subscribe("DATA", SubscriptionOptions.direct(), message -> counts.data(message.data().remaining()));
     lcm.subscribe("END", SubscriptionOptions.direct(), message -> counts.end(message.data().get()));
     while (!(lcm.state() instanceof LcmState.Connected)) {
@@ -37,7 +42,11 @@ public final class BenchReceiver {
   private void end(byte flood) {
     if (flood != told) {
       told = flood;
-      System.out.printf(Locale.ROOT, "{\"messages\": %d, \"bytes\": %d, \"seconds\": %.9f}%n", messages, bytes, (last - first) / 1e9);
+      LcmStatistics statistics = lcm.statistics();
+      long before = lost;
+      lost = statistics.lost() + statistics.incomplete();
+      System.out.printf(Locale.ROOT, "{\"messages\": %d, \"bytes\": %d, \"seconds\": %.9f, \"counted\": %d}%n", messages, bytes,
+          (last - first) / 1e9, lost - before);
       messages = 0;
       bytes = 0;
       first = 0;

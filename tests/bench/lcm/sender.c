@@ -1,4 +1,4 @@
-/* Sends messages as fast as it can: URL, then on each line of input SIZE COUNT; says "sent", and then for a while that this was all. */
+/* Sends messages: URL, then on each line of input SIZE COUNT PAUSE, in microseconds between two; says for a while that this was all, and then "sent". */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,18 +6,24 @@
 
 #include <lcm/lcm.h>
 
-enum { ENDS = 15, BETWEEN_ENDS_US = 40000 };
+/* So long a receiver waits for missing fragments at most, and then has counted what it lost: only where nothing is timed. */
+enum { ENDS = 15, BETWEEN_ENDS_US = 40000, AFTER_PACED_US = 1200000 };
 
 int main(int count, char **arguments)
 {
     lcm_t *lcm = count > 1 ? lcm_create(arguments[1]) : NULL;
     uint8_t *data = calloc(1, 1 << 24);
-    unsigned size, messages, flood = 0;
+    unsigned size, messages, pause, flood = 0;
     if (!lcm || !data)
         return 1;
-    while (scanf("%u %u", &size, &messages) == 2) {
-        for (unsigned i = 0; i < messages; i++)
+    while (scanf("%u %u %u", &size, &messages, &pause) == 3) {
+        for (unsigned i = 0; i < messages; i++) {
             lcm_publish(lcm, "DATA", data, size);
+            if (pause > 0)
+                usleep(pause);
+        }
+        if (pause > 0)
+            usleep(AFTER_PACED_US);
         data[0] = (uint8_t) ++flood;
         for (unsigned i = 0; i < ENDS; i++) {
             usleep(BETWEEN_ENDS_US);
