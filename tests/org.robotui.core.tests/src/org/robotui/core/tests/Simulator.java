@@ -4,7 +4,10 @@ import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -12,32 +15,35 @@ import org.junit.jupiter.api.Assertions;
 
 /** The demo's robot, a process of its own that goes on while the bundles here come and go. */
 final class Simulator implements AutoCloseable {
-  private static final String ADDRESS = "ROS_MASTER_URI=";
+  /** The types of messages that it speaks over LCM; tests run in their project's folder. */
+  static final Path LCM_TYPES = Path.of("../../configs/lcm/types").toAbsolutePath().normalize();
+
   private static final int END_SECONDS = 5;
 
   private final Process process;
-  private final String master;
+  private final BufferedReader out;
+  private final Map<String, String> addresses = new HashMap<>();
 
-  Simulator() throws IOException {
-    String classes = Stream.of("org.robotui.sim", "org.robotui.ros", "org.robotui.geometry", "slf4j.api")
+  /** Speaks ROS, or what the options say. */
+  Simulator(String... options) throws IOException {
+    String classes = Stream.of("org.robotui.sim", "org.robotui.ros", "org.robotui.player", "org.robotui.lcm", "org.robotui.geometry", "slf4j.api")
         .map(Bundles::file).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
-    process = new ProcessBuilder(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+    List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-XX:TieredStopAtLevel=1", "-Xmx128m", "-cp", classes, "org.robotui.sim.Main",
-        "--parent", Long.toString(ProcessHandle.current().pid())))
-        .redirectError(ProcessBuilder.Redirect.DISCARD).start();
-    master = address();
+        "--parent", Long.toString(ProcessHandle.current().pid())));
+    command.addAll(List.of(options));
+    process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+    out = process.inputReader();
   }
 
-  private String address() throws IOException {
-    BufferedReader out = process.inputReader();
-    String line = String.valueOf(out.readLine());
-    Assertions.assertTrue(line.startsWith(ADDRESS), "the simulator says " + line);
-    return line.substring(ADDRESS.length());
-  }
-
-  /** The address of its master. */
-  String master() {
-    return master;
+  /** The address of which it says that it is in this variable. */
+  String address(String variable) throws IOException {
+    while (!addresses.containsKey(variable)) {
+      String[] said = String.valueOf(out.readLine()).split("=", 2);
+      Assertions.assertEquals(2, said.length, "the simulator does not say where " + variable + " is, but " + addresses);
+      addresses.put(said[0], said[1]);
+    }
+    return addresses.get(variable);
   }
 
   @Override

@@ -37,10 +37,9 @@ final class World implements AutoCloseable {
   static final String CORE = "org.robotui.core";
   static final String TEXT = "org.robotui.uic.text";
   static final String SINGLE = "org.robotui.ruic.single";
-  static final String ROS_RFIC = "org.robotui.rfic.ros";
-  static final String ROS = "org.robotui.ros";
 
-  private static final List<String> PARTS = List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, ROS, ROS_RFIC);
+  private static final List<String> PARTS = List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.ros", "org.robotui.rfic.ros",
+      "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm", "org.robotui.rfic.lcm");
   private static final long SERVICE_MILLIS = 10_000;
 
   private final Path folder;
