@@ -4,7 +4,7 @@ import pathlib
 import re
 import xmlrpc.client
 
-from conftest import last_of, start_robotui, wait_for
+from conftest import free_port, last_of, start_robotui, wait_for
 from side_effects import SPEED, Witness, same_rhythm, same_steps
 
 PEERS = pathlib.Path(__file__).parent / "peers"
@@ -13,12 +13,24 @@ SECONDS = 8
 OURS = re.compile(r"/robotui_\w+")
 
 
+class MasterThere:
+    """A master that only those on its own machine reach."""
+
+    ASK = "import json, sys, xmlrpc.client as x; print(json.dumps(getattr(x.ServerProxy(sys.argv[1]), sys.argv[2])(*sys.argv[3:])))"
+
+    def __init__(self, machine):
+        self.machine = machine
+
+    def __getattr__(self, method):
+        return lambda *arguments: json.loads(self.machine.tool("/usr/bin/python3", "-c", self.ASK, self.machine.uri, method, *arguments))
+
+
 class Graph:
     """A roscore, a robot that another node drives, and somebody who listens."""
 
-    def __init__(self, roscore, *options):
+    def __init__(self, roscore, *options, master=None):
         self.ros = roscore
-        self.master = xmlrpc.client.ServerProxy(roscore.uri)
+        self.master = master or xmlrpc.client.ServerProxy(roscore.uri)
         robot = str(PEERS / "accountable_robot.py")
         self._start("robot", robot, *options)
         self._start("driver", robot, "--driver")
@@ -61,20 +73,38 @@ def same_motion(phase):
     same_steps(phase, SPEED / RATE)
 
 
-def unharmed(phases):
+def unharmed(phases, slack=0.5 / RATE):
     for phase in phases:
-        same_rhythm(phase, phases[0], 0.5 / RATE)
+        same_rhythm(phase, phases[0], slack)
         same_motion(phase)
         assert without_ours(phase["state"]) == phases[0]["state"], phase["name"]
 
 
-def make_graph(roscore, *options):
-    made = Graph(roscore, *options)
+def make_graph(roscore, *options, master=None):
+    made = Graph(roscore, *options, master=master)
     wait_for(lambda: len(made.state()["services"]) == 8, what="all nodes")      # two of each: rosout, robot, driver, witness
     return made
 
 
-def headless(graph, name="robotui", config="ros"):
-    started = start_robotui(graph.ros, "run", "--json", config, name=name)
+def make_far_graph(network):
+    """On a machine that the workbench's reaches through a network alone."""
+    uri = f"http://{network.robot.address}:{free_port()}"
+    network.robot.knows(uri)
+    network.workbench.knows(uri)
+    network.robot.start_tool("roscore", "-p", uri.rsplit(":", 1)[1], name="roscore")
+    master = MasterThere(network.robot)
+    wait_for(lambda: answers(master), what="roscore")
+    return make_graph(network.robot, master=master)
+
+
+def answers(master):
+    try:
+        return master.getPid("/side_effects")
+    except AssertionError:
+        return None
+
+
+def headless(graph, name="robotui", config="ros", machine=None):
+    started = start_robotui(machine or graph.ros, "run", "--json", config, name=name)
     wait_for(lambda: (line := last_of(started, "odom")) and line["rate_hz"] > RATE / 2, seconds=60, what="the odometry in the workbench")
     return started

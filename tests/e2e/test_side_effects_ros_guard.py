@@ -8,17 +8,19 @@ import time
 import pytest
 
 from conftest import end, last_of, wait_for
-from ros_graph import RATE, headless, make_graph, unharmed
+from network import network    # noqa: F401 (a fixture)
+from ros_graph import RATE, headless, make_far_graph, make_graph, unharmed
 from side_effects import Stopped, closed, comes_back, ended, guards_of, keep, longest_gap
 
 STOPPED = 8
 HELD_UP = 1.0
+SLACK = 0.25         # what a machine that does much else may cost, as the relay between two machines does
 
 
-def workbench(graph, guard):
+def workbench(graph, guard, machine=None):
     config = graph.ros.processes.folder / f"ros-{guard}.yaml"
     config.write_text(f"ruics:\n  Robot:\n    type: mobilebase\n    rfics:\n      base: {{type: ros, guard: {str(guard).lower()}}}\n")
-    return headless(graph, config=str(config))
+    return headless(graph, config=str(config), machine=machine)
 
 
 def test_a_guard_changes_nothing_and_says_farewell_for_a_workbench_that_is_killed(roscore):
@@ -73,3 +75,30 @@ def test_a_stopped_workbench_holds_up_a_rospy_robot_without_queues_unless_it_has
     closed(started)
     keep(f"no-queues-stopped-{'guarded' if guard else 'plain'}", phases)
     assert held_up < HELD_UP if guard else held_up > HELD_UP, held_up
+
+
+@pytest.mark.parametrize("guard", [False, True])
+def test_a_bad_link_to_the_workbench_changes_nothing(network, ros_tools, guard):      # noqa: F811
+    graph = make_far_graph(network)
+    phases = [graph.phase("without")]
+    started = workbench(graph, guard, network.workbench)
+    guards = guards_of(started)
+    assert len(guards) == guard
+    phases.append(graph.phase("with"))
+    network.impair(0.05, 0.02)
+    carried, lost = network.counts()
+    phases.append(graph.phase("on a bad link"))
+    network.outage(3)
+    phases.append(graph.phase("through an outage"))
+    network.impair(0, 0)
+    now_carried, now_lost = network.counts()
+    assert now_carried > carried and now_lost > lost, "nothing went over the bad link"
+    comes_back(started, "odom", RATE / 2)
+    phases.append(graph.phase("after the bad link"))
+    closed(started)
+    wait_for(lambda: not graph.ours(), seconds=3, what="the end of our registrations")
+    phases.append(graph.phase("after"))
+    assert ended(guards), "a guard is left"
+    keep(f"link-{'guarded' if guard else 'plain'}", phases)
+    unharmed(phases, SLACK)
+    assert phases[-1]["state"] == phases[0]["state"]
