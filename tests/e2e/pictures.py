@@ -3,13 +3,15 @@
 Without names it makes all that it knows; the others of docs/images are taken by hand."""
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import time
 
-from conftest import ROOT, Processes, start_simulator, wait_for
-from desktop import LIGHT, Keys, Motion, Window, missing
+from conftest import ROOT, Processes, Robot, start_simulator, wait_for
+from desktop import DARK, LIGHT, Keys, Motion, Picture, Window, missing, output
+from test_new_robot import Form
 from views import MANIPULATOR, Views
 
 IMAGES = ROOT / "docs" / "images"
@@ -20,20 +22,29 @@ CONFIGURED = {"scene-two-frameworks-dark.png": ("two-frameworks", [0x3ecf8e, 0xf
 # The same of robots under control in real time: also what is cut out of the window, none for all of it.
 CONTROLLED = {"scene-arm-dark.png": ("arm", "records"), "humanoid-dark.png": ("humanoid", None)}
 SECONDS_OF_HOMING = 1.5                         # the motion takes some more
+# Of forms, on a robot that two frameworks reach.
+EXCHANGE = "exchange-dark.png"
+NEW_ROBOT = "new-robot-dark.png"
+TWO_FACES = "simulator: [{{robot: keira, speaks: [ros, player]}}]\nruics:\n  Keira:\n    type: mobilebase\n    rfics:\n      base: {{type: {type}}}\n"
+DOWN_TO_PLAYER = 2                              # in the menu of frameworks
 # Made together, as the robot drives meanwhile; the first ones are one view each.
 OF_VIEWS = {"scene-mobile-dark.png": "scene3d", "frames-dark.png": "tftree", "graph-dark.png": "graph"}
 DEMO = {*OF_VIEWS, "workbench-dark.png", "ros-inspect-dark.png", "workbench-light.png", "ros-plot-light.png"}
-KNOWN = {*CONFIGURED, *CONTROLLED, *DEMO}
+KNOWN = {*CONFIGURED, *CONTROLLED, EXCHANGE, NEW_ROBOT, *DEMO}
 # Across the building, so that it drives for a while.
 GOAL = "{header: {frame_id: map}, pose: {position: {x: 11.5, y: 7.2}, orientation: {w: 1}}}"
 BACK = "{header: {frame_id: map}, pose: {position: {x: 3.4, y: 7.0}, orientation: {z: 0.7, w: 0.7}}}"
 
 
-def save(window, name, part=None):
-    """Small enough for a repository: fewer pixels, and no more colours than can be told apart here. A part is a rectangle of the window."""
+def save(window, name, part=None, seen=None):
+    """
+    Small enough for a repository: fewer pixels, and no more colours than can be told apart here. A part is a rectangle of what is seen: of the
+    window, or of another one, as of the root with all that lies over the window.
+    """
     raw = window.process.out.parent / name
-    subprocess.run(["import", "-silent", "-window", window.id, raw], check=True, timeout=30)
-    left, top, right, bottom = part or (0, 0, window.picture().width, window.picture().height)
+    subprocess.run(["import", "-silent", "-window", seen or window.id, raw], check=True, timeout=30)
+    picture = Picture.of(raw)
+    left, top, right, bottom = part or (0, 0, picture.width, picture.height)
     subprocess.run(["convert", raw, "-crop", f"{right - left}x{bottom - top}+{left}+{top}", "+repage", "-resize", f"{WIDTH}>", "-dither", "None", "-colors", "255", "-strip", "-define", "png:compression-level=9",
                     f"png8:{IMAGES / name}"], check=True, timeout=60)
     size = (IMAGES / name).stat().st_size
@@ -124,6 +135,60 @@ def controlled(processes, environment, wanted):
             window.process.wait(60)
 
 
+def titled(title):
+    """The window of a form, once it is there."""
+    def found():
+        names = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True, timeout=20, check=False)
+        return next(iter(names.stdout.split()), None)
+    return wait_for(found, what=f"the window {title}")
+
+
+def everything():
+    return Picture(output("import", "-silent", "-window", "root", "-depth", "8", "ppm:-"))
+
+
+def two_faces(processes, framework="ros"):
+    file = processes.folder / "two-faces.yaml"
+    file.write_text(TWO_FACES.format(type=framework))
+    return file
+
+
+def exchange(processes, environment):
+    """The file names another framework: the form opens by itself, and tries it."""
+    file = two_faces(processes)
+    window = Window(processes.start([ROOT / "robotui", "run", "--theme", "dark", file], "exchange", environment))
+    wait_for(window.is_live, seconds=60, what="the robot")
+    time.sleep(10)                              # the rates of its ports
+    two_faces(processes, "player")
+    titled("^Change the framework of Keira")
+    seen = everything()
+    wait_for(lambda: everything().count(DARK["bad"], 0, seen.height // 2) > 500, what="the verdict, below what is lost")
+    time.sleep(1)
+    used = int(everything().pixels.any(axis=(1, 2)).nonzero()[0].max())   # what lies below the window is black
+    save(window, EXCHANGE, (0, 0, seen.width, used), seen="root")
+    Keys.press("Escape")
+    window.close()
+
+
+def new_robot(processes, environment):
+    """The second step for a robot that speaks Player."""
+    robot = processes.start([ROOT / "robotui", "run", "--json", two_faces(processes)], "two-faces", environment)
+    said = wait_for(lambda: re.search(r"export PLAYER_HOST=(\S+) PLAYER_PORT=(\S+)", robot.err.read_text()), seconds=60, what="the robot")
+    (processes.folder / "empty.yaml").write_text("ruics: {}\n")
+    place = {"PLAYER_HOST": said.group(1), "PLAYER_PORT": said.group(2)}
+    window = Window.open(Robot(processes, "", environment | place), processes.folder / "empty.yaml", "--theme", "dark", name="new")
+    form = Form(window)
+    form.framework(DOWN_TO_PLAYER)
+    form.connect()
+    wait_for(form.may_go_on, what="the robot")
+    form.next()
+    wait_for(form.may_go_on, what="views")
+    time.sleep(2)
+    save(window, NEW_ROBOT, seen=form.window)
+    output("xdotool", "windowactivate", "--sync", form.window, "key", "Escape", "sleep", "1")
+    window.close()
+
+
 def main():
     if missing():
         sys.exit(f"pictures need {missing()}")
@@ -138,6 +203,10 @@ def main():
         try:
             configured(processes, environment, wanted)
             controlled(processes, environment, wanted)
+            if EXCHANGE in wanted:
+                exchange(processes, environment)
+            if NEW_ROBOT in wanted:
+                new_robot(processes, environment)
             if wanted & DEMO:
                 robot = start_simulator(processes, environment, 0, "simulator")
                 dark(robot, configuration)
