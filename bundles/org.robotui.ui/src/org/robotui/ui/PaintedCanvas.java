@@ -10,6 +10,8 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Listener;
+import org.eclipse.swt.widgets.Shell;
 
 /**
  * A double-buffered canvas in the colours of a theme. All coordinates are points, which SWT scales to the pixels of the
@@ -36,6 +38,7 @@ public final class PaintedCanvas extends Canvas {
   private final List<Runnable> atEnd = new ArrayList<>();
   private long paintNanos;
   private long paints;
+  private int zoom; // 0 for not known
 
   /**
    * A canvas on the ground of views.
@@ -68,6 +71,19 @@ public final class PaintedCanvas extends Canvas {
     setFont(theme.font(Face.BODY));
     addPaintListener(this::paint);
     addDisposeListener(e -> atEnd.forEach(Runnable::run));
+    watchZoom(getShell());
+  }
+
+  private void watchZoom(Shell window) {
+    Listener moved = e -> zoom = 0;
+    addListener(SWT.Resize, moved);
+    addListener(SWT.ZoomChanged, moved);
+    window.addListener(SWT.Move, moved);
+    atEnd(() -> {
+      if (!window.isDisposed()) {
+        window.removeListener(SWT.Move, moved);
+      }
+    });
   }
 
   /** Has it painted soon, once for any number of calls. Any thread; after disposal it does nothing. */
@@ -84,6 +100,19 @@ public final class PaintedCanvas extends Canvas {
    */
   public void atEnd(Runnable action) {
     atEnd.add(action);
+  }
+
+  /**
+   * How many pixels of the screen there are to a hundred points. Asking the display for its monitors takes as long as a painting, so it is asked only
+   * when the canvas or its window has moved. Display thread.
+   *
+   * @return percent
+   */
+  public int zoom() {
+    if (zoom == 0) {
+      zoom = getMonitor().getZoom();
+    }
+    return zoom;
   }
 
   /**
@@ -104,6 +133,21 @@ public final class PaintedCanvas extends Canvas {
     return paints;
   }
 
+  /**
+   * Begins a painting as this canvas begins its own, also into something else, as an image. Display thread.
+   *
+   * @param gc is antialiased afterwards, with font, colours and background of the theme set
+   * @param area is painted with the ground
+   */
+  public void ground(GC gc, Rectangle area) {
+    gc.setBackground(theme.color(ground));
+    gc.fillRectangle(area);
+    gc.setAntialias(SWT.ON);
+    gc.setTextAntialias(SWT.ON);
+    gc.setFont(theme.font(Face.BODY));
+    gc.setForeground(theme.color(Role.TEXT));
+  }
+
   private void repaint() {
     requested.set(false);
     if (!isDisposed()) {
@@ -115,12 +159,7 @@ public final class PaintedCanvas extends Canvas {
     long start = System.nanoTime();
     GC gc = event.gc;
     Rectangle area = getClientArea();
-    gc.setBackground(theme.color(ground));
-    gc.fillRectangle(area);
-    gc.setAntialias(SWT.ON);
-    gc.setTextAntialias(SWT.ON);
-    gc.setFont(theme.font(Face.BODY));
-    gc.setForeground(theme.color(Role.TEXT));
+    ground(gc, area);
     content.paint(gc, area);
     paints++;
     paintNanos = System.nanoTime() - start;

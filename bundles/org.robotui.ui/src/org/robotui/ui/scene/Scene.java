@@ -12,8 +12,6 @@ import java.util.concurrent.ConcurrentLinkedQueue;
  * next paint.
  */
 public final class Scene {
-  private static final double FADED = 0.35;
-
   private final Queue<Entity> removed = new ConcurrentLinkedQueue<>();
   private volatile List<Layer> layers = List.of();
 
@@ -83,14 +81,8 @@ public final class Scene {
    * @param painter where
    */
   public void paint(Painter painter) {
-    releaseRemoved();
-    for (Layer layer : layers) {
-      if (layer.visible()) {
-        painter.fade(layer.faded() ? FADED : 1);
-        layer.entity().paint(painter);
-      }
-    }
-    painter.fade(1);
+    release();
+    new ScenePass(this, painter).paintAll();
   }
 
   /**
@@ -122,11 +114,12 @@ public final class Scene {
 
   /** Releases what all entities hold of the display. Display thread. */
   public void dispose() {
-    releaseRemoved();
+    release();
     layers.forEach(l -> l.entity().dispose());
   }
 
-  private void releaseRemoved() {
+  /** Releases what removed layers hold of the display. Display thread. */
+  void release() {
     for (Entity entity = removed.poll(); entity != null; entity = removed.poll()) {
       entity.dispose();
     }

@@ -14,7 +14,6 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
-import org.eclipse.swt.widgets.Listener;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.entity.image.Legend;
@@ -50,9 +49,7 @@ final class CameraSurface {
   private final CandidateChooser chooser;
   private final Screen screen;
   private final Navigation navigation;
-  private final Listener shellMoved = e -> forgetZoom();
   private Shot shot = Shot.NOTHING;
-  private double zoom; // 0 for not known
 
   /**
    * A surface.
@@ -152,23 +149,12 @@ final class CameraSurface {
     return new Stage(area, shown.picture().width(), shown.picture().height(), 1 / zoom());
   }
 
-  /** Pixels of the screen to a point. Asking the display for its monitors takes as long as painting: not once a picture. */
+  /** Pixels of the screen to a point. */
   private double zoom() {
-    if (zoom == 0) {
-      zoom = canvas.getMonitor().getZoom() / PERCENT;
-    }
-    return zoom;
-  }
-
-  private void forgetZoom() {
-    zoom = 0;
+    return canvas.zoom() / PERCENT;
   }
 
   private void listen() {
-    canvas.addListener(SWT.Resize, e -> forgetZoom());
-    canvas.addListener(SWT.ZoomChanged, e -> forgetZoom());
-    canvas.getShell().addListener(SWT.Move, shellMoved);
-    canvas.atEnd(() -> canvas.getShell().removeListener(SWT.Move, shellMoved));
     canvas.addListener(SWT.MouseDown, this::down);
     canvas.addListener(SWT.MouseVerticalWheel, this::wheel);
     canvas.addListener(SWT.MouseMove, e -> hint(bar.at(e.x, e.y).map(HoverBar.Cell::hint)));

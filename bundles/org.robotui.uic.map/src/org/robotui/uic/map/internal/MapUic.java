@@ -48,6 +48,11 @@ final class MapUic implements SwtUic {
     canvas.ifPresent(MapCanvas::refresh);
   }
 
+  /** Whether what is painted next is what the last tick prepared. Display thread. */
+  boolean upToDate() {
+    return canvas.map(MapCanvas::upToDate).orElse(true);
+  }
+
   @Override
   public List<ViewAction> actions() {
     return actions.all();

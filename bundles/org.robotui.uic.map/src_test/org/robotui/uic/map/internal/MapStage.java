@@ -95,8 +95,11 @@ final class MapStage {
     hands().key(character);
   }
 
+  /** On a slow machine a map is painted in turns, and shown when it is complete. */
   void settle() {
-    if (control.isPresent() && !control.get().isDisposed()) {
+    boolean newest = false;
+    while (!newest && control.isPresent() && !control.get().isDisposed() && shell.isVisible()) {
+      newest = uic.upToDate();
       hands().settle();
     }
   }

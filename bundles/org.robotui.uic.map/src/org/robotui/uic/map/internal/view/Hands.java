@@ -45,7 +45,7 @@ final class Hands {
     drawing = map.tool().isPresent();
     map.tool().ifPresent(t -> {
       t.down(map.mover().viewport().worldX(x), map.mover().viewport().worldY(y));
-      map.refresh();
+      map.repaint();
     });
     return drawing;
   }
@@ -64,7 +64,7 @@ final class Hands {
     if (drawing && e.button == 1) {
       drawing = false;
       map.tool().ifPresent(t -> t.up(worldX(e), worldY(e)));
-      map.refresh();
+      map.repaint();
     } else if (e.button == 1 && pressed.filter(p -> Math.hypot(p.x - e.x, p.y - e.y) < STILL).isPresent()) {
       map.click(new Point(e.x, e.y), (e.stateMask & (SWT.MOD1 | SWT.SHIFT)) != 0);
     }

@@ -28,6 +28,7 @@ import org.robotui.ui.scene.Commander;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Scene;
 import org.robotui.ui.scene.SceneMover;
+import org.robotui.ui.scene.ScenePicture;
 import org.robotui.ui.scene.Toast;
 import org.robotui.ui.scene.Told;
 import org.robotui.ui.scene.Viewport;
@@ -54,6 +55,7 @@ public final class MapCanvas {
   private final TeamMarks marks;
   private final PaintedCanvas surface;
   private final SceneMover mover;
+  private final ScenePicture picture;
   private final Toast toast = new Toast();
   private final Hover hover = new Hover();
   private final SentGoal sent = new SentGoal();
@@ -75,7 +77,8 @@ public final class MapCanvas {
     marks = new TeamMarks(model.team());
     surface = new PaintedCanvas(parent, theme, this::paint);
     mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(), SceneMover.Following.of(this::following, choices::follow),
-        this::refresh);
+        this::repaint);
+    picture = new ScenePicture(model.scene(), surface, theme);
     actions.connect(this);
     surface.atEnd(() -> {
       actions.disconnect(this);
@@ -92,6 +95,23 @@ public final class MapCanvas {
   public void refresh() {
     if (!surface.isDisposed()) {
       sayNote();
+      if (following()) {
+        surface.requestPaint();
+      } else {
+        picture.refresh();
+      }
+    }
+  }
+
+  /** Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work. */
+  public boolean upToDate() {
+    return picture.upToDate();
+  }
+
+  /** Paints soon what hands have changed: the camera, or what lies over the scene. */
+  void repaint() {
+    if (!surface.isDisposed()) {
+      refresh();
       surface.requestPaint();
     }
   }
@@ -102,7 +122,7 @@ public final class MapCanvas {
 
   void toggleFollow() {
     choices.follow(!following());
-    refresh();
+    repaint();
   }
 
   SceneMover mover() {
@@ -125,7 +145,7 @@ public final class MapCanvas {
     tool = using(id) ? Optional.empty() : Optional.of(make(id));
     surface.setCursor(tool.isPresent() ? surface.getDisplay().getSystemCursor(SWT.CURSOR_CROSS) : null);
     surface.setFocus();
-    refresh();
+    repaint();
   }
 
   Optional<Tool> tool() {
@@ -137,7 +157,7 @@ public final class MapCanvas {
     sent.clear();
     marks.clear();
     tool.ifPresent(t -> toggleTool(t.id()));
-    refresh();
+    repaint();
   }
 
   Hover hover() {
@@ -159,7 +179,7 @@ public final class MapCanvas {
   void click(Point pixel, boolean beside) {
     if (team.isTeam()) {
       team.click(robotAt(pixel), beside);
-      refresh();
+      repaint();
     }
   }
 
@@ -228,7 +248,7 @@ public final class MapCanvas {
     Painter painter = new Painter(gc, mover.viewport(), theme);
     boolean bare = model.scene().bounds().isEmpty() && !StateView.showsContent(snapshot.state());
     if (!bare) {
-      model.scene().paint(painter);
+      picture.paint(painter);
     }
     sent.paint(painter, snapshot, System.nanoTime());
     marks.paint(painter, snapshot);
@@ -301,7 +321,7 @@ public final class MapCanvas {
   void say(Told told) {
     toast.say(told, System.nanoTime());
     surface.getDisplay().timerExec(Toast.MILLIS, surface::requestPaint);
-    refresh();
+    repaint();
   }
 
   private void sayNote() {

@@ -67,7 +67,7 @@ final class SceneCanvas {
 
   /** Pixels of the picture a point. */
   double scale() {
-    return canvas.getMonitor().getZoom() / (double) HUNDRED;
+    return canvas.zoom() / (double) HUNDRED;
   }
 
   private void paint(GC gc, Rectangle area) {
