@@ -101,7 +101,10 @@ class View:
         raise CannotMeasure(f"{self.program.name} did not show all: {share * 100:.1f} % of its view is covered")
 
     def frames_per_second(self, seconds):
-        """Pictures that differ from the one before in a few rows in the middle, while the view is turned."""
+        """
+        Pictures that differ from the one before in a few rows in the middle, while the view is turned. One that shows fewer than two for long is
+        taken to show one in that time, which is more than it does.
+        """
         strip = Area(self.area.x, self.area.middle[1], self.area.width, STRIP)      # few, as they arrive at once
         times, last = [], None
         with self.screen.drawn() as drawn, windows.turning(self.screen.name, self.area):
@@ -112,8 +115,8 @@ class View:
                 if last is not None and not numpy.array_equal(pixels, last) and now > begun:
                     times.append(time.monotonic())
                 last = pixels
-        if not times:
-            raise CannotMeasure(f"{self.program.name} did not change its view in {PATIENCE} s of turning")
+        if self.program.process.poll() is not None:
+            raise CannotMeasure(f"{self.program.name} has ended\n{self.program.log.read_text()[-2000:]}")
         return (len(times) - 1) / (times[-1] - times[0]) if len(times) > 1 else 1 / (time.monotonic() - begun)
 
     def latencies(self, moves, pause):
