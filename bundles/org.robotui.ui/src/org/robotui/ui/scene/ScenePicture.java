@@ -20,7 +20,7 @@ public final class ScenePicture {
   /** Between two pictures it does nothing for as long as one takes, and for this at least: more of them a second are not told apart on a map. */
   private static final long REST = 25 * MILLI;
   /** While a camera moves no sheet is worth its time. */
-  private static final long STILL = 100 * MILLI;
+  private static final long STILL = 120 * MILLI;
 
   private final Scene scene;
   private final PaintedCanvas canvas;
@@ -65,7 +65,10 @@ public final class ScenePicture {
    * @param painter of the canvas
    */
   public void paint(Painter painter) {
-    viewport = painter.viewport();
+    if (!painter.viewport().equals(viewport)) {
+      viewport = painter.viewport();
+      restUntil = System.nanoTime() + STILL;
+    }
     shown.filter(this::fits).ifPresentOrElse(sheet -> sheet.paint(painter.gc()), () -> paintNow(painter));
   }
 
@@ -85,11 +88,9 @@ public final class ScenePicture {
   private void paintNow(Painter painter) {
     long start = System.nanoTime();
     scene.paint(painter);
-    long end = System.nanoTime();
-    slow = end - start > LONG ? slow + 1 : 0;
+    slow = System.nanoTime() - start > LONG ? slow + 1 : 0;
     inTurns |= slow >= TIMES;
     if (inTurns) {
-      restUntil = end + STILL;
       refresh();
     }
   }
@@ -120,7 +121,7 @@ public final class ScenePicture {
     spare = Optional.empty();
     SheetWork begun = new SheetWork(scene, sheet, canvas, theme);
     work = Optional.of(begun);
-    turn(begun);
+    canvas.getDisplay().asyncExec(() -> turn(begun));
   }
 
   private void turn(SheetWork begun) {

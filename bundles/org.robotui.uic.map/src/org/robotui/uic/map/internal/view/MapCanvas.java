@@ -95,10 +95,10 @@ public final class MapCanvas {
   public void refresh() {
     if (!surface.isDisposed()) {
       sayNote();
+      picture.refresh();
       if (following()) {
+        // The camera moves with the robot, which is seen by painting.
         surface.requestPaint();
-      } else {
-        picture.refresh();
       }
     }
   }
