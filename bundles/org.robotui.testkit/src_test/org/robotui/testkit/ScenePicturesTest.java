@@ -7,8 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.geometry.Quaternion;
@@ -34,17 +33,8 @@ import org.robotui.gl.shape.Shape;
 class ScenePicturesTest {
   private static final Eye ABOVE = ScenePictures.eye(new Vector3(-4, -3, 3), Vector3.ZERO);
   private static final Eye PLAN = new Eye(ABOVE.fixedFromEye(), new Parallel(5), 0.1, 50);
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static Part part(Object key, Shape shape, Material material) {
     return new Part(key, shape, RigidTransform.IDENTITY, material, Describer.of("test"));
@@ -88,34 +78,34 @@ class ScenePicturesTest {
   @Test
   void pointsInPixels() {
     List<Part> parts = List.of(grid(), axes(), part("cloud", wave(120, 2, Unit.PIXELS, Style.SQUARE), Material.flat(Rgba.WHITE)));
-    pictures.assertLike(getClass(), "points-pixels", ScenePictures.request(parts, ABOVE));
+    PICTURES.assertLike(getClass(), "points-pixels", ScenePictures.request(parts, ABOVE));
   }
 
   @Test
   void pointsInMetresAreSmallerFarAway() {
     List<Part> parts = List.of(part("cloud", wave(24, 0.12f, Unit.METRES, Style.DISC), Material.flat(Rgba.WHITE)));
-    pictures.assertLike(getClass(), "points-metres", ScenePictures.request(parts, ABOVE, ScenePictures.LIGHT));
+    PICTURES.assertLike(getClass(), "points-metres", ScenePictures.request(parts, ABOVE, ScenePictures.LIGHT));
   }
 
   @Test
   void linesInBothProjections() {
     List<Part> parts = List.of(grid(), axes());
-    pictures.assertLike(getClass(), "lines-perspective", ScenePictures.request(parts, ABOVE));
-    pictures.assertLike(getClass(), "lines-parallel", ScenePictures.request(parts, PLAN, ScenePictures.LIGHT));
+    PICTURES.assertLike(getClass(), "lines-perspective", ScenePictures.request(parts, ABOVE));
+    PICTURES.assertLike(getClass(), "lines-parallel", ScenePictures.request(parts, PLAN, ScenePictures.LIGHT));
   }
 
   @Test
   void meshesInTheLight() {
     List<Part> parts = List.of(grid(), axes(), part("box", Solids.box(1, 0.6f, 0.8f), Material.lit(Rgba.of(0xd97f3d))));
-    pictures.assertLike(getClass(), "mesh-dark", ScenePictures.request(parts, ABOVE));
-    pictures.assertLike(getClass(), "mesh-light", ScenePictures.request(parts, PLAN, ScenePictures.LIGHT));
+    PICTURES.assertLike(getClass(), "mesh-dark", ScenePictures.request(parts, ABOVE));
+    PICTURES.assertLike(getClass(), "mesh-light", ScenePictures.request(parts, PLAN, ScenePictures.LIGHT));
   }
 
   @Test
   void whatIsTranslucentShowsWhatLiesBehind() {
     Part glass = new Part("glass", Solids.box(1.6f, 1.6f, 0.2f), RigidTransform.planar(-0.6, -0.4, 0.3), Material.lit(Rgba.of(0x3e8eed).withAlpha(0.4)), Describer.of("glass"));
     List<Part> parts = List.of(glass, grid(), axes(), part("box", Solids.box(0.5f, 0.5f, 1.2f), Material.lit(Rgba.of(0xd97f3d))));
-    pictures.assertLike(getClass(), "translucent", ScenePictures.request(parts, ABOVE));
+    PICTURES.assertLike(getClass(), "translucent", ScenePictures.request(parts, ABOVE));
   }
 
   @Test
@@ -129,7 +119,7 @@ class ScenePicturesTest {
       rgba.putInt(0x4080ffff + (i * 9 << 24));
     }
     Instances many = Instances.of(Solids.box(0.4f, 0.4f, 0.4f), placings.flip(), Optional.of(rgba.flip()));
-    pictures.assertLike(getClass(), "instances", ScenePictures.request(List.of(grid(), part("many", many, Material.lit(Rgba.WHITE))), ABOVE));
+    PICTURES.assertLike(getClass(), "instances", ScenePictures.request(List.of(grid(), part("many", many, Material.lit(Rgba.WHITE))), ABOVE));
   }
 
   private static Part label(String text, float size, Unit unit, double z) {
@@ -139,12 +129,12 @@ class ScenePicturesTest {
   @Test
   void wordsFaceTheCamera() {
     List<Part> parts = List.of(grid(), label("base_link 12.5 m/s", 18, Unit.PIXELS, 1.2), label("Keira: Wagen 3", 0.5f, Unit.METRES, 0));
-    pictures.assertLike(getClass(), "labels", ScenePictures.request(parts, ABOVE));
+    PICTURES.assertLike(getClass(), "labels", ScenePictures.request(parts, ABOVE));
   }
 
   @Test
   void aPictureOfOnePartShowsItsColourInTheMiddle() {
-    SceneImage image = pictures.picture(ScenePictures.request(List.of(part("box", Solids.box(1, 1, 1), Material.flat(Rgba.of(0x40c080)))), ABOVE));
+    SceneImage image = PICTURES.picture(ScenePictures.request(List.of(part("box", Solids.box(1, 1, 1), Material.flat(Rgba.of(0x40c080)))), ABOVE));
     assertEquals(0x40c080, image.at(160, 120));
     assertEquals(0x1b1e23, image.at(2, 2));
     assertTrue(image.count(0x40c080, 0) > 2000);

@@ -7,8 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,17 +47,8 @@ class MarkerPicturesTest {
       return new CommandOutcome.Accepted();
     }
   };
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static Sample at(int id, Type type, double x, double y) {
     return Sample.of(id, type).at(x, y, 0, Quaternion.IDENTITY).scale(0.7, 0.7, 0.7);
@@ -82,7 +72,7 @@ class MarkerPicturesTest {
 
   @Test
   void everyTypeOfMarker() {
-    pictures.assertLike(MarkerPicturesTest.class, "every-type",
+    PICTURES.assertLike(MarkerPicturesTest.class, "every-type",
         ScenePictures.request(everyType(), ScenePictures.eye(new Vector3(-2.2, 1.5, 3), new Vector3(1, 1.5, 0))));
   }
 
@@ -116,7 +106,7 @@ class MarkerPicturesTest {
     display.update(scene.of(Sample.set(scene.now, roof.at(0, -0.6, 0, Quaternion.IDENTITY), own.colored(new Color(1, 1, 1, 1)))));
     List<Part> parts = display.update(scene.of()).parts();
     display.close();
-    pictures.assertLike(MarkerPicturesTest.class, "meshes",
+    PICTURES.assertLike(MarkerPicturesTest.class, "meshes",
         ScenePictures.request(parts, ScenePictures.eye(new Vector3(-0.9, -1.7, 1.5), new Vector3(0, 0, 0.2))));
   }
 
@@ -136,7 +126,7 @@ class MarkerPicturesTest {
     InteractiveDisplay display = new InteractiveDisplay(CONTEXT);
     List<Part> parts = display.update(scene.of(set)).parts();
     display.close();
-    pictures.assertLike(MarkerPicturesTest.class, "interactive",
+    PICTURES.assertLike(MarkerPicturesTest.class, "interactive",
         ScenePictures.request(parts, ScenePictures.eye(new Vector3(-1.6, -1.2, 1.4), Vector3.ZERO), ScenePictures.LIGHT));
   }
 }

@@ -2,8 +2,7 @@ package org.robotui.entity.pointcloud.internal;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.PointCloud;
@@ -18,17 +17,8 @@ import org.robotui.testkit.display.DisplayProbe;
 /** How clouds look. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class CloudPicturesTest {
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static final int EDGE = 40;
   private static final Eye EYE = ScenePictures.eye(new Vector3(-2, -1.6, 1.8), new Vector3(0.3, 0.1, 0.3));
@@ -59,7 +49,7 @@ class CloudPicturesTest {
   }
 
   private void show(String name, PointCloud cloud) {
-    pictures.assertLike(CloudPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(cloud), 1), EYE));
+    PICTURES.assertLike(CloudPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(cloud), 1), EYE));
     probe.close();
   }
 

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.testkit.Controls;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.TestDisplay;
@@ -79,7 +80,7 @@ class TfTreeSwtTest {
 
   @Test
   void aClickOnABoxSelectsItsFrameAndEscLetsGo() {
-    PaintedCanvas canvas = Find.first(shell, PaintedCanvas.class, c -> c.getSize().y > 200).orElseThrow();
+    PaintedCanvas canvas = Controls.all(shell, PaintedCanvas.class).stream().filter(c -> c.getSize().y > 200).findFirst().orElseThrow();
     Optional<int[]> hit = Optional.empty();
     for (int x = 20; x < canvas.getSize().x && hit.isEmpty(); x += 10) {
       press(canvas, x, canvas.getSize().y / 2);

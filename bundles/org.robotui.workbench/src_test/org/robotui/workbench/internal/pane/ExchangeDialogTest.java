@@ -4,13 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
-import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Text;
@@ -33,6 +30,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
+import org.robotui.testkit.Controls;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeExchange;
 import org.robotui.testkit.host.FakeHost;
@@ -102,20 +100,7 @@ class ExchangeDialogTest {
   }
 
   private <C extends Control> List<C> all(Class<C> type) {
-    List<C> found = new ArrayList<>();
-    collect(dialog.shell(), type, found);
-    return found;
-  }
-
-  private static <C extends Control> void collect(Composite above, Class<C> type, List<C> found) {
-    for (Control child : above.getChildren()) {
-      if (type.isInstance(child)) {
-        found.add(type.cast(child));
-      }
-      if (child instanceof Composite inner) {
-        collect(inner, type, found);
-      }
-    }
+    return Controls.all(dialog.shell(), type);
   }
 
   private QuietButton button(int index) {
@@ -128,16 +113,6 @@ class ExchangeDialogTest {
 
   private QuietButton exchange() {
     return button(3);
-  }
-
-  private static void until(BooleanSupplier condition) {
-    long end = System.nanoTime() + Duration.ofSeconds(10).toNanos();
-    while (!condition.getAsBoolean()) {
-      assertTrue(System.nanoTime() < end, "waited in vain");
-      if (!TestDisplay.get().readAndDispatch()) {
-        Thread.onSpinWait();
-      }
-    }
   }
 
   @Test
@@ -169,9 +144,9 @@ class ExchangeDialogTest {
     trial.saying(preview(Verdict.READY, List.of(), line("scan", MatchState.CONNECTED, "laser:0", false)));
     dialog.want(new InterfaceConfig("base", "player", "Natalie", "", Map.of("port", "6665")));
     tryIt().press();
-    until(() -> exchange().getEnabled());
+    TestDisplay.until(() -> exchange().getEnabled());
     exchange().press();
-    until(() -> !done.isEmpty());
+    TestDisplay.until(() -> !done.isEmpty());
     assertEquals(List.of("Natalie: base is Player now"), done);
     assertTrue(dialog.isClosed());
     assertEquals(List.of("apply false"), trial.calls());
@@ -181,9 +156,9 @@ class ExchangeDialogTest {
   void whatIsMissingIsLeftOutOnlyWhereTheUserSaysSo() {
     trial.saying(preview(Verdict.INCOMPLETE, List.of("map needs LaserScan"), line("scan", MatchState.REFUSED, "", true)));
     tryIt().press();
-    until(() -> exchange().getEnabled());
+    TestDisplay.until(() -> exchange().getEnabled());
     exchange().press();
-    until(() -> !done.isEmpty());
+    TestDisplay.until(() -> !done.isEmpty());
     assertEquals(List.of("apply true"), trial.calls());
   }
 
@@ -199,7 +174,7 @@ class ExchangeDialogTest {
   void typingEndsATrialOfWhatWasWantedBefore() {
     trial.saying(preview(Verdict.READY, List.of(), line("scan", MatchState.CONNECTED, "laser:0", false)));
     tryIt().press();
-    until(() -> exchange().getEnabled());
+    TestDisplay.until(() -> exchange().getEnabled());
     all(Text.class).get(1).setText("http://other:11311");
     assertFalse(exchange().getEnabled());
     assertEquals(List.of("close"), trial.calls());
@@ -210,9 +185,9 @@ class ExchangeDialogTest {
     trial.saying(preview(Verdict.READY, List.of(), line("scan", MatchState.CONNECTED, "laser:0", false)))
         .ending(new ExchangeOutcome.WentBack("the robot has gone"));
     tryIt().press();
-    until(() -> exchange().getEnabled());
+    TestDisplay.until(() -> exchange().getEnabled());
     exchange().press();
-    until(() -> !exchange().getEnabled() && tryIt().getEnabled());
+    TestDisplay.until(() -> !exchange().getEnabled() && tryIt().getEnabled());
     assertFalse(dialog.isClosed());
     assertEquals(List.of(), done);
   }

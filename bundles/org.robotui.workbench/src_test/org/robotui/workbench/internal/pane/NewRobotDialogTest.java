@@ -5,13 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 import org.eclipse.swt.custom.StyledText;
-import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Text;
@@ -32,6 +29,7 @@ import org.robotui.api.host.RuicDraft;
 import org.robotui.api.host.RuicFit;
 import org.robotui.api.host.ViewFit;
 import org.robotui.api.link.LinkState;
+import org.robotui.testkit.Controls;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeHost;
 import org.robotui.ui.Theme;
@@ -105,20 +103,7 @@ class NewRobotDialogTest {
   }
 
   private <C extends Control> List<C> all(Class<C> type) {
-    List<C> found = new ArrayList<>();
-    collect(dialog.shell(), type, found);
-    return found;
-  }
-
-  private static <C extends Control> void collect(Composite above, Class<C> type, List<C> found) {
-    for (Control child : above.getChildren()) {
-      if (type.isInstance(child)) {
-        found.add(type.cast(child));
-      }
-      if (child instanceof Composite inner) {
-        collect(inner, type, found);
-      }
-    }
+    return Controls.all(dialog.shell(), type);
   }
 
   private QuietButton connect() {
@@ -134,16 +119,6 @@ class NewRobotDialogTest {
     return buttons.get(buttons.size() - 2);
   }
 
-  private static void until(BooleanSupplier condition) {
-    long end = System.nanoTime() + Duration.ofSeconds(10).toNanos();
-    while (!condition.getAsBoolean()) {
-      assertTrue(System.nanoTime() < end, "waited in vain");
-      if (!TestDisplay.get().readAndDispatch()) {
-        Thread.onSpinWait();
-      }
-    }
-  }
-
   private Text settingsHost() {
     return all(Text.class).getFirst();
   }
@@ -157,7 +132,7 @@ class NewRobotDialogTest {
   private void reach() {
     settingsHost().setText("keira");
     connect().press();
-    until(() -> next().getEnabled());
+    TestDisplay.until(() -> next().getEnabled());
   }
 
   @Test
@@ -179,7 +154,7 @@ class NewRobotDialogTest {
     assertEquals(List.of("compose {host=keira}"), calls);
     assertFalse(next().getEnabled());
     stage = Stage.FOUND;
-    until(() -> next().getEnabled());
+    TestDisplay.until(() -> next().getEnabled());
   }
 
   @Test
@@ -189,13 +164,13 @@ class NewRobotDialogTest {
     assertTrue(back().getEnabled());
     next().press();
     name("Keira");
-    until(() -> all(StyledText.class).getFirst().getText().contains("Keira:"));
+    TestDisplay.until(() -> all(StyledText.class).getFirst().getText().contains("Keira:"));
     assertEquals("keira.yaml", drafts.getLast().file().getFileName().toString(), "the file is called after the robot");
     assertEquals(List.of("map"), drafts.getLast().views());
     assertFalse(calls.contains("write Keira"), "nothing is written before the last button");
-    until(() -> next().getEnabled());
+    TestDisplay.until(() -> next().getEnabled());
     next().press();
-    until(dialog::isClosed);
+    TestDisplay.until(dialog::isClosed);
     assertEquals(List.of("compose {host=keira}", "write Keira", "close", "done Keira keira.yaml"), calls);
   }
 
@@ -206,7 +181,7 @@ class NewRobotDialogTest {
     next().press();
     next().press();
     name("Keira");
-    until(() -> !drafts.isEmpty() && drafts.getLast().name().equals("Keira"));
+    TestDisplay.until(() -> !drafts.isEmpty() && drafts.getLast().name().equals("Keira"));
     assertFalse(next().getEnabled());
     assertEquals("", all(StyledText.class).getFirst().getText());
     back().press();

@@ -25,6 +25,7 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.layout.Layout;
+import org.robotui.testkit.Controls;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Theme;
@@ -283,26 +284,13 @@ class PanesTest {
   }
 
   private static void press(Composite above, String hint) {
-    all(above, QuietButton.class).stream()
+    Controls.all(above, QuietButton.class).stream()
         .filter(b -> hint.equals(Optional.ofNullable(b.getToolTipText()).orElse("")))
         .findFirst().orElseThrow().press();
   }
 
   private static <C extends Control> C find(Composite above, Class<C> type) {
-    return all(above, type).getFirst();
-  }
-
-  private static <C extends Control> List<C> all(Composite above, Class<C> type) {
-    List<C> found = new java.util.ArrayList<>();
-    for (Control child : above.getChildren()) {
-      if (type.isInstance(child)) {
-        found.add(type.cast(child));
-      }
-      if (child instanceof Composite inner) {
-        found.addAll(all(inner, type));
-      }
-    }
-    return found;
+    return Controls.all(above, type).getFirst();
   }
 
   private static void send(Control control, int type, java.util.function.Consumer<Event> fill) {

@@ -1,8 +1,7 @@
 package org.robotui.entity.bumper.internal.display;
 
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.Bumper;
@@ -18,17 +17,8 @@ import org.robotui.testkit.display.FakePlaces;
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class BumperPicturesTest {
   private static final double RADIUS = 0.3;
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static Bumper bent(double bearing, boolean pressed) {
     return new Bumper(RigidTransform.planar(RADIUS * Math.cos(bearing), RADIUS * Math.sin(bearing), bearing), 1.4 * RADIUS, RADIUS, pressed);
@@ -39,7 +29,7 @@ class BumperPicturesTest {
     try (DisplayProbe probe = new DisplayProbe(new BumperType())) {
       probe.places().put("base_link", RigidTransform.IDENTITY);
       probe.set("height", 0.08);
-      pictures.assertLike(BumperPicturesTest.class, "bumpers", ScenePictures.request(ScenePictures.withAxes(probe.parts(new Bumpers(
+      PICTURES.assertLike(BumperPicturesTest.class, "bumpers", ScenePictures.request(ScenePictures.withAxes(probe.parts(new Bumpers(
           FakePlaces.frame("base_link"), List.of(bent(0.8, false), bent(-0.8, true),
               new Bumper(RigidTransform.planar(-RADIUS, 0, Math.PI), 0.4, 0, false)))), 0.2),
           ScenePictures.eye(new Vector3(-0.5, -0.4, 0.8), new Vector3(0.05, 0, 0))));

@@ -1,7 +1,6 @@
 package org.robotui.entity.gridmap.internal.display;
 
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.Bytes;
@@ -17,17 +16,8 @@ import org.robotui.testkit.display.FakePlaces;
 /** How maps look. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class GridMapPicturesTest {
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static final Eye ABOVE = ScenePictures.eye(new Vector3(1.6, -0.9, 2.8), new Vector3(1.6, 0.9, 0));
 
@@ -50,7 +40,7 @@ class GridMapPicturesTest {
   }
 
   private void show(String name, GridMap map) {
-    pictures.assertLike(GridMapPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(map), 1), ABOVE));
+    PICTURES.assertLike(GridMapPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(map), 1), ABOVE));
     probe.close();
   }
 

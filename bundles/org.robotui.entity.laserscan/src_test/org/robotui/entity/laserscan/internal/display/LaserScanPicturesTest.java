@@ -1,7 +1,6 @@
 package org.robotui.entity.laserscan.internal.display;
 
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.Floats;
@@ -17,17 +16,8 @@ import org.robotui.testkit.display.FakePlaces;
 /** How scans look. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class LaserScanPicturesTest {
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static final int BEAMS = 181;
   private static final Eye EYE = ScenePictures.eye(new Vector3(0, 0, 3.6), new Vector3(1.5, 0, 0));
@@ -53,7 +43,7 @@ class LaserScanPicturesTest {
   }
 
   private void show(String name) {
-    pictures.assertLike(LaserScanPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(), 0.5), EYE));
+    PICTURES.assertLike(LaserScanPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(), 0.5), EYE));
     probe.close();
   }
 

@@ -1,8 +1,7 @@
 package org.robotui.entity.odometry.internal.display;
 
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.Doubles;
@@ -22,17 +21,8 @@ import org.robotui.testkit.display.FakePlaces;
 /** How odometry, estimates, poses and goals look. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class PosePicturesTest {
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static final Eye EYE = ScenePictures.eye(new Vector3(-0.3, -0.25, 1), new Vector3(0.55, 0.3, 0));
   private static final RigidTransform THERE = RigidTransform.planar(0.8, 0.4, Math.PI / 4);
@@ -49,7 +39,7 @@ class PosePicturesTest {
   }
 
   private static void show(String name, List<Part> parts) {
-    pictures.assertLike(PosePicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(parts, 0.4), EYE));
+    PICTURES.assertLike(PosePicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(parts, 0.4), EYE));
   }
 
   @Test

@@ -2,8 +2,7 @@ package org.robotui.entity.path.internal.display;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.data.Path;
@@ -20,22 +19,13 @@ import org.robotui.testkit.display.FakePlaces;
 /** How ways and many poses look. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class PathPicturesTest {
-  private static ScenePictures pictures;
-
-  @BeforeAll
-  static void open() {
-    pictures = new ScenePictures();
-  }
-
-  @AfterAll
-  static void close() {
-    pictures.close();
-  }
+  @AutoClose
+  private static final ScenePictures PICTURES = new ScenePictures();
 
   private static final Eye EYE = ScenePictures.eye(new Vector3(-0.4, 0.3, 1.6), new Vector3(0.75, 0.65, 0));
 
   private static void show(String name, List<Part> parts) {
-    pictures.assertLike(PathPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(parts, 0.5), EYE));
+    PICTURES.assertLike(PathPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(parts, 0.5), EYE));
   }
 
   /** A quarter of a circle that starts along x and turns to the left. */
