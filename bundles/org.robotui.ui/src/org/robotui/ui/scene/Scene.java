@@ -12,6 +12,8 @@ import java.util.concurrent.ConcurrentLinkedQueue;
  * next paint.
  */
 public final class Scene {
+  private static final double FADED = 0.35;
+
   private final Queue<Entity> removed = new ConcurrentLinkedQueue<>();
   private volatile List<Layer> layers = List.of();
 
@@ -82,7 +84,16 @@ public final class Scene {
    */
   public void paint(Painter painter) {
     release();
-    new ScenePass(this, painter).paintAll();
+    layers.forEach(layer -> paint(layer, painter));
+  }
+
+  /** Paints a layer where it is visible; one that has been removed has given back what it held of the display, and would take it again. Display thread. */
+  void paint(Layer layer, Painter painter) {
+    if (layer.visible() && layers.contains(layer)) {
+      painter.fade(layer.faded() ? FADED : 1);
+      layer.entity().paint(painter);
+      painter.fade(1);
+    }
   }
 
   /**

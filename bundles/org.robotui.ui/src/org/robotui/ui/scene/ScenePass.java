@@ -4,8 +4,6 @@ import java.util.List;
 
 /** One painting of the visible layers of a scene, lowest first, which may be interrupted between them. Display thread. */
 final class ScenePass {
-  private static final double FADED = 0.35;
-
   private final Scene scene;
   private final List<Layer> layers;
   private final Painter painter;
@@ -25,27 +23,11 @@ final class ScenePass {
   /** Paints on until a moment of the monotonic clock has passed, one layer at least; returns whether all are painted. */
   boolean paintUntil(long nanos) {
     while (next < layers.size()) {
-      paint(layers.get(next++));
+      scene.paint(layers.get(next++), painter);
       if (System.nanoTime() - nanos >= 0) {
         break;
       }
     }
     return next == layers.size();
-  }
-
-  /** Paints what is left. */
-  void paintAll() {
-    while (next < layers.size()) {
-      paint(layers.get(next++));
-    }
-  }
-
-  /** One that was removed meanwhile has given back what it held of the display, and would take it again. */
-  private void paint(Layer layer) {
-    if (layer.visible() && (layers == scene.layers() || scene.layers().contains(layer))) {
-      painter.fade(layer.faded() ? FADED : 1);
-      layer.entity().paint(painter);
-      painter.fade(1);
-    }
   }
 }
