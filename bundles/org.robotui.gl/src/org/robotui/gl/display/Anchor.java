@@ -7,7 +7,7 @@ import org.robotui.geometry.RigidTransform;
 
 /**
  * Where one value lies. One that was measured at a time is placed once, by the transform of that time; until that is known it is placed by
- * the newest one, and says so. Worker thread.
+ * the newest one, and says so where it is not about to come. Worker thread.
  */
 public final class Anchor {
   /** Which transform counts. */
@@ -18,12 +18,16 @@ public final class Anchor {
     NOW
   }
 
+  /** By which transforms may come behind what was measured, as those of robots that send their odometry ten times a second: nobody needs to be told. */
+  private static final long LAG_NANOS = 250_000_000;
+
   private final When when;
   private final FrameId frame;
   private final Optional<Stamp> stamp;
   private Optional<FrameId> fixed = Optional.empty();
   private Places.Place place = new Places.Place.Missing("not looked for yet");
   private Optional<String> guess = Optional.empty();
+  private boolean exact;
 
   /**
    * Not placed yet.
@@ -48,11 +52,16 @@ public final class Anchor {
       fixed = Optional.of(places.fixed());
       place = places.at(frame, stamp);
       guess = Optional.empty();
+      exact = place.found().isPresent();
       if (place instanceof Places.Place.Missing missing && stamp.isPresent()) {
         place = places.at(frame, Optional.empty());
-        guess = place.found().map(any -> "placed by the newest transform: " + missing.reason());
+        guess = place.found().filter(any -> !isAboutToCome(places)).map(any -> "placed by the newest transform: " + missing.reason());
       }
     }
+  }
+
+  private boolean isAboutToCome(Places places) {
+    return places.at(frame, stamp.map(s -> new Stamp(s.nanos() - LAG_NANOS, s.clock()))).found().isPresent();
   }
 
   /**
@@ -77,6 +86,6 @@ public final class Anchor {
 
   private boolean settled(Places places) {
     boolean sameFixed = fixed.filter(places.fixed()::equals).isPresent();
-    return when == When.MEASURED && stamp.isPresent() && sameFixed && place.found().isPresent() && guess.isEmpty();
+    return when == When.MEASURED && stamp.isPresent() && sameFixed && exact;
   }
 }

@@ -31,6 +31,7 @@ class RecentTest {
   private Optional<RigidTransform> exact = Optional.of(RigidTransform.planar(1, 0, 0));
   private Optional<RigidTransform> now = Optional.of(RigidTransform.planar(2, 0, 0));
   private String fixed = "map";
+  private long knownUntil = Long.MAX_VALUE;
 
   @Test
   void keepsTheNewestWhereNoTimeIsAsked() {
@@ -79,6 +80,20 @@ class RecentTest {
     recent.update(tick(LIVE, 2), 0, 1000);
     assertEquals(1, place(), 1e-9);
     assertInstanceOf(DisplayStatus.Shown.class, status(LIVE));
+  }
+
+  @Test
+  void aTransformThatIsAboutToComeIsNoNews() {
+    knownUntil = -100_000_000;
+    recent.update(tick(LIVE, 1, value(1)), 0, 1000);
+    assertEquals(2, place(), 1e-9);
+    assertInstanceOf(DisplayStatus.Shown.class, status(LIVE));
+    knownUntil = Long.MAX_VALUE;
+    recent.update(tick(LIVE, 2), 0, 1000);
+    assertEquals(1, place(), 1e-9, "it is placed by its own once that is there");
+    knownUntil = -300_000_000;
+    recent.update(tick(LIVE, 3, value(2)), 0, 1000);
+    assertInstanceOf(DisplayStatus.Partly.class, status(LIVE));
   }
 
   @Test
@@ -157,7 +172,7 @@ class RecentTest {
 
       @Override
       public Place at(FrameId frame, Optional<Stamp> stamp) {
-        return (stamp.isPresent() ? exact : now).<Place>map(Place.At::new).orElseGet(() -> new Place.Missing("no " + frame.name()));
+        return (stamp.isPresent() ? exact.filter(e -> stamp.get().nanos() <= knownUntil) : now).<Place>map(Place.At::new).orElseGet(() -> new Place.Missing("no " + frame.name()));
       }
 
       @Override
