@@ -18,7 +18,7 @@ IMAGES = ROOT / "docs" / "images"
 MOST_BYTES = 250_000
 WIDTH = 1500
 # Of each picture the configuration, and colours of what must be seen in it.
-CONFIGURED = {"scene-two-frameworks-dark.png": ("two-frameworks", [0x3ecf8e, 0xf5b83d])}
+CONFIGURED = {"scene-two-frameworks-dark.png": ("two-frameworks", [0x3ecf8e, 0xf5b83d]), "swarm-dark.png": ("swarm", [DARK["good"]])}
 # The same of robots under control in real time: also what is cut out of the window, none for all of it.
 CONTROLLED = {"scene-arm-dark.png": ("arm", "records"), "humanoid-dark.png": ("humanoid", None)}
 SECONDS_OF_HOMING = 1.5                         # the motion takes some more
