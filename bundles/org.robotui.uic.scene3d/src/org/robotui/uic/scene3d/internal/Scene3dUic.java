@@ -32,6 +32,8 @@ import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 final class Scene3dUic implements SwtUic {
   private static final long PROBE_NANOS = 500_000_000L;
   private static final long LONG_NANOS = 30_000_000L;
+  /** A tick during which the whole process was halted did not take that long itself. */
+  private static final long MOST_ROOM_NANOS = 1_000_000_000L;
   private static final long KEEP_NANOS = 10_000_000_000L;
   private static final long SETTLED_NANOS = 2_500_000_000L;
 
@@ -94,7 +96,7 @@ final class Scene3dUic implements SwtUic {
 
   /** While the camera moves, what takes long to prepare gets half of the time at most: pictures for the hand come first. */
   private boolean leavesRoom(long nowNanos) {
-    return preparing > LONG_NANOS && parts.studio().moves() && nowNanos - preparedNanos < preparing;
+    return preparing > LONG_NANOS && parts.studio().moves() && nowNanos - preparedNanos < Math.min(preparing, MOST_ROOM_NANOS);
   }
 
   /** In the scene where it is seen, else wherever the workbench says such things. */

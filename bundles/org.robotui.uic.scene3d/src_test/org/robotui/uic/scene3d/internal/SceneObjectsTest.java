@@ -51,7 +51,7 @@ class SceneObjectsTest {
   private final AtomicLong pictures = new AtomicLong();
   private final Map<SourceId, Data> data = GalleryData.all(POINTS);
   private SceneWindow window;
-  private boolean nearer;
+  private int turns;
 
   @BeforeEach
   void open() {
@@ -80,17 +80,18 @@ class SceneObjectsTest {
     long deadline = System.nanoTime() + PATIENCE_NANOS;
     Map<Kind, Integer> held;
     do {
+      window.tick();
       awaitPicture();
       held = gl.held();
     } while (!wanted.test(held) && System.nanoTime() < deadline);
     return held;
   }
 
-  /** One that was asked for from now on. */
+  /** One that was asked for from now on: the camera does not come back to where a picture was made before. */
   private void awaitPicture() {
     long before = pictures.get();
-    nearer = !nearer;
-    window.hands().wheel(nearer ? 1 : -1, 250, 100);
+    turns++;
+    window.hands().wheel(turns % 2 == 0 ? 1 : -1, 240 + turns * 5 % 17, 100);
     assertTrue(window.until(() -> pictures.get() > before), "no picture came");
   }
 
