@@ -29,11 +29,7 @@ record Strip(int index, boolean pressed, double[] line) {
   }
 
   Bounds bounds() {
-    Bounds bounds = Bounds.around(line[0], line[1], 0);
-    for (int i = 1; i < line.length / 2; i++) {
-      bounds = bounds.union(Bounds.around(line[2 * i], line[2 * i + 1], 0));
-    }
-    return bounds;
+    return Bounds.of(line);
   }
 
   double distance(double x, double y) {

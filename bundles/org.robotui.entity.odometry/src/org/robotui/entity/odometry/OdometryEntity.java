@@ -59,7 +59,7 @@ public final class OdometryEntity implements Entity {
     trail.cut(length);
     Optional<double[]> uncertainty = uncertainty(odometry, fixedFromFrame);
     double[] way = way(fixedFromFrame, at);
-    prepared = Optional.of(new Prepared(way, bounds(way), uncertainty, odometry));
+    prepared = Optional.of(new Prepared(way, Bounds.of(way), uncertainty, odometry));
   }
 
   /** Forgets the way, for example when the clock has jumped back. Worker thread. */
@@ -141,20 +141,6 @@ public final class OdometryEntity implements Entity {
       nearest = Math.min(nearest, Math.hypot(way[2 * i] - x, way[2 * i + 1] - y));
     }
     return nearest;
-  }
-
-  private static Bounds bounds(double[] way) {
-    double minX = way[0];
-    double minY = way[1];
-    double maxX = minX;
-    double maxY = minY;
-    for (int i = 2; i < way.length; i += 2) {
-      minX = Math.min(minX, way[i]);
-      maxX = Math.max(maxX, way[i]);
-      minY = Math.min(minY, way[i + 1]);
-      maxY = Math.max(maxY, way[i + 1]);
-    }
-    return new Bounds(minX, minY, maxX, maxY);
   }
 
   private static void put(double[] xy, int index, Vector3 point) {

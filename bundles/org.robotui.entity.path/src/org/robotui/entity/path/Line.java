@@ -22,7 +22,7 @@ record Line(double[] xy, double length, Bounds bounds) {
         .filter(Vector3::isFinite)
         .flatMapToDouble(p -> DoubleStream.of(p.x(), p.y()))
         .toArray();
-    return xy.length == 0 ? Optional.empty() : Optional.of(new Line(xy, length(xy, 0), bounds(xy)));
+    return xy.length == 0 ? Optional.empty() : Optional.of(new Line(xy, length(xy, 0), Bounds.of(xy)));
   }
 
   int count() {
@@ -66,13 +66,5 @@ record Line(double[] xy, double length, Bounds bounds) {
       length += Math.hypot(xy[2 * i] - xy[2 * i - 2], xy[2 * i + 1] - xy[2 * i - 1]);
     }
     return length;
-  }
-
-  private static Bounds bounds(double[] xy) {
-    Bounds bounds = Bounds.around(xy[0], xy[1], 0);
-    for (int i = 1; i < xy.length / 2; i++) {
-      bounds = bounds.union(Bounds.around(xy[2 * i], xy[2 * i + 1], 0));
-    }
-    return bounds;
   }
 }

@@ -34,11 +34,7 @@ record Cone(RangeReading reading, boolean echo, double[] corners, double[] arc) 
   }
 
   Bounds bounds() {
-    Bounds bounds = Bounds.around(corners[0], corners[1], 0);
-    for (int i = 1; i < corners.length / 2; i++) {
-      bounds = bounds.union(Bounds.around(corners[2 * i], corners[2 * i + 1], 0));
-    }
-    return bounds;
+    return Bounds.of(corners);
   }
 
   double distanceToArc(double x, double y) {

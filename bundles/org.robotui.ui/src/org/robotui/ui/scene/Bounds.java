@@ -36,6 +36,26 @@ public record Bounds(double minX, double minY, double maxX, double maxY) {
   }
 
   /**
+   * The smallest rectangle that holds points.
+   *
+   * @param xy x and y in turn, of one point at least
+   * @return the rectangle
+   */
+  public static Bounds of(double[] xy) {
+    double minX = xy[0];
+    double minY = xy[1];
+    double maxX = minX;
+    double maxY = minY;
+    for (int i = 2; i < xy.length; i += 2) {
+      minX = Math.min(minX, xy[i]);
+      maxX = Math.max(maxX, xy[i]);
+      minY = Math.min(minY, xy[i + 1]);
+      maxY = Math.max(maxY, xy[i + 1]);
+    }
+    return new Bounds(minX, minY, maxX, maxY);
+  }
+
+  /**
    * The smallest rectangle that holds both.
    *
    * @param other another rectangle

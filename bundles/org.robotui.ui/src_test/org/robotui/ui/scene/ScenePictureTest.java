@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;
@@ -27,7 +26,6 @@ import org.robotui.ui.Themes;
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class ScenePictureTest {
   private static final int LAYERS = 5;
-  private static final long PATIENCE = TimeUnit.SECONDS.toNanos(10);
 
   private final Display display = TestDisplay.get();
   private final Theme theme = Themes.dark(display);
@@ -98,12 +96,7 @@ class ScenePictureTest {
   }
 
   private void await() {
-    for (long until = System.nanoTime() + PATIENCE; !picture.upToDate() && System.nanoTime() < until;) {
-      if (!display.readAndDispatch()) {
-        Thread.onSpinWait();
-      }
-    }
-    assertTrue(picture.upToDate());
+    TestDisplay.until(picture::upToDate);
   }
 
   private void paintOften() {
