@@ -147,7 +147,16 @@ public interface RosNode extends AutoCloseable {
    */
   CompletionStage<String> whenClosed();
 
-  /** Closes everything in less than a second, also when peers or the master hang. Unregisters from the master meanwhile. */
+  /**
+   * Tells the master, without waiting for it, that it may forget all of this node; to be followed by {@link #close}. What is connected stays so
+   * until then, unless the other side hangs up, as publishers and subscribers may when they hear of it. What is made from now on nobody hears of.
+   */
+  void leave();
+
+  /**
+   * Closes everything in less than a second, also when peers or the master hang, or the caller is interrupted. Unregisters from the master
+   * meanwhile.
+   */
   @Override
   void close();
 }

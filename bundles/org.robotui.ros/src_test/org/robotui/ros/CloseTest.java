@@ -1,16 +1,23 @@
 package org.robotui.ros;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.robotui.ros.message.ServiceCodec;
 
 class CloseTest {
@@ -42,6 +49,62 @@ class CloseTest {
       assertTrue(watcher.master().lookupNode("/node") instanceof Outcome.Refused);
       assertEquals("closed by its owner", node.whenClosed().toCompletableFuture().get());
       assertThrows(IllegalStateException.class, () -> node.publisher("late", TEXT, PublisherOptions.standard()));
+    }
+  }
+
+  @Test
+  void whoClosesBecauseItWasInterruptedStillTellsTheMaster(@TempDir Path records) throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode node = graph.open(RosEnvironment.of(graph.master().uri()), "node", graph.options().withRecords(records));
+      for (int i = 0; i < 20; i++) {
+        node.publisher("out" + i, TEXT, PublisherOptions.standard());
+      }
+      assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
+      Thread.currentThread().interrupt();
+      node.close();
+      assertTrue(Thread.interrupted(), "the caller may want to know");
+      try (Stream<Path> left = Files.list(records)) {
+        assertEquals(List.of(), left.toList(), "what a node leaves that its master has not answered");
+      }
+    }
+  }
+
+  @Test
+  void theMasterForgetsWhoLeavesWhileItsLinksStayUntilItIsClosed() throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode node = graph.node("node");
+      AtomicInteger heard = new AtomicInteger();
+      node.subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> heard.incrementAndGet());
+      Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard());
+      Eventually.await("a link", () -> publisher.numSubscribers() == 1);
+      node.leave();
+      node.leave();
+      RosNode watcher = graph.node("watcher");
+      Eventually.await("forgotten", () -> !watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
+      publisher.publish("still here?");
+      Eventually.await("heard", () -> heard.get() == 1);
+      node.subscriber("late", TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+      assertQuick(node);
+      assertFalse(watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
+    }
+  }
+
+  @Test
+  void whatIsBeingRegisteredWhenItLeavesIsForgottenAsWell() throws Exception {
+    try (Graph graph = new Graph()) {
+      RosNode watcher = graph.node("watcher");
+      for (int round = 0; round < 20; round++) {
+        RosNode node = graph.node("node" + round);
+        node.publisher("first", TEXT, PublisherOptions.standard());
+        assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
+        for (int i = 0; i < 20; i++) {
+          node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+        }
+        LockSupport.parkNanos(round * 500_000L);
+        assertQuick(node);
+      }
+      assertEquals(List.of(), watcher.master().systemState().toOptional().orElseThrow().nodes().stream()
+          .filter(name -> name.startsWith("/node")).toList());
     }
   }
 

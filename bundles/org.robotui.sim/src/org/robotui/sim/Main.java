@@ -2,7 +2,6 @@ package org.robotui.sim;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -60,8 +59,8 @@ public final class Main {
       }
     }
     if (options.swarm() > 0) {
-      Swarm swarm = Swarm.start(options.swarm(), options.ros().port(), options.seed());
-      ready(Map.of("ROS_MASTER_URI", withoutSlash(swarm.masterUri())), swarm, swarm::end, parent, out);
+      Swarm swarm = Swarm.start(options.swarm(), options.ros(), options.seed());
+      ready(Map.of("ROS_MASTER_URI", swarm.master().text()), swarm, swarm::end, parent, out);
       swarm.awaitEnd();
       return 0;
     }
@@ -69,10 +68,6 @@ public final class Main {
     ready(demo.addresses(), demo, demo::end, parent, out);
     demo.awaitEnd();
     return 0;
-  }
-
-  private static String withoutSlash(URI uri) {
-    return uri.toString().replaceAll("/$", "");
   }
 
   private static void ready(Map<String, String> addresses, AutoCloseable running, Runnable end, Optional<ProcessHandle> parent, PrintStream out) {

@@ -113,9 +113,17 @@ public interface Host {
   void stopAll(Principal by);
 
   /**
-   * Ends all RUICs and blocks until nothing is left or the time is over. What we drive is stopped.
+   * How long {@link #close} may take with what runs now: the robot interfaces of a team end at once, but on as many processors as there are.
    *
-   * @param limit how long
+   * @param limit how long, where a few robot interfaces run
+   * @return as long, or longer where many do
+   */
+  Duration closeLimit(Duration limit);
+
+  /**
+   * Ends all RUICs and blocks until nothing is left or {@link #closeLimit} is over. What we drive is stopped.
+   *
+   * @param limit how long, where a few robot interfaces run
    * @return what could not be ended, for the log; empty where all is well
    */
   List<String> close(Duration limit);

@@ -70,16 +70,17 @@ public final class HeadlessApplication implements IApplication {
     if (arguments.check().isPresent()) {
       return new CheckRun(host, out, err).check(arguments.check().get(), arguments.live(), arguments.reuse());
     }
-    Thread hook = new Thread(this::stopAndWait, "robotui-stop");
+    Thread hook = new Thread(() -> stopAndWait(host), "robotui-stop");
     Runtime.getRuntime().addShutdownHook(hook);
     return new ShowRun(host, out, err, stop).show(arguments);
   }
 
   /** Ctrl-C and SIGTERM come here: the process lives until what we drive is stopped. */
-  private void stopAndWait() {
+  private void stopAndWait(Host host) {
+    Duration limit = host.closeLimit(ShowRun.CLOSE_LIMIT);
     stop.countDown();
     try {
-      ended.await(ShowRun.CLOSE_LIMIT.toMillis() + 500, java.util.concurrent.TimeUnit.MILLISECONDS);
+      ended.await(limit.toMillis() + 500, java.util.concurrent.TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

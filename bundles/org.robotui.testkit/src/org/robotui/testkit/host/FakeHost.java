@@ -234,6 +234,11 @@ public final class FakeHost implements Host {
   }
 
   @Override
+  public Duration closeLimit(Duration limit) {
+    return limit;
+  }
+
+  @Override
   public List<String> close(Duration limit) {
     calls.add("close");
     return List.of();

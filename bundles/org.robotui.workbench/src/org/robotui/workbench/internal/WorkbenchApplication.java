@@ -86,7 +86,7 @@ public final class WorkbenchApplication implements IApplication {
     Optional<Measurement> measurement =
         session.arguments().measure().map(file -> new Measurement(session.host(), display, file));
     CountDownLatch ended = new CountDownLatch(1);
-    Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(display, ended), "robotui-stop"));
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(session.host(), display, ended), "robotui-stop"));
     Optional<ErrorLog> errors =
         ErrorLog.open(LoggerFactory.getILoggerFactory(), ILog.of(WorkbenchApplication.class)::log);
     try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
@@ -133,11 +133,12 @@ public final class WorkbenchApplication implements IApplication {
   }
 
   /** Ctrl-C and SIGTERM: the process lives until the robots are stopped. */
-  private static void onSignal(Display display, CountDownLatch ended) {
+  private static void onSignal(Host host, Display display, CountDownLatch ended) {
     try {
       if (ended.getCount() > 0 && !display.isDisposed() && PlatformUI.isWorkbenchRunning()) {
+        Duration limit = host.closeLimit(CLOSE_LIMIT);
         display.asyncExec(PlatformUI.getWorkbench()::close);
-        ended.await(CLOSE_LIMIT.toMillis() + 400, TimeUnit.MILLISECONDS);
+        ended.await(limit.toMillis() + 400, TimeUnit.MILLISECONDS);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

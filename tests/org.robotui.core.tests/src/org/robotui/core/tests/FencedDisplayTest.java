@@ -69,7 +69,7 @@ class FencedDisplayTest {
     show("in: lines, does: leak");
     Eventually.await("it is started", () -> !World.threads("leaked-").isEmpty(), () -> World.threads("leaked-"));
     String left = fence.close(Duration.ofSeconds(5)).toString();
-    assertTrue(left.matches(".*bad has ended; threads left that no factory made: leaked-\\d+ "
+    assertTrue(left.matches(".*bad left threads that no factory made: leaked-\\d+ "
         + "\\(bundle org.robotui.tests.bad, class .*"), left);
   }
 }

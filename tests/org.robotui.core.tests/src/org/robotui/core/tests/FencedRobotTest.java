@@ -99,7 +99,7 @@ class FencedRobotTest {
     fence.world.await("bad", RuicState.INITIALIZED);
     fence.assertTheOthersGoOn();
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.matches(".*bad; threads left: Keira.bad-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
+    assertTrue(left.matches(".*bad has ended; threads left: Keira.bad-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
   }
 
   @Test
@@ -107,7 +107,7 @@ class FencedRobotTest {
     fence.robot("in: start, does: leak");
     fence.world.await("bad", RuicState.INITIALIZED);
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.matches(".*bad; threads left: leaked-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
+    assertTrue(left.matches(".*bad has ended; threads left: leaked-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
   }
 
   @Test

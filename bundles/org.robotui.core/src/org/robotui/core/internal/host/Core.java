@@ -47,9 +47,6 @@ import org.robotui.core.internal.watch.Watch;
 
 /** The core, put together. It knows nothing of OSGi. */
 public final class Core implements Host {
-  private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
-  /** What core itself needs, beyond the limit of components, to find out what is left. */
-  private static final Duration REPORTING = Duration.ofMillis(700);
   private static final Services.Stage NO_STAGE =
       new Services.Stage(Surface.NONE, new Principal("core", "RobotUI", Principal.Kind.SCRIPT));
 
@@ -210,13 +207,21 @@ public final class Core implements Host {
   }
 
   @Override
+  public Duration closeLimit(Duration limit) {
+    return time(limit).all();
+  }
+
+  private ClosingTime time(Duration limit) {
+    return ClosingTime.of(limit, ruics.stream().mapToInt(RuicRuntime::running).sum());
+  }
+
+  @Override
   public List<String> close(Duration limit) {
-    long end = System.nanoTime() + limit.toNanos();
-    Duration rest = limit.minus(REPORTING);
-    Duration each = rest.compareTo(CLOSE_LIMIT) < 0 ? max(rest, REPORTING) : CLOSE_LIMIT;
+    ClosingTime time = time(limit);
+    long end = System.nanoTime() + time.all().toNanos();
     List<RuicRuntime> all = List.copyOf(ruics);
     List<CompletableFuture<List<String>>> ends =
-        all.stream().map(r -> r.shutDown(each).toCompletableFuture()).toList();
+        all.stream().map(r -> r.shutDown(time.each()).toCompletableFuture()).toList();
     List<String> left = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       left.addAll(await(all.get(i), ends.get(i), end - System.nanoTime()));
@@ -228,10 +233,6 @@ public final class Core implements Host {
     files.shutdown(); // a look at files that is under way may end
     notifier.close();
     return List.copyOf(left);
-  }
-
-  private static Duration max(Duration a, Duration b) {
-    return a.compareTo(b) > 0 ? a : b;
   }
 
   private static List<String> await(RuicRuntime ruic, CompletableFuture<List<String>> end, long nanos) {

@@ -173,6 +173,11 @@ public final class CoreComponent implements Host {
   }
 
   @Override
+  public Duration closeLimit(Duration limit) {
+    return core.closeLimit(limit);
+  }
+
+  @Override
   public List<String> close(Duration limit) {
     return core.close(limit);
   }

@@ -1,7 +1,9 @@
 package org.robotui.core.internal.life;
 
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
-import org.robotui.api.ComponentType;
+import java.util.Map;
 import org.robotui.core.internal.time.RuicClock;
 import org.robotui.core.internal.time.RuicFrames;
 
@@ -22,10 +24,12 @@ interface ComponentHome {
   /** What to do when things change. */
   RuicParts.Wake wake();
 
-  /** Names the threads that a component started by itself on a thread that is not its own; empty where there are none. */
-  default String strays(ComponentType type) {
-    List<String> names = services().registry().bundle(type)
-        .map(bundle -> Strays.of(bundle, services().bundles())).orElse(List.of()).stream().map(Thread::getName).sorted().toList();
-    return names.isEmpty() ? "" : "; threads left that no factory made: " + String.join(", ", names);
+  /** Names the threads that components which have ended started by themselves on threads that are not their own. */
+  default List<String> strays(Collection<? extends Instance> ended) {
+    Map<String, Instance> firsts = new LinkedHashMap<>();
+    ended.forEach(i -> services().registry().bundle(i.type()).ifPresent(bundle -> firsts.putIfAbsent(bundle, i)));
+    Map<String, List<String>> found = Strays.of(firsts.keySet(), services().bundles());
+    return firsts.entrySet().stream().filter(first -> found.containsKey(first.getKey()))
+        .map(first -> first.getValue().left("left threads that no factory made: " + String.join(", ", found.get(first.getKey())))).toList();
   }
 }

@@ -47,11 +47,13 @@ final class Components {
   List<String> close(Duration limit) throws InterruptedException {
     List<UicSlot> views = uics;
     List<RficSlot> interfaces = rfics;
+    List<Instance> ending = Stream.concat(views.stream(), interfaces.stream()).<Instance>flatMap(s -> s.instance().stream()).toList();
     long end = System.nanoTime() + limit.toNanos();
     Duration half = limit.dividedBy(2);
     List<String> left = new ArrayList<>(closeAll(views, half));
     Duration rest = Duration.ofNanos(end - System.nanoTime());
     left.addAll(closeAll(interfaces, rest.compareTo(half) > 0 ? rest : half));
+    left.addAll(ruic.strays(ending));
     uics = List.of();
     rfics = List.of();
     return left;
@@ -61,7 +63,7 @@ final class Components {
     ConcurrentLinkedQueue<String> left = new ConcurrentLinkedQueue<>();
     List<Runnable> works = new ArrayList<>();
     slots.stream().filter(s -> s.instance().isPresent())
-        .forEach(s -> works.add(() -> s.close(limit).ifPresent(left::add)));
+        .forEach(s -> works.add(() -> s.end(limit).ifPresent(left::add)));
     Guarded.all(ruic.threads(), works);
     return List.copyOf(left);
   }

@@ -115,7 +115,7 @@ final class RficInstance implements RficContext, Instance {
         Guarded.run("close", threads, limit, rfic.get()::close);
       }
     } catch (Guarded.GuardException e) {
-      hung = " " + e.getMessage();
+      hung = e.getMessage();
     }
     ended = true;
     offers.close();
@@ -124,7 +124,7 @@ final class RficInstance implements RficContext, Instance {
     background.close();
     sender.close();
     ruic.clock().forget(clock);
-    return left(hung);
+    return leftAfter(hung);
   }
 
   private void stopOurs() throws InterruptedException {
@@ -137,15 +137,14 @@ final class RficInstance implements RficContext, Instance {
     sender.flush(FLUSH);
   }
 
-  private Optional<String> left(String hung) throws InterruptedException {
+  private Optional<String> leftAfter(String hung) throws InterruptedException {
     boolean clean = hung.isEmpty() && threads.awaitNone(GRACE);
-    String left = (clean ? "" : threads.endAll(GRACE)) + ruic.strays(type);
-    return hung.isEmpty() && left.isEmpty()
-        ? Optional.empty()
-        : Optional.of(config.id() + hung + left + " (" + origin() + ")");
+    String left = clean ? "" : threads.endAll(GRACE);
+    return hung.isEmpty() && left.isEmpty() ? Optional.empty() : Optional.of(left(hung.isEmpty() ? "has ended" + left : hung + left));
   }
 
-  RficType type() {
+  @Override
+  public RficType type() {
     return type;
   }
 

@@ -219,6 +219,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     return ended;
   }
 
+  /** How many robot interfaces it has that run, or should. */
+  public int running() {
+    return components.rfics().size();
+  }
+
   @Override
   public List<InterfaceConfig> interfaces() {
     return interfaces.all();

@@ -1,6 +1,8 @@
 package org.robotui.core.internal.life;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.robotui.api.ComponentType;
 import org.robotui.api.config.Settings;
@@ -84,6 +86,15 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
 
   /** Ends the instance, where there is one. Returns what could not be ended. */
   final Optional<String> close(Duration limit) {
+    List<I> ending = instance.stream().toList();
+    List<String> left = new ArrayList<>();
+    end(limit).ifPresent(left::add);
+    left.addAll(ruic.strays(ending));
+    return left.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", left));
+  }
+
+  /** The same for one of several that end together: what they leave that is known to nobody is looked for once they all have. */
+  final Optional<String> end(Duration limit) {
     Optional<I> ending = instance;
     instance = Optional.empty();
     return ending.flatMap(i -> i.close(limit));

@@ -1,16 +1,20 @@
 package org.robotui.core.internal.life;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.robotui.core.internal.watch.BundleNames;
 
 /**
  * Finds threads that components started by themselves instead of taking them from their factory. A thread inherits the group of
  * the one that starts it; one that was started on the display thread is known by the code it runs. Looks at all threads of the
- * machine: only for the end of components.
+ * machine, which all wait for: only for the end of components, and once for all that end together.
  */
 final class Strays {
   /** Threads that everybody shares, whoever happened to need them first. */
@@ -33,12 +37,17 @@ final class Strays {
         || entry(stack).filter(c -> PLATFORM.stream().anyMatch(c::startsWith)).isPresent();
   }
 
-  /** Those that run the code of a bundle and are in no group of a component. */
-  static List<Thread> of(String bundle, BundleNames names) {
-    return Thread.getAllStackTraces().entrySet().stream() // all stacks at once: one by one each would halt its thread twice
-        .filter(e -> isOutside(e.getKey()) && !isPlatform(e.getKey(), e.getValue()))
-        .filter(e -> own(e.getValue()).flatMap(names::bundleOf).filter(bundle::equals).isPresent())
-        .map(Map.Entry::getKey).toList();
+  /** The names of those that run the code of some bundles and are in no group of a component, by their bundle. */
+  static Map<String, List<String>> of(Set<String> bundles, BundleNames names) {
+    Map<String, List<String>> found = new HashMap<>();
+    if (!bundles.isEmpty()) {
+      Thread.getAllStackTraces().entrySet().stream() // all stacks at once: one by one each would halt its thread twice
+          .filter(e -> isOutside(e.getKey()) && !isPlatform(e.getKey(), e.getValue()))
+          .forEach(e -> own(e.getValue()).flatMap(names::bundleOf).filter(bundles::contains)
+              .ifPresent(bundle -> found.computeIfAbsent(bundle, b -> new ArrayList<>()).add(e.getKey().getName())));
+    }
+    found.values().forEach(Collections::sort);
+    return found;
   }
 
   /** In no group of a component; one that has ended meanwhile is in no group at all, whoever it was of. */

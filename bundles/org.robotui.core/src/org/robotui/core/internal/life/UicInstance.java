@@ -102,7 +102,8 @@ final class UicInstance implements UicContext, Instance {
     return uic;
   }
 
-  UicType type() {
+  @Override
+  public UicType type() {
     return type;
   }
 
@@ -129,10 +130,8 @@ final class UicInstance implements UicContext, Instance {
     boolean idle = ticker.isEmpty() || ticker.get().awaitEnd(limit.toMillis() / 2);
     Optional<String> problem = idle ? closeInstance(limit.dividedBy(2)) : Optional.of("hangs in tick");
     ruic.alerts().forget(config.id());
-    String left = threads.endAll(GRACE) + ruic.strays(type);
-    return problem.isPresent() || !left.isEmpty()
-        ? Optional.of(config.id() + " " + problem.orElse("has ended") + left + " (" + origin() + ")")
-        : Optional.empty();
+    String left = threads.endAll(GRACE);
+    return problem.isPresent() || !left.isEmpty() ? Optional.of(left(problem.orElse("has ended") + left)) : Optional.empty();
   }
 
   private Optional<String> closeInstance(Duration limit) throws InterruptedException {

@@ -131,6 +131,23 @@ class LifeCycleTest {
   }
 
   @Test
+  void aTeamIsGivenTheTimeItsRobotsNeed() {
+    robot.onClose(() -> LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1000)));
+    assertEquals(List.of(), bench.load("""
+        ruics:
+          hanging:
+            rfics:
+              ${robot}: {for: r1..r40, type: fake}
+            uics:
+              map: {type: map}
+        """));
+    bench.await("r40", RuicState.INITIALIZED);
+    assertEquals(Duration.ofMillis(2100), bench.core.closeLimit(Duration.ofMillis(1200)));
+    assertEquals(List.of(), bench.core.close(Duration.ofMillis(1200)));
+    assertEquals(40, robot.closed.get());
+  }
+
+  @Test
   void interfaceThatHangsInStartFailsAndTheOthersGoOn() {
     robot.onStart(c -> hang());
     running();

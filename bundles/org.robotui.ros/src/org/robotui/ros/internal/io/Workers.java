@@ -53,14 +53,10 @@ public final class Workers {
   }
 
   private static void joinOne(Thread thread, long deadline) {
-    long millis = (deadline - System.nanoTime()) / 1_000_000;
-    if (millis <= 0) {
-      return;
-    }
-    try {
-      thread.join(millis);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    Uninterrupted.until(deadline, nanos -> {
+      if (nanos >= 1_000_000) {
+        thread.join(nanos / 1_000_000); // nothing would be for ever
+      }
+    });
   }
 }

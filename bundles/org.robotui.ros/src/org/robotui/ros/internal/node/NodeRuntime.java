@@ -59,6 +59,7 @@ public final class NodeRuntime implements RosNode {
   /** Sockets of calls that belong to no topic or service of this node. */
   private final Closeables sockets = new Closeables();
   private final HostPort masterAddress;
+  private final Leaving leaving;
   private final AtomicBoolean closing = new AtomicBoolean();
   private final CompletableFuture<String> closed = new CompletableFuture<>();
 
@@ -68,6 +69,7 @@ public final class NodeRuntime implements RosNode {
     masterAddress = HostPort.ofUri(environment.masterUri().toString(), "http");
     master = new RosApi(masterAddress, "master", MASTER_TIMEOUT);
     registrar = new Registrar(context, master, environment.masterUri().toString());
+    leaving = new Leaving(context, registrar, masterAddress);
     LocalAddress address = LocalAddress.of(environment.host());
     tcp = new TcpServer(context, address.bind(), parts::serve);
     http = new XmlRpcServer(address.bind(), 0, XmlRpcLimits.standard(), context.workers(), "ros " + name);
@@ -246,6 +248,11 @@ public final class NodeRuntime implements RosNode {
   }
 
   @Override
+  public void leave() {
+    leaving.begin();
+  }
+
+  @Override
   public void close() {
     close("closed by its owner");
   }
@@ -254,7 +261,7 @@ public final class NodeRuntime implements RosNode {
     if (!closing.compareAndSet(false, true)) {
       return;
     }
-    boolean forgotten = new NodeShutdown(context, registrar.close(), masterAddress)
+    boolean forgotten = new NodeShutdown(context, leaving)
         .run(List.of(parts::close, tcp::close, http::close, sockets::close), master);
     registrar.withdrawFarewells();
     if (forgotten) {

@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.robotui.ros.LinkEvent.Kind;
@@ -13,6 +15,7 @@ import org.robotui.ros.LinkState;
 import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.internal.io.Uninterrupted;
 import org.robotui.ros.internal.tcpros.Backoff;
 import org.robotui.ros.message.MessageInfo;
 import org.slf4j.Logger;
@@ -38,6 +41,7 @@ final class Registrar {
   private final Map<Registration, Boolean> wanted = new LinkedHashMap<>();
   private final List<Registration> unwanted = new ArrayList<>();
   private final LastWords lastWords;
+  private final CountDownLatch ended = new CountDownLatch(1);
   private boolean dirty;
   private boolean closed;
   private boolean connected;
@@ -105,7 +109,7 @@ final class Registrar {
     }
   }
 
-  /** Ends the thread; answers what the master may know and should forget. */
+  /** Ends the thread after the call under way; answers what the master may know and should forget. */
   List<Registration> close() {
     lock.lock();
     try {
@@ -119,7 +123,21 @@ final class Registrar {
     }
   }
 
+  /** Waits until nothing is registered any more, after it was closed; answers whether that is so. */
+  boolean awaitEnd(Duration patience) {
+    Uninterrupted.until(System.nanoTime() + patience.toNanos(), nanos -> ended.await(nanos, TimeUnit.NANOSECONDS));
+    return ended.getCount() == 0;
+  }
+
   private void run() {
+    try {
+      keepInformed();
+    } finally {
+      ended.countDown();
+    }
+  }
+
+  private void keepInformed() {
     Backoff backoff = context.backoff();
     report(new LinkState.Connecting());
     while (!isClosed()) {
@@ -144,10 +162,10 @@ final class Registrar {
   private Optional<String> reconcile() {
     Optional<String> problem = check();
     for (Registration registration : snapshot(unwanted)) {
-      problem = problem.isPresent() ? problem : unregister(registration);
+      problem = problem.isPresent() || isClosed() ? problem : unregister(registration);
     }
     for (Registration registration : missing()) {
-      problem = problem.isPresent() ? problem : register(registration);
+      problem = problem.isPresent() || isClosed() ? problem : register(registration);
     }
     return problem;
   }

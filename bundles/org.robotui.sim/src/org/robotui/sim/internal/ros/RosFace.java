@@ -1,23 +1,17 @@
 package org.robotui.sim.internal.ros;
 
 import java.io.IOException;
-import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SequencedMap;
 import java.util.concurrent.ThreadFactory;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
-import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.master.MasterOptions;
-import org.robotui.ros.master.RosMaster;
 import org.robotui.sim.internal.Face;
 import org.robotui.sim.internal.Settings;
 import org.robotui.sim.internal.SimulatedRobot;
@@ -26,15 +20,13 @@ import org.robotui.sim.internal.SimulatedRobot;
 public final class RosFace implements Face {
   private static final Duration REGISTRATION = Duration.ofSeconds(20);
 
-  private final Optional<RosMaster> master;
-  private final URI masterUri;
+  private final DemoMaster master;
   private final RosNode node;
   private final RosOptions options;
   private Optional<RobotNode> robot = Optional.empty();
 
-  private RosFace(Optional<RosMaster> master, URI masterUri, RosNode node, RosOptions options) {
+  private RosFace(DemoMaster master, RosNode node, RosOptions options) {
     this.master = master;
-    this.masterUri = masterUri;
     this.node = node;
     this.options = options;
   }
@@ -46,12 +38,9 @@ public final class RosFace implements Face {
    * @throws IOException if there is no port for the master, or none answers
    */
   public static RosFace open(RosOptions options, ThreadFactory threads, Runnable gone) throws IOException {
-    Optional<RosMaster> master = options.realMaster().isPresent()
-        ? Optional.empty()
-        : Optional.of(RosMaster.open(MasterOptions.standard(threads).withPort(options.port())));
-    URI uri = options.realMaster().or(() -> master.map(RosMaster::uri)).orElseThrow();
-    RosNode node = RosNode.open(environment(options, uri), GraphName.of(options.name()), NodeOptions.standard(threads));
-    RosFace face = new RosFace(master, uri, node, options);
+    DemoMaster master = DemoMaster.open(options, threads);
+    RosNode node = RosNode.open(master.environment(arguments(options)), GraphName.of(options.name()), NodeOptions.standard(threads));
+    RosFace face = new RosFace(master, node, options);
     try {
       face.awaitMaster();
     } catch (IOException | RuntimeException e) {
@@ -62,23 +51,18 @@ public final class RosFace implements Face {
     return face;
   }
 
-  private static RosEnvironment environment(RosOptions options, URI master) {
-    Map<String, String> variables = new HashMap<>();
-    if (options.realMaster().isPresent()) {
-      variables.putAll(System.getenv());
-    }
-    variables.put("ROS_MASTER_URI", master.toString());
+  private static List<String> arguments(RosOptions options) {
     List<String> arguments = new ArrayList<>(options.arguments());
     if (!options.namespace().isEmpty()) {
       arguments.add("__ns:=/" + options.namespace());
     }
-    return RosEnvironment.of(variables, arguments);
+    return arguments;
   }
 
   /** The first time for the parameters of the command line, which the robot reads; then for all it advertises. */
   private void awaitMaster() throws IOException {
     if (!node.awaitRegistered(REGISTRATION)) {
-      throw new IOException("the master at " + masterUri + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
+      throw new IOException("the master at " + master.uri() + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
     }
   }
 
@@ -105,7 +89,7 @@ public final class RosFace implements Face {
   @Override
   public SequencedMap<String, String> addresses() {
     SequencedMap<String, String> variables = new LinkedHashMap<>();
-    variables.put("ROS_MASTER_URI", masterUri.toString().replaceAll("/$", ""));
+    variables.put("ROS_MASTER_URI", master.text());
     return variables;
   }
 
@@ -113,6 +97,6 @@ public final class RosFace implements Face {
   public void close() {
     robot.ifPresent(RobotNode::close);
     node.close();
-    master.ifPresent(RosMaster::close);
+    master.close();
   }
 }

@@ -1,20 +1,17 @@
 package org.robotui.sim.internal.swarm;
 
 import java.io.IOException;
-import java.net.URI;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
-import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.master.MasterOptions;
-import org.robotui.ros.master.RosMaster;
+import org.robotui.sim.internal.ros.DemoMaster;
+import org.robotui.sim.internal.ros.RosOptions;
 
 /**
  * Many cheap robots at one master, in namespaces {@code r1}, {@code r2} and so on: each a node with odometry, transforms, a scan of few beams and
@@ -28,14 +25,14 @@ public final class Swarm implements AutoCloseable {
   private static final long STEP_NANOS = 50_000_000L;
   private static final double STEP = STEP_NANOS / 1e9;
 
-  private final RosMaster master;
+  private final DemoMaster master;
   private final List<RosNode> nodes;
   private final List<SwarmRobot> robots;
   private final CountDownLatch end = new CountDownLatch(1);
   private final Thread time;
   private volatile boolean closed;
 
-  private Swarm(RosMaster master, List<RosNode> nodes, List<SwarmRobot> robots) {
+  private Swarm(DemoMaster master, List<RosNode> nodes, List<SwarmRobot> robots) {
     this.master = master;
     this.nodes = List.copyOf(nodes);
     this.robots = new ArrayList<>(robots);
@@ -46,11 +43,11 @@ public final class Swarm implements AutoCloseable {
    * Starts a swarm; all is advertised when this returns.
    *
    * @param count how many robots, at most {@link #MOST}
-   * @param port of the master on loopback, 0 for a free one
+   * @param options say at which master
    * @param seed of where they stand and go
    */
-  public static Swarm start(int count, int port, long seed) throws IOException {
-    RosMaster master = RosMaster.open(MasterOptions.standard(Swarm::thread).withPort(port));
+  public static Swarm start(int count, RosOptions options, long seed) throws IOException {
+    DemoMaster master = DemoMaster.open(options, Swarm::thread);
     List<RosNode> nodes = new ArrayList<>();
     try {
       Swarm swarm = start(count, seed, master, nodes);
@@ -63,7 +60,7 @@ public final class Swarm implements AutoCloseable {
     }
   }
 
-  private static Swarm start(int count, long seed, RosMaster master, List<RosNode> nodes) throws IOException {
+  private static Swarm start(int count, long seed, DemoMaster master, List<RosNode> nodes) throws IOException {
     Hall hall = Hall.forRobots(count);
     HallMap.publish(open(master, "/", "map_server", nodes), hall, System.currentTimeMillis() * 1_000_000);
     List<SwarmRobot> robots = new ArrayList<>();
@@ -92,9 +89,8 @@ public final class Swarm implements AutoCloseable {
     return new Walker(hall, freeX, y, random);
   }
 
-  private static RosNode open(RosMaster master, String namespace, String name, List<RosNode> nodes) throws IOException {
-    RosEnvironment environment = RosEnvironment.of(Map.of("ROS_MASTER_URI", master.uri().toString(), "ROS_IP", "127.0.0.1"), List.of("__ns:=" + namespace));
-    RosNode node = RosNode.open(environment, GraphName.of(name), NodeOptions.standard(Swarm::thread));
+  private static RosNode open(DemoMaster master, String namespace, String name, List<RosNode> nodes) throws IOException {
+    RosNode node = RosNode.open(master.environment(List.of("__ns:=" + namespace)), GraphName.of(name), NodeOptions.standard(Swarm::thread));
     nodes.add(node);
     return node;
   }
@@ -122,9 +118,9 @@ public final class Swarm implements AutoCloseable {
     }
   }
 
-  /** Where the master listens. */
-  public URI masterUri() {
-    return master.uri();
+  /** Their master. */
+  public DemoMaster master() {
+    return master;
   }
 
   /** Lets {@link #awaitEnd} return. */

@@ -1,11 +1,13 @@
 package org.robotui.sim.internal.swarm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.net.URI;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
@@ -14,9 +16,10 @@ import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
-import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.master.MasterOptions;
+import org.robotui.ros.master.RosMaster;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
@@ -25,12 +28,19 @@ import org.robotui.ros.msgs.geometry_msgs.Quaternion;
 import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
 import org.robotui.ros.msgs.nav_msgs.Odometry;
 import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.sim.internal.ros.RosOptions;
 
 class SwarmTest {
   private static RosNode node(Swarm swarm, String namespace, String name) throws Exception {
-    RosEnvironment environment = RosEnvironment.of(
-        Map.of("ROS_MASTER_URI", swarm.masterUri().toString(), "ROS_IP", "127.0.0.1"), List.of("__ns:=" + namespace));
-    return RosNode.open(environment, GraphName.of(name), NodeOptions.standard(r -> Thread.ofPlatform().daemon().unstarted(r)));
+    return RosNode.open(swarm.master().environment(List.of("__ns:=" + namespace)), GraphName.of(name), NodeOptions.standard(SwarmTest::thread));
+  }
+
+  private static Thread thread(Runnable task) {
+    return Thread.ofPlatform().daemon().unstarted(task);
+  }
+
+  private static RosOptions at(Optional<URI> realMaster) {
+    return new RosOptions(0, "", "robot", realMaster, false, List.of());
   }
 
   private static void await(BooleanSupplier condition, String what) throws InterruptedException {
@@ -47,7 +57,7 @@ class SwarmTest {
     AtomicLong first = new AtomicLong();
     AtomicLong second = new AtomicLong();
     AtomicReference<OccupancyGrid> map = new AtomicReference<>();
-    try (Swarm swarm = Swarm.start(3, 0, 1); RosNode client = node(swarm, "/", "client")) {
+    try (Swarm swarm = Swarm.start(3, at(Optional.empty()), 1); RosNode client = node(swarm, "/", "client")) {
       client.subscriber("/r2/move_base/status", GoalStatusArray.CODEC, SubscriberOptions.standard(),
           (m, r) -> task.set(m.statusList().getFirst().text()));
       client.subscriber("/r1/odom", Odometry.CODEC, SubscriberOptions.standard(), (m, r) -> first.incrementAndGet());
@@ -66,6 +76,18 @@ class SwarmTest {
       await(() -> second.get() > others + 20, "the others stopped, too");
       assertTrue(first.get() < before + 15, "it goes on");
       twin.close();
+    }
+  }
+
+  @Test
+  void whereThereIsARealMasterItHasTheSwarmForAsLongAsThatRuns() throws Exception {
+    try (RosMaster master = RosMaster.open(MasterOptions.standard(SwarmTest::thread))) {
+      try (Swarm swarm = Swarm.start(2, at(Optional.of(master.uri())), 1); RosNode client = node(swarm, "/", "client")) {
+        assertTrue(client.master().systemState().toOptional().orElseThrow().nodes().containsAll(List.of("/map_server", "/r1/robot", "/r2/robot")));
+      }
+      try (Swarm another = Swarm.start(1, at(Optional.of(master.uri())), 1); RosNode client = node(another, "/", "client")) {
+        assertFalse(client.master().systemState().toOptional().orElseThrow().nodes().contains("/r2/robot"));
+      }
     }
   }
 }

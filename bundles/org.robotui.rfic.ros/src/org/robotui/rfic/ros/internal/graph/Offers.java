@@ -142,12 +142,17 @@ final class Offers implements AutoCloseable {
     });
   }
 
+  /** Stops what we drive, and offers nothing more. Blocks until that is sent, at most 0.3 s a topic. */
+  synchronized void stop() {
+    closed = true;
+    commands.values().forEach(CommandTopic::close);
+    commands.clear();
+  }
+
   @Override
   public synchronized void close() {
-    closed = true;
+    stop();
     streams.values().forEach(Followed::close);
-    commands.values().forEach(CommandTopic::close);
     streams.clear();
-    commands.clear();
   }
 }

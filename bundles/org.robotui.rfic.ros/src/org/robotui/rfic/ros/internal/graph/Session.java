@@ -144,8 +144,11 @@ public final class Session implements AutoCloseable {
             : new LinkState.Failed(reason, LOOK));
   }
 
+  /** The master hears of it early: of many robots that are closed at once, each takes its time. But a stop must have gone out by then. */
   @Override
   public void close() {
+    offers.stop();
+    node.leave();
     publish.close();
     handled.close();
     messages.close();
