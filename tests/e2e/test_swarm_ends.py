@@ -1,9 +1,9 @@
-"""A window that looked at a swarm of fifty robots is closed: their master, a real one, knows nothing of it afterwards."""
+"""A window looked at a swarm of fifty robots: what their master, a real one, knows of it after it was closed, and after it was killed."""
 import xmlrpc.client
 
 import pytest
 
-from conftest import ROOT, start_simulator, wait_for
+from conftest import ROOT, Robot, kill_all_of, start_robotui, start_simulator, wait_for
 from desktop import Window, missing
 
 ROBOTS = 50
@@ -46,11 +46,28 @@ def configuration(folder):
     return file
 
 
+def look(swarm, master, file):
+    window = Window.open(swarm, file)
+    wait_for(lambda: len(master.looked_at()) >= ROBOTS * len(STREAMS), seconds=90, what="a look at all robots")
+    return window
+
+
 def test_a_closed_window_leaves_nothing_of_fifty_nodes(swarm, tmp_path):
     master = Master(swarm.uri)
-    window = Window.open(swarm, configuration(tmp_path))
-    wait_for(lambda: len(master.looked_at()) >= ROBOTS * len(STREAMS), seconds=90, what="a look at all robots")
+    window = look(swarm, master, configuration(tmp_path))
     window.close()
     assert window.process.wait(40) == 0
     assert master.state() == {}
     assert "not ended in time" not in window.process.err.read_text() + window.process.out.read_text()
+
+
+def test_the_next_start_removes_what_a_killed_window_left(swarm, processes, tmp_path):
+    master = Master(swarm.uri)
+    file = configuration(tmp_path)
+    window = look(swarm, master, file)
+    left = set(master.state())
+    kill_all_of(window.process)
+    assert left <= set(master.state())
+    same_user = Robot(processes, swarm.uri, swarm.environment | {"XDG_STATE_HOME": str(tmp_path / "window-state")})
+    start_robotui(same_user, "run", "--json", file, name="next")
+    wait_for(lambda: left.isdisjoint(master.state()) and len(master.state()) > ROBOTS, seconds=60, what="the end of what was left")

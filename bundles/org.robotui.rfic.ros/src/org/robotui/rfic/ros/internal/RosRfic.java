@@ -43,7 +43,7 @@ final class RosRfic implements Rfic {
     this.masters = masters;
     this.guards = guards;
     this.worker = new RficWorker(context, RETRY, this::follow);
-    this.tidying = new Tidying(context);
+    this.tidying = new Tidying(context, masters.sweep());
   }
 
   @Override

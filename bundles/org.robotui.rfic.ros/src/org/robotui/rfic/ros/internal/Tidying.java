@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.robotui.api.RficContext;
-import org.robotui.ros.Leftovers;
+import org.robotui.rfic.ros.internal.graph.SharedSweep;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -21,23 +21,23 @@ final class Tidying implements AutoCloseable {
 
   private final Thread thread;
 
-  Tidying(RficContext context) {
-    this(context, FIRST_PAUSE);
+  Tidying(RficContext context, SharedSweep sweep) {
+    this(context, sweep, FIRST_PAUSE);
   }
 
-  Tidying(RficContext context, Duration firstPause) {
+  Tidying(RficContext context, SharedSweep sweep, Duration firstPause) {
     Path folder = context.stateFolder();
-    thread = context.threads().newThread(() -> tidy(folder, firstPause));
+    thread = context.threads().newThread(() -> tidy(folder, sweep, firstPause));
   }
 
   void start() {
     thread.start();
   }
 
-  private static void tidy(Path folder, Duration firstPause) {
+  private static void tidy(Path folder, SharedSweep sweep, Duration firstPause) {
     try {
       Duration pause = firstPause;
-      while (!Leftovers.clear(folder, PATIENCE).complete()) {
+      while (!sweep.complete(folder, PATIENCE)) {
         Thread.sleep(pause);
         pause = pause.compareTo(LONGEST_PAUSE) < 0 ? pause.multipliedBy(2) : LONGEST_PAUSE;
       }

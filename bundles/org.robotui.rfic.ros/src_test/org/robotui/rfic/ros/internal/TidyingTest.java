@@ -20,10 +20,13 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.rfic.ros.internal.graph.SharedSweep;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.PublisherOptions;
@@ -115,7 +118,7 @@ class TidyingTest {
   @Test
   void whatIsLeftAtAMasterThatComesLaterIsRemovedThen() throws Exception {
     int port = masterPort();
-    Tidying tidying = new Tidying(context, Duration.ofMillis(20));
+    Tidying tidying = new Tidying(context, new SharedSweep(), Duration.ofMillis(20));
     try (ServerSocket notYet = new ServerSocket(port, 10, LOOPBACK)) {
       notYet.setSoTimeout(10_000);
       tidying.start();
@@ -135,8 +138,24 @@ class TidyingTest {
   }
 
   @Test
+  void aTeamRemovesTogetherWhatIsLeft() throws Exception {
+    SharedSweep shared = new SharedSweep();
+    List<Tidying> team = Stream.generate(() -> new Tidying(context, shared, Duration.ofMinutes(1))).limit(20).toList();
+    int port = masterPort();
+    try (XmlRpcServer master = new XmlRpcServer(LOOPBACK, port, XmlRpcLimits.standard(), new Workers(DAEMONS), "master")) {
+      master.start(call -> {
+        LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(100)); // so that all come before the first is done
+        return answer(call);
+      });
+      team.forEach(Tidying::start);
+      RosRficCase.await(() -> context.alive().isEmpty());
+    }
+    assertEquals(1, asked.stream().filter("unregisterPublisher"::equals).count(), asked.toString());
+  }
+
+  @Test
   void waitingForAMasterEndsWithTheRobotInterface() {
-    Tidying tidying = new Tidying(context, Duration.ofMinutes(1));
+    Tidying tidying = new Tidying(context, new SharedSweep(), Duration.ofMinutes(1));
     tidying.start();
     tidying.close();
     assertEquals(List.of(), context.alive());
