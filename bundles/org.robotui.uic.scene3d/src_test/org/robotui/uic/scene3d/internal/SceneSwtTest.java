@@ -108,6 +108,19 @@ class SceneSwtTest {
   }
 
   @Test
+  void aMeasureIsDraggedAndTheCameraStands() {
+    Vector3 before = eye();
+    window.hands().key('m');
+    drag(1, 0, 300, 300, 500, 300);
+    assertTrue(window.until(() -> rgb(window.picture(), window.canvas().getLocation().x + 400, 300).equals(theme.palette().rgb(Role.ACCENT))),
+        "a line between both ends");
+    assertEquals(before, eye());
+    window.hands().key((char) SWT.ESC);
+    drag(1, 0, 300, 300, 500, 300);
+    assertNotEquals(before, eye(), "without the tool a drag turns");
+  }
+
+  @Test
   void keysChangeTheCamera() {
     window.hands().key('3');
     window.until(() -> gl.requests.getLast().eye().projection() instanceof Eye.Projection.Parallel);

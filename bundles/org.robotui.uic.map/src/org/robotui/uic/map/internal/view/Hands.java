@@ -54,6 +54,8 @@ final class Hands {
     map.hover().at(e.x, e.y);
     if (drawing && !moving.panning()) {
       map.tool().ifPresent(t -> t.drag(worldX(e), worldY(e)));
+    } else if (!moving.panning()) {
+      map.tool().ifPresent(t -> t.hover(worldX(e), worldY(e)));
     }
     boolean held = moving.panning() || drawing;
     surface.getDisplay().timerExec(held ? -1 : REST_MILLIS, rest);

@@ -83,6 +83,8 @@ final class Hands {
       pick(e.x, e.y, hit -> gripped(hit, e.x, e.y));
     } else if (e.button == 1 && scene.tools().points()) {
       scene.tools().press(scene.lens(), e.x, e.y);
+    } else if (e.button == 1 && scene.tools().using(ToolKind.MEASURE) && !shift) {
+      press = press.map(p -> new Press(p.button(), false, p.from(), p.last(), false, false));
     }
   }
 
@@ -122,6 +124,8 @@ final class Hands {
       grip.get().drag(scene.lens().ray(e.x, e.y));
     } else if (before.button() == 1 && scene.tools().points()) {
       scene.tools().drag(scene.lens(), e.x, e.y);
+    } else if (measures(press.get())) {
+      scene.tools().stretch(before.from(), pointer);
     } else if (press.get().moved() && before.turning()) {
       drag(before, e.x - before.last().x, e.y - before.last().y);
     }
@@ -148,13 +152,26 @@ final class Hands {
     letGo();
     if (e.button == 1 && scene.tools().points()) {
       scene.tools().release();
-    } else if (e.button == 1 && still && scene.tools().using(ToolKind.MEASURE)) {
-      place(e.x, e.y, scene.tools()::measure);
+    } else if (e.button == 1 && !ended.get().shift() && scene.tools().using(ToolKind.MEASURE)) {
+      measure(ended.get(), e);
     } else if (e.button == 1 && still && !gripping) {
       pick(e.x, e.y, hit -> clicked(hit, e.x, e.y));
     } else if (e.button == 3 && still) {
       openMenu(e.x, e.y);
     }
+  }
+
+  private boolean measures(Press held) {
+    return held.button() == 1 && held.moved() && !held.shift() && scene.tools().using(ToolKind.MEASURE);
+  }
+
+  /** A click gives one end of a measure, a drag both. */
+  private void measure(Press ended, Event e) {
+    if (!ended.moved()) {
+      place(e.x, e.y, spot -> spot.ifPresent(scene.tools()::measure));
+      return;
+    }
+    place(ended.from().x, ended.from().y, from -> place(e.x, e.y, to -> scene.tools().measure(from, to)));
   }
 
   /** Selects; a handle that was let go before it was known to be one is clicked, too. */
@@ -277,9 +294,9 @@ final class Hands {
     return scene.surface().lens(pose);
   }
 
-  /** The place that was hit; else that on the floor. */
-  private void place(int x, int y, Consumer<Vector3> then) {
-    pick(x, y, hit -> hit.map(Pick::place).or(() -> scene.lens().level(x, y, 0)).ifPresent(then));
+  /** The place that was hit; else that on the floor, where there is one. */
+  private void place(int x, int y, Consumer<Optional<Vector3>> then) {
+    pick(x, y, hit -> then.accept(hit.map(Pick::place).or(() -> scene.lens().level(x, y, 0))));
   }
 
   private void pick(int x, int y, Consumer<Optional<Pick>> then) {

@@ -2,7 +2,7 @@ package org.robotui.uic.scene3d.internal.view;
 
 /** What hands can do besides moving the camera. */
 enum ToolKind {
-  MEASURE("measure", "Measure (M)", "Measure: click two places \u00b7 Esc ends"),
+  MEASURE("measure", "Measure (M)", "Measure: click two points, or drag from one to the other \u00b7 Esc ends"),
   GOAL("goal", "Send a goal (G)", "Goal: press where, drag to where it shall look \u00b7 Esc ends"),
   POSE("initial_pose", "Set the pose (P)", "Pose: press where the robot is, drag to where it looks \u00b7 Esc ends"),
   WAYPOINTS("waypoints", "Waypoints (R)",

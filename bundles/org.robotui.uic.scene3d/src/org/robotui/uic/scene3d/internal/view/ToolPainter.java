@@ -29,7 +29,12 @@ final class ToolPainter {
   }
 
   void paint(GC gc, Rectangle area, Lens lens, Tools tools) {
-    measured(gc, lens, tools.measured());
+    List<Point> ends = tools.stretched();
+    if (ends.isEmpty()) {
+      measured(gc, lens, tools.measured());
+    } else {
+      line(gc, ends);
+    }
     tools.pose().ifPresent(pose -> arrow(gc, lens, pose, tools.using(ToolKind.POSE) ? Role.WARNING : Role.PLAN));
     tools.toast().at(System.nanoTime()).ifPresentOrElse(t -> states.banner(gc, area, t.health(), t.text()),
         () -> tools.hint().ifPresent(words -> states.banner(gc, area, Health.NONE, words)));
@@ -44,6 +49,13 @@ final class ToolPainter {
 
   private void measured(GC gc, Lens lens, List<Vector3> places) {
     List<Point> points = places.stream().flatMap(p -> Overlay.point(lens, p).stream()).toList();
+    line(gc, points);
+    if (points.size() == 2) {
+      label(gc, words(places.get(0), places.get(1)), (points.get(0).x + points.get(1).x) / 2, (points.get(0).y + points.get(1).y) / 2);
+    }
+  }
+
+  private void line(GC gc, List<Point> points) {
     gc.setForeground(theme.color(Role.ACCENT));
     gc.setBackground(theme.color(Role.ACCENT));
     gc.setLineWidth(2);
@@ -52,9 +64,6 @@ final class ToolPainter {
     }
     points.forEach(p -> gc.fillOval(p.x - DOT / 2, p.y - DOT / 2, DOT, DOT));
     gc.setLineWidth(1);
-    if (points.size() == 2) {
-      label(gc, words(places.get(0), places.get(1)), (points.get(0).x + points.get(1).x) / 2, (points.get(0).y + points.get(1).y) / 2);
-    }
   }
 
   private void label(GC gc, String words, int x, int y) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
+import org.eclipse.swt.graphics.Point;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
@@ -23,6 +24,7 @@ final class Tools {
   private final Runnable changed;
   private final Toast toast = new Toast();
   private final List<Vector3> measured = new ArrayList<>();
+  private List<Point> stretched = List.of();
   private Optional<ToolKind> kind = Optional.empty();
   private Optional<Vector3> pressed = Optional.empty();
   private Optional<Vector3> dragged = Optional.empty();
@@ -73,6 +75,7 @@ final class Tools {
     measured.clear();
     pressed = Optional.empty();
     dragged = Optional.empty();
+    stretched = List.of();
   }
 
   /** Two places at most, the second may still be missing. */
@@ -81,11 +84,33 @@ final class Tools {
   }
 
   void measure(Vector3 place) {
+    stretched = List.of();
     if (measured.size() == 2) {
       measured.clear();
     }
     measured.add(place);
     changed.run();
+  }
+
+  /** Measures anew, from one place to another; nothing where one of them is in the sky. */
+  void measure(Optional<Vector3> from, Optional<Vector3> to) {
+    forget();
+    if (from.isPresent() && to.isPresent()) {
+      measured.add(from.get());
+      measured.add(to.get());
+    }
+    changed.run();
+  }
+
+  /** Shows where a measure goes that is being dragged, in pixels: places are looked up when the button is let go. */
+  void stretch(Point from, Point to) {
+    stretched = List.of(from, to);
+    changed.run();
+  }
+
+  /** The ends of the measure that is being dragged, in pixels; empty where none is. */
+  List<Point> stretched() {
+    return stretched;
   }
 
   /** Whether the floor is pointed at with press and drag. */
