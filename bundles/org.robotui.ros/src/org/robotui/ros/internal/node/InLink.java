@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.Outcome;
@@ -21,6 +22,7 @@ import org.robotui.ros.internal.tcpros.Backoff;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
+import org.robotui.ros.internal.tcpros.ReadPacing;
 import org.robotui.ros.internal.tcpros.Sockets;
 import org.robotui.ros.internal.tcpros.TimedStream;
 import org.robotui.ros.message.MessageException;
@@ -205,9 +207,14 @@ final class InLink<T> {
   private void receive(FrameReader in, MessageInfo theirs, boolean latching) throws IOException, MessageException {
     long max = context.options().maxMessageBytes();
     String caller = peer;
+    ReadPacing pacing = new ReadPacing();
     while (!closed) {
+      if (pacing.isFlood() && !in.hasBuffered()) {
+        LockSupport.parkNanos(ReadPacing.PAUSE_NANOS);
+      }
       byte[] frame = in.next(max, "message");
       long now = System.nanoTime();
+      pacing.count(frame.length, now);
       got.count(1, frame.length + (long) Integer.BYTES);
       ByteBuffer raw = ByteBuffer.wrap(frame).asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
       T value = decode(ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN), theirs);
