@@ -1,5 +1,7 @@
 package org.robotui.uic.status.internal;
 
+import java.util.List;
+import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
@@ -15,24 +17,41 @@ import org.robotui.ui.control.RowWords;
 final class RowPainter implements RowLook<Row> {
   private static final int ROW = 30;
 
-  private static final int LEAD = Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP;
-  private static final int WORD = 84;
-  private static final int AGE = 52;
-  private static final int DROPPED = 92;
-  private static final int GAP = 8;
-  private static final int ROOM_FOR_DROPPED = 620;
-  private static final int ROOM_FOR_AGE = 440;
   private static final int CHARGE_WIDTH = 64;
   private static final int CHARGE_HEIGHT = 8;
-  private static final double NAME_SHARE = 0.3;
-  private static final double NARROW_NAME_SHARE = 0.32;
+  private static final int CHARGE_TEXT = 40;
+  /** The names of as many lines are measured; more are seldom seen at once. */
+  private static final int MEASURED = 60;
 
   private final Theme theme;
   private final RowWords words;
+  private List<String> names = List.of();
+  private int longest = -1;
 
   RowPainter(Theme theme) {
     this.theme = theme;
     words = new RowWords(theme);
+  }
+
+  /** Makes room for the names of lines. */
+  void show(List<Row> rows) {
+    List<String> next = rows.stream().limit(MEASURED).flatMap(row -> switch (row) {
+      case Row.Item item -> Stream.of(item.name());
+      case Row.Charge charge -> Stream.of(charge.name());
+      default -> Stream.empty();
+    }).toList();
+    if (!next.equals(names)) {
+      names = next;
+      longest = -1;
+    }
+  }
+
+  private Columns columns(GC gc, Rectangle at) {
+    if (longest < 0) {
+      gc.setFont(theme.font(Face.BODY));
+      longest = names.stream().mapToInt(name -> gc.textExtent(name).x).max().orElse(0);
+    }
+    return Columns.of(at.width, longest);
   }
 
   @Override
@@ -70,36 +89,42 @@ final class RowPainter implements RowLook<Row> {
 
   private void note(GC gc, Rectangle at, Row.Note note) {
     dot(gc, at, Health.WARNING);
-    words.text(gc, at, LEAD, at.width - LEAD - Theme.EDGE, note.details(), Face.BODY, note.role());
+    words.text(gc, at, Columns.LEAD, at.width - Columns.LEAD - Theme.EDGE, note.details(), Face.BODY, note.role());
   }
 
   private void item(GC gc, Rectangle at, Row.Item item) {
     dot(gc, at, item.health());
-    int x = name(gc, at, item.name(), item.health());
-    words.right(gc, at, x, WORD, item.word(), wordRole(item.health()));
-    x += WORD + GAP;
+    Columns columns = columns(gc, at);
+    name(gc, at, columns, item.name(), item.health());
+    words.right(gc, at, columns.nameEnd(), Columns.WORD, item.word(), wordRole(item.health()));
+    int x = columns.plainValue();
     // What has neither age nor losses is a sentence: it needs the room, and nothing can jump.
-    boolean columns = !item.age().isEmpty() || !item.dropped().isEmpty();
-    if (columns && at.width >= ROOM_FOR_AGE) {
-      words.right(gc, at, x, AGE, item.age(), item.health() == Health.STALE ? Role.WARNING : Role.DIM);
-      x += AGE + GAP;
+    boolean told = !item.age().isEmpty() || !item.dropped().isEmpty();
+    if (told && columns.age()) {
+      words.right(gc, at, x, Columns.AGE, item.age(), item.health() == Health.STALE ? Role.WARNING : Role.DIM);
+      x += Columns.AGE + Columns.GAP;
     }
-    if (columns && at.width >= ROOM_FOR_DROPPED) {
-      words.right(gc, at, x, DROPPED, item.dropped(), Role.WARNING);
-      x += DROPPED + GAP;
+    if (told && columns.dropped()) {
+      words.right(gc, at, x, Columns.DROPPED, item.dropped(), Role.WARNING);
+      x += Columns.DROPPED + Columns.GAP;
     }
     boolean figures = item.health() == Health.OK || item.health() == Health.STALE;
     Role role = item.health() == Health.BAD ? Role.BAD : item.health() == Health.OK ? Role.TEXT : Role.DIM;
-    words.text(gc, at, x, at.width - x - Theme.EDGE, item.value(), figures ? Face.FIGURES : Face.BODY, role);
+    if (columns.value() > 0) {
+      words.text(gc, at, x, at.width - x - Theme.EDGE, item.value(), figures ? Face.FIGURES : Face.BODY, role);
+    }
   }
 
   private void charge(GC gc, Rectangle at, Row.Charge charge) {
     dot(gc, at, charge.health());
-    int x = name(gc, at, charge.name(), charge.health());
-    if (!Double.isNaN(charge.charge())) {
+    Columns columns = columns(gc, at);
+    name(gc, at, columns, charge.name(), charge.health());
+    int x = columns.nameEnd();
+    boolean bar = at.width - x - Theme.EDGE >= CHARGE_WIDTH + Columns.GAP + CHARGE_TEXT;
+    if (bar && !Double.isNaN(charge.charge())) {
       bar(gc, at.x + x, at.y + (at.height - CHARGE_HEIGHT) / 2, charge.charge(), charge.health());
     }
-    x += CHARGE_WIDTH + GAP;
+    x += bar ? CHARGE_WIDTH + Columns.GAP : 0;
     words.first(gc, at, x, at.width - x - Theme.EDGE, charge.texts(), charge.health() == Health.OK ? Role.TEXT : charge.health().role());
   }
 
@@ -116,10 +141,9 @@ final class RowPainter implements RowLook<Row> {
     HealthDot.paint(gc, theme, health, at.x + Theme.EDGE + HealthDot.SIZE / 2, at.y + at.height / 2);
   }
 
-  private int name(GC gc, Rectangle at, String name, Health health) {
-    int end = (int) (at.width * (at.width >= ROOM_FOR_AGE ? NAME_SHARE : NARROW_NAME_SHARE));
-    words.name(gc, at, LEAD, end - LEAD - GAP, name, Face.BODY, health == Health.NONE ? Role.DIM : Role.TEXT);
-    return end;
+  private void name(GC gc, Rectangle at, Columns columns, String name, Health health) {
+    int room = columns.nameEnd() - Columns.LEAD - Columns.GAP;
+    words.name(gc, at, Columns.LEAD, room, name, Face.BODY, health == Health.NONE ? Role.DIM : Role.TEXT);
   }
 
   private static Role wordRole(Health health) {

@@ -5,6 +5,7 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.ui.Role;
+import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
@@ -14,8 +15,7 @@ import org.robotui.ui.control.RowList;
 /** What is seen of the view while it is shown: a line of controls, and the list. Display thread. */
 final class StatusSurface {
   private static final int WIDEST_FILTER = 180;
-  private static final int ROOM_FOR_FILTER = 460;
-  private static final int ROOM_FOR_TABS = 300;
+  private static final int LEAST_FILTER = 120;
 
   private final UiContext context;
   private final Composite root;
@@ -25,6 +25,7 @@ final class StatusSurface {
   private final FilterField filter;
   private final QuietButton stop;
   private final QuietButton release;
+  private final RowPainter painter;
   private final RowList<Row> list;
 
   StatusSurface(Composite parent, UiContext context, StatusUic.Actions actions) {
@@ -40,7 +41,8 @@ final class StatusSurface {
     this.stop = button(bar, actions::stop, "Stop").hint("Stops the robot until the stop is released");
     this.release = button(bar, actions::releaseStop, "Release stop").fill(Role.ACCENT);
     sameWidth(stop, release);
-    this.list = new RowList<>(root, context.theme(), new RowPainter(context.theme())).named("Status").onFind(filter::focus);
+    this.painter = new RowPainter(context.theme());
+    this.list = new RowList<>(root, context.theme(), painter).named("Status").onFind(filter::focus);
     list.control().setLayoutData(Boxes.fill());
     filter.onDown(list.control()::setFocus);
     bar.addListener(SWT.Resize, e -> fit());
@@ -64,6 +66,7 @@ final class StatusSurface {
     }
     fit();
     page.trouble().ifPresentOrElse(t -> list.message(t.health(), t.title(), t.sentence()), list::noMessage);
+    painter.show(page.rows());
     list.show(page.rows());
   }
 
@@ -77,15 +80,21 @@ final class StatusSurface {
   /** The stop is never cut: where it is narrow, the filter goes first, then the button of what is shown already. */
   private void fit() {
     int width = bar.getClientArea().width;
-    boolean narrow = width < ROOM_FOR_TABS;
+    int buttons = needed(ports) + needed(connections) + ((GridData) stop.getLayoutData()).widthHint + 4 * Theme.STEP + 2 * Theme.STEP;
+    boolean narrow = width < buttons;
     boolean tabs = Boxes.seen(ports, !narrow || !ports.isChecked()) | Boxes.seen(connections, !narrow || !connections.isChecked());
-    boolean filters = width >= ROOM_FOR_FILTER;
+    boolean filters = width >= buttons + LEAST_FILTER;
+    ((GridData) filter.getLayoutData()).widthHint = Math.clamp(width - buttons, LEAST_FILTER, WIDEST_FILTER);
     if (!filters && !filter.words().isEmpty()) {
       filter.words("");
     }
-    if (Boxes.seen(filter, filters) | tabs) {
+    if (Boxes.seen(filter, filters) | tabs | filters) {
       bar.layout();
     }
+  }
+
+  private static int needed(QuietButton button) {
+    return button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x + Theme.STEP;
   }
 
   /** Keeps the tabs at the left and the rest at the right, whichever of them are seen. */

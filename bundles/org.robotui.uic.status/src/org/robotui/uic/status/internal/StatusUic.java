@@ -68,11 +68,17 @@ final class StatusUic implements SwtUic {
     return page;
   }
 
+  /** Where there are several, each by its port; and whose that is where several robot interfaces have one. */
+  private static String name(SourceId source, List<SourceId> sources) {
+    boolean several = sources.stream().map(SourceId::component).distinct().count() > 1;
+    return sources.size() < 2 ? "Battery" : several ? source.toString() : source.port();
+  }
+
   private Look look() {
     double low = context.settings().current().number(StatusType.LOW_CHARGE);
     List<SourceId> sources = batteries.sources();
     List<Row> rows = sources.stream()
-        .map(source -> BatteryRows.of(source, sources.size() > 1 ? source.port() : "Battery", batteries.latest(source).map(Envelope::value), batteries.state(source), low))
+        .map(source -> BatteryRows.of(source, name(source, sources), batteries.latest(source).map(Envelope::value), batteries.state(source), low))
         .toList();
     Optional<String> stopped = context.ruic().authorities().stream()
         .flatMap(authority -> authority.stoppedBy().stream()).map(Principal::label).findFirst();

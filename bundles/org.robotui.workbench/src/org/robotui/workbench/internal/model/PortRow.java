@@ -10,6 +10,7 @@ import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.PortKind;
+import org.robotui.api.port.SourceId;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 
@@ -28,9 +29,10 @@ public record PortRow(String name, Health health, String figure, String age, Str
 
   /** What views want first, then what they miss, then the first of what nobody looks at. */
   public static List<PortRow> of(RuicSnapshot ruic) {
-    Stream<PortRow> wanted = streams(ruic, true).map(PortRow::wanted);
+    boolean several = ruic.ports().stream().map(p -> p.port().component()).distinct().limit(2).count() > 1;
+    Stream<PortRow> wanted = streams(ruic, true).map(port -> wanted(port, several));
     Stream<PortRow> missing = ruic.matches().stream().filter(PortRow::isMissed).map(PortRow::missing);
-    Stream<PortRow> offered = streams(ruic, false).limit(MOST_OFFERED).map(PortRow::offered);
+    Stream<PortRow> offered = streams(ruic, false).limit(MOST_OFFERED).map(port -> offered(port, several));
     return Stream.of(wanted, missing, offered, more(ruic).stream()).flatMap(s -> s).toList();
   }
 
@@ -46,12 +48,12 @@ public record PortRow(String name, Health health, String figure, String age, Str
         .sorted(Comparator.comparing(p -> p.port().port()));
   }
 
-  private static PortRow wanted(PortStatus port) {
-    return new PortRow(shown(port.port().port()), health(port), figure(port), age(port), hint(port));
+  private static PortRow wanted(PortStatus port, boolean several) {
+    return new PortRow(shown(port.port(), several), health(port), figure(port), age(port), hint(port));
   }
 
-  private static PortRow offered(PortStatus port) {
-    return new PortRow(shown(port.port().port()), Health.NONE, "offered", "", hint(port));
+  private static PortRow offered(PortStatus port, boolean several) {
+    return new PortRow(shown(port.port(), several), Health.NONE, "offered", "", hint(port));
   }
 
   private static boolean isMissed(Match match) {
@@ -103,7 +105,8 @@ public record PortRow(String name, Health health, String figure, String age, Str
     return head + "\n" + figures + (said.isEmpty() ? "" : "\n" + said);
   }
 
-  private static String shown(String port) {
-    return port.startsWith("/") ? port.substring(1) : port;
+  /** Of several robot interfaces each may have a port of this name: it is said whose it is. */
+  private static String shown(SourceId port, boolean several) {
+    return several ? port.toString() : port.port().startsWith("/") ? port.port().substring(1) : port.port();
   }
 }

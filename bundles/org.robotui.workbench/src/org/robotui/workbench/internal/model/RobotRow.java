@@ -55,7 +55,7 @@ public record RobotRow(String name, Health health, String figure, String second)
       return "failed";
     }
     if (ruic.state() == RuicState.ADDED) {
-      return "not started";
+      return "not open";
     }
     if (!(ruic.link() instanceof LinkState.Connected) && !(ruic.link() instanceof LinkState.Degraded)) {
       return ruic.link().word();
@@ -75,6 +75,9 @@ public record RobotRow(String name, Health health, String figure, String second)
   private static String second(RuicSnapshot ruic) {
     if (!ruic.reason().isEmpty()) {
       return ruic.reason();
+    }
+    if (ruic.state() == RuicState.ADDED) {
+      return "select it to open it";
     }
     String frameworks = frameworks(ruic);
     String peer = switch (ruic.link()) {

@@ -37,8 +37,7 @@ public final class PortList extends RowList<PortRow> {
   /** Ages are shown where there is room for them beside all names; else the tooltip tells them. */
   @Override
   void prepare(GC gc, int width) {
-    gc.setFont(theme().font(Face.SMALL_FIGURES));
-    int age = gc.textExtent(WIDEST_AGE).x;
+    int age = width(gc, Face.SMALL_FIGURES, WIDEST_AGE);
     gc.setFont(theme().font(Face.BODY));
     int names = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.name()).x).max().orElse(0);
     gc.setFont(theme().font(Face.SMALL_FIGURES));
@@ -56,7 +55,11 @@ public final class PortList extends RowList<PortRow> {
       right(gc, row.age(), right, top);
       right -= ageWidth;
     }
-    int left = right(gc, row.figure(), right, top);
+    int whole = width(gc, Face.BODY, row.name());
+    gc.setFont(theme().font(Face.SMALL_FIGURES));
+    boolean both = TEXT_LEFT + whole + Theme.STEP + gc.textExtent(row.figure()).x <= right;
+    // A name without its middle says less than a name without its rate, which the tooltip tells.
+    int left = both ? right(gc, row.figure(), right, top) : width - Theme.STEP;
     gc.setFont(theme().font(Face.BODY));
     gc.setForeground(theme().color(row.health() == Health.NONE ? Role.DIM : Role.TEXT));
     String name = TextFit.inTheMiddle(gc, row.name(), left - TEXT_LEFT - Theme.STEP);

@@ -80,8 +80,11 @@ public final class RobotList extends RowList<RobotRow> {
       gc.fillRectangle(0, top, 3, ROW);
     }
     HealthDot.paint(gc, theme(), row.health(), 19, top + 16);
-    int figure = paintFigure(gc, row, top, width);
-    gc.setFont(theme().font(chosen ? Face.TITLE : Face.NAME));
+    Face face = chosen ? Face.TITLE : Face.NAME;
+    int room = width - TEXT_LEFT - Theme.STEP - Theme.EDGE - width(gc, Face.SMALL, row.figure());
+    // Whose row it is matters more than the figure, which the tooltip tells.
+    int figure = width(gc, face, row.name()) <= room ? paintFigure(gc, row, top, width) : width;
+    gc.setFont(theme().font(face));
     gc.setForeground(theme().color(Role.TEXT));
     gc.drawText(TextFit.shorten(gc, row.name(), figure - TEXT_LEFT - Theme.STEP), TEXT_LEFT, top + 7, true);
     gc.setFont(theme().font(Face.SMALL));

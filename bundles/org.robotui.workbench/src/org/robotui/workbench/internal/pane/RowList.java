@@ -59,6 +59,12 @@ abstract class RowList<R> extends Canvas {
   /** The tooltip of a row. */
   abstract String hint(R row);
 
+  /** How wide a text is, pixels; the font is set afterwards. */
+  final int width(GC gc, Face face, String text) {
+    gc.setFont(theme.font(face));
+    return gc.textExtent(text).x;
+  }
+
   final void show(List<R> next) {
     if (!rows.equals(next)) {
       boolean resized = rows.size() != next.size();

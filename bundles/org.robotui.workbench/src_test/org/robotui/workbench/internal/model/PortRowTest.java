@@ -27,6 +27,13 @@ class PortRowTest {
   }
 
   @Test
+  void portsOfSeveralInterfacesSayWhoseTheyAre() {
+    ruic.offering(port("natalie", "scan"), port("otto", "scan"));
+
+    assertEquals(List.of("natalie.scan", "otto.scan"), rows().stream().map(PortRow::name).toList());
+  }
+
+  @Test
   void statesDifferInWordAndDot() {
     ruic.offering(port("a", true, 10, 0.012, false, ""), port("b", true, 10, 2.1, true, "no new value"),
         port("c", true, 0, Double.NaN, false, ""), port("d", true, 10, 0.1, false, "wrong type"));
@@ -68,6 +75,10 @@ class PortRowTest {
 
   private static Match missing(String port, Arity arity, MatchState state) {
     return new Match(new SourceId("camera", port), PortKind.STREAM, "Image", arity, state, List.of(), List.of(), "because");
+  }
+
+  private static PortStatus port(String component, String name) {
+    return new PortStatus(new SourceId(component, name), PortKind.STREAM, "Data", true, 9, 10, 0.012, false, 0, "", "");
   }
 
   private static PortStatus port(String name, boolean wanted, double rate, double age, boolean stale, String problem) {

@@ -1,6 +1,7 @@
 package org.robotui.uic.map.internal.model;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.stream.Stream;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
@@ -33,6 +35,8 @@ import org.robotui.uic.map.internal.Kind;
 public final class Feed<T extends Data, E extends Entity> {
   /** As long as a missing transform is not taken for more than a hiccup. */
   private static final long PATIENCE_NANOS = 1_000_000_000L;
+  /** As many sources of the same trouble have a line each. */
+  private static final int MOST_APART = 2;
 
   /** Makes an entity. */
   @FunctionalInterface
@@ -61,6 +65,16 @@ public final class Feed<T extends Data, E extends Entity> {
     Source(E entity, Layer layer) {
       this.entity = entity;
       this.layer = layer;
+    }
+  }
+
+  private enum Trouble {
+    FAILED("failed"), WAITING("wait for data"), UNPLACED("cannot be placed"), STALE("stale");
+
+    final String words;
+
+    Trouble(String words) {
+      this.words = words;
     }
   }
 
@@ -113,15 +127,21 @@ public final class Feed<T extends Data, E extends Entity> {
     return input.sources().stream().flatMap(id -> input.latest(id).stream()).toList();
   }
 
-  /** What users should know of its sources; nothing of those that are well or hidden. */
+  /** What users should know of its sources, those of the same trouble in one line; nothing of those that are well or hidden. */
   public List<Note> notes(TickContext tick) {
-    List<Note> notes = new ArrayList<>();
+    Map<Trouble, List<Note>> notes = new EnumMap<>(Trouble.class);
     sources.forEach((id, source) -> {
       if (tick.options().shows(kind, source.layer.id())) {
-        note(id, source).ifPresent(notes::add);
+        trouble(id, source).ifPresent(t -> notes.computeIfAbsent(t, n -> new ArrayList<>()).add(note(id, source, t)));
       }
     });
-    return notes;
+    return notes.entrySet().stream().flatMap(e -> e.getValue().size() <= MOST_APART ? e.getValue().stream()
+        : Stream.of(together(e.getKey(), e.getValue()))).toList();
+  }
+
+  private Note together(Trouble trouble, List<Note> notes) {
+    String first = trouble == Trouble.STALE ? "" : ", for example " + notes.getFirst().text();
+    return new Note(notes.getFirst().health(), kind.data() + ": " + notes.size() + " of " + sources.size() + " " + trouble.words + first);
   }
 
   /** Where a layer's data come from and how old they are; any thread. */
@@ -203,18 +223,29 @@ public final class Feed<T extends Data, E extends Entity> {
     return source.placed && (source.problem.isEmpty() || nowNanos - source.placedNanos < PATIENCE_NANOS);
   }
 
-  private Optional<Note> note(SourceId id, Source<T, E> source) {
-    String name = kind.data() + (sources.size() > 1 ? " " + id.port() : "");
+  private Optional<Trouble> trouble(SourceId id, Source<T, E> source) {
+    return switch (input.state(id)) {
+      case InputState.Failed f -> Optional.of(Trouble.FAILED);
+      case InputState.Waiting w -> Optional.of(Trouble.WAITING);
+      case InputState state when source.problem.isPresent() -> Optional.of(Trouble.UNPLACED);
+      case InputState.Stale s -> Optional.of(Trouble.STALE);
+      default -> Optional.empty();
+    };
+  }
+
+  private Note note(SourceId id, Source<T, E> source, Trouble trouble) {
+    String name = kind.data() + (sources.size() > 1 ? " " + name(id) : "");
     InputState state = input.state(id);
-    if (state instanceof InputState.Failed || state instanceof InputState.Waiting) {
-      return Optional.of(new Note(StateView.health(state), name + ": " + state.explanation()));
-    }
-    if (source.problem.isPresent()) {
-      return Optional.of(new Note(Health.WARNING, name + ": " + source.problem.get()));
-    }
-    return state instanceof InputState.Stale
-        ? Optional.of(new Note(Health.STALE, name + " " + StateView.word(state)))
-        : Optional.empty();
+    return switch (trouble) {
+      case FAILED, WAITING -> new Note(StateView.health(state), name + ": " + state.explanation());
+      case UNPLACED -> new Note(Health.WARNING, name + ": " + source.problem.orElse(""));
+      case STALE -> new Note(Health.STALE, name + " " + StateView.word(state));
+    };
+  }
+
+  /** Ports of several robot interfaces may have the same name. */
+  private String name(SourceId id) {
+    return sources.keySet().stream().map(SourceId::component).distinct().count() > 1 ? id.toString() : id.port();
   }
 
   private void forget(String layer) {

@@ -70,6 +70,31 @@ class MapModelTest {
   }
 
   @Test
+  void theSameTroubleOfManyIsOneLine() {
+    MapModel model = model();
+    for (int i = 1; i <= 50; i++) {
+      context.input(MapPorts.SCAN).put(new SourceId("base", "r" + i + "/scan"), DemoRoom.scan(), now, Optional.empty());
+    }
+    frames.fix(DemoRoom.ODOM, DemoRoom.BASE, RigidTransform.IDENTITY);
+    tick(model);
+    assertEquals(1, model.snapshot().notes().size(), () -> model.snapshot().notes().toString());
+    String text = model.snapshot().notes().getFirst().text();
+    assertTrue(text.startsWith("scan: 50 of 50 cannot be placed, for example scan r1/scan: no transform "), text);
+  }
+
+  @Test
+  void twoRobotsWithEqualPortsAreToldApart() {
+    MapModel model = model();
+    frames.fix(DemoRoom.ODOM, DemoRoom.BASE, RigidTransform.IDENTITY);
+    for (String robot : List.of("natalie", "otto")) {
+      context.input(MapPorts.SCAN).put(new SourceId(robot, "scan"), DemoRoom.scan(), now, Optional.empty());
+    }
+    tick(model);
+    assertEquals(List.of("scan natalie.scan", "scan otto.scan"),
+        model.snapshot().notes().stream().map(n -> n.text().substring(0, n.text().indexOf(':'))).toList());
+  }
+
+  @Test
   void theLayerAppearsWhenTheTransformComes() {
     frames.fix(DemoRoom.ODOM, DemoRoom.BASE, RigidTransform.IDENTITY);
     MapModel model = model();
