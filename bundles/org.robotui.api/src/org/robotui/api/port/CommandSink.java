@@ -19,6 +19,19 @@ public interface CommandSink<T extends Data> {
    */
   Sent send(T command);
 
+  /**
+   * Says zero since the robot's stop is latched, on the same thread and by the same rules as {@link #send}. It is called once, again while the robot reports
+   * motion, and where we drove also over a reconnection. Where we never drove, it must have no effect but that of the zero itself: nothing is opened or
+   * started for it, and what is no main motion of the robot answers {@link Sent.Unneeded}.
+   *
+   * @param zero the command that stops
+   * @param ours whether we drove here, so that the stop is ours to bring about
+   * @return whether it went out
+   */
+  default Sent stop(T zero, boolean ours) {
+    return send(zero);
+  }
+
   /** Whether a command went out. */
   sealed interface Sent {
     /** It was handed to the network. */
@@ -30,5 +43,10 @@ public interface CommandSink<T extends Data> {
      * @param reason a sentence for users
      */
     record Refused(String reason) implements Sent {}
+
+    /**
+     * It was not, and need not be: a stop for what we never drove and what is no main motion of the robot. It is not said here again.
+     */
+    record Unneeded() implements Sent {}
   }
 }

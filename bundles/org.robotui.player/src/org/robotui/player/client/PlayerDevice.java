@@ -116,6 +116,27 @@ public final class PlayerDevice {
   }
 
   /**
+   * Commands the device whether or not it is open: servers hand on commands of clients that have not opened a device, and start no driver for it. For a stop,
+   * which must open nothing.
+   *
+   * @param kind  the kind of command
+   * @param value the command
+   * @param <T>   the command's record
+   * @return false if there is no link
+   */
+  public <T> boolean commandUnopened(Kind.Command<T> kind, T value) {
+    return link.commandUnopened(layouts.message(kind).subtype(), layouts.codec(kind).encode(value));
+  }
+
+  /**
+   * Closes the device and opens it again, where it is open, for a server that has stopped sending its data. A driver that nobody else has open restarts.
+   * Listeners hear of it only where it is refused.
+   */
+  public void reopen() {
+    link.reopen();
+  }
+
+  /**
    * Commands the device by a record.
    *
    * @param message the command

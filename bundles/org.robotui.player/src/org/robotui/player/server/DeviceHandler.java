@@ -8,7 +8,7 @@ public interface DeviceHandler {
   /**
    * A client commands.
    *
-   * @param command the command, from a client that opened the device
+   * @param command the command, also from a client that has not opened the device
    */
   void onCommand(PlayerMessage command);
 

@@ -2,11 +2,13 @@ package org.robotui.core.internal.command;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Predicate;
 import org.robotui.api.command.Authority;
@@ -15,6 +17,8 @@ import org.robotui.api.command.CommandOutcome.Accepted;
 import org.robotui.api.command.CommandOutcome.Refused;
 import org.robotui.api.command.CommandOutcome.Why;
 import org.robotui.api.command.Principal;
+import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.port.StreamSource;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 import org.robotui.data.Motion;
@@ -25,7 +29,6 @@ import org.robotui.data.MotionLimits;
  * the robot's interfaces. What depends on time happens in {@link #step}, which a thread of its own calls.
  */
 public final class Arbiter implements Authority {
-  private static final long STOP_PERIOD_NANOS = 100_000_000L;
   private static final Duration LONGEST = Duration.ofHours(1);
 
   private final String robot;
@@ -36,7 +39,9 @@ public final class Arbiter implements Authority {
   private final Map<CommandTarget<?>, Drive> drives = new LinkedHashMap<>();
   private Optional<Principal> holder = Optional.empty();
   private Optional<Principal> stopper = Optional.empty();
-  private long nextStopAt;
+  private Optional<LatchedStop> latched = Optional.empty();
+  /** Motion ports on which something was driven from here: their stop is ours to bring about, also when they were made anew. */
+  private final Set<SourceId> driven = new HashSet<>();
 
   /**
    * An arbiter.
@@ -146,6 +151,7 @@ public final class Arbiter implements Authority {
 
   private void track(Object output, Principal principal, CommandTarget<?> target, Data command, long deadline) {
     if (command instanceof Motion<?> motion && !motion.equals(motion.stopped())) {
+      driven.add(target.id());
       Drive drive = drives.get(target);
       if (drive != null && !drive.linkLost()) {
         drive.renew(output, principal, deadline);
@@ -196,7 +202,7 @@ public final class Arbiter implements Authority {
   /** Does what time demands. Returns when to be called again at the latest, by the monotonic clock. */
   public synchronized long step() {
     long now = clock.nanos();
-    long next = stopper.isPresent() ? repeatStop(now) : Long.MAX_VALUE;
+    long next = latched.map(l -> l.step(now, motionPorts(), streams())).orElse(Long.MAX_VALUE);
     for (Iterator<Drive> all = drives.values().iterator(); all.hasNext(); ) {
       Drive drive = all.next();
       if (drive.isMoving() && mustEnd(drive, now)) {
@@ -227,18 +233,14 @@ public final class Arbiter implements Authority {
     return watched ? Math.min(drive.nextDeadline(), display.silentAtNanos()) : drive.nextDeadline();
   }
 
-  private long repeatStop(long now) {
-    if (now >= nextStopAt) {
-      nextStopAt = now + STOP_PERIOD_NANOS;
-      motionPorts().forEach(CommandTarget::postZero);
-    }
-    return nextStopAt;
-  }
-
   private List<CommandTarget<?>> motionPorts() {
     List<CommandTarget<?>> all = new ArrayList<>();
     ports.forEach(p -> p.commands().stream().filter(t -> t.port().isMotion()).forEach(all::add));
     return all;
+  }
+
+  private List<StreamSource<?>> streams() {
+    return ports.stream().flatMap(p -> p.streams().stream()).toList();
   }
 
   void report(String message) {
@@ -289,8 +291,8 @@ public final class Arbiter implements Authority {
   public void stop(Principal by) {
     synchronized (this) {
       stopper = Optional.of(by);
-      nextStopAt = clock.nanos();
-      drives.clear();
+      latched = Optional.of(new LatchedStop(driven));
+      drives.values().forEach(d -> d.end(clock.nanos()));
       ports.forEach(p -> p.commands().forEach(CommandTarget::clear));
     }
     ports.forEach(RobotPorts::cancelCalls);
@@ -302,6 +304,7 @@ public final class Arbiter implements Authority {
   public void releaseStop(Principal by) {
     synchronized (this) {
       stopper = Optional.empty();
+      latched = Optional.empty();
     }
     changed();
   }

@@ -8,6 +8,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.command.Outbox.Purpose;
 import org.robotui.core.internal.port.Fan;
 import org.robotui.core.internal.port.Link;
 import org.robotui.core.internal.port.Offered;
@@ -39,6 +40,7 @@ public final class CommandTarget<T extends Data> implements Offered {
   private volatile Optional<T> zero;
   private volatile boolean ending;
   private volatile String problem = "";
+  private volatile StopAnswer stopAnswer = StopAnswer.TAKEN;
   private volatile String fence = "";
 
   /** Made by the table of offers. */
@@ -64,12 +66,21 @@ public final class CommandTarget<T extends Data> implements Offered {
   /** Gives a command to the sender. */
   boolean post(T command, long deadline) {
     Zeros.of(command).ifPresent(z -> zero = Optional.of(z));
-    return sender.post(this, new Outbox.Pending<>(command, deadline, link.generation()));
+    return sender.post(this, new Outbox.Pending<>(command, deadline, link.generation(), Purpose.COMMAND));
   }
 
   /** Gives the stop to the sender, before all else. */
   public void postZero() {
-    zero.ifPresent(z -> sender.postStop(this, new Outbox.Pending<>(z, Long.MAX_VALUE, link.generation())));
+    postZero(Purpose.COMMAND);
+  }
+
+  /** Gives the zero of a latched stop to the sender, before all else. */
+  void postStop(boolean ours) {
+    postZero(ours ? Purpose.OUR_STOP : Purpose.STOP);
+  }
+
+  private void postZero(Purpose purpose) {
+    zero.ifPresent(z -> sender.postStop(this, new Outbox.Pending<>(z, Long.MAX_VALUE, link.generation(), purpose)));
   }
 
   /** Forgets what was not sent yet. */
@@ -87,25 +98,41 @@ public final class CommandTarget<T extends Data> implements Offered {
       return;
     }
     long start = clock.nanos();
-    send(next.command());
+    send(next.command(), next.purpose());
     long took = clock.nanos() - start;
     if (took > SLOW_NANOS && warned.compareAndSet(false, true)) {
       LOG.warn("{} took {} ms to send a command; it must not block", id, took / 1_000_000);
     }
   }
 
-  private void send(T command) {
+  private void send(T command, Purpose purpose) {
     try {
-      switch (sink.send(command)) {
+      switch (purpose == Purpose.COMMAND ? sink.send(command) : stop(command, purpose == Purpose.OUR_STOP)) {
         case CommandSink.Sent.Out out -> {
           problem = "";
           sent.publish(command, Optional.empty(), clock.nanos(), Optional.empty());
         }
-        case CommandSink.Sent.Refused refused -> refuse(refused.reason());
+        case CommandSink.Sent.Refused refused -> refuse(refused.reason(), purpose);
+        case CommandSink.Sent.Unneeded unneeded -> LOG.debug("{} needs no stop: nobody drove there from here", id);
       }
     } catch (RuntimeException | LinkageError e) {
       LOG.warn("{} failed to send a command", id, e);
-      refuse("the robot interface failed to send: " + e);
+      refuse("the robot interface failed to send: " + e, purpose);
+    }
+  }
+
+  private CommandSink.Sent stop(T command, boolean ours) {
+    stopAnswer = StopAnswer.LOST;
+    CommandSink.Sent answer = sink.stop(command, ours);
+    stopAnswer = StopAnswer.of(answer);
+    return answer;
+  }
+
+  private void refuse(String reason, Purpose purpose) {
+    switch (purpose) {
+      case COMMAND -> refuse(reason);
+      case OUR_STOP -> refuse("the stop did not get there and is said again: " + reason);
+      case STOP -> LOG.info("{} did not take the stop, and nobody drove there from here: {}", id, reason);
     }
   }
 
@@ -115,6 +142,11 @@ public final class CommandTarget<T extends Data> implements Offered {
     if (isNew) {
       arbiter.report(id + ": " + reason);
     }
+  }
+
+  /** What became of the latest stop that was latched. */
+  StopAnswer stopAnswer() {
+    return stopAnswer;
   }
 
   /** Sends nothing here any more. */

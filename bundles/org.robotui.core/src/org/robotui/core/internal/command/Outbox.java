@@ -11,14 +11,25 @@ import org.robotui.data.Motion;
  * Guarded by the sender.
  */
 final class Outbox<T extends Data> {
+  /** What a command is for. */
+  enum Purpose {
+    /** Somebody commands, or what we move ends. */
+    COMMAND,
+    /** The latched stop, where we never drove. */
+    STOP,
+    /** The latched stop, where we drove. */
+    OUR_STOP
+  }
+
   /**
    * A command that waits for the sender.
    *
    * @param command the command
    * @param deadline nothing is sent later
    * @param generation of the link for which it was given
+   * @param purpose what it is for
    */
-  record Pending<T>(T command, long deadline, long generation) {}
+  record Pending<T>(T command, long deadline, long generation, Purpose purpose) {}
 
   private static final int WAITING = 16;
 
@@ -35,10 +46,10 @@ final class Outbox<T extends Data> {
     return others.size() < WAITING && others.add(pending);
   }
 
-  /** Puts a stop first; the motion that waited is never sent. */
+  /** Puts a stop first; the motion that waited is never sent. A latched stop that waits is not replaced by the mere end of a motion. */
   void stop(Pending<T> zero) {
     motion = Optional.empty();
-    stop = Optional.of(zero);
+    stop = Optional.of(stop.filter(s -> zero.purpose() == Purpose.COMMAND && s.generation() == zero.generation()).orElse(zero));
   }
 
   void clear() {

@@ -2,11 +2,15 @@ package org.robotui.core.internal.command;
 
 import java.util.List;
 import org.robotui.core.internal.config.model.SafetyConfig;
+import org.robotui.core.internal.port.StreamSource;
 
 /** What one RUIC knows of one robot, as the arbiter sees it. */
 public interface RobotPorts {
   /** The command ports of its interfaces to this robot, now. */
   List<CommandTarget<?>> commands();
+
+  /** The streams of its interfaces to this robot, now. */
+  List<StreamSource<?>> streams();
 
   /** How the robot is kept safe. */
   SafetyConfig safety();

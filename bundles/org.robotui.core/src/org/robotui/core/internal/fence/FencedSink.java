@@ -19,8 +19,17 @@ public record FencedSink<T extends Data>(CommandSink<T> sink, Supplier<String> o
 
   @Override
   public Sent send(T command) {
+    return answered(() -> sink.send(command));
+  }
+
+  @Override
+  public Sent stop(T zero, boolean ours) {
+    return answered(() -> sink.stop(zero, ours));
+  }
+
+  private Sent answered(Supplier<Sent> call) {
     try {
-      return sink.send(command);
+      return call.get();
     } catch (RuntimeException | Error e) { // foreign code may throw anything
       Thrown.log(LOG, "A robot interface failed to send a command", e);
       return new Sent.Refused("the robot interface failed to send: " + Thrown.text(e) + " (" + origin.get() + ")");

@@ -12,6 +12,7 @@ import org.robotui.api.command.Authority;
 import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.port.CallTarget;
+import org.robotui.core.internal.port.StreamSource;
 
 /** All components of one RUIC. Changed on its worker only, read by all. */
 final class Components {
@@ -111,6 +112,17 @@ final class Components {
     return rfics.stream().filter(s -> s.config().robot().equals(robot))
         .flatMap(s -> s.instance().stream()).flatMap(i -> i.table().commands().stream())
         .<CommandTarget<?>>map(c -> c).toList();
+  }
+
+  /** The streams of one robot. */
+  List<StreamSource<?>> streams(String robot) {
+    return rfics.stream().filter(s -> s.config().robot().equals(robot))
+        .flatMap(s -> s.instance().stream()).flatMap(i -> i.table().list().stream())
+        .<StreamSource<?>>mapMulti((o, out) -> {
+          if (o instanceof StreamSource<?> s) {
+            out.accept(s);
+          }
+        }).toList();
   }
 
   /** The call ports of one robot. */

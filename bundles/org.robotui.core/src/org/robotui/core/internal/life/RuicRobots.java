@@ -20,6 +20,7 @@ import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.StopCall;
 import org.robotui.core.internal.port.CallTarget;
+import org.robotui.core.internal.port.StreamSource;
 
 /** The robots of one RUIC, as arbiters see them. */
 final class RuicRobots {
@@ -81,6 +82,11 @@ final class RuicRobots {
     @Override
     public List<CommandTarget<?>> commands() {
       return components.commands(robot);
+    }
+
+    @Override
+    public List<StreamSource<?>> streams() {
+      return components.streams(robot);
     }
 
     @Override

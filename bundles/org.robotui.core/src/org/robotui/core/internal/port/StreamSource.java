@@ -113,6 +113,11 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     return new InputState.Waiting(id + ": " + (link.isUp() ? sofar : "no link yet (" + link.text() + ")"));
   }
 
+  /** The newest value, whoever asked for it. */
+  public Optional<Envelope<T>> last() {
+    return fan.last();
+  }
+
   @Override
   public SourceId id() {
     return id;

@@ -231,19 +231,6 @@ class ArbiterTest {
     assertFalse(robot.arbiter.drives(robot.velocity));
   }
 
-  @Test
-  void stopIsRepeatedTenTimesASecondUntilReleased() {
-    robot.arbiter.stop(Samples.YOU);
-    robot.pass(1000);
-    assertEquals(10, robot.zeros(), 1);
-    assertEquals(1, robot.stopCalls.get());
-    assertEquals(Optional.of(Samples.YOU), robot.arbiter.stoppedBy());
-    robot.arbiter.releaseStop(OTHER);
-    long zeros = robot.zeros();
-    robot.pass(500);
-    assertEquals(zeros, robot.zeros());
-    assertTrue(robot.arbiter.stoppedBy().isEmpty());
-  }
 
   @Test
   void stopRefusesEverythingAlsoOfTheHolder() {

@@ -3,20 +3,30 @@ package org.robotui.core.internal.command;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
+import org.robotui.api.port.Demand;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.port.Link;
+import org.robotui.core.internal.port.StreamSource;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.Data;
+import org.robotui.data.Doubles;
+import org.robotui.data.FrameId;
 import org.robotui.data.NavigationGoal;
+import org.robotui.data.Odometry;
 import org.robotui.data.VelocityCommand;
+import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
 
 /** A robot with a velocity and a goal port, an arbiter whose time the test moves, and a sender whose thread is real. */
 final class RobotBench implements RobotPorts, AutoCloseable {
@@ -32,6 +42,8 @@ final class RobotBench implements RobotPorts, AutoCloseable {
   final AtomicInteger stopCalls = new AtomicInteger();
   final CommandTarget<VelocityCommand> velocity = target(Samples.VELOCITY, this::out);
   final CommandTarget<NavigationGoal> goal = target(Samples.GOAL, this::out);
+  final StreamSource<Odometry> odometry = new StreamSource<>(new SourceId("base", "odom"),
+      new StreamPort<>("odom", Odometry.class, Arity.MANY, ""), link, clock, Demand.IGNORED, Runnable::run, o -> {});
   final List<CommandTarget<?>> targets = new ArrayList<>(List.of(velocity, goal));
   SafetyConfig safety = SafetyConfig.DEFAULT;
 
@@ -78,6 +90,17 @@ final class RobotBench implements RobotPorts, AutoCloseable {
   @Override
   public List<CommandTarget<?>> commands() {
     return targets;
+  }
+
+  @Override
+  public List<StreamSource<?>> streams() {
+    return List.of(odometry);
+  }
+
+  /** The robot says that it moves, or that it stands. */
+  void report(double metresPerSecond) {
+    odometry.publish(new Odometry(new FrameId("pioneer", "odom"), new FrameId("pioneer", "base_link"), RigidTransform.IDENTITY, Doubles.EMPTY,
+        new Vector3(metresPerSecond, 0, 0), Vector3.ZERO, Doubles.EMPTY), Optional.empty(), clock.nanos(), Optional.empty());
   }
 
   @Override

@@ -126,6 +126,14 @@ public final class DeviceLink {
     access(OPEN).thenAccept(this::opened);
   }
 
+  /** Closes and opens the device on the present connection; never waits. What is refused then is told as for the first time. */
+  public void reopen() {
+    if (state instanceof DeviceState.Open) {
+      access(CLOSE);
+      access(OPEN).thenAccept(this::opened);
+    }
+  }
+
   private CompletableFuture<Outcome<Server.Access>> access(int mode) {
     return address().map(address -> ask(address, mode))
         .orElseGet(() -> CompletableFuture.completedFuture(new Outcome.Failed<>("there is no link to " + client.peer())));
@@ -213,9 +221,14 @@ public final class DeviceLink {
 
   /** Commands the device, if it is open; never waits. */
   public boolean command(int subtype, ByteBuffer command) {
+    return state instanceof DeviceState.Open && commandUnopened(subtype, command);
+  }
+
+  /** Commands the device, open or not; never waits. */
+  public boolean commandUnopened(int subtype, ByteBuffer command) {
     Optional<Connection> connection = client.current();
     Optional<DeviceAddress> address = address();
-    return state instanceof DeviceState.Open && connection.isPresent() && address.isPresent()
+    return connection.isPresent() && address.isPresent()
         && connection.get().command(PlayerMessage.of(address.get(), MessageType.COMMAND, subtype, command));
   }
 }

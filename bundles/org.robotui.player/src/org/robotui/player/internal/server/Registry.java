@@ -5,9 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.robotui.player.internal.io.Seldom;
 import org.robotui.player.server.Answer;
 import org.robotui.player.server.DeviceHandler;
@@ -21,7 +20,8 @@ public final class Registry {
 
   private static final Logger LOG = LoggerFactory.getLogger(Registry.class);
 
-  private record Entry(String driver, DeviceHandler handler, Set<Session> clients) { }
+  /** Clients by each time that they have opened it: who has opened it twice is sent all data twice, as by real servers, and has to close it twice. */
+  private record Entry(String driver, DeviceHandler handler, List<Session> clients) { }
 
   private final Map<DeviceId, Entry> devices =
       new ConcurrentSkipListMap<>(Comparator.comparingInt(DeviceId::interfaceCode).thenComparingInt(DeviceId::index));
@@ -29,7 +29,7 @@ public final class Registry {
 
   /** Adds a device that is not there yet. */
   public void add(DeviceId id, String driver, DeviceHandler handler) {
-    if (devices.putIfAbsent(id, new Entry(driver, handler, ConcurrentHashMap.newKeySet())) != null) {
+    if (devices.putIfAbsent(id, new Entry(driver, handler, new CopyOnWriteArrayList<>())) != null) {
       throw new IllegalArgumentException("there is a device " + id + " already");
     }
   }
@@ -39,7 +39,7 @@ public final class Registry {
     devices.get(id).clients.forEach(client -> client.data(id, subtype, payload, stamp));
   }
 
-  /** How many have it open. */
+  /** How often it is open. */
   public int clients(DeviceId id) {
     return devices.get(id).clients.size();
   }
@@ -62,9 +62,8 @@ public final class Registry {
 
   void open(DeviceId id, Session client) {
     Entry entry = devices.get(id);
-    if (entry.clients.add(client)) {
-      tell(id, entry);
-    }
+    entry.clients.add(client);
+    tell(id, entry);
   }
 
   void close(DeviceId id, Session client) {
@@ -75,7 +74,11 @@ public final class Registry {
   }
 
   void closeAll(Session client) {
-    devices.keySet().forEach(id -> close(id, client));
+    devices.forEach((id, entry) -> {
+      if (entry.clients.removeIf(each -> each == client)) {
+        tell(id, entry);
+      }
+    });
   }
 
   void command(PlayerMessage command) {

@@ -64,8 +64,9 @@ final class Session {
     }
   }
 
+  /** As real servers do: whoever commands a device need not have opened it. */
   private void command(PlayerMessage command) {
-    if (registry.isOpen(command.device().id(), this)) {
+    if (registry.has(command.device().id())) {
       registry.command(command);
     }
   }

@@ -89,6 +89,46 @@ class PlayerCommandsTest extends PlayerRficCase {
     assertEquals(before, heard.size(), "nothing is stopped that we do not drive");
   }
 
+  private static final Position2d.Velocity STAND = new Position2d.Velocity(new Pose2d(0, 0, 0), true);
+
+  @Test
+  void aStopReachesTheBaseThatOthersDriveAndOpensNothing() {
+    base();
+    add("position2d:1", handler("position2d:1").on(Position2d.VELOCITY, v -> heard.add("position2d:1")));
+    add("position3d:0", handler("position3d:0").on(Position3d.VELOCITY, v -> heard.add("position3d:0")));
+    startConnected();
+    await("all are offered", () -> context.sinks.keySet().containsAll(Set.of("position2d:0/velocity", "position2d:1/velocity", "position3d:0/velocity")));
+    assertEquals(new Sent.Unneeded(), stop("position3d:0/velocity", VelocityCommand.ZERO, false));
+    assertEquals(new Sent.Unneeded(), stop("position2d:1/velocity", VelocityCommand.ZERO, false));
+    assertEquals(new Sent.Out(), stop("position2d:0/velocity", VelocityCommand.ZERO, false));
+    await("the base heard it", () -> heard.contains(STAND));
+    assertEquals(List.of(STAND), List.copyOf(heard), "nobody drove the others from here");
+    assertEquals(Set.of(), everOpened);
+  }
+
+  @Test
+  void aStopWhereWeDroveIsNotRefusedWhileTheDeviceIsBeingOpened() {
+    base();
+    startConnected();
+    await("it is offered", () -> context.sinks.containsKey("position2d:0/velocity"));
+    assertEquals(new Sent.Out(), stop("position2d:0/velocity", VelocityCommand.ZERO, true));
+    await("the base heard it", () -> heard.contains(STAND));
+    await("it is opened, as what it does is of interest", () -> everOpened.contains("position2d:0"));
+  }
+
+  @Test
+  void aZeroForWhatNobodyDrivesFromHereOpensNothing() {
+    base();
+    add("position3d:0", handler("position3d:0").on(Position3d.VELOCITY, v -> heard.add("position3d:0")));
+    startConnected();
+    await("it is offered", () -> context.sinks.containsKey("position3d:0/velocity"));
+    send("position3d:0/velocity", VelocityCommand.ZERO);
+    send("position2d:0/velocity", VelocityCommand.ZERO);
+    await("the base heard it", () -> heard.contains(STAND));
+    assertEquals(List.of(STAND), List.copyOf(heard));
+    assertEquals(Set.of(), everOpened);
+  }
+
   @Test
   void vehiclesInSpaceTakeAllSixAxes() {
     add("position3d:0", handler("position3d:0").on(Position3d.VELOCITY, heard::add));

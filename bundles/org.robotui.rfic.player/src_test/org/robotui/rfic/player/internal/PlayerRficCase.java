@@ -123,6 +123,12 @@ abstract class PlayerRficCase {
     return ((CommandSink<Data>) context.sinks.get(port)).send(command);
   }
 
+  /** As core does while a stop is latched. */
+  @SuppressWarnings("unchecked")
+  Sent stop(String port, Data zero, boolean ours) {
+    return ((CommandSink<Data>) context.sinks.get(port)).stop(zero, ours);
+  }
+
   @SuppressWarnings("unchecked")
   DynamicRecord call(String service, Map<String, Object> arguments) throws CallException {
     CallHandler<ServiceRequest, ServiceReply> handler = (CallHandler<ServiceRequest, ServiceReply>) context.handlers.get("services");

@@ -34,7 +34,7 @@ final class Arm {
     feed.onOpen(() -> feed.ask(Actarray.GET_GEOMETRY, g -> models.publish(Joints.model(g, feed.name()), Reception.now()), models::failed));
     feed.on(Actarray.STATE, states, this::told);
     feed.command("/joints", JointCommand.class, "positions or velocities of its joints",
-        new Driving<>(feed, this::out, JointCommand.ZERO, this::refusal));
+        new Driving<>(feed, this::out, this::out, JointCommand.ZERO, this::refusal));
   }
 
   private void told(Actarray.State m, Reception reception) {

@@ -1,5 +1,6 @@
 package org.robotui.rfic.player.internal.device;
 
+import java.util.Optional;
 import org.robotui.data.Footprint;
 import org.robotui.data.FrameId;
 import org.robotui.data.Odometry;
@@ -25,7 +26,8 @@ final class Bases {
     feed.on(Position2d.STATE, outlet, (m, r) -> moved(feed, outlet, Motions.odometry(m, odom, child), r));
     body(feed, Position2d.GET_GEOMETRY, Position2d.GEOMETRY);
     feed.command(VELOCITY, VelocityCommand.class, "velocity of the base",
-        new Driving<>(feed, c -> feed.device().command(Position2d.VELOCITY, Motions.planar(c)), VelocityCommand.ZERO));
+        new Driving<>(feed, c -> feed.device().command(Position2d.VELOCITY, Motions.planar(c)),
+            c -> feed.device().commandUnopened(Position2d.VELOCITY, Motions.planar(c)), VelocityCommand.ZERO, c -> Optional.empty()));
   }
 
   static void position3d(DeviceFeed feed) {
@@ -35,7 +37,8 @@ final class Bases {
     feed.on(Position3d.STATE, outlet, (m, r) -> moved(feed, outlet, Motions.odometry(m, odom, child), r));
     body(feed, Position3d.GET_GEOMETRY, Position3d.GEOMETRY);
     feed.command(VELOCITY, VelocityCommand.class, "velocity of the vehicle",
-        new Driving<>(feed, c -> feed.device().command(Position3d.VELOCITY, Motions.spatial(c)), VelocityCommand.ZERO));
+        new Driving<>(feed, c -> feed.device().command(Position3d.VELOCITY, Motions.spatial(c)),
+            c -> feed.device().commandUnopened(Position3d.VELOCITY, Motions.spatial(c)), VelocityCommand.ZERO, c -> Optional.empty()));
   }
 
   private static void moved(DeviceFeed feed, Outlet<Odometry> outlet, Odometry odometry, Reception reception) {

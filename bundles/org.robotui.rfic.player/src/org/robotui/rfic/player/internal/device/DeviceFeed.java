@@ -49,6 +49,7 @@ public final class DeviceFeed implements AutoCloseable {
   private final List<Outlet<?>> outlets = new CopyOnWriteArrayList<>();
   private final List<Offer> commands = new CopyOnWriteArrayList<>();
   private final List<Runnable> openers = new CopyOnWriteArrayList<>();
+  private final List<Runnable> losers = new CopyOnWriteArrayList<>();
   private final List<LongConsumer> tickers = new CopyOnWriteArrayList<>();
   private final List<Runnable> closers = new CopyOnWriteArrayList<>();
   private final Map<Integer, List<Taker>> takers = new ConcurrentHashMap<>();
@@ -128,6 +129,11 @@ public final class DeviceFeed implements AutoCloseable {
 
   void onOpen(Runnable opener) {
     openers.add(opener);
+  }
+
+  /** Before anything is sent to a device that is open anew. */
+  void onLost(Runnable loser) {
+    losers.add(loser);
   }
 
   void onTick(LongConsumer ticker) {
@@ -227,6 +233,8 @@ public final class DeviceFeed implements AutoCloseable {
       }
       if (state instanceof DeviceState.Open) {
         openers.forEach(Runnable::run);
+      } else {
+        losers.forEach(Runnable::run);
       }
     }
   }

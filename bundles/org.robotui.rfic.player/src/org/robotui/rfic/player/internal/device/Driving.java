@@ -16,26 +16,35 @@ import org.robotui.player.client.DeviceState;
 final class Driving<C extends Motion<C>> implements CommandSink<C> {
   private final DeviceFeed feed;
   private final Predicate<C> out;
+  private final Predicate<C> halt;
   private final C zero;
   private final Function<C, Optional<String>> refusal;
   private volatile boolean moving;
+  private volatile boolean drove;
 
-  Driving(DeviceFeed feed, Predicate<C> out, C zero) {
-    this(feed, out, zero, command -> Optional.empty());
-  }
-
-  /** The last tells why a device cannot take a command at all. */
-  Driving(DeviceFeed feed, Predicate<C> out, C zero, Function<C, Optional<String>> refusal) {
+  /**
+   * Drives a device.
+   *
+   * @param out sends to it where it is open
+   * @param halt sends a stop, as far as possible also where it is not open
+   * @param refusal tells why it cannot take a command at all
+   */
+  Driving(DeviceFeed feed, Predicate<C> out, Predicate<C> halt, C zero, Function<C, Optional<String>> refusal) {
     this.feed = feed;
     this.out = out;
+    this.halt = halt;
     this.zero = zero;
     this.refusal = refusal;
-    feed.onOpen(() -> moving = false); // a server stops what a lost client drove; who drives after that is not us
+    feed.onLost(() -> moving = false); // a server stops what a lost client drove; who drives after that is not us
     feed.onClose(this::stop);
   }
 
+  /** To be driven by us, a device is opened; to be told that it shall stand, only where it was we who drove. */
   @Override
   public Sent send(C command) {
+    if (command.equals(zero) && !drove && !feed.open()) {
+      return stop(zero, false);
+    }
     return refusal.apply(command).<Sent>map(Sent.Refused::new).orElseGet(() -> tell(command));
   }
 
@@ -51,14 +60,36 @@ final class Driving<C extends Motion<C>> implements CommandSink<C> {
       return new Sent.Refused(obstacle(feed));
     }
     moving = !stops;
+    drove |= moving;
     return new Sent.Out();
+  }
+
+  /** The base takes the stop whoever drives it. It is said to a device that is closed, too: who does not look at it need not open it for that. */
+  @Override
+  public Sent stop(C zero, boolean ours) {
+    if (!ours && !feed.around().isBase(feed.name())) {
+      return new Sent.Unneeded();
+    }
+    if (ours) {
+      feed.linger();
+    }
+    if (!halt.test(zero)) {
+      return new Sent.Refused(obstacle(feed));
+    }
+    moving = false;
+    return new Sent.Out();
+  }
+
+  /** Whether it is we who drive it now. */
+  boolean isMoving() {
+    return moving;
   }
 
   /** Why a device takes no commands now. */
   static String obstacle(DeviceFeed feed) {
     return switch (feed.device().state()) {
       case DeviceState.Refused refused -> refused.reason();
-      case DeviceState.Waiting waiting -> feed.name() + " at " + feed.around().peer() + " is being opened; say it again in a moment";
+      case DeviceState.Waiting waiting -> feed.name() + " at " + feed.around().peer() + " is being opened; it takes commands in a moment";
       default -> feed.name() + " at " + feed.around().peer() + " is not linked";
     };
   }

@@ -3,11 +3,12 @@ package org.robotui.rfic.ros.internal.graph;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
-import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Offer;
 import org.robotui.data.Data;
 import org.robotui.data.Motion;
@@ -28,6 +29,7 @@ final class CommandTopic implements AutoCloseable {
   private final String topic;
   private final String type;
   private final Pulse pulse;
+  private final BooleanSupplier base;
   private final Entry<?, ?> entry;
 
   CommandTopic(
@@ -37,10 +39,12 @@ final class CommandTopic implements AutoCloseable {
       RosSettings settings,
       RosNode node,
       SessionClock clock,
-      Pulse pulse) {
+      Pulse pulse,
+      BooleanSupplier base) {
     this.topic = topic;
     this.type = command.type();
     this.pulse = pulse;
+    this.base = base;
     this.entry = new Entry<>(command, context, settings.portName(topic), node, clock);
   }
 
@@ -57,7 +61,7 @@ final class CommandTopic implements AutoCloseable {
   }
 
   /** Holds the types of one command together. */
-  private final class Entry<D extends Data, M> {
+  private final class Entry<D extends Data, M> implements CommandSink<D> {
     private final CommandType<D, M> command;
     private final SessionClock clock;
     private final Publisher<M> publisher;
@@ -70,10 +74,16 @@ final class CommandTopic implements AutoCloseable {
       this.clock = clock;
       this.publisher = node.publisher(topic, command.codec(), PublisherOptions.commands());
       this.offer = context.offers().command(
-          new CommandPort<>(port, command.data(), Arity.MANY, topic + ": " + command.help()), this::send);
+          new CommandPort<>(port, command.data(), Arity.MANY, topic + ": " + command.help()), this);
     }
 
-    private Sent send(D value) {
+    @Override
+    public Sent stop(D zero, boolean ours) {
+      return ours || base.getAsBoolean() ? send(zero) : new Sent.Unneeded();
+    }
+
+    @Override
+    public Sent send(D value) {
       if (publisher.numSubscribers() == 0) {
         return new Sent.Refused("nobody listens on " + topic + " now");
       }

@@ -32,6 +32,7 @@ final class Offers implements AutoCloseable {
   private final MarkerFeedbacks feedbacks;
   private final Map<String, Followed> streams = new HashMap<>();
   private final Map<String, CommandTopic> commands = new HashMap<>();
+  private volatile BaseTopics bases = BaseTopics.of(Map.of());
   private boolean closed;
 
   Offers(
@@ -132,12 +133,13 @@ final class Offers implements AutoCloseable {
   }
 
   private void followCommands(Map<String, String> topics) {
+    bases = BaseTopics.of(topics);
     Set<String> gone = new HashSet<>(commands.keySet());
     gone.removeIf(t -> Objects.equals(topics.get(t), commands.get(t).type()));
     gone.forEach(t -> commands.remove(t).close());
     topics.forEach((topic, type) -> {
       if (!commands.containsKey(topic)) {
-        CommandType.of(type).ifPresent(c -> commands.put(topic, new CommandTopic(topic, c, context, settings, node, clock, pulse)));
+        CommandType.of(type).ifPresent(c -> commands.put(topic, new CommandTopic(topic, c, context, settings, node, clock, pulse, () -> bases.test(topic))));
       }
     });
   }
