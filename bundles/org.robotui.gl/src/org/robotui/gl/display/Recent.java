@@ -231,7 +231,7 @@ public final class Recent<T extends Data, P> {
   }
 
   private static String waiting(InputState state) {
-    return state instanceof InputState.Live ? "nothing came yet that can be shown" : state.explanation();
+    return state instanceof InputState.Live ? "no data yet that can be shown" : state.explanation();
   }
 
   private List<Envelope<T>> arrivals(DisplayTick tick, boolean all) {

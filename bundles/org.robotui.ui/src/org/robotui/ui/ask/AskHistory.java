@@ -50,7 +50,7 @@ final class AskHistory {
     rows = all;
     table.show(all);
     if (all.isEmpty()) {
-      table.list().message(Health.NONE, "Nothing asked yet", "What was asked is listed here, with what became of it.");
+      table.list().message(Health.NONE, "Nothing asked yet", "Calls are listed here, with their results.");
     } else {
       table.list().noMessage();
     }

@@ -29,7 +29,7 @@ public final class AskUic implements SwtUic {
     this.words = words;
     this.model = new AskModel(new Catalogue(context.browse(graph), context.background(), words.kind()), new Questions(asker));
     this.actions = List.of(
-        new ViewAction("again", "Ask the robot anew for the form", "restart", Optional.empty(), model::again));
+        new ViewAction("again", "Read the form from the robot again", "restart", Optional.empty(), model::again));
   }
 
   @Override

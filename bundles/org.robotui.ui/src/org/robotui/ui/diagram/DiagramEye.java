@@ -9,7 +9,7 @@ import java.util.Optional;
 final class DiagramEye {
   private static final double LEAST = 0.02;
   private static final double MOST = 4;
-  private static final double READABLE = 0.7;
+  private static final double READABLE = 0.85;
   private static final int MARGIN = 16;
 
   private double zoom = 1;

@@ -95,7 +95,7 @@ public final class Commander {
     }
     if (output.authority().take(principal, false) instanceof LeaseOutcome.HeldBy held) {
       return new Told(Health.BAD,
-          "Not sent: " + held.holder().label() + " drives " + output.authority().robot() + "; take over first");
+          "Not sent: " + held.holder().label() + " controls " + output.authority().robot() + "; take over first");
     }
     return switch (output.send(command, VALID)) {
       case CommandOutcome.Accepted a -> new Told(Health.OK, done);

@@ -48,7 +48,7 @@ class DiagramTest {
   void allIsSeenUntilItIsMovedAndAZoomKeepsThePlaceUnderThePointer() {
     DiagramEye eye = new DiagramEye();
     eye.settle(DIAGRAM, 182, 500);
-    assertEquals(0.7, eye.zoom(), 1e-9, "no smaller than what can be read");
+    assertEquals(0.85, eye.zoom(), 1e-9, "no smaller than what can be read");
     eye.fit();
     eye.settle(DIAGRAM, 182, 500);
     assertEquals(0.5, eye.zoom(), 1e-9);

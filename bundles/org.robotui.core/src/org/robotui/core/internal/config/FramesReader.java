@@ -37,7 +37,7 @@ final class FramesReader {
 
   List<FrameTransform> read(YamlValue value) {
     return Shape.items(value).stream()
-        .flatMap(item -> Shape.section(item, "how two frames stand to one another", problems).stream())
+        .flatMap(item -> Shape.section(item, "the transform between two frames", problems).stream())
         .flatMap(section -> edge(section).stream()).toList();
   }
 

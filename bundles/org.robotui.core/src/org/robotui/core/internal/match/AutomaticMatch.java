@@ -5,6 +5,7 @@ import java.util.stream.Collectors;
 import org.robotui.api.host.Match;
 import org.robotui.api.host.MatchState;
 import org.robotui.api.port.Arity;
+import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
 
 /** A port of which nobody said where to connect it: by its type, and where several fit, by its name. */
@@ -18,15 +19,15 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
       return Matches.offered(want, ids(fitting), "the view chooses among " + fitting.size());
     }
     if (want.port().arity() == Arity.MANY) {
-      return Matches.connected(want, ids(fitting), "all that fit " + want.port().typeName());
+      return Matches.connected(want, ids(fitting), "every port of type " + want.port().typeName());
     }
-    return fitting.size() == 1 ? connect(fitting, "the only one that fits " + want.port().typeName()) : oneOf(fitting);
+    return fitting.size() == 1 ? connect(fitting, "the only port of type " + want.port().typeName()) : oneOf(fitting);
   }
 
   private Match oneOf(List<Have> fitting) {
     List<Have> named = fitting.stream().filter(this::hasMyName).toList();
     return named.size() == 1
-        ? connect(named, "of " + fitting.size() + " that fit, the one named '" + want.port().name() + "'")
+        ? connect(named, "of " + fitting.size() + " ports of this type, the one named '" + want.port().name() + "'")
         : ambiguous(fitting, named.isEmpty() ? fitting : named);
   }
 
@@ -40,7 +41,7 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
 
   private Match ambiguous(List<Have> fitting, List<Have> best) {
     String list = fitting.stream().map(h -> h.id().toString()).collect(Collectors.joining(", "));
-    return Matches.ambiguous(want, ids(fitting), Words.need(want) + "; " + fitting.size() + " fit: " + list
+    return Matches.ambiguous(want, ids(fitting), Words.need(want) + "; " + fitting.size() + " are of this type: " + list
         + ". Write under 'connect':  " + want.id() + ": " + best.getFirst().id());
   }
 
@@ -53,8 +54,14 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
     }
     String offers = suppliers.stream()
         .map(s -> Words.offer(s.component(), want.port().kind(), haves)).collect(Collectors.joining("; "));
-    String found = suppliers.isEmpty() ? "there is no robot interface" : offers;
+    String found = suppliers.isEmpty() ? "there is no robot interface"
+        : want.port().kind() == PortKind.COMMAND ? unheard(offers) : offers;
     return Matches.without(want, MatchState.REFUSED, Words.need(want) + "; " + found + optional);
+  }
+
+  /** Names the remedy first: what else the robot accepts helps only who looks for a wrong type. */
+  private String unheard(String offers) {
+    return "no program of the robot subscribes to it: start the one that does, and it connects by itself (" + offers + ")";
   }
 
   private static List<SourceId> ids(List<Have> haves) {

@@ -21,9 +21,9 @@ final class Words {
   private static String verb(PortKind kind) {
     return switch (kind) {
       case STREAM -> "needs";
-      case COMMAND -> "gives";
-      case CALL -> "asks";
-      case BROWSE -> "looks with";
+      case COMMAND -> "sends";
+      case CALL -> "calls";
+      case BROWSE -> "browses";
     };
   }
 
@@ -33,7 +33,7 @@ final class Words {
         .filter(h -> h.id().component().equals(component) && h.port().kind() == kind).toList();
     String list = own.stream().limit(LISTED).map(h -> port(h.port())).collect(Collectors.joining(", "));
     String more = own.size() > LISTED ? " and " + (own.size() - LISTED) + " more" : "";
-    String verb = kind == PortKind.COMMAND ? "takes" : kind == PortKind.CALL ? "answers" : "offers";
+    String verb = kind == PortKind.COMMAND ? "accepts" : kind == PortKind.CALL ? "answers" : "offers";
     return own.isEmpty() ? component + " has no " + word(kind) : component + " " + verb + " " + list + more;
   }
 

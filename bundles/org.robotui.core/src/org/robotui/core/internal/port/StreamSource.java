@@ -109,7 +109,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   }
 
   private InputState waiting() {
-    String sofar = lostReason.isEmpty() ? "nothing came yet" : "nothing usable came yet; " + lostReason;
+    String sofar = lostReason.isEmpty() ? "no data yet" : "nothing usable came yet; " + lostReason;
     return new InputState.Waiting(id + ": " + (link.isUp() ? sofar : "no link yet (" + link.text() + ")"));
   }
 

@@ -22,6 +22,7 @@ import org.robotui.data.Imu;
 import org.robotui.data.JointState;
 import org.robotui.data.LaserScan;
 import org.robotui.data.LogEntry;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.Path;
 import org.robotui.data.PointCloud;
 import org.robotui.data.Pose;
@@ -66,6 +67,7 @@ public final class ValueText {
       case GpsFix fix -> gps(fix);
       case Imu imu -> imu(imu);
       case Diagnostics diagnostics -> diagnostics(diagnostics);
+      case NavigationStatus status -> status.state().name().toLowerCase(Locale.ROOT) + (status.text().isEmpty() ? "" : ": " + status.text());
       case LogEntry entry -> entry.severity() + " " + entry.origin() + ": " + entry.message();
       case Pose pose -> planar(pose.pose());
       case Twist twist -> format("%.2f m/s %.2f rad/s", twist.linear().x(), twist.angular().z());

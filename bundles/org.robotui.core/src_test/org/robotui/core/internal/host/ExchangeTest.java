@@ -169,11 +169,11 @@ class ExchangeTest {
     assertEquals(Verdict.PENDING, exchange.preview().verdict(), "what is missing may still be found");
     ExchangePreview preview = decided(exchange);
     assertEquals(Verdict.INCOMPLETE, preview.verdict());
-    assertEquals(List.of("teleop gives VelocityCommand on 'cmd_vel'; the replacement has nothing that fits"), preview.missing());
+    assertEquals(List.of("teleop sends VelocityCommand on 'cmd_vel'; the replacement has nothing that fits"), preview.missing());
     assertEquals(List.of("teleop.cmd_vel"), preview.lines().stream().filter(Line::lost).map(l -> l.now().port().toString()).toList());
 
     ExchangeOutcome.Refused refused = assertInstanceOf(ExchangeOutcome.Refused.class, apply(exchange, false));
-    assertTrue(refused.reason().contains("teleop gives VelocityCommand"), refused.reason());
+    assertTrue(refused.reason().contains("teleop sends VelocityCommand"), refused.reason());
     assertTrue(connected("teleop.cmd_vel", "base.cmd_vel"));
     assertEquals(0, robot.closed.get());
 

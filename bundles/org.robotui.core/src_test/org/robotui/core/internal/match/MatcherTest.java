@@ -99,7 +99,8 @@ class MatcherTest {
     haves.clear();
     CommandPort<Twist> givesTwist = new CommandPort<>("cmd_vel", Twist.class, Arity.ONE, "");
     CommandPort<VelocityCommand> acceptsVelocity = new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.ONE, "");
-    assertState(MatchState.REFUSED, "map gives Twist on 'cmd_vel'; base takes VelocityCommand 'cmd_vel'",
+    assertState(MatchState.REFUSED, "map sends Twist on 'cmd_vel'; no program of the robot subscribes to it: start the one that does, and it connects by itself"
+        + " (base accepts VelocityCommand 'cmd_vel')",
         offers("base.cmd_vel", acceptsVelocity).match(givesTwist));
   }
 
@@ -127,7 +128,7 @@ class MatcherTest {
     CommandPort<Twist> takes = new CommandPort<>("goal", Twist.class, Arity.ONE, "");
     offers("base.move_base/goal", takes).offers("keira.planner:0/goal", takes);
     List<Match> matches = matchOneAndAll();
-    assertState(MatchState.REFUSED, "not needed: 'goals' takes all 2 that fit", matches.getFirst());
+    assertState(MatchState.REFUSED, "not needed: 'goals' takes all 2 ports of its type", matches.getFirst());
     assertTrue(matches.getFirst().reason().contains("map.goal: base.move_base/goal"), matches.getFirst().reason());
     assertConnected(matches.getLast(), "base.move_base/goal", "keira.planner:0/goal");
     named("map.goal", "keira.planner:0/goal");
@@ -138,7 +139,7 @@ class MatcherTest {
   void ofSeveralThatOneRobotTakesOneHasToBeChosen() {
     CommandPort<Twist> takes = new CommandPort<>("", Twist.class, Arity.ONE, "");
     offers("base.near", takes).offers("base.far", takes);
-    assertState(MatchState.AMBIGUOUS, "2 fit", matchOneAndAll().getFirst());
+    assertState(MatchState.AMBIGUOUS, "2 are of this type", matchOneAndAll().getFirst());
   }
 
   @Test
@@ -172,7 +173,7 @@ class MatcherTest {
     suppliers.add(new Supplier("other", true, ""));
     Match match = offers("base.laser", LaserScan.class).offers("base.scan", LaserScan.class)
         .offers("other.scan", LaserScan.class).match(Samples.SCAN);
-    assertState(MatchState.AMBIGUOUS, "3 fit: base.laser, base.scan, other.scan", match);
+    assertState(MatchState.AMBIGUOUS, "3 are of this type: base.laser, base.scan, other.scan", match);
     assertTrue(match.reason().endsWith("map.scan: base.scan"));
   }
 

@@ -55,7 +55,7 @@ class ChosenInputTest {
 
   @Test
   void nothingIsAskedForBeforeItIsChosen() {
-    input.connect(List.of(front, rear), "all that fit");
+    input.connect(List.of(front, rear), "every port of type LaserScan");
     assertEquals(List.of(), demand);
     assertEquals(List.of(), input.sources());
     assertEquals(

@@ -66,7 +66,7 @@ class InputEndTest {
     input.connect(List.of(front), "");
     assertTrue(explanation(InputState.Waiting.class, input.state()).contains("no link yet (disconnected)"));
     connected();
-    assertTrue(explanation(InputState.Waiting.class, input.state()).contains("nothing came yet"));
+    assertTrue(explanation(InputState.Waiting.class, input.state()).contains("no data yet"));
     for (int i = 0; i < 10; i++) {
       publish(front, Samples.scan(i));
       clock.advanceMillis(100);

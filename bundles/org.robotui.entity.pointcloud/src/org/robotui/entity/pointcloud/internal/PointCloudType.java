@@ -48,7 +48,7 @@ public final class PointCloudType implements DisplayType {
 
   @Override
   public String help() {
-    return "Shows the points of lidars and depth cameras.";
+    return "Shows point clouds of lidars and depth cameras.";
   }
 
   @Override

@@ -95,7 +95,7 @@ final class Rehearsal {
     }
     if (settings.flag(TrajectoryType.EXECUTED) && trace.size() > 1) {
       parts.add(new Part("executed", trace.line(line.width()), fixedFromRoot,
-          Material.flat(ColorSetting.read(settings, TrajectoryType.EXECUTED_COLOR)), (element, place) -> describe("Executed way")));
+          Material.flat(ColorSetting.read(settings, TrajectoryType.EXECUTED_COLOR)), (element, place) -> describe("Executed path")));
     }
     return parts;
   }

@@ -125,7 +125,7 @@ class TrajectoryDisplayTest {
     String words = words(DisplayStatus.Shown.class, result);
     assertTrue(words.matches("9 points, 2\\.0 s; at most 0\\.\\d{3} (m|rad) off \\((lift|turn)\\)"), words);
     Properties said = find(result, "executed").orElseThrow().describer().describe(0, Vector3.ZERO);
-    assertEquals("Executed way of tool", said.title());
+    assertEquals("Executed path of tool", said.title());
     assertTrue(said.entries().stream().anyMatch(entry -> entry.name().equals("lift") && entry.value().endsWith(" m off")), said.toString());
     assertTrue(said.entries().stream().anyMatch(entry -> entry.name().equals("turn") && entry.value().endsWith(" rad off")), said.toString());
     assertTrue(find(give(Arm.sweep(9)), "executed").isEmpty(), "another plan begins anew");

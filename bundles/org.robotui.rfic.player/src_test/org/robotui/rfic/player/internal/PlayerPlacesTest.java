@@ -96,7 +96,7 @@ class PlayerPlacesTest extends PlayerRficCase {
     startConnected();
     want("planner:0");
     planner.publish(Planner.STATE, new Planner.State(false, false, NOWHERE, NOWHERE, NOWHERE, -1, 0), STAMP);
-    assertEquals(List.of(), ((Path) first("planner:0").value()).poses(), "no way");
+    assertEquals(List.of(), ((Path) first("planner:0").value()).poses(), "no path");
     planner.publish(Planner.STATE, new Planner.State(true, false, NOWHERE, new Pose2d(2, 0, 0), NOWHERE, 0, 2), STAMP);
     await("the way came", () -> ((Path) context.published.get("planner:0").getLast().value()).poses().size() == 2);
     assertEquals("map", ((Path) context.published.get("planner:0").getLast().value()).frame().name());

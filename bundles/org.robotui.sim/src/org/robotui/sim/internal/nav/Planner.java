@@ -40,7 +40,7 @@ public final class Planner {
     Search search = new Search(cell(start), cell(goal));
     return search.run()
         ? new Plan.Found(smoother.smooth(start, goal, search.way()))
-        : new Plan.Impossible("no way leads to the goal");
+        : new Plan.Impossible("no path leads to the goal");
   }
 
   private int cell(Pose2 pose) {

@@ -66,7 +66,7 @@ class ActionAskerTest {
     made.progress().at(Double.NaN, "active");
     made.progress().feedback(new MapRecord("MoveBaseFeedback", Map.of()));
     made.end().complete(new CallOutcome.Replied<>(
-        new ActionReply(ActionReply.End.ABORTED, "no way", Optional.of(new MapRecord("MoveBaseResult", Map.of())))));
+        new ActionReply(ActionReply.End.ABORTED, "no path", Optional.of(new MapRecord("MoveBaseResult", Map.of())))));
     assertEquals(List.of("sent", "active", "feedback MoveBaseFeedback", "BAD aborted: no way MoveBaseResult"), told);
   }
 

@@ -42,7 +42,7 @@ final class AlertsSurface {
     this.muteAll = new QuietButton(bar, context.theme(), this::pressMute).text("Mute all");
     muteAll.setLayoutData(Boxes.middle());
     this.acknowledge = new QuietButton(bar, context.theme(), () -> hands.acknowledge(page.alerts())).text("Acknowledge all")
-        .hint("Says that all have been seen: they are not heard any more, and go when they are over");
+        .hint("Acknowledges all: they are silent, and are removed when they are over");
     acknowledge.setLayoutData(new GridData(SWT.END, SWT.CENTER, true, false));
     this.table = new RowTable<>(root, context.theme(), new AlertColumns(words).all(), Alert::id);
     table.control().setLayoutData(Boxes.fill());
@@ -66,11 +66,11 @@ final class AlertsSurface {
     page = next;
     context.note(next.note());
     muteAll.text(next.mutedUntil().map(until -> "All " + words.muted(until)).orElse("Mute all")).checked(next.mutedUntil().isPresent());
-    muteAll.hint(next.mutedUntil().isPresent() ? "Lets them be heard again" : "Keeps all from being heard for " + next.snooze() + " min");
+    muteAll.hint(next.mutedUntil().isPresent() ? "Unmutes them" : "Mutes all for " + next.snooze() + " min");
     bar.layout();
     acknowledge.setEnabled(next.waiting() > 0);
     if (next.alerts().isEmpty()) {
-      table.list().message(Health.OK, "No alerts", "What is watched is said in the settings of the sound view.");
+      table.list().message(Health.OK, "No alerts", "The conditions that raise alerts are in the settings of the sound view.");
     } else {
       table.list().noMessage();
     }

@@ -22,7 +22,7 @@ public final class AlertsType implements UicType {
 
   private static final double RATE_HZ = 4;
   private static final Descriptor DESCRIPTOR = new Descriptor("alerts", "Alerts",
-      "Lists the alerts that are on, since when and why, and mutes and acknowledges them.",
+      "Lists active alerts, since when and why; mutes and acknowledges them.",
       SCHEMA, List.of());
 
   @Override

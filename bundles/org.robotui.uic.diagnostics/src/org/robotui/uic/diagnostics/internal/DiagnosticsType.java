@@ -39,7 +39,7 @@ public final class DiagnosticsType implements UicType {
       Setting.of(CLOSED, new ValueType.ListOf(new ValueType.Text()), List.of(), "Groups that were closed."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("diagnostics", "Diagnostics",
-      "Shows what the parts of a robot say of themselves, what is wrong, and how it was before.",
+      "Shows the diagnostics of a robot as a tree, with what is wrong and its history.",
       SCHEMA, List.of(DIAGNOSTICS));
 
   @Override

@@ -76,7 +76,7 @@ public record GpsOptions(
         Setting.of(ORIGIN_LONGITUDE, new ValueType.Num(-180, 180, "\u00b0"), 0.0, "Degrees, east is positive."),
         Setting.of(TRAIL_MINUTES, new ValueType.Num(0, LONGEST_MINUTES, "min"), 240.0, "How long the ways gone are kept."),
         Setting.of(WAY_COLORS, new ValueType.Choice(List.of(Ways.AUTO.id(), Ways.RECEIVER.id(), Ways.QUALITY.id())), Ways.AUTO.id(),
-            "Colour of ways: by quality of the fixes, by receiver, or auto: by quality where there is one receiver."),
+            "Colour of tracks: by quality of the fixes, by receiver, or auto: by quality where there is one receiver."),
         Setting.of(COORDINATES, new ValueType.Choice(List.of(DECIMAL, DMS)), DECIMAL,
             "Show coordinates in degrees, or in degrees, minutes and seconds."),
         Setting.of(SHOW_GRID, new ValueType.Flag(), true, "Show the grid."));

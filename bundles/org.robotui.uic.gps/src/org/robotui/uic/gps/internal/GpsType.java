@@ -21,7 +21,7 @@ public final class GpsType implements UicType {
   private static final double RATE_HZ = 15;
 
   private static final Descriptor DESCRIPTOR = new Descriptor("gps", "GPS",
-      "Satellite positions on a plain metric grid, with the ways gone, accuracy and quality; measures and copies coordinates.",
+      "Satellite positions on a plain metric grid, with tracks, accuracy and quality; measures and copies coordinates.",
       GpsOptions.schema(), List.of(FIX));
 
   @Override

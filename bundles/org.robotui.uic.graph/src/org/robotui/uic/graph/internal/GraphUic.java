@@ -27,7 +27,7 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
     model.ask(Preferences.read(context.settings().current()));
     this.actions = List.of(
         new ViewAction("fit", "Show the whole graph", Icon.FIT.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::fit)),
-        new ViewAction("anew", "Ask again, and lay out from scratch", Icon.RESTART.id(), Optional.empty(), model::anew),
+        new ViewAction("anew", "Refresh, and lay out from scratch", Icon.RESTART.id(), Optional.empty(), model::anew),
         new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::save)));
   }
 

@@ -13,9 +13,9 @@ public enum Kind {
   /** Ways gone. */
   TRAIL("trail", "Trail"),
   /** Planned ways. */
-  PATH("path", "Plan"),
+  PATH("path", "Planned path"),
   /** Estimates of poses. */
-  POSE("pose", "Estimated pose"),
+  POSE("pose", "Pose estimate"),
   /** Bodies of robots. */
   ROBOT("robot", "Robot"),
   /** Bumpers, on the rim of bodies. */

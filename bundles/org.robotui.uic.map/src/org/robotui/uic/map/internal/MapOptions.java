@@ -51,12 +51,12 @@ public record MapOptions(
     for (Kind kind : Kind.values()) {
       settings.add(Setting.of(kind.setting(), new ValueType.Flag(), true, "Show: " + kind.label().toLowerCase(Locale.ROOT) + "."));
     }
-    settings.add(Setting.of(SHOW_FAN, new ValueType.Flag(), true, "Show the space that laser beams crossed."));
+    settings.add(Setting.of(SHOW_FAN, new ValueType.Flag(), true, "Show the free space that laser beams crossed."));
     settings.add(Setting.of(SHOW_UNCERTAINTY, new ValueType.Flag(), false,
-        "Show two standard deviations around the place that odometry gives."));
+        "Show the uncertainty of odometry: two standard deviations around its position."));
     settings.add(Setting.of(HIDDEN, new ValueType.ListOf(new ValueType.Text()), List.of(),
         "Single layers not to show, as kind:component.port, for example scan:base.rear_scan."));
-    settings.add(Setting.of(TRAIL_LENGTH, new ValueType.Num(0, 100_000, "m"), 30.0, "How much of the way gone to show."));
+    settings.add(Setting.of(TRAIL_LENGTH, new ValueType.Num(0, 100_000, "m"), 30.0, "How much of the trail to show."));
     settings.add(Setting.of(ROBOT_RADIUS, new ValueType.Num(0.01, 20, "m"), 0.25,
         "Size of a robot whose footprint is not known."));
     return new Schema(settings);

@@ -10,6 +10,7 @@ import org.robotui.data.Footprint;
 import org.robotui.data.GridMap;
 import org.robotui.data.LaserScan;
 import org.robotui.data.NavigationGoal;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.Odometry;
 import org.robotui.data.Path;
 import org.robotui.data.PoseEstimate;
@@ -27,11 +28,13 @@ public final class MapPorts {
       new StreamPort<>("bumper", Bumpers.class, Arity.MANY, "Bumpers, and which are pressed.");
   public static final StreamPort<Odometry> ODOM =
       new StreamPort<>("odom", Odometry.class, Arity.MANY, "Where robots are and have been.");
-  public static final StreamPort<Path> PATH = new StreamPort<>("path", Path.class, Arity.MANY, "Planned ways.");
+  public static final StreamPort<Path> PATH = new StreamPort<>("path", Path.class, Arity.MANY, "Planned paths.");
   public static final StreamPort<PoseEstimate> POSE =
       new StreamPort<>("pose", PoseEstimate.class, Arity.MANY, "Where localisation believes robots to be.");
   public static final StreamPort<Footprint> FOOTPRINT =
       new StreamPort<>("footprint", Footprint.class, Arity.MANY, "Outlines of robots.");
+  public static final StreamPort<NavigationStatus> NAVIGATION =
+      new StreamPort<>("navigation", NavigationStatus.class, Arity.MANY, "What navigation says of goals.");
   public static final CommandPort<NavigationGoal> GOAL =
       new CommandPort<>("goal", NavigationGoal.class, Arity.OPTIONAL, "Where the robot shall go.");
   public static final CommandPort<NavigationGoal> GOALS = new CommandPort<>(
@@ -43,7 +46,7 @@ public final class MapPorts {
 
   /** All of them. */
   public static final List<Port> ALL =
-      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
+      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, NAVIGATION, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
 
   private MapPorts() {}
 }

@@ -13,7 +13,7 @@ public final class MapType implements UicType {
   private static final double RATE_HZ = 30;
 
   private static final Descriptor DESCRIPTOR = new Descriptor("map", "Map",
-      "Grid maps, scans, sonars, bumpers, ways and robots from above; measures, and sends goals and initial poses.",
+      "Grid maps, scans, sonars, bumpers, paths and robots from above; measures, and sends goals and initial poses.",
       MapOptions.schema(), MapPorts.ALL);
 
   @Override

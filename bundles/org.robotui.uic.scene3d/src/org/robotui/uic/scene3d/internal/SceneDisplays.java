@@ -52,7 +52,7 @@ final class SceneDisplays implements DisplayContext {
     }
     if (output.authority().take(context.principal(), false) instanceof LeaseOutcome.HeldBy held) {
       return new CommandOutcome.Refused(CommandOutcome.Why.NO_LEASE,
-          held.holder().label() + " drives " + output.authority().robot() + "; take over first");
+          held.holder().label() + " controls " + output.authority().robot() + "; take over first");
     }
     return output.send(command, VALID);
   }

@@ -25,7 +25,7 @@ public final class ScenePorts {
       new CommandPort<>("marker_feedback", MarkerFeedback.class, Arity.OPTIONAL, "What hands do with interactive markers.");
 
   public static final CommandPort<Path> PATH =
-      new CommandPort<>("path", Path.class, Arity.OPTIONAL, "The waypoints of the scene, as a way.");
+      new CommandPort<>("path", Path.class, Arity.OPTIONAL, "The waypoints of the scene, as a path.");
   public static final CommandPort<PoseArray> POSES =
       new CommandPort<>("poses", PoseArray.class, Arity.OPTIONAL, "The waypoints of the scene, as poses.");
 

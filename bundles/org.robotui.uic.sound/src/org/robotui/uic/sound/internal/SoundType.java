@@ -51,14 +51,14 @@ public final class SoundType implements UicType {
   static final Schema SCHEMA = Schema.of(
       Setting.of(ALERTS, new ValueType.ListOf(new ValueType.Section(ALERT)), List.of(), "The alerts."),
       Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud all of them are, 0 to 1."),
-      Setting.of(MUTED, new ValueType.Flag(), false, "Whether none is heard."),
-      Setting.optional(MUTED_UNTIL, new ValueType.Text(), "Until when none is heard, for example 2026-11-21T18:00 or with Z for UTC."));
+      Setting.of(MUTED, new ValueType.Flag(), false, "Whether all alerts are muted."),
+      Setting.optional(MUTED_UNTIL, new ValueType.Text(), "Until when all are muted, for example 2026-11-21T18:00 or with Z for UTC."));
 
   private static final double RATE_HZ = 5;
   private static final Logger LOG = LoggerFactory.getLogger(SoundType.class);
 
   private static final Descriptor DESCRIPTOR = new Descriptor("sound", "Sound",
-      "Makes itself heard when a condition about the robot holds.",
+      "Sounds an alert while a condition about the robot holds.",
       SCHEMA, List.of(SIGNALS));
 
   @Override

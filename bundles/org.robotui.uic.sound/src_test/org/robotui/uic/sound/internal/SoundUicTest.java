@@ -109,7 +109,7 @@ class SoundUicTest {
   @Test
   void anEntryOfALogIsListedButDoesNotLast() {
     SoundUic uic = uic(Map.of("when", "log >= ERROR"));
-    input.put(LOG, new LogEntry(Severity.ERROR, "/planner", "no way", ""), 0, Optional.empty());
+    input.put(LOG, new LogEntry(Severity.ERROR, "/planner", "no path", ""), 0, Optional.empty());
     uic.tick(0);
     Alert alert = context.alerts().find("log >= ERROR").orElseThrow();
     assertEquals("/planner", alert.source());
@@ -158,7 +158,7 @@ class SoundUicTest {
   void logEntriesAreHeardOnce() {
     SoundUic uic = uic(Map.of("when", "log >= ERROR"));
     uic.tick(0);
-    input.put(LOG, new LogEntry(Severity.ERROR, "/planner", "no way", ""), 0, Optional.empty());
+    input.put(LOG, new LogEntry(Severity.ERROR, "/planner", "no path", ""), 0, Optional.empty());
     uic.tick(2_000_000_000L);
     uic.tick(4_000_000_000L);
     assertEquals(1, heard.size());

@@ -45,7 +45,7 @@ record Gallery(GalleryWindow window, Theme theme) {
     context.ruic().snapshot(Snapshots.typical());
     battery(context, "/battery", 0.87);
     battery(context, "/arm/battery", 0.18);
-    context.input(StatusType.BATTERY).state(new SourceId("base", "/gripper/battery"), new InputState.Waiting("nothing came yet"));
+    context.input(StatusType.BATTERY).state(new SourceId("base", "/gripper/battery"), new InputState.Waiting("no data yet"));
   }
 
   private static void battery(FakeUicContext context, String port, double charge) {

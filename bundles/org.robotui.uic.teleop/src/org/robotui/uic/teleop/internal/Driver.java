@@ -1,6 +1,7 @@
 package org.robotui.uic.teleop.internal;
 
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.robotui.api.command.Authority;
@@ -10,6 +11,7 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.Twist;
 import org.robotui.data.VelocityCommand;
 
@@ -18,20 +20,24 @@ import org.robotui.data.VelocityCommand;
  * worker: one lock, never held while anything blocks, so that no command follows the release that ends it.
  */
 final class Driver {
+  /** Navigation tells its progress several times as often. */
+  private static final double MOMENT_SECONDS = 1.5;
   private static final Duration VALID = Duration.ofMillis(250);
 
   private final TeleopModel model = new TeleopModel();
   private final Output<VelocityCommand> output;
   private final Input<Twist> odometry;
+  private final Input<NavigationStatus> navigation;
   private final Principal principal;
   private final SettingsStore settings;
   private boolean moving;
   private boolean asking;
   private Optional<String> refusal = Optional.empty();
 
-  Driver(Output<VelocityCommand> output, Input<Twist> odometry, Principal principal, SettingsStore settings) {
+  Driver(Output<VelocityCommand> output, Input<Twist> odometry, Input<NavigationStatus> navigation, Principal principal, SettingsStore settings) {
     this.output = output;
     this.odometry = odometry;
+    this.navigation = navigation;
     this.principal = principal;
     this.settings = settings;
   }
@@ -119,7 +125,7 @@ final class Driver {
     Authority authority = authority();
     return new Look(authority.robot(), model.held(now), model.stick(now), model.speed(), measured(), limits(),
         lease(authority), authority.stoppedBy().map(Principal::label), asking && !(lease(authority) instanceof Look.Lease.Mine),
-        refusal, output.state());
+        refusal, navigates(now), output.state());
   }
 
   private void hands(long now, Consumer<TeleopModel> change) {
@@ -166,6 +172,13 @@ final class Driver {
     return odometry.state() instanceof InputState.Live
         ? odometry.latest().map(twist -> new Speed(twist.value().linear().x(), twist.value().angular().z()))
         : Optional.empty();
+  }
+
+  /** Whether navigation said a moment ago that it drives, and has not said since that it has ended. */
+  private boolean navigates(long now) {
+    return navigation.sources().stream().flatMap(source -> navigation.latest(source).stream())
+        .min(Comparator.comparingDouble(said -> said.ageSeconds(now)))
+        .filter(said -> said.value().state() == NavigationStatus.State.ACTIVE && said.ageSeconds(now) < MOMENT_SECONDS).isPresent();
   }
 
   private Look.Lease lease(Authority authority) {

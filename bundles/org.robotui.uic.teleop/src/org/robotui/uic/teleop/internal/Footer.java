@@ -41,7 +41,7 @@ record Footer(Health health, List<String> texts, List<Button> buttons) {
 
   static Footer of(Look look) {
     return look.stoppedBy().map(Footer::stopped).orElseGet(() -> switch (look.lease()) {
-      case Look.Lease.Free f -> free(StateView.showsContent(look.output()));
+      case Look.Lease.Free f -> look.navigates() ? navigating(look, Button.TAKE) : free(StateView.showsContent(look.output()));
       case Look.Lease.Mine m -> mine(look);
       case Look.Lease.Other o -> other(o.name(), look.asking());
     });
@@ -63,7 +63,7 @@ record Footer(Health health, List<String> texts, List<Button> buttons) {
 
   private static Footer free(boolean connected) {
     return connected
-        ? new Footer(Health.NONE, List.of("Nobody drives. Drag the stick or hold a key.", "Nobody drives", "Free"), List.of(Button.TAKE))
+        ? new Footer(Health.NONE, List.of("Nobody has control. Drag the stick or hold a key.", "Nobody has control", "Free"), List.of(Button.TAKE))
         : new Footer(Health.NONE, List.of("Nothing to drive"), List.of());
   }
 
@@ -76,8 +76,16 @@ record Footer(Health health, List<String> texts, List<Button> buttons) {
     if (!(look.output() instanceof InputState.Live)) {
       return held("Cannot drive", look.output().explanation());
     }
+    if (look.navigates() && !look.held() && look.refusal().isEmpty()) {
+      return navigating(look, Button.GIVE_BACK);
+    }
     return look.refusal().map(why -> held("Not sent", why))
-        .orElseGet(() -> new Footer(Health.OK, List.of("You drive " + look.robot(), "You drive"), List.of(Button.GIVE_BACK)));
+        .orElseGet(() -> new Footer(Health.OK, List.of("You control " + look.robot(), "You have control"), List.of(Button.GIVE_BACK)));
+  }
+
+  private static Footer navigating(Look look, Button button) {
+    return new Footer(Health.OK, List.of("Navigation drives " + look.robot() + " to a goal, within limits of its own",
+        "Navigation drives, within its own limits", "Navigation drives " + look.robot(), "Navigation drives"), List.of(button));
   }
 
   private static Footer held(String what, String why) {
@@ -86,7 +94,7 @@ record Footer(Health health, List<String> texts, List<Button> buttons) {
 
   private static Footer other(String name, boolean asking) {
     return asking
-        ? new Footer(Health.WARNING, List.of(name + " drives. Take over?", name + " drives"), List.of(Button.TAKE_OVER, Button.CANCEL))
-        : new Footer(Health.WARNING, List.of(name + " drives"), List.of(Button.ASK));
+        ? new Footer(Health.WARNING, List.of(name + " has control. Take over?", name + " has control"), List.of(Button.TAKE_OVER, Button.CANCEL))
+        : new Footer(Health.WARNING, List.of(name + " has control"), List.of(Button.ASK));
   }
 }

@@ -12,11 +12,12 @@ import org.robotui.ui.Figures;
  * @param stick where it holds
  * @param commanded the speed sent
  * @param measured the speed that the robot reports, where it does
- * @param limits full stick
+ * @param limits full stick; they do not hold for navigation
  * @param lease who drives
  * @param stoppedBy who latched the stop, as users read it
  * @param asking true while the user is asked whether to take over
  * @param refusal why the last command was refused
+ * @param navigates whether navigation drives to a goal
  * @param output whether there is somebody to command
  */
 record Look(
@@ -30,6 +31,7 @@ record Look(
     Optional<String> stoppedBy,
     boolean asking,
     Optional<String> refusal,
+    boolean navigates,
     InputState output) {
   /** Who drives. */
   sealed interface Lease {
@@ -50,6 +52,6 @@ record Look(
       case Lease.Mine m -> "you";
       case Lease.Other o -> o.name();
     };
-    return "lease: " + who + " \u00b7 max " + Figures.of(limits.linear(), 2, "m/s");
+    return "control: " + who + " \u00b7 by hand max " + Figures.of(limits.linear(), 2, "m/s");
   }
 }

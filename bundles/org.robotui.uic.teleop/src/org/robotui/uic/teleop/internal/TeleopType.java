@@ -13,6 +13,7 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.StreamPort;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.Twist;
 import org.robotui.data.VelocityCommand;
 
@@ -33,11 +34,14 @@ public final class TeleopType implements UicType {
   static final StreamPort<Twist> ODOM =
       new StreamPort<>("odom", Twist.class, Arity.OPTIONAL, "how fast the base says it moves");
 
+  static final StreamPort<NavigationStatus> NAVIGATION =
+      new StreamPort<>("navigation", NavigationStatus.class, Arity.MANY, "whether navigation drives the base to a goal");
+
   private static final double RATE_HZ = 20;
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(MAX_LINEAR, new ValueType.Num(0, HIGHEST_LINEAR, "m/s"), 0.4, "Speed at full stick."),
-      Setting.of(MAX_ANGULAR, new ValueType.Num(0, HIGHEST_ANGULAR, "rad/s"), 1.0, "Turning speed at full stick."),
+      Setting.of(MAX_LINEAR, new ValueType.Num(0, HIGHEST_LINEAR, "m/s"), 0.4, "Speed at full stick; navigation has limits of its own."),
+      Setting.of(MAX_ANGULAR, new ValueType.Num(0, HIGHEST_ANGULAR, "rad/s"), 1.0, "Turning speed at full stick; navigation has limits of its own."),
       Setting.of(ACCELERATION_LINEAR, new ValueType.Num(0.05, 10, "m/s\u00b2"), 1.0,
           "How suddenly the speed may change while the stick is held; letting go always stops at once."),
       Setting.of(ACCELERATION_ANGULAR, new ValueType.Num(0.05, 30, "rad/s\u00b2"), 3.0,
@@ -45,7 +49,7 @@ public final class TeleopType implements UicType {
 
   private static final Descriptor DESCRIPTOR = new Descriptor("teleop", "Teleop",
       "Drives a mobile base by an on-screen stick or by keys, as long as they are held.",
-      SCHEMA, List.of(CMD_VEL, ODOM));
+      SCHEMA, List.of(CMD_VEL, ODOM, NAVIGATION));
 
   @Override
   public Descriptor descriptor() {
@@ -64,7 +68,7 @@ public final class TeleopType implements UicType {
 
   @Override
   public Uic create(UicContext context, Settings settings) {
-    return new TeleopUic(new Driver(context.output(CMD_VEL), context.input(ODOM), context.principal(), context.settings()),
+    return new TeleopUic(new Driver(context.output(CMD_VEL), context.input(ODOM), context.input(NAVIGATION), context.principal(), context.settings()),
         context.settings());
   }
 }

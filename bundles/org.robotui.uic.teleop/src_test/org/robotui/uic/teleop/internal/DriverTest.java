@@ -9,6 +9,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.MotionLimits;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
@@ -26,7 +28,7 @@ class DriverTest {
   private final FakeAuthority authority = context.authority();
   private final FakeOutput<VelocityCommand> output = context.output(TeleopType.CMD_VEL);
   private final Driver driver =
-      new Driver(output, context.input(TeleopType.ODOM), context.principal(), context.settings());
+      new Driver(output, context.input(TeleopType.ODOM), context.input(TeleopType.NAVIGATION), context.principal(), context.settings());
 
   @Test
   void sendsNothingUntilAHandComes() {
@@ -42,7 +44,27 @@ class DriverTest {
     assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
     assertEquals(VelocityCommand.planar(0.05, 0), output.sent().getFirst().command());
     assertEquals(Duration.ofMillis(250), output.sent().getFirst().validFor());
-    assertEquals("You drive Keira", Footer.of(driver.look(0)).text());
+    assertEquals("You control Keira", Footer.of(driver.look(0)).text());
+  }
+
+  @Test
+  void whileNavigationDrivesToAGoalThatIsSaid() {
+    driver.take();
+    navigation("feedback", NavigationStatus.State.ACTIVE, 0);
+    assertEquals("Navigation drives Keira to a goal, within limits of its own", Footer.of(driver.look(MS)).text());
+    assertEquals("You control Keira", Footer.of(driver.look(2_000 * MS)).text(), "it has said nothing for a while");
+
+    navigation("feedback", NavigationStatus.State.ACTIVE, 3_000 * MS);
+    navigation("result", NavigationStatus.State.SUCCEEDED, 3_001 * MS);
+    assertEquals("You control Keira", Footer.of(driver.look(3_002 * MS)).text(), "it is there");
+
+    navigation("feedback", NavigationStatus.State.ACTIVE, 4_000 * MS);
+    driver.drag(new Stick(1, 0), 4_001 * MS);
+    assertEquals("You control Keira", Footer.of(driver.look(4_002 * MS)).text(), "by hand");
+  }
+
+  private void navigation(String port, NavigationStatus.State state, long at) {
+    context.input(TeleopType.NAVIGATION).put(new SourceId("base", port), new NavigationStatus("1", state, ""), at, Optional.empty());
   }
 
   @Test
@@ -149,7 +171,7 @@ class DriverTest {
     driver.drag(new Stick(1, 0), 0);
     driver.tick(0);
     assertEquals(List.of(), output.sent());
-    assertEquals("Anna drives. Take over?", Footer.of(driver.look(0)).text());
+    assertEquals("Anna has control. Take over?", Footer.of(driver.look(0)).text());
     driver.takeOver();
     assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
     driver.dragEnd(10 * MS);
@@ -164,7 +186,7 @@ class DriverTest {
     driver.take();
     assertTrue(driver.look(0).asking());
     driver.ask(false);
-    assertEquals("Anna drives", Footer.of(driver.look(0)).text());
+    assertEquals("Anna has control", Footer.of(driver.look(0)).text());
     assertEquals(Optional.of(FakeAuthority.ANNA), authority.holder());
   }
 
@@ -195,7 +217,7 @@ class DriverTest {
     driver.tick(0);
     assertEquals("Not sent: the link to base is down", Footer.of(driver.look(0)).text());
     driver.dragEnd(MS);
-    assertEquals("You drive Keira", Footer.of(driver.look(0)).text());
+    assertEquals("You control Keira", Footer.of(driver.look(0)).text());
   }
 
   @Test
@@ -215,9 +237,9 @@ class DriverTest {
 
   @Test
   void theNoteSaysWhoDrivesAndHowFast() {
-    assertEquals("lease: free \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
+    assertEquals("control: free \u00b7 by hand max 0.40\u00a0m/s", driver.look(0).note());
     driver.take();
-    assertEquals("lease: you \u00b7 max 0.40\u00a0m/s", driver.look(0).note());
+    assertEquals("control: you \u00b7 by hand max 0.40\u00a0m/s", driver.look(0).note());
   }
 
   @Test
@@ -244,8 +266,8 @@ class DriverTest {
   @Test
   void theFooterLeavesOutWhatMattersLeastWhereItIsNarrow() {
     Footer free = Footer.of(driver.look(0));
-    assertEquals("Nobody drives. Drag the stick or hold a key.", free.fitting(text -> true));
-    assertEquals("Nobody drives", free.fitting(text -> text.length() < 20));
+    assertEquals("Nobody has control. Drag the stick or hold a key.", free.fitting(text -> true));
+    assertEquals("Nobody has control", free.fitting(text -> text.length() < 20));
     assertEquals("Free", free.fitting(text -> false));
     driver.take();
     output.state(new InputState.Stale(2, "the link is lost"));

@@ -59,7 +59,7 @@ record Gallery(GalleryWindow window, Theme theme) {
     FakeUicContext context = new FakeUicContext("teleop", new TeleopType().schema());
     context.output(TeleopType.CMD_VEL).state(output);
     prepare.accept(context);
-    Driver driver = new Driver(context.output(TeleopType.CMD_VEL), context.input(TeleopType.ODOM), context.principal(),
+    Driver driver = new Driver(context.output(TeleopType.CMD_VEL), context.input(TeleopType.ODOM), context.input(TeleopType.NAVIGATION), context.principal(),
         context.settings());
     drive.accept(driver);
     Composite part = window.cell(x, y, width, height);

@@ -89,7 +89,7 @@ class TeleopSwtTest {
     mouse(SWT.MouseMove, centre().x, stick.y, 0, SWT.BUTTON1);
     tick();
     assertTrue(output.sent().getLast().command().linear().x() > 0);
-    assertEquals("lease: you \u00b7 max 0.40\u00a0m/s", note);
+    assertEquals("control: you \u00b7 by hand max 0.40\u00a0m/s", note);
     mouse(SWT.MouseUp, centre().x, stick.y, 1, SWT.BUTTON1);
     assertEquals(1, output.releases());
   }

@@ -21,10 +21,10 @@ record Standing(String text) {
   private static String words(Authority authority) {
     return authority.stoppedBy().map(by -> "STOPPED by " + by.label())
         .or(() -> authority.holder().map(Standing::drives))
-        .orElse("nobody drives");
+        .orElse("nobody has control");
   }
 
   private static String drives(Principal holder) {
-    return holder.label() + (holder.label().equals("You") ? " drive" : " drives");
+    return holder.label() + (holder.label().equals("You") ? " drive" : " has control");
   }
 }

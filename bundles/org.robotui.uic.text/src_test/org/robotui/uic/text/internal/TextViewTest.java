@@ -85,7 +85,7 @@ class TextViewTest {
   @Test
   void aLatchedStopIsSaidAtTheSamePlaceAsTheLease() {
     context.authority().take(FakeAuthority.ANNA, false);
-    assertTrue(lines(80, 24).getFirst().endsWith("  Anna drives"));
+    assertTrue(lines(80, 24).getFirst().endsWith("  Anna has control"));
     context.authority().stop(FakeAuthority.YOU);
     assertTrue(lines(80, 24).getFirst().endsWith("  STOPPED by You"));
   }

@@ -14,7 +14,7 @@ public final class TopicsType implements UicType {
   private static final double RATE_HZ = 50;
 
   private static final Descriptor DESCRIPTOR = new Descriptor("topics", "Topics",
-      "Topics, nodes, services and actions of a robot: their types, rates and messages; says messages from a form.",
+      "Topics, nodes, services and actions of a robot: their types, rates and messages; publishes messages from a form.",
       TopicsOptions.schema(), TopicsPorts.all());
 
   @Override

@@ -26,14 +26,14 @@ public record Lease(Health health, String words) {
   private static Lease of(Authority authority, LinkState link, Principal user) {
     return authority.holder().map(holder -> holder.equals(user)
             ? yours(authority.robot(), link)
-            : new Lease(Health.WARNING, holder.label() + " drives " + authority.robot()))
-        .orElse(new Lease(Health.WAITING, "Nobody drives " + authority.robot()));
+            : new Lease(Health.WARNING, holder.label() + " controls " + authority.robot()))
+        .orElse(new Lease(Health.WAITING, "Nobody controls " + authority.robot()));
   }
 
   private static Lease yours(String robot, LinkState link) {
     return switch (link) {
-      case LinkState.Connected c -> new Lease(Health.OK, "You drive " + robot);
-      case LinkState.Degraded d -> new Lease(Health.WARNING, "You drive " + robot);
+      case LinkState.Connected c -> new Lease(Health.OK, "You control " + robot);
+      case LinkState.Degraded d -> new Lease(Health.WARNING, "You control " + robot);
       default -> new Lease(Health.WARNING, "No link to " + robot);
     };
   }

@@ -76,9 +76,6 @@ public record RobotRow(String name, Health health, String figure, String second)
     if (!ruic.reason().isEmpty()) {
       return ruic.reason();
     }
-    if (ruic.state() == RuicState.ADDED) {
-      return "select it to open it";
-    }
     String frameworks = frameworks(ruic);
     String peer = switch (ruic.link()) {
       case LinkState.Connected c -> shortened(c.peer());

@@ -19,6 +19,8 @@ public record StatusText(String left, String right) {
   /** Where a window shows no robot. */
   public static final StatusText NONE = new StatusText("no robot selected", "");
 
+  /** No clock of a robot that runs is this far off. */
+  private static final Duration MOST_OFFSET = Duration.ofDays(2);
   private static final String DOT = " \u00b7 ";
 
   /** Makes the line. */
@@ -33,6 +35,10 @@ public record StatusText(String left, String right) {
       return clock.kind().name().toLowerCase(Locale.ROOT) + " time";
     }
     Optional<Duration> offset = clock.offset();
+    Optional<Duration> far = offset.filter(o -> o.abs().compareTo(MOST_OFFSET) > 0);
+    if (far.isPresent()) {
+      return "time stamps " + far.get().abs().toDays() + " days " + (far.get().isNegative() ? "old: a recording?" : "ahead: is a clock wrong?");
+    }
     return "clock offset " + offset.map(StatusText::signed).orElse("unknown");
   }
 

@@ -30,7 +30,7 @@ final class MatchingTable {
         Column.<ExchangeRow>words("Why", ExchangeRow::why).role(Role.DIM).weight(1.9)),
         r -> r.kind() + " " + r.port());
     table.list().named("What would become of the connections").menu(this::actions);
-    message(Health.NONE, "Nothing tried yet", "Choose a framework and say where the robot is, then press Try.");
+    message(Health.NONE, "Not tried yet", "Choose a framework and say where the robot is, then press Try.");
   }
 
   Control control() {

@@ -168,7 +168,7 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     if (authority.holder().filter(session.user()::equals).isPresent()) {
       authority.giveBack(session.user());
     } else if (authority.take(session.user(), false) instanceof Authority.LeaseOutcome.HeldBy held) {
-      String question = held.holder().label() + " drives " + authority.robot() + ". Take over?";
+      String question = held.holder().label() + " controls " + authority.robot() + ". Take over?";
       if (MessageDialog.openConfirm(window.getShell(), "Take over", question)) {
         authority.take(session.user(), true);
       }

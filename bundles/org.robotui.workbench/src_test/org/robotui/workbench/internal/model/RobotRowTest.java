@@ -59,7 +59,7 @@ class RobotRowTest {
   void whatWaitsToBeShownIsNotDisconnected() {
     ruic.linked(new LinkState.Disconnected()).in(RuicState.ADDED, "");
 
-    assertEquals(new RobotRow("Keira", Health.NONE, "not open", "select it to open it"), row());
+    assertEquals(new RobotRow("Keira", Health.NONE, "not open", "ros"), row());
   }
 
   @Test

@@ -1,12 +1,17 @@
 package org.robotui.workbench.internal.model;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.Principal;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.time.RobotClock;
+import org.robotui.data.ClockKind;
+import org.robotui.data.Stamp;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Health;
 
@@ -18,11 +23,11 @@ class TextsTest {
 
   @Test
   void theLeaseNamesItsHolder() {
-    assertEquals(new Lease(Health.WAITING, "Nobody drives Keira"), lease());
+    assertEquals(new Lease(Health.WAITING, "Nobody controls Keira"), lease());
     ruic.authority().take(YOU, false);
-    assertEquals(new Lease(Health.OK, "You drive Keira"), lease());
+    assertEquals(new Lease(Health.OK, "You control Keira"), lease());
     ruic.authority().take(BOB, true);
-    assertEquals(new Lease(Health.WARNING, "Bob drives Keira"), lease());
+    assertEquals(new Lease(Health.WARNING, "Bob controls Keira"), lease());
   }
 
   @Test
@@ -40,7 +45,7 @@ class TextsTest {
     assertEquals(new Lease(Health.WARNING, "No link to Keira"), lease());
 
     ruic.linked(new LinkState.Degraded("localhost", "slow"));
-    assertEquals(new Lease(Health.WARNING, "You drive Keira"), lease());
+    assertEquals(new Lease(Health.WARNING, "You control Keira"), lease());
   }
 
   @Test
@@ -52,6 +57,38 @@ class TextsTest {
   void theStatusNamesRobotClockAndTraffic() {
     assertEquals(new StatusText("Keira \u00b7 connected",
         "clock offset +3\u00a0ms \u00b7 received 0\u00a0msg/s \u00b7 dropped 0"), StatusText.of(ruic.snapshot(), ruic.clock()));
+  }
+
+  @Test
+  void stampsThatNoRunningClockGivesAreNamedAsSuch() {
+    assertTrue(right(Duration.ofHours(-182_679)).startsWith("time stamps 7611 days old: a recording? "), right(Duration.ofHours(-182_679)));
+    assertTrue(right(Duration.ofDays(30)).startsWith("time stamps 30 days ahead: "));
+    assertTrue(right(Duration.ofHours(-3)).startsWith("clock offset "), "a wrong time zone is an offset");
+  }
+
+  private String right(Duration offset) {
+    RobotClock clock = new RobotClock() {
+      @Override
+      public Stamp now() {
+        return new Stamp(0, ClockKind.WALL);
+      }
+
+      @Override
+      public ClockKind kind() {
+        return ClockKind.WALL;
+      }
+
+      @Override
+      public Optional<Duration> offset() {
+        return Optional.of(offset);
+      }
+
+      @Override
+      public long epoch() {
+        return 0;
+      }
+    };
+    return StatusText.of(ruic.snapshot(), clock).right();
   }
 
   private Lease lease() {

@@ -42,7 +42,7 @@ public final class LaserScanType implements DisplayType {
 
   @Override
   public String help() {
-    return "Shows the echoes of laser scanners.";
+    return "Shows laser scans.";
   }
 
   @Override

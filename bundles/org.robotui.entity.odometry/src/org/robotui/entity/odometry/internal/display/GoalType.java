@@ -27,7 +27,7 @@ public final class GoalType implements DisplayType {
 
   @Override
   public String help() {
-    return "Shows where a robot was sent.";
+    return "Shows the goal that a robot was sent to.";
   }
 
   @Override

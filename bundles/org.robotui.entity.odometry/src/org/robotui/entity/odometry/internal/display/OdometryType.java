@@ -26,7 +26,7 @@ public final class OdometryType implements DisplayType {
 
   @Override
   public String help() {
-    return "Shows the way that a robot has gone, as arrows.";
+    return "Shows the odometry of a robot: the path it has travelled, as arrows.";
   }
 
   @Override

@@ -26,7 +26,7 @@ public final class PoseEstimateType implements DisplayType {
 
   @Override
   public String help() {
-    return "Shows where a robot is believed to be, and how surely.";
+    return "Shows an estimated pose and its covariance.";
   }
 
   @Override

@@ -46,7 +46,7 @@ final class PathDisplay implements Display {
 
   private DisplayStatus status(Made made) {
     int left = recent.newest().map(e -> e.value().poses().size()).orElse(0) - made.poses().size();
-    String words = made.poses().isEmpty() ? "no way" : String.format(Locale.ROOT, "%.2f m, %d poses", made.length(), made.poses().size());
+    String words = made.poses().isEmpty() ? "no path" : String.format(Locale.ROOT, "%.2f m, %d poses", made.length(), made.poses().size());
     return left > 0 ? new DisplayStatus.Partly(words + "; " + left + " poses are no numbers, or too many") : new DisplayStatus.Shown(words);
   }
 

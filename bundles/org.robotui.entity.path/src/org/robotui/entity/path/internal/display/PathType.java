@@ -35,7 +35,7 @@ public final class PathType implements DisplayType {
 
   @Override
   public String help() {
-    return "Shows the way that a robot plans to go.";
+    return "Shows a path, such as the plan of a navigation stack.";
   }
 
   @Override

@@ -49,7 +49,7 @@ class PathDisplayTest {
 
   @Test
   void emptyAndBrokenWaysAreTaken() {
-    assertEquals(new DisplayStatus.Shown("no way"), path.tick(way()).status());
+    assertEquals(new DisplayStatus.Shown("no path"), path.tick(way()).status());
     assertInstanceOf(DisplayStatus.Partly.class, path.tick(way(BROKEN, RigidTransform.IDENTITY)).status());
     assertEquals(0, path.parts().getFirst().shape().elements());
   }

@@ -98,7 +98,7 @@ final class SonarDisplay implements Display {
 
   private DisplayStatus status(DisplayTick tick, int cones, List<String> missing) {
     if (newest.isEmpty()) {
-      return new DisplayStatus.NoData(tick.state() instanceof InputState.Live ? "no reading came yet" : tick.state().explanation());
+      return new DisplayStatus.NoData(tick.state() instanceof InputState.Live ? "no reading yet" : tick.state().explanation());
     }
     if (tick.state() instanceof InputState.Stale stale) {
       return new DisplayStatus.TooOld(stale.explanation());

@@ -62,10 +62,10 @@ public record CommandType<D extends Data, M>(
       new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, PoseWithCovarianceStamped.CODEC,
           CommandType::estimate, false, "Where the robot is, for its localisation."),
       new CommandType<>("nav_msgs/Path", Path.class, org.robotui.ros.msgs.nav_msgs.Path.CODEC, CommandType::path, true,
-          "Places to go to one after the other."),
+          "Poses to drive to, one after the other."),
       new CommandType<>("geometry_msgs/PoseArray", PoseArray.class, org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC,
           (c, now) -> new org.robotui.ros.msgs.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
-              c.poses().stream().map(Geometry::pose).toList()), true, "Places to go to one after the other."));
+              c.poses().stream().map(Geometry::pose).toList()), true, "Poses to drive to, one after the other."));
 
   /**
    * The command for a topic's type.

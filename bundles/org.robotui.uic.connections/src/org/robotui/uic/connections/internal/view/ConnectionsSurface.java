@@ -132,7 +132,7 @@ public final class ConnectionsSurface {
     } else if (next.filter().words().isEmpty() && next.filter().problems()) {
       list.message(Health.OK, "No problems", next.look().summary());
     } else {
-      list.message(Health.NONE, "Nothing fits", "No line has these words. Esc clears the filter.");
+      list.message(Health.NONE, "Nothing fits", "No line contains these words. Esc clears the filter.");
     }
   }
 

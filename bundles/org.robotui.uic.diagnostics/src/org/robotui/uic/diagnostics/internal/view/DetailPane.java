@@ -60,7 +60,7 @@ final class DetailPane {
     head.redraw();
     values.show(next.values());
     if (next.values().isEmpty()) {
-      values.list().message(Health.NONE, "No values", "This part gives no details.");
+      values.list().message(Health.NONE, "No values", "This part reports no values.");
     } else {
       values.list().noMessage();
     }

@@ -34,7 +34,7 @@ final class SourceButton {
 
   private void open() {
     PopupMenu menu = new PopupMenu(button);
-    item(menu, "The one that sorts the others' reports, else all", "");
+    item(menu, "The aggregator, else all sources", "");
     item(menu, "All sources", Ask.ALL_SOURCES);
     sources.forEach(source -> item(menu, source, source));
     menu.open();

@@ -53,7 +53,7 @@ final class TreeLook implements RowLook<Row> {
   @Override
   public String hint(GC gc, Rectangle at, Row row, int x) {
     if (strip(at).filter(s -> x >= s.x).isPresent()) {
-      return "How it was; a click shows that moment";
+      return "The history; a click shows that moment";
     }
     return row.label() + ": " + row.level().word() + (row.message().isBlank() ? "" : "\n" + row.message());
   }

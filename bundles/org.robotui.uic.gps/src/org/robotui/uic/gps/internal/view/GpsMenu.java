@@ -69,9 +69,9 @@ final class GpsMenu {
     menu.check("Measure\tM", view.measuring(), on -> view.toggleRuler());
     menu.check("Count metres from the first fix", options.origin().isEmpty(),
         on -> choices.origin(on ? Optional.empty() : model.snapshot().plane().map(p -> p.origin())));
-    menu.push("Forget the ways", model::clear);
+    menu.push("Clear the tracks", model::clear);
     menu.line();
-    PopupMenu colors = menu.under("Colours of ways");
+    PopupMenu colors = menu.under("Colours of tracks");
     for (GpsOptions.Ways ways : GpsOptions.Ways.values()) {
       colors.radio(ways.label(), options.ways() == ways, () -> choices.ways(ways));
     }

@@ -122,14 +122,14 @@ public final class GraphModel {
 
   private Optional<Look.Empty> empty(Ask wanted, boolean crowded) {
     if (crowded) {
-      return Optional.of(new Look.Empty(Health.WARNING, "Too much to draw", net.vertices().size() + " boxes; up to " + MOST_BOXES
+      return Optional.of(new Look.Empty(Health.WARNING, "Too many boxes to draw", net.vertices().size() + " boxes; up to " + MOST_BOXES
           + " are laid out. Filter, close namespaces, or show nodes only."));
     }
     if (!net.vertices().isEmpty()) {
       return Optional.empty();
     }
-    String what = wanted.words().isEmpty() ? "There is no topic here, beside those of tools. The eye shows what is left out."
-        : "No node and no topic that is shown has these words. Esc clears the filter.";
+    String what = wanted.words().isEmpty() ? "There are no topics here besides those of tools. The eye lists what is left out."
+        : "No node or topic that is shown contains these words. Esc clears the filter.";
     return Optional.of(new Look.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "Nothing fits", what));
   }
 

@@ -17,7 +17,8 @@ import org.robotui.uic.graph.internal.model.Wiring.Tie;
 
 /**
  * Makes the net of boxes and edges: topics as boxes or as edges, and namespaces closed to one box. A node of the name of a namespace lies in
- * it. Where there are more boxes than wanted, each namespace with several of them is closed until it is opened. Used once.
+ * it. Where there are more boxes than wanted, each namespace with several of them is closed until it is opened, and so are many topics that
+ * are wired alike. Used once.
  */
 final class Netting {
   private static final Comparator<Vertex> ORDER = Comparator.comparing(Vertex::robot).thenComparing(Vertex::name).thenComparing(Vertex::kind);
@@ -26,6 +27,8 @@ final class Netting {
   private final Ask ask;
   private final int closeFrom;
   private final boolean robots;
+  private final Alike alike;
+  private final Set<Vertex> folds;
   private final Map<Vertex, List<Vertex>> paths = new HashMap<>();
   private final Map<Vertex, Integer> sizes = new HashMap<>();
   private final Set<Vertex> all = new TreeSet<>(ORDER);
@@ -34,6 +37,8 @@ final class Netting {
     this.ask = ask;
     this.closeFrom = closeFrom;
     robots = ties.stream().map(tie -> tie.node().robot()).distinct().count() > 1;
+    alike = ask.topics() ? Alike.of(ties) : new Alike(Map.of());
+    folds = Set.copyOf(alike.groups().values());
     ties.forEach(tie -> {
       all.add(tie.node());
       if (ask.topics()) {
@@ -110,7 +115,7 @@ final class Netting {
   private boolean closed(Vertex group) {
     boolean top = group.segments().size() == (robots ? 2 : 1) || group.name().isEmpty();
     boolean large = all.size() > closeFrom && sizes.get(group) > (top ? 1 : SMALL) && !group.name().isEmpty();
-    return ask.closed().contains(group) || large && !ask.opened().contains(group);
+    return ask.closed().contains(group) || (large || folds.contains(group)) && !ask.opened().contains(group);
   }
 
   /** The namespaces in which it lies, the outermost first; where there are several robots, each is one. */
@@ -118,6 +123,11 @@ final class Netting {
     List<Vertex> path = new ArrayList<>();
     if (robots) {
       path.add(new Vertex(Kind.GROUP, vertex.robot(), ""));
+    }
+    Optional<Vertex> fold = alike.groupOf(vertex);
+    if (fold.isPresent()) {
+      path.add(fold.get());
+      return path;
     }
     String space = vertex.kind() == Kind.NODE && spaces.contains(vertex.name()) ? vertex.name() : space(vertex);
     for (int at = space.indexOf('/', 1); !space.isEmpty(); at = space.indexOf('/', at + 1)) {

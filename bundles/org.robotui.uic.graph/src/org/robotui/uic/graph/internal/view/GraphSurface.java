@@ -141,14 +141,14 @@ public final class GraphSurface {
     PopupMenu menu = new PopupMenu(eye);
     menu.check("Leave out tools (rviz, rqt, /rosout, ...)", ask.tools(), on -> wishes.ask(ask.show(ask.topics(), on, ask.tf(), ask.ends(), ask.groups())));
     menu.check("Leave out /tf", ask.tf(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), on, ask.ends(), ask.groups())));
-    menu.check("Leave out topics that nobody sends or takes", ask.ends(),
+    menu.check("Leave out dead ends: topics without a publisher or without a subscriber", ask.ends(),
         on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), on, ask.groups())));
     menu.line();
     menu.check("Frame namespaces", ask.groups(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), ask.ends(), on)));
     menu.openBelow(eye);
   }
 
-  /** A double click on a closed namespace opens it, and on a frame closes it. */
+  /** A double click on a closed namespace, or on topics in one box, opens it, and on a frame closes it. */
   private void open(Box box) {
     Vertex vertex = (Vertex) box.key();
     if (vertex.kind() == Vertex.Kind.GROUP) {

@@ -76,6 +76,24 @@ class GraphModelTest {
   }
 
   @Test
+  void manyTopicsThatAreWiredAlikeShareABoxUntilItIsOpened() {
+    Robots robot = new Robots();
+    for (int i = 0; i < 30; i++) {
+      robot.tie("/driver > /sensor" + i % 3 + "/topic" + i);
+    }
+    robot.tie("/driver < /cmd_vel", "/teleop > /cmd_vel");
+    Ask all = Ask.FIRST.show(true, true, true, false, true);
+    Look folded = look(robot, ask -> all);
+    Vertex fold = group("topics of /driver");
+    Box box = folded.diagram().find(fold).orElseThrow();
+    assertEquals("30 inside", box.note());
+    assertEquals(Set.of("/cmd_vel"), names(folded, Box.Form.PILL));
+    Look opened = look(robot, ask -> all.open(fold, true));
+    assertEquals(31, names(opened, Box.Form.PILL).size());
+    assertEquals(Box.Form.GROUP, opened.diagram().find(fold).orElseThrow().form(), "a frame, to close it again");
+  }
+
+  @Test
   void withoutARobotItSaysWhatIsMissing() {
     GraphModel model = new GraphModel(context);
     assertInstanceOf(InputState.Unconnected.class, look(model, Ask.FIRST).state());
@@ -156,10 +174,10 @@ class GraphModelTest {
   void moreThanCanBeLaidOutIsSaidAndNotTried() {
     Robots flat = new Robots();
     for (int i = 0; i < 1300; i++) {
-      flat.tie("/n > /t" + i, "/m < /t" + i);
+      flat.tie("/n" + i + " > /t" + i, "/m < /t" + i);
     }
     Look look = look(flat, ask -> ask);
-    assertEquals("Too much to draw", look.empty().orElseThrow().title());
+    assertEquals("Too many boxes to draw", look.empty().orElseThrow().title());
     assertEquals(0, look.diagram().boxes().size());
   }
 

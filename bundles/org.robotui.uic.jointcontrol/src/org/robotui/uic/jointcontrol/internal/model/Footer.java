@@ -60,7 +60,7 @@ public record Footer(Health health, String text, List<Button> buttons) {
   private static Footer question(DriveLook look) {
     String drive = "rive " + look.moves() + " of " + look.robot() + "? They move when you set a target, at "
         + Math.round(look.speed() * PERCENT) + "\u00a0% of their speed at most" + look.owners().map(o -> ". " + o).orElse("");
-    return look.holder().map(other -> new Footer(Health.WARNING, other + " drives now. Take over and d" + drive,
+    return look.holder().map(other -> new Footer(Health.WARNING, other + " has control now. Take over and d" + drive,
             List.of(Button.TAKE_OVER, Button.CANCEL)))
         .orElseGet(() -> new Footer(Health.WARNING, "D" + drive, List.of(Button.DRIVE, Button.CANCEL)));
   }
@@ -68,7 +68,7 @@ public record Footer(Health health, String text, List<Button> buttons) {
   private static Footer driving(DriveLook look) {
     String how = look.jog() ? "hold a bar, or \u2190 \u2192, to move" : "drag a knob, type, or \u2190 \u2192";
     return look.told().map(told -> new Footer(Health.WARNING, told, List.of()))
-        .orElseGet(() -> new Footer(Health.OK, "You drive " + look.robot() + ": " + how + "; Esc ends", List.of()));
+        .orElseGet(() -> new Footer(Health.OK, "You control " + look.robot() + ": " + how + "; Esc ends", List.of()));
   }
 
   private static Footer monitor(DriveLook look) {

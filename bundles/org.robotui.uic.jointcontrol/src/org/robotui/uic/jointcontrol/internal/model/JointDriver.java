@@ -26,7 +26,7 @@ public final class JointDriver {
   private final DoubleSupplier speed;
   private final Aims aims = new Aims();
   private Joints joints = Joints.NONE;
-  private InputState state = new InputState.Unconnected("nothing came yet");
+  private InputState state = new InputState.Unconnected("no data yet");
   private Phase phase = Phase.MONITOR;
   private boolean sending;
   private Optional<String> told = Optional.empty();

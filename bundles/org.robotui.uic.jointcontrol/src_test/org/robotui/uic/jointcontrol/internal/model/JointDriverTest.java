@@ -222,7 +222,7 @@ class JointDriverTest {
   void somebodyElseIsTakenOverOnlyWhenTheUserSaysSo() {
     authority.take(FakeAuthority.ANNA, false);
     driver.toggle();
-    assertTrue(Footer.of(driver.look()).text().startsWith("Anna drives now. Take over and drive"));
+    assertTrue(Footer.of(driver.look()).text().startsWith("Anna has control now. Take over and drive"));
     driver.confirm(false);
     assertEquals(Phase.ASKING, driver.look().phase());
     assertEquals(Optional.of(FakeAuthority.ANNA), authority.holder());

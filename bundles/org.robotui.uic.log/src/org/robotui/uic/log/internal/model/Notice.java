@@ -20,7 +20,7 @@ public record Notice(Health health, String title, String sentence) {
     }
     if (shown.kept() == 0) {
       return Optional.of(shown.cleared() ? new Notice(Health.NONE, "Cleared", "Nothing was said since.")
-          : new Notice(Health.WAITING, "Nothing said yet", "The log is connected; its entries appear here."));
+          : new Notice(Health.WAITING, "No log entries yet", "The log is connected; its entries appear here."));
     }
     if (shown.left() > 0) {
       return Optional.of(new Notice(Health.WAITING, "Searching", shown.left() + " entries are still to be looked at."));

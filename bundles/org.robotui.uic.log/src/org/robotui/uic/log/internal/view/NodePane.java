@@ -38,7 +38,7 @@ final class NodePane {
     look.filter(next);
     List<OriginCount> rows = rows(seen, next);
     if (rows.isEmpty()) {
-      list.message(Health.NONE, "No nodes", "Nobody said anything yet.");
+      list.message(Health.NONE, "No nodes", "Nothing has been logged yet.");
     } else {
       list.noMessage();
     }

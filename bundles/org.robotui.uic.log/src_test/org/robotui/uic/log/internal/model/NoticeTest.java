@@ -19,7 +19,7 @@ class NoticeTest {
   @Test
   void anEmptyListSaysWhy() {
     assertEquals(Optional.empty(), inPlace(new InputState.Unconnected("nothing fits")), "the state says it");
-    assertEquals(Optional.of("Nothing said yet"), inPlace(LIVE));
+    assertEquals(Optional.of("No log entries yet"), inPlace(LIVE));
     log.info("one").tick();
     assertEquals(Optional.empty(), inPlace(LIVE));
     log.model.filter(LogFilter.ALL.level(Severity.INFO, false));

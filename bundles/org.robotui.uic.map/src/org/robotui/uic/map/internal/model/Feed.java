@@ -69,7 +69,7 @@ public final class Feed<T extends Data, E extends Entity> {
   }
 
   private enum Trouble {
-    FAILED("failed"), WAITING("wait for data"), UNPLACED("cannot be placed"), STALE("stale");
+    FAILED("failed"), WAITING("wait for data"), UNPLACED("without a transform"), STALE("stale");
 
     final String words;
 

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.robotui.api.UicContext;
 import org.robotui.api.frame.Frames;
 import org.robotui.api.port.Envelope;
+import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
@@ -15,6 +16,7 @@ import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
 import org.robotui.data.GridMap;
 import org.robotui.data.LaserScan;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.Odometry;
 import org.robotui.data.Path;
 import org.robotui.data.PoseEstimate;
@@ -54,6 +56,7 @@ public final class MapModel {
   private final Feed<Odometry, OdometryEntity> trails;
   private final Feed<Path, PathEntity> paths;
   private final Feed<PoseEstimate, PoseEntity> poses;
+  private final Input<NavigationStatus> navigation;
   private final Bodies bodies;
   private final Team team;
   private MapOptions inForce;
@@ -79,6 +82,7 @@ public final class MapModel {
         (path, tick) -> List.of(latest(path.frame(), tick), tick.robot(path.frame().robot())));
     poses = new Feed<>(Kind.POSE, context.input(MapPorts.POSE), scene, (n, source) -> new PoseEntity(), MapModel::pose,
         (pose, tick) -> latest(pose.frame(), tick));
+    navigation = context.input(MapPorts.NAVIGATION);
     bodies = new Bodies(frames, context.input(MapPorts.ODOM), context.input(MapPorts.POSE),
         context.input(MapPorts.FOOTPRINT), scene, team);
     scene.add(new Layer(Kind.GRID.word(), Kind.GRID.ordinal(), Kind.GRID.label(), new GridEntity()));
@@ -115,7 +119,7 @@ public final class MapModel {
     }
     boolean fans = options.fan() && tick.robots().size() <= MOST_FANS;
     scene.layers().forEach(layer -> configure(layer, options, fans));
-    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick), team.selected());
+    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick), failures(), team.selected());
     changed |= !next.equals(snapshot);
     snapshot = next;
     return changed;
@@ -175,6 +179,10 @@ public final class MapModel {
     List<Note> notes = new ArrayList<>();
     feeds().forEach(f -> notes.addAll(f.notes(tick)));
     return List.copyOf(notes);
+  }
+
+  private List<GoalFailure> failures() {
+    return navigation.sources().stream().flatMap(id -> navigation.latest(id).stream()).flatMap(said -> GoalFailure.of(said).stream()).toList();
   }
 
   private Optional<List<Vector3>> ways(TickContext tick) {

@@ -16,13 +16,14 @@ import org.robotui.geometry.Vector3;
  * @param notes what layers have to say
  * @param robots where they are, the one of the map's commands first
  * @param ways where the ways end that robots plan; none where nothing tells what they plan
+ * @param failures of goals, the newest of each source
  * @param selected the robots that the user means
  */
 public record MapSnapshot(
     Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<Note> notes, List<RobotPlace> robots,
-    Optional<List<Vector3>> ways, Set<String> selected) {
+    Optional<List<Vector3>> ways, List<GoalFailure> failures, Set<String> selected) {
   /** Before the first tick. */
   public static final MapSnapshot NONE = new MapSnapshot(
       Optional.empty(), List.of(), new InputState.Waiting("The map has not looked for data yet."), List.of(), List.of(),
-      Optional.empty(), Set.of());
+      Optional.empty(), List.of(), Set.of());
 }

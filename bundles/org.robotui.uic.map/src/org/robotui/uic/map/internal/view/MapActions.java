@@ -17,7 +17,7 @@ public final class MapActions {
       made.action("fit", "Show all (0)", Icon.FIT, c -> c.mover().fit()),
       tool(MEASURE, "Measure (M)", Icon.RULER),
       tool(GOAL, "Send a goal (G)", Icon.TARGET),
-      tool(POSE, "Set the pose (P)", Icon.POSE),
+      tool(POSE, "Pose estimate (P)", Icon.POSE),
       made.action("layers", "Layers (L)", Icon.LAYERS, MapCanvas::openLayers));
 
   /** All actions. */

@@ -274,7 +274,7 @@ public final class MapCanvas {
     if (!StateView.showsContent(snapshot.state())) {
       states.paint(gc, area, snapshot.state());
     } else if (empty && !snapshot.notes().isEmpty()) {
-      states.message(gc, area, Health.WARNING, "Nothing can be placed", snapshot.notes().getFirst().text());
+      states.message(gc, area, Health.WARNING, "No transform", snapshot.notes().getFirst().text());
     } else {
       states.paint(gc, area, snapshot.state());
       overlay.notes(gc, area, snapshot.notes(), snapshot.state() instanceof InputState.Stale, tool.isPresent());
@@ -297,9 +297,9 @@ public final class MapCanvas {
 
   private Tool make(String id) {
     return switch (id) {
-      case MapActions.GOAL -> new PoseTool(id, "Goal: press where, drag to where it shall look \u00b7 Esc ends",
+      case MapActions.GOAL -> new PoseTool(id, "Goal: press at the place, drag in the direction the robot shall face \u00b7 Esc ends",
           Role.PLAN, this::usualHeading, this::sendGoal);
-      case MapActions.POSE -> new PoseTool(id, "Pose: press where the robot is, drag to where it looks \u00b7 Esc ends",
+      case MapActions.POSE -> new PoseTool(id, "Pose estimate: press where the robot is, drag in the direction it faces \u00b7 Esc ends",
           Role.WARNING, this::presentHeading, this::sendPose);
       default -> new MeasureTool();
     };

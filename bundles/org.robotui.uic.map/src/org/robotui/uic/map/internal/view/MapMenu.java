@@ -70,9 +70,9 @@ final class MapMenu {
     if (map.team().isTeam()) {
       model.snapshot().fixed().ifPresent(fixed -> map.team().menu(menu, fixed, RigidTransform.planar(x, y, 0)));
     } else {
-      menu.push("Go here", () -> map.sendGoal(there));
+      menu.push("Send a goal here", () -> map.sendGoal(there));
     }
-    menu.push(map.team().isTeam() ? "The selected robot is here" : "The robot is here", () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
+    menu.push(map.team().isTeam() ? "Set the pose estimate of the selected robot here" : "Set the pose estimate here", () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
     menu.push("Centre here", () -> map.mover().center(x, y));
     menu.push("Measure", () -> map.toggleTool(MapActions.MEASURE));
     menu.push("Copy coordinates", () -> Clipboards.copy(Figures.fixed(x, 3).replace('\u2212', '-') + " "

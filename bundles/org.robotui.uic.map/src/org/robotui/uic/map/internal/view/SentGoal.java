@@ -1,5 +1,6 @@
 package org.robotui.uic.map.internal.view;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.data.FrameId;
@@ -8,17 +9,18 @@ import org.robotui.geometry.Vector3;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.scene.Painter;
+import org.robotui.uic.map.internal.model.GoalFailure;
 import org.robotui.uic.map.internal.model.MapSnapshot;
 
 /**
- * The goal that was sent last, until the robot is there, the fixed frame is another, or the user is done with it. A goal carries no
- * answer; where the robot tells what it plans, no way there is said beside the goal.
+ * The goal that was sent last, until the robot is there, the fixed frame is another, or the user is done with it. Why it failed is
+ * said beside it, in the words of navigation; where navigation says nothing, but the robot tells what it plans, that there is no path.
  */
 final class SentGoal {
-  /** After which no way there means that there will be none. */
+  /** After which no path there means that there will be none. */
   static final int PATIENCE_MILLIS = 3000;
 
-  static final String NO_WAY = "no way planned";
+  static final String NO_PATH = "no path found";
   static final String GIVEN_UP = "given up";
 
   /** As far as planners and robots usually may miss a goal. */
@@ -35,11 +37,13 @@ final class SentGoal {
   private Optional<Goal> goal = Optional.empty();
   private boolean planned;
   private long since;
+  private long sentNanos;
 
   void at(FrameId frame, RigidTransform pose, long nowNanos) {
     goal = Optional.of(new Goal(frame, pose));
     planned = false;
     since = nowNanos;
+    sentNanos = nowNanos;
   }
 
   void clear() {
@@ -58,8 +62,13 @@ final class SentGoal {
 
   /** What is wrong with it, empty for nothing that is known. */
   String problem(MapSnapshot snapshot, long nowNanos) {
+    Optional<GoalFailure> failure = snapshot.failures().stream().filter(f -> f.receivedNanos() - sentNanos >= 0)
+        .max(Comparator.comparingLong(f -> f.receivedNanos() - sentNanos));
+    if (goal.isPresent() && failure.isPresent()) {
+      return failure.get().words();
+    }
     boolean late = goal.isPresent() && snapshot.ways().isPresent() && nowNanos - since > PATIENCE_MILLIS * NANOS;
-    return !late ? "" : planned ? GIVEN_UP : NO_WAY;
+    return !late ? "" : planned ? GIVEN_UP : NO_PATH;
   }
 
   void paint(Painter painter, MapSnapshot snapshot, long nowNanos) {

@@ -124,7 +124,7 @@ public final class TeamGoals {
     }
     Authority authority = authority(one.getFirst()).orElseThrow();
     if (authority.take(context.principal(), false) instanceof LeaseOutcome.HeldBy held) {
-      return Optional.of(held.holder().label() + " drives it");
+      return Optional.of(held.holder().label() + " controls it");
     }
     return output.send(one.getFirst(), own.get(), VALID) instanceof CommandOutcome.Refused r ? Optional.of(r.explanation()) : Optional.empty();
   }

@@ -87,7 +87,7 @@ final class TeamHands {
     List<String> meant = meant();
     boolean all = meant.size() > 1 && meant.size() == goals.robots().size();
     if (meant.isEmpty()) {
-      menu.push("Go here (select robots first)", false, () -> { });
+      menu.push("Send a goal here (select robots first)", false, () -> { });
     } else if (all) {
       menu.under("Send all " + meant.size() + " robots here").push("Yes, all " + meant.size(), () -> send(meant, fixed, pose));
     } else {

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
+import org.robotui.data.NavigationStatus;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeUicContext;
@@ -70,6 +71,26 @@ class MapModelTest {
   }
 
   @Test
+  void whatNavigationSaysOfAFailedGoalIsKept() {
+    MapModel model = model();
+    navigation(NavigationStatus.State.ACTIVE, "");
+    tick(model);
+    assertEquals(List.of(), model.snapshot().failures());
+    long said = now;
+    navigation(NavigationStatus.State.ABORTED, "Failed to find a valid plan.");
+    assertTrue(tick(model));
+    assertEquals(List.of(new GoalFailure(said, "aborted: Failed to find a valid plan.")), model.snapshot().failures());
+    navigation(NavigationStatus.State.REJECTED, "");
+    tick(model);
+    assertEquals("rejected by navigation", model.snapshot().failures().getFirst().words());
+  }
+
+  private void navigation(NavigationStatus.State state, String text) {
+    context.input(MapPorts.NAVIGATION)
+        .put(new SourceId("base", "move_base/result"), new NavigationStatus("1", state, text), now, Optional.empty());
+  }
+
+  @Test
   void theSameTroubleOfManyIsOneLine() {
     MapModel model = model();
     for (int i = 1; i <= 50; i++) {
@@ -79,7 +100,7 @@ class MapModelTest {
     tick(model);
     assertEquals(1, model.snapshot().notes().size(), () -> model.snapshot().notes().toString());
     String text = model.snapshot().notes().getFirst().text();
-    assertTrue(text.startsWith("scan: 50 of 50 cannot be placed, for example scan r1/scan: no transform "), text);
+    assertTrue(text.startsWith("scan: 50 of 50 without a transform, for example scan r1/scan: no transform "), text);
   }
 
   @Test

@@ -36,7 +36,7 @@ class CommanderTest {
   void aLeaseOfSomebodyElseIsNotTaken() {
     context.authority().take(FakeAuthority.ANNA, false);
     Told told = commander.goal(MAP, RigidTransform.IDENTITY);
-    assertEquals(new Told(Health.BAD, "Not sent: Anna drives Keira; take over first"), told);
+    assertEquals(new Told(Health.BAD, "Not sent: Anna controls Keira; take over first"), told);
     assertTrue(context.output(MapPorts.GOAL).sent().isEmpty());
   }
 

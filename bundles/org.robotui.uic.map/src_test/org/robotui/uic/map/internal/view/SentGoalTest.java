@@ -12,6 +12,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.uic.map.internal.model.GoalFailure;
 import org.robotui.uic.map.internal.model.MapSnapshot;
 import org.robotui.uic.map.internal.model.RobotPlace;
 
@@ -27,8 +28,8 @@ class SentGoalTest {
   void aGoalWithoutAWayIsSaidAfterAWhile() {
     sent.at(MAP, RigidTransform.planar(5, 2, 0), 0);
     assertEquals("", problem(LATE - 2_000_000L, ways(ELSEWHERE)));
-    assertEquals(SentGoal.NO_WAY, problem(LATE, ways(ELSEWHERE)));
-    assertEquals(SentGoal.NO_WAY, problem(LATE, ways()));
+    assertEquals(SentGoal.NO_PATH, problem(LATE, ways(ELSEWHERE)));
+    assertEquals(SentGoal.NO_PATH, problem(LATE, ways()));
     assertEquals("", problem(2 * LATE, ways(GOAL)), "better late than never");
   }
 
@@ -38,6 +39,18 @@ class SentGoalTest {
     assertEquals("", problem(10 * LATE, ways(GOAL)));
     assertEquals("", problem(10 * LATE + 1, ways()), "it may be planned anew");
     assertEquals(SentGoal.GIVEN_UP, problem(11 * LATE + 1, ways()));
+  }
+
+  @Test
+  void aGoalThatFailsSaysWhyAtOnce() {
+    sent.at(MAP, RigidTransform.planar(5, 2, 0), 100);
+    GoalFailure before = new GoalFailure(99, "aborted: the way is blocked");
+    GoalFailure refused = new GoalFailure(101, "aborted: the goal is too close to an obstacle, or off the map");
+    assertEquals("", sent.problem(snapshot(ways(), ELSEWHERE, before), 102), "of the goal before");
+    assertEquals(refused.words(), sent.problem(snapshot(ways(), ELSEWHERE, before, refused), 102));
+    assertEquals(refused.words(), sent.problem(snapshot(Optional.empty(), ELSEWHERE, refused), 102), "without a plan");
+    sent.at(MAP, RigidTransform.planar(5, 2, 0), 103);
+    assertEquals("", sent.problem(snapshot(ways(), ELSEWHERE, refused), 104), "a goal anew");
   }
 
   @Test
@@ -67,8 +80,9 @@ class SentGoalTest {
     return Optional.of(List.of(ends));
   }
 
-  private static MapSnapshot snapshot(Optional<List<Vector3>> ways, Vector3 robot) {
+  private static MapSnapshot snapshot(Optional<List<Vector3>> ways, Vector3 robot, GoalFailure... failed) {
+    List<GoalFailure> failures = List.of(failed);
     RobotPlace place = new RobotPlace("Keira", RigidTransform.planar(robot.x(), robot.y(), 0), 0);
-    return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways, Set.of());
+    return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways, failures, Set.of());
   }
 }

@@ -67,7 +67,7 @@ class TeamGoalsTest {
     robots.get("base2").take(FakeAuthority.ANNA, false);
     targets("base1.goal", "base2.goal");
     TeamGoals.Sent sent = goals.send(List.of("r1", "r2", "r3"), HALL, RigidTransform.IDENTITY, 1);
-    assertEquals("Goal sent to r1, but not to r2: Anna drives it; r3: it takes no goals", sent.told().text());
+    assertEquals("Goal sent to r1, but not to r2: Anna controls it; r3: it takes no goals", sent.told().text());
     assertEquals(Set.of("r1"), sent.spots().keySet());
     assertEquals(Set.of("r1", "r2"), goals.robots());
   }

@@ -72,7 +72,7 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
       return Optional.of(new Trouble(Health.BAD, trace.problem().get()));
     }
     return switch (trace.state()) {
-      case InputState.Live l when trace.lost() > 0 -> Optional.of(new Trouble(Health.WARNING, trace.lost() + " values lost on the way"));
+      case InputState.Live l when trace.lost() > 0 -> Optional.of(new Trouble(Health.WARNING, trace.lost() + " values lost in transit"));
       case InputState.Live l -> Optional.empty();
       case InputState.Stale s -> Optional.of(new Trouble(Health.STALE, "stale " + Figures.age(s.ageSeconds())
           + (s.explanation().isBlank() ? "" : ": " + s.explanation())));

@@ -168,7 +168,7 @@ final class Overlay {
       stage.rows().stream().filter(r -> r.spec().shown() && r.health() != Health.OK).limit(MOST_NOTES).map(Overlay::note).forEach(notes::add);
     }
     if (notes.isEmpty() && stage.fed().isEmpty()) {
-      notes.add(new Note(Health.NONE, "Nothing comes yet that a display shows."));
+      notes.add(new Note(Health.NONE, "No data yet that a display can show."));
     }
     gc.setFont(theme.font(Face.SMALL));
     int top = area.y + Theme.EDGE;
@@ -196,7 +196,7 @@ final class Overlay {
 
   /** Pictures are made when something changes. */
   static String rate(double rate) {
-    return rate < 1 ? "at rest" : Math.round(rate) + " pictures/s";
+    return rate < 1 ? "at rest" : Math.round(rate) + " frames/s";
   }
 
   private static String count(long points) {

@@ -119,8 +119,8 @@ final class SceneMenus {
     double heading = scene.tools().heading(place);
     RigidTransform pose = RigidTransform.planar(place.x(), place.y(), heading);
     menu.line();
-    menu.push("Go here", () -> scene.tools().send(ToolKind.GOAL, pose));
-    menu.push("The robot is here", () -> scene.tools().send(ToolKind.POSE, pose));
+    menu.push("Send a goal here", () -> scene.tools().send(ToolKind.GOAL, pose));
+    menu.push("Set the pose estimate here", () -> scene.tools().send(ToolKind.POSE, pose));
     menu.push("Add a waypoint here", () -> scene.tools().send(ToolKind.WAYPOINTS, pose));
     menu.push("Look here", () -> scene.go(parts.rig().aim().at(place)));
     menu.push("Measure from here", () -> {

@@ -109,7 +109,7 @@ public final class Tour {
       return Optional.of("stopped by " + authority.stoppedBy().get().label());
     }
     if (authority.holder().filter(principal::equals).isEmpty()) {
-      return Optional.of(authority.holder().map(other -> other.label() + " drives " + authority.robot() + " now").orElse("the lease was given back"));
+      return Optional.of(authority.holder().map(other -> other.label() + " controls " + authority.robot() + " now").orElse("the lease was given back"));
     }
     if (!(goals.state() instanceof InputState.Live)) {
       return Optional.of(goals.state().explanation());

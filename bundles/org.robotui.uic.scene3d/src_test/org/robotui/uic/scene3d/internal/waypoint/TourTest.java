@@ -86,7 +86,7 @@ class TourTest {
     begin();
     context.authority().take(FakeAuthority.ANNA, true);
     at(0.9, 0, 0);
-    assertTrue(ended().endsWith("Anna drives Keira now"));
+    assertTrue(ended().endsWith("Anna controls Keira now"));
     context.authority().giveBack(FakeAuthority.ANNA);
     begin();
     context.authority().giveBack(FakeAuthority.YOU);

@@ -71,7 +71,7 @@ public final class Commands {
       return Optional.of("it takes no velocities");
     }
     if (robot.take(user, false) instanceof LeaseOutcome.HeldBy held) {
-      return Optional.of(held.holder().label() + " drives it");
+      return Optional.of(held.holder().label() + " controls it");
     }
     return targets.stream().map(t -> velocity.send(t, VelocityCommand.ZERO, VALID))
         .flatMap(o -> o instanceof CommandOutcome.Refused r ? Optional.of(r.explanation()).stream() : Optional.<String>empty().stream())

@@ -1,5 +1,6 @@
 package org.robotui.uic.team.internal.view;
 
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -51,6 +52,7 @@ public final class TeamSurface {
     GridData right = new GridData(SWT.FILL, SWT.CENTER, true, false);
     right.widthHint = LEAST_FILTER;
     filter.setLayoutData(right);
+    buttons.addListener(SWT.Resize, e -> fit(buttons));
     table = new RowTable<>(root, theme, new TeamColumns(theme).all(), TeamRow::robot);
     table.control().setLayoutData(Boxes.fill());
     bar.below(table.control());
@@ -64,6 +66,18 @@ public final class TeamSurface {
       }
     });
     filter.onDown(this::focus);
+  }
+
+  /** Buttons are never cut: where it is narrow, the filter goes. */
+  private void fit(Composite buttons) {
+    int needed = Arrays.stream(buttons.getChildren()).filter(c -> c != filter).mapToInt(c -> c.computeSize(SWT.DEFAULT, SWT.DEFAULT).x + Theme.STEP).sum();
+    boolean room = buttons.getClientArea().width - needed >= LEAST_FILTER;
+    if (!room && !filter.words().isEmpty()) {
+      filter.words("");
+    }
+    if (Boxes.seen(filter, room)) {
+      buttons.layout();
+    }
   }
 
   private boolean focus() {
@@ -122,7 +136,7 @@ public final class TeamSurface {
     List<String> robots = look.rows().stream().map(TeamRow::robot).toList();
     bar.show(robots, robots.stream().filter(selected::contains).toList());
     if (next.rows().isEmpty() && StateView.showsContent(look.state())) {
-      table.list().message(Health.NONE, "Nothing fits", "No robot has these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "Nothing fits", "No robot contains these words. Esc clears the filter.");
     } else {
       table.list().noMessage();
     }

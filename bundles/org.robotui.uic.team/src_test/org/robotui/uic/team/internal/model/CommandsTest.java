@@ -33,7 +33,7 @@ class CommandsTest {
   void aZeroIsSentToEachAndTheLeaseIsAskedOfEach() {
     squad.robot(2).take(FakeAuthority.ANNA, false);
     Told told = commands.zero(List.of("r1", "r2"));
-    assertEquals("Velocity zero sent to r1, but not to r2: Anna drives it", told.text());
+    assertEquals("Velocity zero sent to r1, but not to r2: Anna controls it", told.text());
     assertEquals(Health.BAD, told.health());
     var sent = squad.context.output(TeamPorts.VELOCITY).sent();
     assertEquals(1, sent.size());

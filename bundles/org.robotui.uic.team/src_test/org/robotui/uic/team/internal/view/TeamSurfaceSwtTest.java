@@ -1,6 +1,7 @@
 package org.robotui.uic.team.internal.view;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -66,6 +67,16 @@ class TeamSurfaceSwtTest {
 
   private long stopped() {
     return IntStream.rangeClosed(1, 12).filter(i -> squad.robot(i).stoppedBy().isPresent()).count();
+  }
+
+  @Test
+  void theFilterGoesWhereItIsNarrow() {
+    shell.setSize(420, 500);
+    tick();
+    assertFalse(surface.filterField().getVisible());
+    shell.setSize(900, 500);
+    tick();
+    assertTrue(surface.filterField().getVisible());
   }
 
   @Test

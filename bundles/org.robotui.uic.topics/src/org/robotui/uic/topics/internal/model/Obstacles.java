@@ -35,7 +35,7 @@ final class Obstacles {
   static String publish(Described described, Speaker speaker) {
     Key key = described.key();
     if (key.kind() != Kind.TOPIC) {
-      return "Messages are said on topics only.";
+      return "Messages can be published on topics only.";
     }
     if (described.description().isEmpty()) {
       return described.failure().map(why -> key.robot() + " does not answer: " + why).orElse("Asking " + key.robot() + "\u2026");
@@ -44,6 +44,6 @@ final class Obstacles {
       return "Its form is not known: " + Optional.ofNullable(described.description().get().facts().get("definition"))
           .orElse("there is no definition of " + (described.type().isEmpty() ? "its type" : described.type()));
     }
-    return speaker.obstacle(key.robot()).map(why -> "Nothing can be said here: " + why).orElse("");
+    return speaker.obstacle(key.robot()).map(why -> "Nothing can be published here: " + why).orElse("");
   }
 }

@@ -139,11 +139,11 @@ public final class Speaker {
     switch (output.send(message, VALID)) {
       case CommandOutcome.Accepted a -> {
         said++;
-        tell(Health.OK, said == 1 ? "Said on " + message.topic() : said + " messages said on " + message.topic());
+        tell(Health.OK, said == 1 ? "Published on " + message.topic() : said + " messages published on " + message.topic());
       }
       case CommandOutcome.Refused refused -> {
         end();
-        tell(Health.BAD, "Not said: " + refused.explanation());
+        tell(Health.BAD, "Not published: " + refused.explanation());
       }
     }
   }

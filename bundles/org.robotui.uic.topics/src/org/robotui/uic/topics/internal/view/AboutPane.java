@@ -83,7 +83,7 @@ final class AboutPane {
     } else if (described.description().isEmpty()) {
       facts.message(Health.WAITING, "Asking " + robot, "");
     } else {
-      facts.message(Health.NONE, "Nothing more is known", robot + " says nothing more about it.");
+      facts.message(Health.NONE, "Nothing more is known", robot + " has no further details of it.");
     }
   }
 

@@ -62,8 +62,8 @@ final class PublishPane {
     form.control().setLayoutData(Boxes.fill());
     Boxes.rule(body, theme);
     bar = Boxes.bar(body, theme, 5);
-    once = new QuietButton(bar, theme, this::say).text("Publish once").fill(Role.ACCENT).hint("Says the message now (Ctrl+Enter)");
-    repeat = new QuietButton(bar, theme, this::repeat).text("Repeat").hint("Says it again and again until it is ended");
+    once = new QuietButton(bar, theme, this::say).text("Publish once").fill(Role.ACCENT).hint("Publishes the message once (Ctrl+Enter)");
+    repeat = new QuietButton(bar, theme, this::repeat).text("Repeat").hint("Publishes the message repeatedly until it is ended");
     repeat.setLayoutData(Boxes.middle());
     ((GridData) repeat.getLayoutData()).widthHint = repeat.computeSize(SWT.DEFAULT, SWT.DEFAULT).x;
     rate = rate(bar, theme);

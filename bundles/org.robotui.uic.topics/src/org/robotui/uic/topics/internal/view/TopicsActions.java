@@ -15,7 +15,7 @@ public final class TopicsActions {
     all = List.of(
         new ViewAction("pause", "Hold the echo", Icon.PAUSE.id(), Optional.of(() -> model.look().wishes().paused()),
             () -> model.pause(!model.look().wishes().paused())),
-        new ViewAction("refresh", "Ask the robot again", Icon.RESTART.id(), Optional.empty(), model::refresh));
+        new ViewAction("refresh", "Refresh", Icon.RESTART.id(), Optional.empty(), model::refresh));
   }
 
   /** All actions, the same objects for each call. */

@@ -29,7 +29,7 @@ class SpeakerTest {
     run(1000);
     assertEquals(1, output.sent().size());
     assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
-    assertEquals("Said on /chatter", speaker.look().outcome());
+    assertEquals("Published on /chatter", speaker.look().outcome());
   }
 
   @Test
@@ -92,7 +92,7 @@ class SpeakerTest {
     speaker.repeat(HELLO, 10, now);
     run(500);
     assertEquals(1, output.sent().size());
-    assertEquals("Not said: nobody listens on /chatter", speaker.look().outcome());
+    assertEquals("Not published: nobody listens on /chatter", speaker.look().outcome());
     assertEquals(Health.BAD, speaker.look().health());
   }
 

@@ -1,0 +1,35 @@
+package org.robotui.rfic.ros.internal.convert;
+
+import java.util.List;
+import org.robotui.data.NavigationStatus;
+import org.robotui.data.NavigationStatus.State;
+import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionFeedback;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
+
+/** What {@code move_base} says of its goals, also of those that were not sent as goals of its action. */
+final class NavigationAdapters {
+  private NavigationAdapters() {}
+
+  static List<Adapter<?, ?>> all() {
+    return List.of(
+        Adapter.of("move_base_msgs/MoveBaseActionFeedback", MoveBaseActionFeedback.CODEC, NavigationStatus.class,
+            (m, names) -> status(m.status()), m -> m.header().stamp()),
+        Adapter.of("move_base_msgs/MoveBaseActionResult", MoveBaseActionResult.CODEC, NavigationStatus.class,
+            (m, names) -> status(m.status()), m -> m.header().stamp()));
+  }
+
+  private static NavigationStatus status(GoalStatus status) {
+    return new NavigationStatus(status.goalId().id(), state(status.status()), status.text());
+  }
+
+  private static State state(int status) {
+    return switch (status) {
+      case GoalStatus.SUCCEEDED -> State.SUCCEEDED;
+      case GoalStatus.PREEMPTED, GoalStatus.RECALLED -> State.CANCELED;
+      case GoalStatus.ABORTED, GoalStatus.LOST -> State.ABORTED;
+      case GoalStatus.REJECTED -> State.REJECTED;
+      default -> State.ACTIVE;
+    };
+  }
+}

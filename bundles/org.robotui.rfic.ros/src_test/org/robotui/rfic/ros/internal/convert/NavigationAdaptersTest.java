@@ -1,0 +1,33 @@
+package org.robotui.rfic.ros.internal.convert;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import org.robotui.data.NavigationStatus;
+import org.robotui.data.NavigationStatus.State;
+import org.robotui.ros.msgs.actionlib_msgs.GoalID;
+import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
+import org.robotui.ros.msgs.move_base_msgs.MoveBaseResult;
+import org.robotui.ros.msgs.std_msgs.Header;
+
+class NavigationAdaptersTest {
+  @Test
+  void aResultTellsHowAGoalEndedAndWhy() {
+    assertEquals(new NavigationStatus("/move_base-1", State.ABORTED, "Failed to find a valid plan."),
+        of(GoalStatus.ABORTED, "Failed to find a valid plan."));
+    assertEquals(State.REJECTED, of(GoalStatus.REJECTED, "").state());
+    assertEquals(State.SUCCEEDED, of(GoalStatus.SUCCEEDED, "").state());
+    assertEquals(State.CANCELED, of(GoalStatus.PREEMPTED, "").state());
+    assertEquals(State.ACTIVE, of(GoalStatus.ACTIVE, "").state());
+  }
+
+  @SuppressWarnings("unchecked")
+  private static NavigationStatus of(int status, String text) {
+    Adapter<MoveBaseActionResult, NavigationStatus> adapter = (Adapter<MoveBaseActionResult, NavigationStatus>)
+        NavigationAdapters.all().stream().filter(a -> a.type().endsWith("Result")).findFirst().orElseThrow();
+    MoveBaseActionResult message = new MoveBaseActionResult(new Header(0, 0, ""),
+        new GoalStatus(new GoalID(0, "/move_base-1"), status, text), new MoveBaseResult());
+    return adapter.convert().apply(message, null).orElseThrow();
+  }
+}
