@@ -81,7 +81,7 @@ class Window:
     def _find(self):
         """Also says early why there will be none."""
         assert self.process.poll() is None, self.process.err.read_text()
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^RobotUI *$"], capture_output=True, text=True,
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "(^| - )RobotUI *$"], capture_output=True, text=True,
                                timeout=20, check=False).stdout.split()
         return next((window for window in found if self._is_ours(window)), None)
 

@@ -27,7 +27,7 @@ class Windows:
         self.process = self.first.process
 
     def ids(self):
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^RobotUI *$"], capture_output=True, text=True,
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "(^| - )RobotUI *$"], capture_output=True, text=True,
                                timeout=20, check=False).stdout.split()
         return [window for window in found if self.first._is_ours(window)]
 

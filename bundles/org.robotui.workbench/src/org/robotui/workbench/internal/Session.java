@@ -19,6 +19,7 @@ import org.robotui.workbench.internal.display.HostHub;
 import org.robotui.workbench.internal.display.Overviewer;
 import org.robotui.workbench.internal.model.Alerts;
 import org.robotui.workbench.internal.model.Overview;
+import org.robotui.workbench.internal.model.Stops;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.Windows;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
@@ -220,13 +221,24 @@ public final class Session {
 
   /** Releases the stop of all robots. */
   public void release() {
-    authorities().stream().filter(a -> a.stoppedBy().isPresent()).forEach(a -> a.releaseStop(user));
+    release(authorities());
+  }
+
+  /** Releases the stop of some robots. */
+  public void release(List<Authority> robots) {
+    robots.stream().filter(a -> a.stoppedBy().isPresent()).forEach(a -> a.releaseStop(user));
     refresh();
   }
 
-  /** Whether any robot is stopped. */
-  public boolean isStopped() {
-    return authorities().stream().anyMatch(a -> a.stoppedBy().isPresent());
+  /** Stops some robots. */
+  public void stop(List<Authority> robots) {
+    robots.forEach(a -> a.stop(user));
+    refresh();
+  }
+
+  /** Which robots are stopped. */
+  public Stops stops() {
+    return Stops.of(authorities());
   }
 
   /** Ends following the core. */

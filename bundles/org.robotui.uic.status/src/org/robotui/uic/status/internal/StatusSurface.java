@@ -38,8 +38,8 @@ final class StatusSurface {
     connections.setLayoutData(Boxes.middle());
     stretch();
     this.filter = filter(bar, actions);
-    this.stop = button(bar, actions::stop, "Stop").hint("Stops the robot until the stop is released");
-    this.release = button(bar, actions::releaseStop, "Release stop").fill(Role.ACCENT);
+    this.stop = button(bar, actions::stop, "Stop " + actions.robots()).hint("Stop " + actions.robots() + " until the stop is released");
+    this.release = button(bar, actions::releaseStop, "Release " + actions.robots()).fill(Role.ACCENT);
     sameWidth(stop, release);
     this.painter = new RowPainter(context.theme());
     this.list = new RowList<>(root, context.theme(), painter).named("Status").onFind(filter::focus);
@@ -60,7 +60,7 @@ final class StatusSurface {
     ports.checked(!page.connections());
     connections.checked(page.connections());
     boolean stopped = page.stoppedBy().isPresent();
-    release.hint(page.stoppedBy().map(by -> "Stopped by " + by).orElse("Stopped"));
+    release.hint(page.stoppedBy().map(by -> "Stopped by " + by).orElse("Stopped") + "; nothing moves by releasing it");
     if (Boxes.seen(stop, !stopped) | Boxes.seen(release, stopped)) {
       root.layout(true, true);
     }

@@ -99,6 +99,12 @@ final class StatusUic implements SwtUic {
       now();
     }
 
+    /** Whom that concerns: the title bar of the window stops and releases others as well. */
+    String robots() {
+      List<String> names = context.ruic().authorities().stream().map(Authority::robot).toList();
+      return names.size() == 1 ? names.getFirst() : names.size() + " robots";
+    }
+
     void connections(boolean shown) {
       context.settings().set(StatusType.CONNECTIONS, shown);
       now();

@@ -21,7 +21,7 @@ record Footer(Health health, List<String> texts, List<Button> buttons) {
     ASK("Take over\u2026"),
     TAKE_OVER("Take over"),
     CANCEL("Cancel"),
-    RELEASE_STOP("Release stop");
+    RELEASE_STOP("Release");
 
     private final String label;
 
@@ -29,8 +29,9 @@ record Footer(Health health, List<String> texts, List<Button> buttons) {
       this.label = label;
     }
 
-    String label() {
-      return label;
+    /** For a robot: what is released is said, since the title bar of the window releases others as well. */
+    String label(String robot) {
+      return this == RELEASE_STOP ? label + " " + robot : label;
     }
 
     /** Whether it is the one thing to press. */

@@ -19,13 +19,14 @@ final class FooterButtons {
 
   FooterButtons(Composite parent, Theme theme, Consumer<Footer.Button> pressed) {
     for (Footer.Button button : Footer.Button.values()) {
-      QuietButton made = new QuietButton(parent, theme, () -> pressed.accept(button)).text(button.label());
+      QuietButton made = new QuietButton(parent, theme, () -> pressed.accept(button));
       made.setVisible(false);
       buttons.put(button, button.urgent() ? made.fill(Role.ACCENT) : made);
     }
   }
 
-  void show(List<Footer.Button> shown, Rectangle footer) {
+  void show(List<Footer.Button> shown, String robot, Rectangle footer) {
+    buttons.forEach((button, control) -> control.text(button.label(robot)));
     left = footer.x + footer.width - 2 * Theme.STEP;
     shown.forEach(button -> place(buttons.get(button), footer));
     buttons.forEach((button, control) -> control.setVisible(shown.contains(button)));

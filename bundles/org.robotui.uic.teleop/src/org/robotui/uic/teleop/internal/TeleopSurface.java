@@ -123,7 +123,7 @@ final class TeleopSurface {
     boolean bars = at.bars() > 0 && StateView.showsContent(look.output());
     place(linear, at.bar(0), bars);
     place(angular, at.bar(1), bars);
-    buttons.show(Footer.of(look).buttons(), at.footer());
+    buttons.show(Footer.of(look).buttons(), look.robot(), at.footer());
   }
 
   private static void place(LimitBar bar, Rectangle at, boolean seen) {

@@ -209,7 +209,7 @@ class TeleopSwtTest {
     settle();
     QuietButton button = Arrays.stream(root.getChildren()).filter(QuietButton.class::isInstance)
         .map(QuietButton.class::cast).toList().get(wanted.ordinal());
-    assertTrue(button.isVisible(), wanted.label());
+    assertTrue(button.isVisible(), wanted::name);
     button.press();
   }
 

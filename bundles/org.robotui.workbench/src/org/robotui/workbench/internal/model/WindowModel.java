@@ -7,7 +7,10 @@ import org.robotui.api.host.Ruic;
 
 /** Which RUIC a window shows. Display thread only. */
 public final class WindowModel {
+  private static final String PRODUCT = "RobotUI";
+
   private final String window;
+  private final List<Runnable> fronts = new CopyOnWriteArrayList<>();
   private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
   private Optional<Ruic> selected = Optional.empty();
 
@@ -28,6 +31,21 @@ public final class WindowModel {
   /** Whether it shows a certain RUIC. */
   public boolean shows(Ruic ruic) {
     return selected.filter(s -> s == ruic).isPresent();
+  }
+
+  /** What stands in the title of the window. */
+  public String title() {
+    return selected.map(ruic -> ruic.name() + " - " + PRODUCT).orElse(PRODUCT);
+  }
+
+  /** Has something run that brings the window before all others. */
+  public void onFront(Runnable task) {
+    fronts.add(task);
+  }
+
+  /** Brings the window before all others and gives it the keys. */
+  public void front() {
+    fronts.forEach(Runnable::run);
   }
 
   /** Has something run after each change of the selection. */

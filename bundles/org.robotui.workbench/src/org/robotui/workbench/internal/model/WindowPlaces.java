@@ -2,6 +2,7 @@ package org.robotui.workbench.internal.model;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.eclipse.swt.graphics.Rectangle;
 
 /** Where windows lie on a screen: side by side where each has room enough, else overlapping, each with its title in sight. */
@@ -28,6 +29,36 @@ public final class WindowPlaces {
   public static List<Rectangle> of(Rectangle screen, List<Double> weights) {
     List<Rectangle> beside = beside(screen, weights);
     return beside.stream().allMatch(r -> r.width >= LEAST_WIDTH) ? beside : cascade(screen, weights.size());
+  }
+
+  /**
+   * Places one more window: beside the others where there is room, else with an offset, so that no title is covered exactly.
+   *
+   * @param screen where there is room
+   * @param taken where the others are, at least one
+   * @return its place
+   */
+  public static Rectangle next(Rectangle screen, List<Rectangle> taken) {
+    int left = taken.stream().mapToInt(r -> r.x).min().orElse(screen.x) - screen.x;
+    int right = screen.x + screen.width - taken.stream().mapToInt(r -> r.x + r.width).max().orElse(screen.x);
+    int height = Math.min(USUAL_HEIGHT, screen.height);
+    if (right >= LEAST_WIDTH) {
+      int width = Math.min(right, USUAL_WIDTH);
+      return new Rectangle(screen.x + screen.width - right, screen.y, width, height);
+    }
+    if (left >= LEAST_WIDTH) {
+      int width = Math.min(left, USUAL_WIDTH);
+      return new Rectangle(screen.x + left - width, screen.y, width, height);
+    }
+    return offset(screen, taken);
+  }
+
+  private static Rectangle offset(Rectangle screen, List<Rectangle> taken) {
+    int most = Math.max(1, Math.min(screen.width, screen.height) / 4 / STEP);
+    int at = IntStream.rangeClosed(0, most).map(i -> i * STEP)
+        .filter(o -> taken.stream().noneMatch(r -> Math.abs(r.x - screen.x - o) < STEP / 2 && Math.abs(r.y - screen.y - o) < STEP / 2))
+        .findFirst().orElse(taken.size() % (most + 1) * STEP);
+    return new Rectangle(screen.x + at, screen.y + at, Math.min(USUAL_WIDTH, screen.width - at), Math.min(USUAL_HEIGHT, screen.height - at));
   }
 
   /** Whether a window with these bounds could be found and moved on one of the screens. */

@@ -9,8 +9,8 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.WindowConfig;
 
 /**
- * All windows and what they show. A view has one control at a time, so a RUIC is shown in one window at a time: who selects
- * it takes it from the other window. Display thread only.
+ * All windows and what they show. A view has one control at a time, so a RUIC is shown in one window at a time: it is for the user
+ * to say whether it moves. Display thread only.
  */
 public final class Windows {
   private final Host host;
@@ -36,7 +36,12 @@ public final class Windows {
     models.remove(model);
   }
 
-  /** Shows a RUIC in a window, in place of what it showed. */
+  /** Another window that shows a RUIC. */
+  public Optional<WindowModel> elsewhere(WindowModel model, Ruic ruic) {
+    return models.stream().filter(other -> other != model && other.shows(ruic)).findFirst();
+  }
+
+  /** Shows a RUIC in a window, in place of what it showed; a window that showed it shows none then. */
   public void select(WindowModel model, Ruic ruic) {
     if (model.shows(ruic)) {
       return;
@@ -48,10 +53,10 @@ public final class Windows {
     model.show(Optional.of(ruic));
   }
 
-  /** Shows a RUIC in the window that shows another one; nothing where none does. */
+  /** Shows a RUIC in the window that shows another one; where a window shows it already, that comes to the front. */
   public void showInstead(String former, Ruic ruic) {
     models.stream().filter(m -> m.selected().filter(r -> r.name().equals(former)).isPresent()).findFirst()
-        .ifPresent(m -> select(m, ruic));
+        .ifPresent(m -> elsewhere(m, ruic).ifPresentOrElse(WindowModel::front, () -> select(m, ruic)));
   }
 
   /** Shows nothing in a window. */

@@ -10,6 +10,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Listener;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.layout.Layout;
@@ -44,6 +45,7 @@ public final class RuicSurface extends Composite {
     setLayout(new FillLayout());
     build(this, ruic.layout(), "0");
     addListener(SWT.Dispose, e -> keepShares());
+    markFocus();
   }
 
   /** The RUIC that it shows. */
@@ -54,6 +56,22 @@ public final class RuicSurface extends Composite {
   /** Shows the instances that run now; called when the RUIC changed. */
   public void showInstances(RuicSnapshot now) {
     stacks.forEach(s -> s.showInstances(now));
+  }
+
+  /** All its views, in the order of the layout. */
+  public List<ViewEntry> views() {
+    return stacks.stream().flatMap(s -> s.holders().map(h -> new ViewEntry(h.id(), ruic.title(h.id()), s.isSeen(h), h.actions()))).toList();
+  }
+
+  /** Brings a view to the front of its tabs and gives it the keys. */
+  public void reveal(String uic) {
+    stacks.forEach(s -> s.reveal(uic));
+  }
+
+  /** The view that has the keys. */
+  public Optional<ViewEntry> focused() {
+    Optional<String> id = stacks.stream().filter(ViewStack::holdsFocus).findFirst().map(ViewStack::seenId);
+    return views().stream().filter(v -> id.filter(v.id()::equals).isPresent()).findFirst();
   }
 
   /** Has a view show what its last ticks prepared. */
@@ -78,6 +96,18 @@ public final class RuicSurface extends Composite {
   @Override
   public boolean setFocus() {
     return stacks.stream().filter(s -> !s.isDisposed()).findFirst().map(ViewStack::setFocus).orElseGet(super::setFocus);
+  }
+
+  /** The line above the view that has the keys says so. */
+  private void markFocus() {
+    Listener mark = e -> stacks.stream().filter(s -> !s.isDisposed()).forEach(ViewStack::markFocus);
+    Listener later = e -> getDisplay().asyncExec(() -> mark.handleEvent(e));
+    getDisplay().addFilter(SWT.FocusIn, mark);
+    getDisplay().addFilter(SWT.FocusOut, later);
+    addListener(SWT.Dispose, e -> {
+      getDisplay().removeFilter(SWT.FocusIn, mark);
+      getDisplay().removeFilter(SWT.FocusOut, later);
+    });
   }
 
   private void build(Composite parent, Layout layout, String place) {

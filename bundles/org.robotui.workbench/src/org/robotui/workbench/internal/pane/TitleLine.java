@@ -42,6 +42,7 @@ final class TitleLine extends Composite {
   private TitleRow row = new TitleRow(List.of(), 0);
   private int shown;
   private String note = "";
+  private boolean focused;
 
   /** An action and its button. */
   private record ActionButton(ViewAction action, QuietButton button) {}
@@ -58,8 +59,6 @@ final class TitleLine extends Composite {
     addListener(SWT.MouseDown, this::press);
     addListener(SWT.KeyDown, this::key);
     addListener(SWT.Resize, e -> place());
-    addListener(SWT.FocusIn, e -> redraw());
-    addListener(SWT.FocusOut, e -> redraw());
     addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     describe();
   }
@@ -68,6 +67,18 @@ final class TitleLine extends Composite {
     shown = index;
     place();
     redraw();
+  }
+
+  /** Whether the keys go to the view that is seen: its title is marked. */
+  void focused(boolean now) {
+    if (focused != now) {
+      focused = now;
+      redraw();
+    }
+  }
+
+  boolean isFocused() {
+    return focused;
   }
 
   void note(String text) {
@@ -170,8 +181,8 @@ final class TitleLine extends Composite {
     gc.setForeground(theme.color(on ? Role.TEXT : Role.DIM));
     Point size = gc.textExtent(title);
     gc.drawText(title, place.left(), (HEIGHT - size.y) / 2, true);
-    if (on && (isFocusControl() || titles.size() > 1)) {
-      gc.setBackground(theme.color(Role.ACCENT));
+    if (on && (focused || titles.size() > 1)) {
+      gc.setBackground(focused ? theme.color(Role.ACCENT) : theme.mix(Role.DIM, Role.TITLE, 0.5));
       gc.fillRectangle(place.left(), HEIGHT - 2, size.x, 2);
     }
   }

@@ -11,6 +11,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.Lease;
+import org.robotui.workbench.internal.model.Stops;
 
 /**
  * The bar at the top of a window: product, menu, search, who drives, and the stop at its one place. What it shows keeps its
@@ -50,20 +51,22 @@ public final class TopBar extends Composite {
   private static final int LEAST_SEARCH_WIDTH = 80;
   private static final int LEASE_WIDTH = 190;
   private static final int LEAST_LEASE_WIDTH = 60;
-  private static final int STOP_WIDTH = 128;
+  private static final int STOP_WIDTH = 136;
 
   private final Theme theme;
   private final LeaseLamp lease;
+  private final Words stopped;
   private final QuietButton release;
   private final QuietButton stop;
   private final SearchField search;
+  private Stops stops = new Stops(List.of(), List.of());
 
   /** Makes the bar. */
   public TopBar(Composite parent, Theme theme, List<MenuTitle> menus, Actions actions) {
     super(parent, SWT.NONE);
     this.theme = theme;
     setBackground(theme.color(Role.GROUND));
-    GridLayout layout = new GridLayout(menus.size() + 7, false);
+    GridLayout layout = new GridLayout(menus.size() + 8, false);
     layout.marginHeight = 0;
     layout.marginWidth = Theme.EDGE;
     layout.horizontalSpacing = 2;
@@ -73,8 +76,10 @@ public final class TopBar extends Composite {
     spring();
     search = search(actions);
     spring();
-    release = place(new QuietButton(this, theme, actions::release), SWT.DEFAULT).text("Release stop")
-        .hint("Release the stop of all robots; nothing moves by that");
+    stopped = place(new Words(this, theme, Face.BODY_STRONG, Role.BAD, ""), 0);
+    of(stopped).heightHint = SWT.DEFAULT;
+    of(stopped).horizontalIndent = 2 * Theme.STEP;
+    release = place(new QuietButton(this, theme, actions::release), SWT.DEFAULT).text(stops.release());
     release.setVisible(false);
     lease = place(new LeaseLamp(this, theme, actions::lease), LEASE_WIDTH);
     stop = place(new QuietButton(this, theme, actions::stop), STOP_WIDTH).text("STOP  (F12)").fill(Role.BAD)
@@ -88,14 +93,17 @@ public final class TopBar extends Composite {
     });
   }
 
-  /** Shows who drives, and whether any robot is stopped. */
-  public void show(Lease shown, boolean stopped) {
+  /** Shows who drives, and which robots are stopped. */
+  public void show(Lease shown, Stops now) {
     lease.show(shown);
-    if (release.getVisible() != stopped) {
-      release.setVisible(stopped);
+    if (!stops.equals(now)) {
+      stops = now;
+      release.text(now.release()).hint(now.releaseHint());
+      release.setVisible(now.any());
+      stopped.show(Role.BAD, now.words(), "Stopped: " + String.join(", ", now.stopped()));
+      stop.text(now.button());
       fit();
     }
-    stop.text(stopped ? "STOPPED" : "STOP  (F12)");
   }
 
   @Override
@@ -116,14 +124,16 @@ public final class TopBar extends Composite {
     button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, true));
   }
 
-  /** In a narrow window the search gives way, then who drives, then the place of the button that releases: the stop is always seen. */
+  /** In a narrow window the search gives way, then which are stopped, then who drives, then the place of the button that releases: the stop is always seen. */
   private void fit() {
     width(search, SEARCH_WIDTH);
     width(lease, LEASE_WIDTH);
+    width(stopped, stopped.computeSize(SWT.DEFAULT, SWT.DEFAULT).x);
     of(release).exclude = false;
     int missing = super.computeSize(SWT.DEFAULT, SWT.DEFAULT, true).x - getClientArea().width;
     missing = narrow(search, 0, missing);
     search.setVisible(of(search).widthHint >= LEAST_SEARCH_WIDTH);
+    missing = narrow(stopped, 0, missing);
     missing = narrow(lease, LEAST_LEASE_WIDTH, missing);
     of(release).exclude = missing > 0 && !release.getVisible();
     layout();

@@ -7,6 +7,7 @@ import org.eclipse.swt.custom.StackLayout;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.ui.Role;
@@ -80,6 +81,38 @@ final class ViewStack extends Composite {
   @Override
   public boolean setFocus() {
     return !seen().isDisposed() && seen().setFocus();
+  }
+
+  boolean isSeen(ViewHolder holder) {
+    return holder == seen();
+  }
+
+  String seenId() {
+    return seen().id();
+  }
+
+  /** Shows a view, if it is one of these, and gives it the keys. */
+  void reveal(String id) {
+    for (int i = 0; i < holders.size(); i++) {
+      if (holders.get(i).id().equals(id)) {
+        choose(i);
+        setFocus();
+      }
+    }
+  }
+
+  /** Whether what is typed goes to the view that is seen. */
+  boolean holdsFocus() {
+    for (Control at = getDisplay().getFocusControl(); at != null; at = at.getParent()) {
+      if (at == this) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void markFocus() {
+    line.focused(holdsFocus());
   }
 
   private ViewHolder seen() {

@@ -1,11 +1,15 @@
 package org.robotui.workbench.internal.rcp;
 
+import java.util.List;
+import java.util.stream.Stream;
 import org.eclipse.jface.action.MenuManager;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Control;
+import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Menu;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.menus.IMenuService;
+import org.robotui.workbench.internal.model.SearchEntry;
 
 /** A menu of the top bar: what all bundles contribute to it, fresh each time. */
 final class PopupMenu {
@@ -18,18 +22,49 @@ final class PopupMenu {
   }
 
   void show(Control below) {
-    MenuManager manager = new MenuManager(id, id);
-    IMenuService service = window.getService(IMenuService.class);
-    service.populateContributionManager(manager, "menu:" + id);
+    MenuManager manager = filled();
     Menu menu = manager.createContextMenu(below);
-    menu.addListener(SWT.Hide, e -> below.getDisplay().asyncExec(() -> release(service, manager)));
+    menu.addListener(SWT.Hide, e -> below.getDisplay().asyncExec(() -> release(manager)));
     menu.setLocation(below.toDisplay(0, below.getSize().y));
     menu.setVisible(true);
   }
 
+  /** What could be chosen now, for the search. */
+  List<SearchEntry> entries(String group) {
+    MenuManager manager = filled();
+    Menu menu = manager.createContextMenu(window.getShell());
+    menu.notifyListeners(SWT.Show, new Event());
+    List<SearchEntry> entries = Stream.of(menu.getItems()).filter(item -> item.isEnabled() && !item.getText().isEmpty())
+        .map(item -> entry(group, item.getText())).toList();
+    menu.notifyListeners(SWT.Hide, new Event());
+    release(manager);
+    return entries;
+  }
+
+  private SearchEntry entry(String group, String text) {
+    String[] parts = text.split("\t", 2);
+    return new SearchEntry(group, parts[0].replace("&", ""), parts.length > 1 ? parts[1] : "", () -> choose(text));
+  }
+
+  /** The menu is made anew: what is in it may have changed since. */
+  private void choose(String text) {
+    MenuManager manager = filled();
+    Menu menu = manager.createContextMenu(window.getShell());
+    menu.notifyListeners(SWT.Show, new Event());
+    Stream.of(menu.getItems()).filter(item -> item.getText().equals(text) && item.isEnabled()).findFirst()
+        .ifPresent(item -> item.notifyListeners(SWT.Selection, new Event()));
+    release(manager);
+  }
+
+  private MenuManager filled() {
+    MenuManager manager = new MenuManager(id, id);
+    window.getService(IMenuService.class).populateContributionManager(manager, "menu:" + id);
+    return manager;
+  }
+
   /** After the event of the item that was chosen, which comes after the menu has gone. */
-  private static void release(IMenuService service, MenuManager manager) {
-    service.releaseContributions(manager);
+  private void release(MenuManager manager) {
+    window.getService(IMenuService.class).releaseContributions(manager);
     manager.dispose();
   }
 }

@@ -19,11 +19,14 @@ public final class RobotCommands extends AbstractHandler {
     Session session = WorkbenchServices.session();
     WindowActions actions = new WindowActions(session, window);
     switch (event.getCommand().getId().substring(PREFIX.length())) {
+      case "search" -> actions.search();
       case "new" -> actions.create();
       case "open" -> actions.open();
       case "reload" -> actions.reload();
       case "stop" -> actions.stop();
       case "release" -> actions.release();
+      case "stop.robot" -> session.stop(actions.authorities());
+      case "release.robot" -> session.release(actions.authorities());
       case "lease" -> actions.lease();
       case "unselect" -> actions.withSelected(actions::unselect);
       case "restart" -> actions.withSelected(actions::restart);

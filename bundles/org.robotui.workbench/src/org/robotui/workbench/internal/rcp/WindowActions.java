@@ -22,6 +22,7 @@ import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.Navigator;
 import org.robotui.workbench.internal.pane.ReuseDialog;
 import org.robotui.workbench.internal.pane.RobotArea;
+import org.robotui.workbench.internal.pane.SearchPane;
 import org.robotui.workbench.internal.pane.TopBar;
 
 /** What the panes and commands of one window do. Display thread only. */
@@ -43,7 +44,7 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
 
   @Override
   public void search() {
-    new Commands(window).run("org.eclipse.ui.window.quickAccess");
+    SearchPane.open(window.getShell(), session.look().theme(), new SearchEntries(session, window).all());
   }
 
   @Override
@@ -90,8 +91,21 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
 
   @Override
   public void select(String ruic) {
-    session.ruic(ruic).ifPresent(r -> session.windows().select(model(), r));
+    session.ruic(ruic).ifPresent(r -> session.windows().elsewhere(model(), r)
+        .ifPresentOrElse(other -> selectFrom(other, r), () -> session.windows().select(model(), r)));
     session.refresh();
+  }
+
+  /** The other window would show nothing then, so the user is asked. */
+  private void selectFrom(WindowModel other, Ruic ruic) {
+    String question = ruic.name() + " is shown in another window. A robot is shown in one window at a time; moved here, it leaves the other one empty.";
+    int answer = MessageDialog.open(MessageDialog.QUESTION, window.getShell(), ruic.name() + " is shown elsewhere", question, SWT.NONE,
+        "Go to That Window", "Move It Here", "Cancel");
+    if (answer == 0) {
+      other.front();
+    } else if (answer == 1) {
+      session.windows().select(model(), ruic);
+    }
   }
 
   @Override
@@ -154,6 +168,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   /** Does something with the selected RUIC. */
   void withSelected(Consumer<String> action) {
     selected().map(Ruic::name).ifPresent(action);
+  }
+
+  /** Who may command the robots of this window. */
+  List<Authority> authorities() {
+    return selected().map(Ruic::authorities).orElse(List.of());
   }
 
   private WindowModel model() {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.swt.graphics.Rectangle;
 import org.junit.jupiter.api.Test;
@@ -32,6 +33,23 @@ class WindowPlacesTest {
 
     assertTrue(places.stream().allMatch(r -> small.intersection(r).equals(r)), places::toString);
     assertTrue(places.get(1).y - places.get(0).y >= 24 && places.get(2).y - places.get(1).y >= 24, places::toString);
+  }
+
+  @Test
+  void aWindowMoreOpensBesideTheOthersWhereThereIsRoom() {
+    assertEquals(new Rectangle(1000, 24, 920, 980), WindowPlaces.next(WIDE, List.of(new Rectangle(0, 24, 1000, 1056))));
+    assertEquals(new Rectangle(0, 24, 900, 980), WindowPlaces.next(WIDE, List.of(new Rectangle(900, 24, 1020, 1056))));
+  }
+
+  @Test
+  void elseItCoversNoTitleExactlyAndStaysOnTheScreen() {
+    List<Rectangle> taken = new ArrayList<>(List.of(new Rectangle(0, 24, 1600, 980)));
+    for (int i = 0; i < 4; i++) {
+      Rectangle next = WindowPlaces.next(WIDE, taken);
+      assertEquals(next, next.intersection(WIDE));
+      assertTrue(taken.stream().noneMatch(r -> Math.abs(r.y - next.y) < 24), () -> next + " over " + taken);
+      taken.add(next);
+    }
   }
 
   @Test

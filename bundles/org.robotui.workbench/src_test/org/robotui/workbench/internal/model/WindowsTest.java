@@ -50,6 +50,21 @@ class WindowsTest {
   }
 
   @Test
+  void whatATeamOpensIsNotTakenFromTheWindowThatShowsIt() {
+    WindowModel first = windows.open();
+    WindowModel second = windows.open();
+    List<String> fronts = new ArrayList<>();
+    second.onFront(() -> fronts.add(second.title()));
+
+    windows.showInstead("Keira", natalie);
+
+    assertEquals(List.of("Natalie - RobotUI"), fronts);
+    assertEquals(Optional.of(keira), first.selected());
+    assertEquals(Optional.of(second), windows.elsewhere(first, natalie));
+    assertEquals(Optional.empty(), windows.elsewhere(second, natalie));
+  }
+
+  @Test
   void aRuicIsShownInOneWindowAtATime() {
     WindowModel first = windows.open();
     WindowModel second = windows.open();

@@ -29,6 +29,7 @@ import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.PortRow;
 import org.robotui.workbench.internal.model.RobotRow;
 import org.robotui.workbench.internal.model.StatusText;
+import org.robotui.workbench.internal.model.Stops;
 
 /** A window of all panes with invented robots, to look at without a workbench: {@code Gallery dark|light FILE}. */
 final class Gallery {
@@ -69,7 +70,7 @@ final class Gallery {
     StatusBar status = place(new StatusBar(shell, theme, () -> { }), SWT.FILL, SWT.BOTTOM, 2);
     FakeRuic keira = keira();
     keira.authority().take(YOU, false);
-    bar.show(Lease.of(keira.authorities(), keira.snapshot().link(), YOU), problems);
+    bar.show(Lease.of(keira.authorities(), keira.snapshot().link(), YOU), new Stops(List.of("Keira", "Natalie"), problems ? List.of("Natalie") : List.of()));
     navigator.show(Stream.of(keira, husky(), natalie()).map(FakeRuic::snapshot).map(RobotRow::of).toList(), Optional.of("Keira"), PortRow.of(keira.snapshot()));
     area.show(Optional.of(keira));
     if (problems) {

@@ -17,6 +17,7 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Shell;
+import org.eclipse.swt.widgets.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -34,11 +35,15 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.display.StopKeys;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
+import org.robotui.workbench.internal.model.SearchEntry;
+import org.robotui.workbench.internal.model.Stops;
 import org.robotui.workbench.internal.model.WindowPlaces;
 
 @EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class PanesTest {
   private static final Principal YOU = new Principal("w", "You", Principal.Kind.WINDOW);
+
+  private static final Stops TWO = new Stops(List.of("Keira", "Natalie"), List.of("Keira", "Natalie"));
 
   private final NoActions actions = new NoActions();
   private final PaintedView map = new PaintedView("follow");
@@ -209,12 +214,56 @@ class PanesTest {
     LeaseLamp lamp = find(bar, LeaseLamp.class);
     int before = lamp.getLocation().x;
 
-    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), true);
+    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
     bar.layout(true);
 
     assertEquals(before, lamp.getLocation().x);
-    press(bar, "Release the stop of all robots; nothing moves by that");
+    press(bar, "Release the stop of Keira, Natalie; nothing moves by that");
     assertEquals(List.of("release"), actions.calls);
+  }
+
+  @Test
+  void whileOneRobotIsReleasedAndAnotherIsNotTheBarNamesTheOther() {
+    TopBar bar = new TopBar(shell, theme, Menus.ALL, actions);
+    bar.setSize(1400, 44);
+    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), new Stops(TWO.robots(), List.of("Natalie")));
+
+    assertTrue(button(bar, "Release the stop of Natalie;").getSize().x > 80);
+    assertTrue(Controls.all(bar, Words.class).stream().anyMatch(words -> words.text().equals("Stopped: Natalie") && words.getSize().x > 80));
+
+    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
+    assertTrue(Controls.all(bar, Words.class).stream().anyMatch(words -> words.text().equals("Stopped: Keira, Natalie")));
+  }
+
+  @Test
+  void theTitleOfTheViewThatHasTheKeysIsMarked() {
+    RobotArea area = show(new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")), List.of(1.0, 1.0)));
+    List<TitleLine> lines = Controls.all(area, TitleLine.class);
+    shell.open();
+    TestDisplay.until(() -> camera.control.forceFocus() && camera.control.isFocusControl());
+
+    TestDisplay.until(() -> !lines.getFirst().isFocused() && lines.getLast().isFocused());
+    area.surface().orElseThrow().reveal("map");
+
+    TestDisplay.until(() -> lines.getFirst().isFocused() && !lines.getLast().isFocused());
+    assertEquals(Optional.of("map"), area.surface().orElseThrow().focused().map(ViewEntry::id));
+  }
+
+  @Test
+  void theSearchTakesTheKeysAtOnceAndGivesThemBack() {
+    show(new Layout.View("map"));
+    shell.open();
+    TestDisplay.until(() -> map.control.forceFocus() && map.control.isFocusControl());
+
+    SearchPane pane = SearchPane.open(shell, theme, List.of(new SearchEntry("Robot", "Stop Keira", "F12", () -> actions.calls.add("stop"))));
+
+    assertTrue(display.getFocusControl() instanceof Text, "not a moment later: what is typed in between would act in the map");
+    assertEquals(1, pane.found().size());
+    Event enter = new Event();
+    display.getFocusControl().notifyListeners(SWT.DefaultSelection, enter);
+    assertEquals(List.of("stop"), actions.calls);
+    assertTrue(pane.isDisposed());
+    TestDisplay.until(map.control::isFocusControl);
   }
 
   @Test
@@ -227,7 +276,7 @@ class PanesTest {
       assertTrue(stop.getSize().x > 100);
     }
     bar.setSize(820, 44);
-    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), true);
+    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
     QuietButton release = button(bar, "Release the stop");
     assertTrue(release.getSize().x > 80 && release.getLocation().x + release.getSize().x <= button(bar, "Stop all robots").getLocation().x);
   }

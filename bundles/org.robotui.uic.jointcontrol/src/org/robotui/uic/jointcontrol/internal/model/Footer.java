@@ -25,7 +25,7 @@ public record Footer(Health health, String text, List<Button> buttons) {
     /** Gives control of the robot back. */
     GIVE_BACK("Give back"),
     /** Unlatches the stop. */
-    RELEASE_STOP("Release stop");
+    RELEASE_STOP("Release");
 
     private final String label;
 
@@ -33,9 +33,9 @@ public record Footer(Health health, String text, List<Button> buttons) {
       this.label = label;
     }
 
-    /** As users read it. */
-    public String label() {
-      return label;
+    /** As users read it; what is released is said, since the title bar of the window releases others as well. */
+    public String label(String robot) {
+      return this == RELEASE_STOP ? label + " " + robot : label;
     }
 
     /** Whether it is the one thing to press. */

@@ -41,7 +41,7 @@ final class FooterLine {
     data.heightHint = LINE;
     words.setLayoutData(data);
     for (Footer.Button button : Footer.Button.values()) {
-      QuietButton made = new QuietButton(root, theme, () -> pressed.accept(button)).text(button.label());
+      QuietButton made = new QuietButton(root, theme, () -> pressed.accept(button)).text(button.label(""));
       made.setLayoutData(Boxes.middle());
       Boxes.seen(made, false);
       buttons.put(button, button.urgent() ? made.fill(Role.ACCENT) : made);
@@ -49,11 +49,12 @@ final class FooterLine {
     words.addListener(SWT.Resize, e -> words.getDisplay().asyncExec(this::fit));
   }
 
-  void show(Footer next) {
+  void show(Footer next, String robot) {
     if (footer.equals(next)) {
       return;
     }
     footer = next;
+    buttons.forEach((button, control) -> control.text(button.label(robot)));
     words.setToolTipText(next.text().replace("&", "&&"));
     boolean changed = false;
     for (Map.Entry<Footer.Button, QuietButton> entry : buttons.entrySet()) {

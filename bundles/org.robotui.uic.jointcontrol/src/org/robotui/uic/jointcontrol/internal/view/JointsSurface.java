@@ -127,7 +127,7 @@ public final class JointsSurface implements TableHands.Deeds {
     if (detail.show(selected, now.look().drivable(), now.look().state() instanceof InputState.Live)) {
       root.layout(true, true);
     }
-    footer.show(Footer.of(now.look().drive()));
+    footer.show(Footer.of(now.look().drive()), now.look().drive().robot());
   }
 
   private void empty(Shown now) {

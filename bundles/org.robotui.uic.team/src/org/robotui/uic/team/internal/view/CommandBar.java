@@ -76,7 +76,7 @@ final class CommandBar {
     selected = meant;
     String whom = meant.isEmpty() ? "all" : meant.size() == 1 ? meant.getFirst() : Integer.toString(meant.size());
     stop.text("Stop " + whom);
-    release.text("Release");
+    release.text("Release " + whom);
     zero.text("Halt");
     open.text("Open");
     boolean any = !robots.isEmpty();

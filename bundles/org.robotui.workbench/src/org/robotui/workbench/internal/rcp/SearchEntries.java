@@ -1,0 +1,41 @@
+package org.robotui.workbench.internal.rcp;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.robotui.api.host.Ruic;
+import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.model.SearchEntry;
+import org.robotui.workbench.internal.pane.Menus;
+import org.robotui.workbench.internal.pane.RuicSurface;
+
+/** What the search of a window finds: robots, views and what they can do, and all that is in the menus. Display thread only. */
+final class SearchEntries {
+  private final Session session;
+  private final IWorkbenchWindow window;
+
+  SearchEntries(Session session, IWorkbenchWindow window) {
+    this.session = session;
+    this.window = window;
+  }
+
+  List<SearchEntry> all() {
+    List<SearchEntry> entries = new ArrayList<>();
+    Optional<RuicSurface> surface = RobotPart.in(window).flatMap(part -> part.area().surface());
+    surface.ifPresent(shown -> shown.views().forEach(view -> {
+      entries.add(new SearchEntry("View", view.title(), "", () -> shown.reveal(view.id())));
+      view.actions().forEach(action -> entries.add(new SearchEntry(view.title(), action.label(), "", () -> {
+        shown.reveal(view.id());
+        action.run().run();
+      })));
+    }));
+    WindowActions actions = new WindowActions(session, window);
+    session.host().ruics().stream().map(Ruic::name)
+        .forEach(name -> entries.add(new SearchEntry("Robot", "Show " + name, "", () -> actions.select(name))));
+    Menus.ALL.forEach(menu -> entries.addAll(new PopupMenu(window, menu.id()).entries(menu.label())));
+    entries.add(new SearchEntry("Platform", "Search everything of the platform\u2026", "",
+        () -> new Commands(window).run("org.eclipse.ui.window.quickAccess")));
+    return entries;
+  }
+}
