@@ -20,9 +20,8 @@ public record Bumper(RigidTransform pose, double length, double radius, boolean 
    * @param pressed whether something touches it
    */
   public Bumper {
-    Check.notNegative(length, "length");
-    Check.finite(length, "length");
-    Check.notNegative(radius, "radius");
-    Check.finite(radius, "radius");
+    Check.pose(pose, "pose");
+    Check.within(length, 0, Check.FARTHEST, "length");
+    Check.within(radius, 0, Check.FARTHEST, "radius");
   }
 }

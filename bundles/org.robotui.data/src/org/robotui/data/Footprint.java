@@ -14,7 +14,7 @@ public record Footprint(FrameId frame, List<Vector3> corners) implements Data {
   private static final int TRIANGLE = 3;
 
   /**
-   * Checks the number of corners.
+   * Checks the corners.
    *
    * @param frame the frame
    * @param corners at least three
@@ -22,5 +22,8 @@ public record Footprint(FrameId frame, List<Vector3> corners) implements Data {
   public Footprint {
     corners = List.copyOf(corners);
     Check.that(corners.size() >= TRIANGLE, "corners", "an outline has at least three, not " + corners.size());
+    for (Vector3 corner : corners) {
+      Check.place(corner, "corners");
+    }
   }
 }

@@ -18,8 +18,11 @@ public record GridMap(FrameId frame, double resolution, int width, int height, R
   /** The value of a cell of which nothing is known. */
   public static final byte UNKNOWN = -1;
 
+  private static final double FINEST = 1e-6;
+  private static final double COARSEST = 1e6;
+
   /**
-   * Checks the size.
+   * Checks the sizes and the origin.
    *
    * @param frame the frame
    * @param resolution metres
@@ -29,10 +32,13 @@ public record GridMap(FrameId frame, double resolution, int width, int height, R
    * @param cells width times height of them
    */
   public GridMap {
-    Check.that(resolution > 0 && Double.isFinite(resolution), "resolution", "must be positive, is " + resolution);
+    Check.within(resolution, FINEST, COARSEST, "resolution");
     Check.notNegative(width, "width");
     Check.notNegative(height, "height");
     Check.that((long) width * height == cells.size(), "cells", "must be " + width + " x " + height + ", are " + cells.size());
+    Check.that(Math.max(width, height) * resolution <= Check.FARTHEST, "size",
+        "must be within " + Check.FARTHEST + " m, is " + width * resolution + " x " + height * resolution);
+    Check.pose(origin, "origin");
   }
 
   /**

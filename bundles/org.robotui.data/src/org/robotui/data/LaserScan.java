@@ -61,10 +61,10 @@ public record LaserScan(
    * Tells whether a beam hit something at a known distance.
    *
    * @param beam from 0
-   * @return true where its range is finite and within the limits
+   * @return true where its range is within the limits and no more than 10^9 m
    */
   public boolean isEcho(int beam) {
     float range = ranges.get(beam);
-    return range >= rangeMin && range <= rangeMax && Float.isFinite(range);
+    return range >= rangeMin && range <= rangeMax && range <= Check.FARTHEST;
   }
 }

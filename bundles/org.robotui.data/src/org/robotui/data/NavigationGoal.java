@@ -9,4 +9,14 @@ import org.robotui.geometry.RigidTransform;
  * @param pose frame from base at the goal
  */
 @Delivery(conflation = Conflation.EVENT, late = Late.NONE, expires = false)
-public record NavigationGoal(FrameId frame, RigidTransform pose) implements Pose {}
+public record NavigationGoal(FrameId frame, RigidTransform pose) implements Pose {
+  /**
+   * Checks the pose.
+   *
+   * @param frame the frame
+   * @param pose frame from body
+   */
+  public NavigationGoal {
+    Check.pose(pose, "pose");
+  }
+}

@@ -27,7 +27,7 @@ public record Odometry(
   public static final int COVARIANCE_SIZE = 36;
 
   /**
-   * Checks the sizes.
+   * Checks the pose, the velocities and the sizes.
    *
    * @param frame frame of the pose
    * @param childFrame frame of the twist
@@ -38,6 +38,9 @@ public record Odometry(
    * @param twistCovariance none or 36 numbers
    */
   public Odometry {
+    Check.pose(pose, "pose");
+    Check.that(linear.isFinite(), "linear", "must be finite, is " + linear);
+    Check.that(angular.isFinite(), "angular", "must be finite, is " + angular);
     Check.emptyOr(poseCovariance.size(), COVARIANCE_SIZE, "poseCovariance");
     Check.emptyOr(twistCovariance.size(), COVARIANCE_SIZE, "twistCovariance");
   }

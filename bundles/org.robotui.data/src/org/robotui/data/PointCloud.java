@@ -45,6 +45,8 @@ public record PointCloud(
     fields = List.copyOf(fields);
     Check.notNegative(width, "width");
     Check.notNegative(height, "height");
+    Check.notNegative(pointStep, "pointStep");
+    Check.that(pointStep > 0 || (long) width * height == 0, "pointStep", "must be positive, is " + pointStep);
     Check.that((long) width * pointStep <= rowStep, "rowStep", "too short for " + width + " points");
     Check.that((long) height * rowStep <= points.size(), "points", "too short for " + height + " rows of " + rowStep);
     for (PointField f : fields) {

@@ -12,12 +12,13 @@ import org.robotui.geometry.RigidTransform;
 @Delivery(expires = false)
 public record PoseArray(FrameId frame, List<RigidTransform> poses) implements Data {
   /**
-   * Copies the list.
+   * Copies the list and checks the poses.
    *
    * @param frame the frame
    * @param poses the poses
    */
   public PoseArray {
     poses = List.copyOf(poses);
+    Check.poses(poses, "poses");
   }
 }

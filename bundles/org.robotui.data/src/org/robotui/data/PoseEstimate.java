@@ -11,13 +11,14 @@ import org.robotui.geometry.RigidTransform;
  */
 public record PoseEstimate(FrameId frame, RigidTransform pose, Doubles covariance) implements Pose {
   /**
-   * Checks the size of the covariance.
+   * Checks the pose and the size of the covariance.
    *
    * @param frame the frame
    * @param pose the pose
    * @param covariance none or 36 numbers
    */
   public PoseEstimate {
+    Check.pose(pose, "pose");
     Check.emptyOr(covariance.size(), Odometry.COVARIANCE_SIZE, "covariance");
   }
 }

@@ -39,9 +39,9 @@ public record RangeReading(
   /**
    * Tells whether something was hit at a known distance.
    *
-   * @return true where the range is finite and within the limits
+   * @return true where the range is within the limits and no more than 10^9 m
    */
   public boolean isEcho() {
-    return range >= rangeMin && range <= rangeMax && Double.isFinite(range);
+    return range >= rangeMin && range <= rangeMax && range <= Check.FARTHEST;
   }
 }

@@ -8,4 +8,14 @@ import org.robotui.geometry.RigidTransform;
  * @param frame the frame in which it is given
  * @param pose frame from body
  */
-public record StampedPose(FrameId frame, RigidTransform pose) implements Pose {}
+public record StampedPose(FrameId frame, RigidTransform pose) implements Pose {
+  /**
+   * Checks the pose.
+   *
+   * @param frame the frame
+   * @param pose frame from body
+   */
+  public StampedPose {
+    Check.pose(pose, "pose");
+  }
+}

@@ -10,6 +10,7 @@ import java.nio.ByteOrder;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
+import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 
@@ -39,7 +40,38 @@ class ValidationTest {
   }
 
   @Test
+  void numbersThatNoRobotMeansAreRefused() {
+    RigidTransform far = RigidTransform.planar(1e300, 0, 0);
+    assertRefused("resolution", () -> map(1e30, RigidTransform.IDENTITY));
+    assertRefused("resolution", () -> map(1e-30, RigidTransform.IDENTITY));
+    assertRefused("resolution", () -> map(Double.NaN, RigidTransform.IDENTITY));
+    assertRefused("origin.position", () -> map(0.05, far));
+    assertRefused("origin.orientation", () -> map(0.05, new RigidTransform(Vector3.ZERO, new Quaternion(0, 0, 0, 0))));
+    assertRefused("poses[1].position", () -> new Path(FRAME, List.of(RigidTransform.IDENTITY, far)));
+    assertRefused("poses[0].position", () -> new PoseArray(FRAME, List.of(RigidTransform.planar(0, Double.NaN, 0))));
+    assertRefused("pose.position", () -> new StampedPose(FRAME, far));
+    assertRefused("pose.position", () -> new NavigationGoal(FRAME, far));
+    assertRefused("pose.position", () -> new PoseEstimate(FRAME, far, Doubles.EMPTY));
+    assertRefused("pose.position", () -> odometry(far, Vector3.ZERO));
+    assertRefused("linear", () -> odometry(RigidTransform.IDENTITY, new Vector3(0, Double.NaN, 0)));
+    assertRefused("pose.position", () -> new Bumper(far, 0.3, 0, false));
+    assertRefused("corners", () -> new Footprint(FRAME, List.of(Vector3.ZERO, Vector3.ZERO, far.translation())));
+    assertRefused("altitude", () -> new GpsFix(FRAME, GpsFix.Quality.FIX, 0.8, 0.2, 1e300, 0));
+    assertFalse(scan(0, 0.1, Double.POSITIVE_INFINITY, Floats.of(3e38f), Floats.EMPTY).isEcho(0));
+    assertDoesNotThrow(() -> map(0.05, RigidTransform.planar(1e6, -1e6, 3)));
+  }
+
+  private static GridMap map(double resolution, RigidTransform origin) {
+    return new GridMap(FRAME, resolution, 100, 100, origin, Bytes.wrap(new byte[10_000], 0, 10_000));
+  }
+
+  private static Odometry odometry(RigidTransform pose, Vector3 linear) {
+    return new Odometry(FRAME, FRAME, pose, Doubles.EMPTY, linear, Vector3.ZERO, Doubles.EMPTY);
+  }
+
+  @Test
   void hugeSizesDoNotOverflowTheCheck() {
+    assertRefused("pointStep", () -> new PointCloud(FRAME, 1 << 20, 1 << 20, List.of(), 0, 0, ByteOrder.LITTLE_ENDIAN, true, Bytes.EMPTY));
     assertRefused("cells", () -> new GridMap(FRAME, 0.1, 1 << 16, 1 << 16, RigidTransform.IDENTITY, Bytes.EMPTY));
     assertRefused("points", () -> new PointCloud(FRAME, 1, Integer.MAX_VALUE, List.of(), 4, Integer.MAX_VALUE,
         ByteOrder.LITTLE_ENDIAN, true, Bytes.EMPTY));

@@ -19,6 +19,7 @@ import java.util.Set;
 public final class TransformBuffer<F> {
   /** How far the length of a rotation may be from 1; within, it is scaled to 1. ROS's own buffer takes the same. */
   private static final double LENGTH_TOLERANCE = 0.01;
+  private static final double FARTHEST = 1e9;
 
   private final TransformLimits limits;
   private final Map<F, TransformHistory<F>> byChild = new HashMap<>();
@@ -97,6 +98,9 @@ public final class TransformBuffer<F> {
   private static Optional<String> malformed(RigidTransform transform) {
     if (!transform.translation().isFinite()) {
       return Optional.of("has a translation that is not finite: " + transform.translation());
+    }
+    if (transform.translation().norm() > FARTHEST) {
+      return Optional.of("has a translation of more than " + FARTHEST + " m: " + transform.translation());
     }
     double length = transform.rotation().norm();
     return Math.abs(length - 1) <= LENGTH_TOLERANCE

@@ -12,6 +12,8 @@ import org.robotui.api.port.InputState;
  * with {@link #contentAlpha}, and then has this painted over it. Display thread, but for the questions, which are pure.
  */
 public final class StateView {
+  /** Letters of a sentence: what a robot calls things may have a million, which would take a second for every paint. */
+  private static final int LONGEST = 1000;
   private static final int OPAQUE = 255;
   private static final int FADED = 90;
   private static final int GROUND_ALPHA = 236;
@@ -56,6 +58,7 @@ public final class StateView {
       case InputState.Unconnected u -> "not connected";
       case InputState.Waiting w -> "waiting";
       case InputState.Live l -> l.rateHz() > 0 ? Figures.rate(l.rateHz()) : "live";
+      case InputState.Stale s when s.refused() -> "refused";
       case InputState.Stale s -> "stale " + Figures.age(s.ageSeconds());
       case InputState.Failed f -> "failed";
     };
@@ -92,6 +95,7 @@ public final class StateView {
   public void paint(GC gc, Rectangle area, InputState state) {
     switch (state) {
       case InputState.Live l -> { }
+      case InputState.Stale s when s.refused() -> banner(gc, area, Health.WARNING, s.explanation());
       case InputState.Stale s -> banner(gc, area, Health.STALE, word(s));
       default -> message(gc, area, health(state), title(state), state.explanation());
     }
@@ -165,7 +169,7 @@ public final class StateView {
   private TextLayout wrapped(GC gc, Rectangle area, String sentence) {
     TextLayout text = new TextLayout(gc.getDevice());
     text.setFont(theme.font(Face.BODY));
-    text.setText(sentence);
+    text.setText(sentence.substring(0, Math.min(LONGEST, sentence.length())));
     text.setAlignment(SWT.CENTER);
     text.setWidth(Math.max(1, Math.min(LINE_WIDTH, area.width - 2 * Theme.EDGE)));
     return text;

@@ -37,12 +37,23 @@ public sealed interface InputState {
   }
 
   /**
-   * The newest value is older than it should be.
+   * The newest value is older than it should be, or is not the newest that was sent.
    *
    * @param ageSeconds age of the newest value
    * @param explanation for example that the link is lost
+   * @param refused true where a newer message came, which could not be used
    */
-  record Stale(double ageSeconds, String explanation) implements InputState {}
+  record Stale(double ageSeconds, String explanation, boolean refused) implements InputState {
+    /**
+     * A value that is older than it should be.
+     *
+     * @param ageSeconds age of the newest value
+     * @param explanation for example that the link is lost
+     */
+    public Stale(double ageSeconds, String explanation) {
+      this(ageSeconds, explanation, false);
+    }
+  }
 
   /**
    * The source failed.

@@ -19,6 +19,8 @@ public final class BumperEntity implements Entity {
   private static final double PRESSED = 4;
   private static final double HALO = 11;
   private static final double FAINT = 0.3;
+  /** More than any robot has. */
+  private static final int MOST = 1000;
 
   private volatile List<Strip> strips = List.of();
 
@@ -35,7 +37,7 @@ public final class BumperEntity implements Entity {
    */
   public void prepare(Bumpers bumpers, RigidTransform fixedFromFrame) {
     List<Strip> next = new ArrayList<>();
-    for (int i = 0; i < bumpers.bumpers().size(); i++) {
+    for (int i = 0; i < Math.min(MOST, bumpers.bumpers().size()); i++) {
       Bumper bumper = bumpers.bumpers().get(i);
       Strip.of(i, bumper, fixedFromFrame).ifPresent(next::add);
     }

@@ -7,6 +7,8 @@ import org.robotui.ui.scene.Viewport;
 /** Draws a part of a long way: points on the same pixel once, and nothing of what lies outside the window. */
 final class WayLine {
   private static final double LEAST = 1.5;
+  /** The toolkit's numbers end at some millions of pixels. */
+  private static final double FAR = 20_000;
 
   private final Viewport viewport;
   private final Path path;
@@ -44,12 +46,16 @@ final class WayLine {
         && Math.max(y, lastY) >= 0 && Math.min(y, lastY) <= viewport.height();
     if (seen) {
       if (!pen) {
-        path.moveTo((float) lastX, (float) lastY);
+        path.moveTo(near(lastX), near(lastY));
       }
-      path.lineTo((float) x, (float) y);
+      path.lineTo(near(x), near(y));
     }
     pen = seen;
     lastX = x;
     lastY = y;
+  }
+
+  private static float near(double pixel) {
+    return (float) Math.clamp(pixel, -FAR, FAR);
   }
 }

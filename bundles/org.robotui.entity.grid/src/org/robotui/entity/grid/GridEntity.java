@@ -29,15 +29,15 @@ public final class GridEntity implements Entity {
     // Lines along the axes are sharp on whole pixels without antialiasing.
     gc.setAntialias(SWT.OFF);
     painter.width(1).stroke(Role.LINE);
-    for (long i = (long) Math.ceil(seen.minX() / step); i * step <= seen.maxX(); i++) {
-      int x = (int) Math.round(viewport.pixelX(i * step));
-      painter.opacity(i == 0 ? 1 : QUIET);
-      gc.drawLine(x, 0, x, viewport.height());
+    for (double x : GridSteps.within(seen.minX(), seen.maxX(), step)) {
+      int pixel = (int) Math.round(viewport.pixelX(x));
+      painter.opacity(x == 0 ? 1 : QUIET);
+      gc.drawLine(pixel, 0, pixel, viewport.height());
     }
-    for (long i = (long) Math.ceil(seen.minY() / step); i * step <= seen.maxY(); i++) {
-      int y = (int) Math.round(viewport.pixelY(i * step));
-      painter.opacity(i == 0 ? 1 : QUIET);
-      gc.drawLine(0, y, viewport.width(), y);
+    for (double y : GridSteps.within(seen.minY(), seen.maxY(), step)) {
+      int pixel = (int) Math.round(viewport.pixelY(y));
+      painter.opacity(y == 0 ? 1 : QUIET);
+      gc.drawLine(0, pixel, viewport.width(), pixel);
     }
     painter.opacity(1);
     gc.setAntialias(SWT.ON);

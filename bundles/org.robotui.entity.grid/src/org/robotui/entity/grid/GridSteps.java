@@ -1,13 +1,29 @@
 package org.robotui.entity.grid;
 
+import java.util.stream.IntStream;
 import org.robotui.ui.Figures;
 
 /** Round distances: 1, 2 or 5 times a power of ten. */
 public final class GridSteps {
   private static final double[] ROUND = {1, 2, 5, 10};
   private static final double KILOMETRE = 1000;
+  private static final int MOST = 1000;
 
   private GridSteps() {}
+
+  /**
+   * The multiples of a distance within a range. There are a thousand at most, whatever the numbers are: nobody can tell more lines apart.
+   *
+   * @param low from here, metres
+   * @param high to here
+   * @param step the distance
+   * @return the multiples, upwards; none where there is no such range
+   */
+  static double[] within(double low, double high, double step) {
+    double first = Math.ceil(low / step);
+    int count = (int) Math.clamp(Math.floor(high / step) - first + 1, 0, MOST); // 0 for what is no number
+    return IntStream.range(0, count).mapToDouble(i -> (first + i) * step).toArray();
+  }
 
   /**
    * The smallest round distance that is at least so many pixels long.

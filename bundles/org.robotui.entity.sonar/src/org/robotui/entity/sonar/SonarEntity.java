@@ -16,6 +16,8 @@ public final class SonarEntity implements Entity {
   private static final double FREE = 0.14;
   private static final double HINT = 0.06;
   private static final double LINE = 1.8;
+  /** More than any robot has. */
+  private static final int MOST = 1000;
 
   private volatile List<Cone> cones = List.of();
 
@@ -38,7 +40,7 @@ public final class SonarEntity implements Entity {
    * @param readings one per sensor
    */
   public void prepare(List<Placed> readings) {
-    cones = readings.stream().flatMap(p -> Cone.of(p).stream()).toList();
+    cones = readings.stream().limit(MOST).flatMap(p -> Cone.of(p).stream()).toList();
   }
 
   @Override

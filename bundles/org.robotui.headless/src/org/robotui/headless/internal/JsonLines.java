@@ -46,6 +46,7 @@ final class JsonLines implements Output {
         .put("age_s", port.ageSeconds(), 3)
         .put("dropped", port.dropped())
         .put("link", link(ruic, port.port().component()))
+        .put("problem", port.problem())
         .put("value", port.value())
         .end();
   }

@@ -20,7 +20,7 @@ import org.robotui.testkit.host.FakeRuic;
 
 class JsonLinesTest {
   private static final PortStatus SCAN = new PortStatus(new SourceId("base", "/scan"), PortKind.STREAM, "LaserScan",
-      true, 12, 9.98, 0.0124, false, 1, "", "360 ranges");
+      true, 12, 9.98, 0.0124, false, 1, "/scan from /laser: truncated", "360 ranges");
   private static final PortStatus MAP = new PortStatus(new SourceId("base", "/map"), PortKind.STREAM, "GridMap",
       true, 0, 0, Double.NaN, false, 0, "", "");
 
@@ -33,9 +33,9 @@ class JsonLinesTest {
 
     assertEquals(List.of(
         "{\"ruic\":\"Natalie\",\"port\":\"base./scan\",\"type\":\"LaserScan\",\"rate_hz\":9.980,\"age_s\":0.012,"
-            + "\"dropped\":1,\"link\":\"retry 4 s\",\"value\":\"360 ranges\"}",
+            + "\"dropped\":1,\"link\":\"retry 4 s\",\"problem\":\"/scan from /laser: truncated\",\"value\":\"360 ranges\"}",
         "{\"ruic\":\"Natalie\",\"port\":\"base./map\",\"type\":\"GridMap\",\"rate_hz\":0.000,\"age_s\":null,"
-            + "\"dropped\":0,\"link\":\"retry 4 s\",\"value\":\"\"}"),
+            + "\"dropped\":0,\"link\":\"retry 4 s\",\"problem\":\"\",\"value\":\"\"}"),
         bytes.toString(StandardCharsets.UTF_8).lines().toList());
   }
 

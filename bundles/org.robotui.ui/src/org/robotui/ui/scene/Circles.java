@@ -30,17 +30,13 @@ final class Circles {
 
   private static void add(Path path, double x, double y, double radius, int turn) {
     int corners = corners(radius);
+    double[] xy = new double[2 * corners];
     for (int i = 0; i < corners; i++) {
       double angle = turn * 2 * Math.PI * i / corners;
-      float toX = (float) (x + radius * Math.cos(angle));
-      float toY = (float) (y + radius * Math.sin(angle));
-      if (i == 0) {
-        path.moveTo(toX, toY);
-      } else {
-        path.lineTo(toX, toY);
-      }
+      xy[2 * i] = x + radius * Math.cos(angle);
+      xy[2 * i + 1] = y + radius * Math.sin(angle);
     }
-    path.close();
+    ClippedPath.addArea(path, xy);
   }
 
   static int corners(double radius) {

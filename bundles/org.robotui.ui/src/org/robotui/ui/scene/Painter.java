@@ -1,5 +1,6 @@
 package org.robotui.ui.scene;
 
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import org.eclipse.swt.SWT;
@@ -24,6 +25,7 @@ import org.robotui.ui.Theme;
 public final class Painter {
   private static final int OPAQUE = 255;
   private static final int LONG_LINE = 100;
+  private static final int LONG_TEXT = 300;
   private static final double STRAIGHT_PIXELS = 0.25;
   private static final double GROUND_OPACITY = 0.85;
 
@@ -201,7 +203,7 @@ public final class Painter {
    */
   public void polyline(double[] xy, int count) {
     if (count > 1) {
-      Path path = path(xy, count);
+      Path path = ClippedPath.line(gc.getDevice(), pixels(xy, count));
       gc.drawPath(path);
       path.dispose();
     }
@@ -215,8 +217,7 @@ public final class Painter {
    */
   public void area(double[] xy, int count) {
     if (count > 2) {
-      Path path = path(xy, count);
-      path.close();
+      Path path = ClippedPath.area(gc.getDevice(), pixels(xy, count));
       gc.fillPath(path);
       path.dispose();
     }
@@ -230,8 +231,7 @@ public final class Painter {
    */
   public void outline(double[] xy, int count) {
     if (count > 2) {
-      Path path = path(xy, count);
-      path.close();
+      Path path = ClippedPath.area(gc.getDevice(), pixels(xy, count));
       gc.drawPath(path);
       path.dispose();
     }
@@ -301,10 +301,15 @@ public final class Painter {
   public void text(String text, double x, double y, double dx, double dy, Face face) {
     font(face);
     // The height is that of the font: asking for the extent of each text takes as long as drawing it.
-    int height = heights.computeIfAbsent(face, f -> gc.textExtent(text).y);
+    int height = heights.computeIfAbsent(face, f -> gc.textExtent(brief(text)).y);
     int left = (int) Math.round(viewport.pixelX(x) + dx);
     int top = (int) Math.round(viewport.pixelY(y) + dy - height / 2.0);
-    gc.drawText(text, left, top, true);
+    gc.drawText(brief(text), left, top, true);
+  }
+
+  /** What of a text is drawn: a name of a million letters would take seconds, and no window shows so much. */
+  private static String brief(String text) {
+    return text.length() <= LONG_TEXT ? text : text.substring(0, LONG_TEXT) + "\u2026";
   }
 
   private void font(Face face) {
@@ -326,14 +331,15 @@ public final class Painter {
    */
   public void label(String text, double x, double y, double dx, double dy, Face face) {
     font(face);
-    Point size = gc.textExtent(text);
+    String shown = brief(text);
+    Point size = gc.textExtent(shown);
     int left = (int) Math.round(viewport.pixelX(x) + dx);
     int top = (int) Math.round(viewport.pixelY(y) + dy - size.y / 2.0);
     opacity(GROUND_OPACITY).fill(Role.GROUND);
     gc.fillRoundRectangle(
         left - Theme.STEP, top - 1, size.x + 2 * Theme.STEP, size.y + 2, 2 * Theme.STEP, 2 * Theme.STEP);
     opacity(1);
-    gc.drawText(text, left, top, true);
+    gc.drawText(shown, left, top, true);
   }
 
   /**
@@ -359,19 +365,14 @@ public final class Painter {
     transform.dispose();
   }
 
-  private Path path(double[] xy, int count) {
+  private double[] pixels(double[] xy, int count) {
     double[] pixels = new double[2 * count];
     for (int i = 0; i < count; i++) {
       pixels[2 * i] = viewport.pixelX(xy[2 * i]);
       pixels[2 * i + 1] = viewport.pixelY(xy[2 * i + 1]);
     }
     int kept = count > LONG_LINE ? LineThinner.thin(pixels, count, STRAIGHT_PIXELS) : count;
-    Path path = new Path(gc.getDevice());
-    path.moveTo((float) pixels[0], (float) pixels[1]);
-    for (int i = 1; i < kept; i++) {
-      path.lineTo((float) pixels[2 * i], (float) pixels[2 * i + 1]);
-    }
-    return path;
+    return kept == count ? pixels : Arrays.copyOf(pixels, 2 * kept);
   }
 
   private void applyAlpha() {

@@ -17,9 +17,11 @@ public record Viewport(double centerX, double centerY, double scale, int width, 
   public static final double MAX_SCALE = 10_000;
 
   private static final double SMALLEST_EXTENT = 0.1;
+  /** Farther out, metres, nothing is looked at: nor do numbers tell pixels apart there. */
+  private static final double FARTHEST = 1e10;
 
   /**
-   * Keeps the scale within its limits.
+   * Keeps centre and scale within their limits.
    *
    * @param centerX metres
    * @param centerY metres
@@ -28,9 +30,11 @@ public record Viewport(double centerX, double centerY, double scale, int width, 
    * @param height pixels
    */
   public Viewport {
-    if (!Double.isFinite(centerX) || !Double.isFinite(centerY) || Double.isNaN(scale)) {
+    if (Double.isNaN(centerX) || Double.isNaN(centerY) || Double.isNaN(scale)) {
       throw new IllegalArgumentException("no view: centre " + centerX + ", " + centerY + ", scale " + scale);
     }
+    centerX = near(centerX);
+    centerY = near(centerY);
     scale = Math.clamp(scale, MIN_SCALE, MAX_SCALE);
     width = Math.max(1, width);
     height = Math.max(1, height);
@@ -132,11 +136,14 @@ public record Viewport(double centerX, double centerY, double scale, int width, 
    * @return the view after that
    */
   public Viewport fitting(Bounds bounds, int margin) {
-    double across = Math.max(1, width - 2.0 * margin) / Math.max(SMALLEST_EXTENT, bounds.width());
-    double down = Math.max(1, height - 2.0 * margin) / Math.max(SMALLEST_EXTENT, bounds.height());
-    double x = (bounds.minX() + bounds.maxX()) / 2;
-    double y = (bounds.minY() + bounds.maxY()) / 2;
-    return new Viewport(x, y, Math.min(across, down), width, height);
+    Bounds near = new Bounds(near(bounds.minX()), near(bounds.minY()), near(bounds.maxX()), near(bounds.maxY()));
+    double across = Math.max(1, width - 2.0 * margin) / Math.max(SMALLEST_EXTENT, near.width());
+    double down = Math.max(1, height - 2.0 * margin) / Math.max(SMALLEST_EXTENT, near.height());
+    return new Viewport((near.minX() + near.maxX()) / 2, (near.minY() + near.maxY()) / 2, Math.min(across, down), width, height);
+  }
+
+  private static double near(double coordinate) {
+    return Math.clamp(coordinate, -FARTHEST, FARTHEST);
   }
 
   /**

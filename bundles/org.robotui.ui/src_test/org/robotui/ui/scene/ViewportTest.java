@@ -61,6 +61,19 @@ class ViewportTest {
   }
 
   @Test
+  void fittingWhatReachesAnywhereGivesAViewOfSomewhere() {
+    double[] edges = {Double.NEGATIVE_INFINITY, -Double.MAX_VALUE, -1e300, 0, 1e300, Double.MAX_VALUE, Double.POSITIVE_INFINITY};
+    for (double low : edges) {
+      for (double high : edges) {
+        if (low <= high) {
+          Bounds seen = viewport.fitting(new Bounds(low, low, high, high), 20).visible();
+          assertTrue(seen.width() > 0 && seen.width() < 1e6, low + " to " + high + " gives " + seen);
+        }
+      }
+    }
+  }
+
+  @Test
   void aViewOfNowhereIsRefused() {
     assertThrows(IllegalArgumentException.class, () -> new Viewport(Double.NaN, 0, 1, 10, 10));
     assertThrows(IllegalArgumentException.class, () -> new Viewport(0, 0, Double.NaN, 10, 10));

@@ -20,18 +20,24 @@ import org.robotui.data.Stamp;
 
 /** A stream that a robot interface offers. */
 public final class StreamSource<T extends Data> implements Publication<T>, Offered {
+  /** How long a loss is told of after values came again, so that a stream of which some are refused is not taken for a sound one. */
+  private static final long TOLD_NANOS = 5_000_000_000L;
+
   private final SourceId id;
   private final StreamPort<T> port;
   private final DataType type;
   private final Link link;
+  private final NanoClock clock;
   private final DemandSwitch demand;
   private final Withdrawal withdrawal;
   private final Fan<T> fan;
   private final AtomicBoolean closed = new AtomicBoolean();
   private final AtomicLong lost = new AtomicLong();
-  private volatile String lostReason = "";
+  private volatile Optional<Loss> newestLoss = Optional.empty();
   private volatile String failure = "";
   private volatile boolean kept;
+
+  private record Loss(String reason, long nanos, boolean healed) {}
 
   /** Made by the table of offers. */
   public StreamSource(
@@ -40,6 +46,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     this.port = port;
     this.type = port.dataType();
     this.link = link;
+    this.clock = clock;
     this.demand = new DemandSwitch(demand, serial);
     this.withdrawal = withdrawal;
     this.fan = new Fan<>(id, type, clock.nanos());
@@ -49,6 +56,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
     if (!closed.get()) {
       failure = "";
+      newestLoss.filter(loss -> !loss.healed()).ifPresent(loss -> newestLoss = Optional.of(new Loss(loss.reason(), loss.nanos(), true)));
       fan.publish(value, stamp, receivedNanos, raw);
     }
   }
@@ -56,7 +64,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   @Override
   public void lost(long count, String reason) {
     lost.addAndGet(count);
-    lostReason = reason;
+    newestLoss = Optional.of(new Loss(reason, clock.nanos(), false));
   }
 
   @Override
@@ -99,8 +107,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   private InputState aged(Envelope<T> newest, long now) {
     double age = newest.ageSeconds(now);
-    return stale(age)
-        .<InputState>map(why -> new InputState.Stale(age, id + ": " + why))
+    return refused().map(why -> new InputState.Stale(age, id + ": " + why, true))
+        .or(() -> stale(age).map(why -> new InputState.Stale(age, id + ": " + why)))
+        .<InputState>map(state -> state)
         .orElseGet(() -> new InputState.Live(fan.rate().rateHz(now), age));
   }
 
@@ -108,14 +117,23 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     return Staleness.of(type, kept, age, fan.rate().typicalPeriodSeconds(), link);
   }
 
+  /** Why the newest value is not the newest that was sent, while the link is up. */
+  private Optional<String> refused() {
+    return newestLoss.filter(loss -> link.isUp() && !loss.healed()).map(loss -> "the newest message was refused; " + loss.reason());
+  }
+
   private InputState waiting() {
-    String sofar = lostReason.isEmpty() ? "no data yet" : "nothing usable came yet; " + lostReason;
+    String sofar = newestLoss.map(loss -> "nothing usable came yet; " + loss.reason()).orElse("no data yet");
     return new InputState.Waiting(id + ": " + (link.isUp() ? sofar : "no link yet (" + link.text() + ")"));
   }
 
   /** The newest value, whoever asked for it. */
   public Optional<Envelope<T>> last() {
     return fan.last();
+  }
+
+  private Optional<String> told(long now) {
+    return newestLoss.filter(loss -> !loss.healed() || now - loss.nanos() < TOLD_NANOS).map(Loss::reason);
   }
 
   @Override
@@ -134,9 +152,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     long now = clock.nanos();
     double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
     Optional<String> stale = last.flatMap(e -> stale(age));
-    String problem = !failure.isEmpty() ? failure : lost.get() > 0 ? lostReason : stale.orElse("");
+    String problem = !failure.isEmpty() ? failure : told(now).or(() -> stale).orElse("");
     String value = last.map(e -> ValueText.of(e.value())).orElse("");
     return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now), age,
-        stale.isPresent(), lost.get() + fan.dropped(), problem, value);
+        stale.isPresent() && refused().isEmpty(), lost.get() + fan.dropped(), problem, value);
   }
 }

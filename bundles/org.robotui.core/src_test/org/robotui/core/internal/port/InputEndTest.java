@@ -161,6 +161,27 @@ class InputEndTest {
   }
 
   @Test
+  void aMessageThatCannotBeUsedMarksTheLastGoodValueUntilTheNext() {
+    connected();
+    input.connect(List.of(front), "");
+    publish(front, Samples.scan(1));
+    front.lost(1, "/scan from /laser: rangeMax: must not be below rangeMin");
+    assertTrue(explanation(InputState.Stale.class, input.state()).contains("/scan from /laser: rangeMax"));
+    assertTrue(((InputState.Stale) input.state()).refused());
+    assertTrue(input.latest().isPresent(), "the last good value stays");
+    clock.advanceMillis(3000);
+    assertTrue(explanation(InputState.Stale.class, input.state()).contains("rangeMax"), "the reason counts, not the age");
+    assertFalse(front.status(clock).stale(), "it is its problem that is told");
+    publish(front, Samples.scan(2));
+    assertInstanceOf(InputState.Live.class, input.state());
+    assertTrue(front.status(clock).problem().contains("rangeMax"), "seldom losses are told as well");
+    clock.advanceMillis(6000);
+    publish(front, Samples.scan(3));
+    assertEquals("", front.status(clock).problem());
+    assertEquals(1, front.status(clock).dropped());
+  }
+
+  @Test
   void bestOfSeveralSourcesCounts() {
     connected();
     input.connect(List.of(front, rear), "");

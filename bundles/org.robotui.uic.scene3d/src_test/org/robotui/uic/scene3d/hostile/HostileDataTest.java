@@ -42,6 +42,8 @@ import org.robotui.testkit.Displays;
 import org.robotui.testkit.Effort;
 import org.robotui.testkit.ScenePictures;
 import org.robotui.testkit.display.DisplayProbe;
+import org.robotui.testkit.values.Spoiler;
+import org.robotui.testkit.values.ValidValues;
 
 /** Whatever a robot sends, displays show it, or say what is wrong with it; they neither throw nor take much memory, and what they show can be drawn. */
 class HostileDataTest {
@@ -59,7 +61,7 @@ class HostileDataTest {
   }
 
   private static List<Data> sound(DisplayType type) {
-    return Sound.all().stream().filter(value -> type.accepts().stream().anyMatch(accepted -> accepted.isInstance(value))).toList();
+    return ValidValues.all().stream().filter(value -> type.accepts().stream().anyMatch(accepted -> accepted.isInstance(value))).toList();
   }
 
   @ParameterizedTest
@@ -78,13 +80,13 @@ class HostileDataTest {
   @MethodSource("types")
   @Timeout(600)
   void spoiledDataAreShownOrRefusedInWords(DisplayType type) {
-    Nasty nasty = new Nasty(type.id().hashCode());
+    Spoiler spoiler = new Spoiler(type.id().hashCode());
     List<Data> sound = sound(type);
     DisplayProbe probe = open(type);
     int said = 0;
     int round = 0;
     for (Effort effort = Effort.of(ROUNDS, Duration.ofSeconds(30)); effort.goesOn(); round++) {
-      List<Data> spoiled = sound.stream().map(value -> spoil(nasty, value)).toList();
+      List<Data> spoiled = sound.stream().map(value -> spoil(spoiler, value)).toList();
       DisplayResult result = show(probe, type, spoiled);
       said += result.status().words().isBlank() ? 0 : 1;
       if (round % 10 == 9) {
@@ -102,10 +104,10 @@ class HostileDataTest {
     return probe;
   }
 
-  private static Data spoil(Nasty nasty, Data value) {
+  private static Data spoil(Spoiler spoiler, Data value) {
     Data spoiled = value;
     for (int i = 0; i < CHANGES; i++) {
-      spoiled = nasty.spoil(spoiled);
+      spoiled = spoiler.spoil(spoiled);
     }
     return spoiled;
   }
@@ -132,11 +134,11 @@ class HostileDataTest {
   void whatBecomesOfSpoiledDataCanBeDrawn() {
     try (ScenePictures pictures = new ScenePictures()) {
       for (DisplayType type : TYPES) {
-        Nasty nasty = new Nasty(type.id().hashCode() + 1);
+        Spoiler spoiler = new Spoiler(type.id().hashCode() + 1);
         List<Data> sound = sound(type);
         for (int round = 0; round < ROUNDS / DRAWN_EVERY; round++) {
           try (DisplayProbe probe = open(type)) {
-            List<Part> parts = show(probe, type, sound.stream().map(value -> spoil(nasty, value)).toList()).parts();
+            List<Part> parts = show(probe, type, sound.stream().map(value -> spoil(spoiler, value)).toList()).parts();
             Rendered made = pictures.render(ScenePictures.request(parts, ScenePictures.eye(new Vector3(-3, -2, 3), Vector3.ZERO)));
             assertTrue(made instanceof Rendered.Picture, () -> type.id() + ": " + made);
           }

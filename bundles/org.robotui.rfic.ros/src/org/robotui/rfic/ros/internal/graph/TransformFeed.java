@@ -77,14 +77,14 @@ final class TransformFeed implements AutoCloseable {
     TFMessage message = new TFMessage(own);
     FrameNames names = clock.names();
     Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
-    good.ifPresent(set -> {
-      context.frames().add(set, reception.callerId());
-      publication.publish(set, clock.stamp(set.transforms().getFirst().stamp().nanos(), names));
-    });
     int refused = own.size() - good.map(set -> set.transforms().size()).orElse(0);
     if (refused > 0) {
       publication.lost(refused, refused + " transforms of " + reception.callerId() + " are no transforms");
     }
+    good.ifPresent(set -> {
+      context.frames().add(set, reception.callerId());
+      publication.publish(set, clock.stamp(set.transforms().getFirst().stamp().nanos(), names));
+    });
   }
 
   private boolean concerns(String frame) {

@@ -15,11 +15,13 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.Icons;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
+import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.uic.gps.internal.model.Receiver;
 
 /** Lines about receivers. Made for one paint; display thread. */
 final class ReceiverRows {
+  private static final int WIDEST_NAME = 240;
   private static final int SWATCH = 9;
   private static final int GAP = 10;
   private static final int MARK = 12;
@@ -38,7 +40,7 @@ final class ReceiverRows {
 
   int width(List<Receiver> receivers) {
     gc.setFont(theme.font(Face.SMALL));
-    int names = receivers.stream().mapToInt(r -> gc.textExtent(r.name()).x).max().orElse(0);
+    int names = receivers.stream().mapToInt(r -> gc.textExtent(name(r)).x).max().orElse(0);
     int words = receivers.stream().mapToInt(r -> gc.textExtent(word(r)).x).max().orElse(0);
     int more = receivers.stream().mapToInt(r -> gc.textExtent(more(r)).x).max().orElse(0);
     nameWidth = names;
@@ -52,7 +54,7 @@ final class ReceiverRows {
     gc.setBackground(theme.traces().get(receiver.trace() % theme.traces().size()));
     gc.fillOval(left, middle - SWATCH / 2, SWATCH, SWATCH);
     int x = left + SWATCH + 2 * Theme.STEP;
-    text(receiver.name(), x, middle, Role.TEXT);
+    text(name(receiver), x, middle, Role.TEXT);
     x += nameWidth + GAP;
     text(word(receiver), x, middle, role(receiver));
     x += wordWidth + GAP;
@@ -74,6 +76,10 @@ final class ReceiverRows {
     gc.setForeground(theme.color(role));
     Point size = gc.textExtent(text);
     gc.drawText(text, x, middle - size.y / 2, true);
+  }
+
+  private String name(Receiver receiver) {
+    return TextFit.shorten(gc, receiver.name(), WIDEST_NAME);
   }
 
   private static boolean live(Receiver receiver) {

@@ -69,7 +69,7 @@ public final class Feed<T extends Data, E extends Entity> {
   }
 
   private enum Trouble {
-    FAILED("failed"), WAITING("wait for data"), UNPLACED("without a transform"), STALE("stale");
+    FAILED("failed"), WAITING("wait for data"), REFUSED("sent what was refused"), UNPLACED("without a transform"), STALE("stale");
 
     final String words;
 
@@ -227,6 +227,7 @@ public final class Feed<T extends Data, E extends Entity> {
     return switch (input.state(id)) {
       case InputState.Failed f -> Optional.of(Trouble.FAILED);
       case InputState.Waiting w -> Optional.of(Trouble.WAITING);
+      case InputState.Stale s when s.refused() -> Optional.of(Trouble.REFUSED);
       case InputState state when source.problem.isPresent() -> Optional.of(Trouble.UNPLACED);
       case InputState.Stale s -> Optional.of(Trouble.STALE);
       default -> Optional.empty();
@@ -238,6 +239,7 @@ public final class Feed<T extends Data, E extends Entity> {
     InputState state = input.state(id);
     return switch (trouble) {
       case FAILED, WAITING -> new Note(StateView.health(state), name + ": " + state.explanation());
+      case REFUSED -> new Note(Health.WARNING, name + ": " + state.explanation());
       case UNPLACED -> new Note(Health.WARNING, name + ": " + source.problem.orElse(""));
       case STALE -> new Note(Health.STALE, name + " " + StateView.word(state));
     };

@@ -1,30 +1,52 @@
-package org.robotui.uic.scene3d.hostile;
+package org.robotui.testkit.values;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.robotui.data.Battery;
 import org.robotui.data.Bumper;
 import org.robotui.data.Bumpers;
 import org.robotui.data.Bytes;
 import org.robotui.data.CameraInfo;
+import org.robotui.data.ClockKind;
 import org.robotui.data.Color;
+import org.robotui.data.CompressedImage;
+import org.robotui.data.ControlPlugins;
 import org.robotui.data.Data;
+import org.robotui.data.Diagnostics;
 import org.robotui.data.DisplayedTrajectory;
 import org.robotui.data.Doubles;
+import org.robotui.data.FieldValue;
 import org.robotui.data.Floats;
+import org.robotui.data.Footprint;
 import org.robotui.data.FrameId;
+import org.robotui.data.FrameTransform;
+import org.robotui.data.GpsFix;
 import org.robotui.data.GridMap;
+import org.robotui.data.Histogram;
+import org.robotui.data.Imu;
 import org.robotui.data.InteractiveMarker;
 import org.robotui.data.InteractiveMarker.Control;
 import org.robotui.data.InteractiveMarker.MenuEntry;
 import org.robotui.data.InteractiveMarkerSet;
+import org.robotui.data.JointCommand;
+import org.robotui.data.JointControl;
+import org.robotui.data.JointMode;
+import org.robotui.data.JointModel;
 import org.robotui.data.JointState;
 import org.robotui.data.JointTrajectory;
 import org.robotui.data.LaserScan;
+import org.robotui.data.LogEntry;
+import org.robotui.data.LoopTiming;
+import org.robotui.data.MapRecord;
 import org.robotui.data.Marker;
+import org.robotui.data.MarkerFeedback;
 import org.robotui.data.MarkerSet;
+import org.robotui.data.MessageCommand;
 import org.robotui.data.NavigationGoal;
 import org.robotui.data.Odometry;
 import org.robotui.data.Path;
@@ -37,15 +59,19 @@ import org.robotui.data.RangeReading;
 import org.robotui.data.RangeReadings;
 import org.robotui.data.RawImage;
 import org.robotui.data.RobotDescription;
+import org.robotui.data.Severity;
+import org.robotui.data.Stamp;
 import org.robotui.data.StampedPose;
+import org.robotui.data.TransformSet;
+import org.robotui.data.VelocityCommand;
 import org.robotui.data.Wrench;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.testkit.display.FakePlaces;
 
-/** Data as they should be, one of each type that displays show, and one of each type of marker. */
-final class Sound {
+/** Data as they should be: one of each type, and one of each type of marker. All are of the robot and the frames of {@link FakePlaces}. */
+public final class ValidValues {
   private static final FrameId MAP = FakePlaces.frame("map");
   private static final RigidTransform POSE = new RigidTransform(new Vector3(1, 2, 0.5), Quaternion.fromYaw(0.7));
   private static final Doubles COVARIANCE = Doubles.wrap(new double[Odometry.COVARIANCE_SIZE]);
@@ -55,9 +81,14 @@ final class Sound {
         <joint name="lift" type="prismatic"><parent link="base"/><child link="hand"/><axis xyz="0 0 1"/><limit lower="0" upper="1"/></joint></robot>
       """;
 
-  private Sound() {}
+  private ValidValues() {}
 
-  static List<Data> all() {
+  /**
+   * One of each type.
+   *
+   * @return the values
+   */
+  public static List<Data> all() {
     List<Data> all = new ArrayList<>(List.<Data>of(cloud(), markers(), interactive(),
         new LaserScan(MAP, -1, 0.5, 0.1, 10, 0.1, Floats.of(1, 2, 3, 4, 5), Floats.of(9, 8, 7, 6, 5)),
         new GridMap(MAP, 0.05, 8, 4, POSE, Bytes.of(new byte[32])),
@@ -70,10 +101,36 @@ final class Sound {
         new RawImage(MAP, 8, 6, PixelEncoding.RGB8, false, 24, Bytes.of(new byte[144])),
         new CameraInfo(MAP, 8, 6, "plumb_bob", Doubles.EMPTY, Doubles.of(8, 0, 4, 0, 8, 3, 0, 0, 1), Doubles.of(1, 0, 0, 0, 1, 0, 0, 0, 1),
             Doubles.of(8, 0, 4, 0, 0, 8, 3, 0, 0, 0, 1, 0))));
+    all.addAll(states());
     all.addAll(List.<Data>of(new RobotDescription(FakePlaces.ROBOT, "robot_description", URDF, "", List.of()),
         new JointState(List.of(new JointState.Joint("lift", 0.5, 0, 0))), trajectory(),
         new DisplayedTrajectory("arm", List.of(new JointState.Joint("lift", 0.1, 0, 0)), List.of(trajectory()))));
     return all;
+  }
+
+  private static List<Data> states() {
+    Histogram busy = new Histogram(List.of(1L, 5L, 2L), List.of(0L, 1000L, 2000L), 2500);
+    LoopTiming.Loop loop = new LoopTiming.Loop("loop", "HAL", new LoopTiming.Schedule(1_000_000, 80, 1), new LoopTiming.Counts(9, 1, 1, 0, 0), busy, busy);
+    return List.of(new Battery(24.1, -1.5, 0.7, Battery.Status.DISCHARGING),
+        new Diagnostics(List.of(new Diagnostics.Item("base/motor", "m1", Diagnostics.Level.WARNING, "warm", Map.of("temperature", "61.5")))),
+        new LogEntry(Severity.WARNING, "/base", "wheel slips", "base.cpp:12"),
+        new Imu(MAP, Optional.of(Quaternion.IDENTITY), Optional.of(Vector3.ZERO), Optional.of(new Vector3(0, 0, 9.81))),
+        new GpsFix(MAP, GpsFix.Quality.FIX, 0.85, 0.2, 400, 1.5),
+        new Footprint(MAP, List.of(new Vector3(0.3, 0.2, 0), new Vector3(-0.3, 0.2, 0), new Vector3(-0.3, -0.2, 0), new Vector3(0.3, -0.2, 0))),
+        new TransformSet(List.of(new FrameTransform(MAP, FakePlaces.frame("base"), new Stamp(1, ClockKind.ROBOT), POSE, false))),
+        new VelocityCommand(new Vector3(0.5, 0, 0), new Vector3(0, 0, 0.2)),
+        new CompressedImage(MAP, "png", Bytes.of(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13})),
+        new JointModel(List.of(new JointModel.Joint("lift", 1, JointModel.Type.PRISMATIC, 0, 1, 0.5, 100)), List.of(new JointModel.Chain("arm", List.of("lift")))),
+        new JointControl(List.of(new JointControl.Joint("lift", new JointControl.Measured(0.5, 0.5, 0, 0, 3, 40, 41),
+            new JointControl.Reference(0.6, 0, 0, 100, 10), Set.of(JointMode.POSITION), JointControl.Source.COMMANDED, "plugin", 0, 0, 0))),
+        new JointCommand(List.of(new JointCommand.Joint("lift", new JointControl.Reference(0.6, 0, 0, 100, 10), Set.of(JointMode.POSITION)))),
+        new LoopTiming(true, List.of(loop)),
+        new ControlPlugins(List.of(new ControlPlugins.Plugin("walk", "libwalk.so", "host", "main", ControlPlugins.State.RUNNING, "well", "", 0, 1_000_000, 9, busy))),
+        new MarkerFeedback("/feedback", "client", "goal", "move", MarkerFeedback.Event.POSE_UPDATE, MAP, Optional.empty(), POSE, 0, Optional.empty()),
+        new MessageCommand("/talk", "std_msgs/String", Map.of("data", "hello")),
+        new MapRecord("demo/State", Map.of("x", new FieldValue.Num(1.5, "1.5"), "on", new FieldValue.Flag(true), "name", new FieldValue.Text("a"),
+            "at", new FieldValue.Time(5), "many", new FieldValue.Numbers(Doubles.of(1, 2, 3)),
+            "parts", new FieldValue.Items(List.of(new FieldValue.Num(1, "1"))))));
   }
 
   private static JointTrajectory trajectory() {

@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.hostile;
+package org.robotui.testkit.values;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
@@ -8,7 +8,9 @@ import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.robotui.data.Bytes;
@@ -17,9 +19,10 @@ import org.robotui.data.Floats;
 
 /**
  * Spoils values as broken and hostile programs do: numbers that are none, that are huge or negative, lists and arrays of the wrong size, long and
- * odd texts, frames that are not there. A record says by an {@link IllegalArgumentException} that it cannot be so: then nobody ever gets it.
+ * odd texts, frames that are not there. A record says by an {@link IllegalArgumentException} that it cannot be so: then nobody ever gets it. The same
+ * seed spoils the same values in the same way. For one thread.
  */
-final class Nasty {
+public final class Spoiler {
   private static final double[] NUMBERS = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 0, -0.0, -1, 1e-320, 1e-9, 1e12, 1e300, -1e300,
       Double.MAX_VALUE};
   private static final int[] WHOLE = {-1, 0, 1, 3, 7, 255, 65_536, 1 << 28, Integer.MAX_VALUE, Integer.MIN_VALUE};
@@ -28,12 +31,23 @@ final class Nasty {
 
   private final SplittableRandom random;
 
-  Nasty(long seed) {
+  /**
+   * A spoiler that has done nothing yet.
+   *
+   * @param seed decides what it does
+   */
+  public Spoiler(long seed) {
     random = new SplittableRandom(seed);
   }
 
-  /** The value with something in it that is wrong; the same one where it could not be so. */
-  <T> T spoil(T value) {
+  /**
+   * Spoils a value once.
+   *
+   * @param <T> its type
+   * @param value a record, or what records consist of
+   * @return the value with something in it that is wrong; the same one where it could not be so
+   */
+  public <T> T spoil(T value) {
     try {
       @SuppressWarnings("unchecked") // a value is spoiled into one of its class
       T spoiled = (T) other(value);
@@ -54,6 +68,7 @@ final class Nasty {
       case Enum<?> e -> e.getDeclaringClass().getEnumConstants()[random.nextInt(e.getDeclaringClass().getEnumConstants().length)];
       case Optional<?> o -> o.isPresent() && random.nextBoolean() ? Optional.of(other(o.get())) : Optional.empty();
       case List<?> l -> list(l);
+      case Map<?, ?> m -> map(m);
       case Floats f -> floats(f);
       case Doubles d -> doubles(d);
       case Bytes b -> bytes(b);
@@ -113,6 +128,16 @@ final class Nasty {
       case 2 -> next.addAll(Collections.nCopies(MANY, next.get(at)));
       case 3 -> next.clear();
       default -> next.set(at, other(next.get(at)));
+    }
+    return next;
+  }
+
+  private Map<?, ?> map(Map<?, ?> map) {
+    Map<Object, Object> next = new LinkedHashMap<>();
+    int chosen = map.isEmpty() ? 0 : random.nextInt(map.size());
+    for (Map.Entry<?, ?> entry : map.entrySet()) {
+      boolean here = next.size() == chosen;
+      next.put(here && random.nextBoolean() ? other(entry.getKey()) : entry.getKey(), here ? other(entry.getValue()) : entry.getValue());
     }
     return next;
   }
