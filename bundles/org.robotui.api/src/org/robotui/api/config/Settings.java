@@ -74,6 +74,16 @@ public record Settings(Schema schema, Map<String, Object> values) {
   }
 
   /**
+   * A value together with where it is written, of a setting whose type is {@link ValueType.WithPlace}.
+   *
+   * @param name the setting
+   * @return its value and place
+   */
+  public Placed placed(String name) {
+    return get(name, Placed.class);
+  }
+
+  /**
    * A list.
    *
    * @param name the setting

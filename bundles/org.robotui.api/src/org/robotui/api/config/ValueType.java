@@ -4,20 +4,42 @@ import java.util.List;
 
 /** What a setting may hold. */
 public sealed interface ValueType {
-  /** A text. */
-  record Text() implements ValueType {}
+  /**
+   * A text.
+   *
+   * @param rule what it must be like
+   */
+  record Text(TextRule rule) implements ValueType {
+    /** Any text. */
+    public Text() {
+      this(TextRule.ANY);
+    }
+  }
 
   /** True or false. */
   record Flag() implements ValueType {}
 
   /**
-   * A number within limits.
+   * A finite number within limits, which are finite as well: what has no bound by its nature gets one beyond everything that makes sense.
    *
    * @param min the smallest allowed
    * @param max the largest allowed
-   * @param unit for display, for example {@code m/s}; empty where there is none
+   * @param unit for display, for example {@code m/s}; empty for a plain number, such as a share, whose help says what it counts
    */
-  record Num(double min, double max, String unit) implements ValueType {}
+  record Num(double min, double max, String unit) implements ValueType {
+    /**
+     * Checks the limits.
+     *
+     * @param min the smallest allowed
+     * @param max the largest allowed
+     * @param unit for display
+     */
+    public Num {
+      if (!Double.isFinite(min) || !Double.isFinite(max) || min > max) {
+        throw new IllegalArgumentException("no range of numbers: " + min + " to " + max);
+      }
+    }
+  }
 
   /**
    * A whole number within limits.

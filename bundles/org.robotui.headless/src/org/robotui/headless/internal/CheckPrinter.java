@@ -39,7 +39,8 @@ final class CheckPrinter {
 
   static String line(Problem problem) {
     String severity = problem.severity().name().toLowerCase(Locale.ROOT);
-    return problem.file() + ":" + problem.line() + ":" + problem.column() + ": " + severity + ": " + problem.message();
+    String place = problem.line() == 0 ? "" : ":" + problem.line() + ":" + problem.column();
+    return problem.file() + place + ": " + severity + ": " + problem.message();
   }
 
   private void ruic(String name, List<Match> matches) {

@@ -1,10 +1,10 @@
 package org.robotui.headless.internal;
 
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import org.robotui.api.config.Configuration;
 import org.robotui.api.host.CheckReport;
 import org.robotui.api.host.Host;
 
@@ -24,8 +24,9 @@ final class CheckRun {
   }
 
   Exit check(Path file, Optional<Duration> live, Optional<String> reuse) throws InterruptedException {
-    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
-      err.println(Files.exists(file) ? file + " cannot be read" : "there is no file " + file);
+    Optional<String> unreadable = Configuration.unreadable(file);
+    if (unreadable.isPresent()) {
+      err.println(unreadable.get());
       return Exit.UNREADABLE;
     }
     CheckReport report = host.check(file, TYPES_LIMIT);

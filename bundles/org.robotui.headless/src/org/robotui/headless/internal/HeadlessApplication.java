@@ -15,8 +15,8 @@ import org.robotui.api.host.Host;
 public final class HeadlessApplication implements IApplication {
   private static final Duration CORE_LIMIT = Duration.ofSeconds(10);
 
-  private final PrintStream out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
-  private final PrintStream err = System.err;
+  private final PrintStream out = new TerminalOut(System.out, StandardCharsets.UTF_8);
+  private final PrintStream err = new TerminalOut(System.err, System.err.charset());
   private final CountDownLatch stop = new CountDownLatch(1);
   private final CountDownLatch ended = new CountDownLatch(1);
 
@@ -33,6 +33,7 @@ public final class HeadlessApplication implements IApplication {
       return Exit.USAGE.code();
     } finally {
       out.flush();
+      err.flush();
       ended.countDown();
     }
   }

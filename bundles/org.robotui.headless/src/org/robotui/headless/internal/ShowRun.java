@@ -1,15 +1,16 @@
 package org.robotui.headless.internal;
 
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Configuration;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
@@ -78,8 +79,9 @@ final class ShowRun {
   }
 
   private Exit load(Path file) {
-    if (!Files.isReadable(file)) {
-      err.println(Files.exists(file) ? file + " cannot be read" : "there is no file " + file);
+    Optional<String> unreadable = Configuration.unreadable(file);
+    if (unreadable.isPresent()) {
+      err.println(unreadable.get());
       return Exit.UNREADABLE;
     }
     List<Problem> problems = host.load(file);

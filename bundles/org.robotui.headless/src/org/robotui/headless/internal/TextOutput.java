@@ -1,6 +1,7 @@
 package org.robotui.headless.internal;
 
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.robotui.api.host.Host;
 import org.robotui.headless.internal.Terminal.Size;
@@ -44,12 +45,12 @@ final class TextOutput {
     @Override
     public void show() {
       if (frame == 0) {
-        out.print(HIDE_CURSOR + CLEAR_ALL);
+        steer(HIDE_CURSOR + CLEAR_ALL);
       }
       if (frame++ % FRAMES_PER_SIZE == 0) {
         size = terminal.size();
       }
-      out.print(frame(pages.lines(size.columns(), size.rows())));
+      steer(frame(pages.lines(size.columns(), size.rows())));
       out.flush();
     }
 
@@ -57,9 +58,13 @@ final class TextOutput {
       return HOME + String.join(CLEAR_TO_END_OF_LINE + "\r\n", lines) + CLEAR_TO_END_OF_LINE + CLEAR_BELOW;
     }
 
+    private void steer(String text) {
+      out.writeBytes(text.getBytes(StandardCharsets.UTF_8));
+    }
+
     @Override
     public void end() {
-      out.print(SHOW_CURSOR + "\r\n");
+      steer(SHOW_CURSOR + "\r\n");
       out.flush();
     }
   }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.robotui.api.TextUic;
+import org.robotui.api.config.Printable;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.Ruic;
@@ -56,8 +57,7 @@ final class TextPages {
 
   /** Keeps what would steer the terminal away from it. */
   static String fit(String line, int columns) {
-    String clean = line.codePoints()
-        .map(c -> Character.isISOControl(c) ? ' ' : c)
+    String clean = Printable.of(line).codePoints()
         .limit(columns)
         .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
         .toString();

@@ -1,6 +1,5 @@
 package org.robotui.workbench.internal;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -109,10 +108,6 @@ public final class Configurations implements AutoCloseable {
   }
 
   private List<Problem> read(Path file) {
-    if (!Files.isReadable(file)) {
-      String why = Files.exists(file) ? "the file cannot be read" : "there is no such file";
-      return List.of(new Problem(file.toString(), 0, 0, Problem.Severity.ERROR, why));
-    }
     try {
       return host.load(file);
     } catch (RuntimeException e) {

@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -13,6 +14,8 @@ import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.PlatformUI;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
+import org.robotui.api.config.Configuration;
+import org.robotui.api.config.Printable;
 import org.robotui.api.host.Host;
 import org.robotui.ui.Themes;
 import org.robotui.workbench.internal.display.Heartbeat;
@@ -24,12 +27,13 @@ import org.robotui.workbench.internal.rcp.RobotWorkbenchAdvisor;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The workbench. Exit codes: 0 fine, 3 wrong arguments, 4 the core did not start. */
+/** The workbench. Exit codes: 0 fine, 2 a configuration cannot be read, 3 wrong arguments, 4 the core did not start. */
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
   private static final Duration CLOSE_LIMIT = Duration.ofMillis(1200);
   /** How long core and the types of components may take to start. */
   private static final Duration CORE_LIMIT = Duration.ofSeconds(10);
+  private static final int UNREADABLE = 2;
   private static final int WRONG_ARGUMENTS = 3;
   private static final int NO_CORE = 4;
   private static final String THEME = "theme";
@@ -41,7 +45,7 @@ public final class WorkbenchApplication implements IApplication {
     try {
       return start(Arguments.parse(words));
     } catch (IllegalArgumentException e) {
-      System.err.println(e.getMessage());
+      say(e.getMessage());
       return WRONG_ARGUMENTS;
     }
   }
@@ -54,14 +58,27 @@ public final class WorkbenchApplication implements IApplication {
     }
   }
 
+  private static void say(String sentence) {
+    System.err.println(Printable.of(sentence));
+  }
+
+  /** What cannot be read at all is said where the workbench was started from; where nothing is left to be shown, that is the end. */
   private static Object start(Arguments arguments) throws InterruptedException {
+    List<String> unreadable = arguments.configurations().stream().flatMap(file -> Configuration.unreadable(file).stream()).toList();
+    unreadable.forEach(WorkbenchApplication::say);
+    boolean nothingLeft = !unreadable.isEmpty() && unreadable.size() == arguments.configurations().size();
+    Object code = nothingLeft ? EXIT_OK : show(arguments);
+    return EXIT_OK.equals(code) && !unreadable.isEmpty() ? UNREADABLE : code;
+  }
+
+  private static Object show(Arguments arguments) throws InterruptedException {
     CompletableFuture<Void> components = WorkbenchServices.startLaterBundles(CORE_LIMIT);
     Display.setAppName("RobotUI");
     Display display = PlatformUI.createDisplay();
     try {
       Optional<Host> host = WorkbenchServices.host(CORE_LIMIT);
       if (host.isEmpty()) {
-        System.err.println("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
+        say("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
         return NO_CORE;
       }
       return run(host.get(), display, arguments, components);

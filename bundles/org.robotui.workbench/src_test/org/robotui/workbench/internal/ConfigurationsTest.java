@@ -49,15 +49,6 @@ class ConfigurationsTest {
   }
 
   @Test
-  void aFileThatIsNotThereIsAProblem() throws Exception {
-    components.complete(null);
-    configurations.load(folder.resolve("a.yaml"));
-    deliver();
-
-    assertEquals("there is no such file", configurations.problems().get(0).message());
-  }
-
-  @Test
   void nothingIsReadBeforeTheComponentsAreThere() throws Exception {
     configurations.load(folder.resolve("a.yaml"));
     assertNull(display.poll(50, TimeUnit.MILLISECONDS));

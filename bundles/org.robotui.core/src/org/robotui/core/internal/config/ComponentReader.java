@@ -11,7 +11,7 @@ import org.robotui.core.internal.config.model.TypeLookup;
 
 /** Reads robot interfaces and views. */
 final class ComponentReader {
-  private static final String ID = "[A-Za-z_][A-Za-z0-9_-]*";
+  static final String ID = "[A-Za-z_][A-Za-z0-9_-]*";
 
   private final TypeLookup types;
   private final List<Problem> problems;
@@ -90,7 +90,7 @@ final class ComponentReader {
   private static List<Problem> faults(ComponentType type, Settings settings, Place at) {
     try {
       return type.faults(settings).stream()
-          .map(f -> (f.file().isEmpty() ? at : new Place(f.file(), f.line(), f.column())).error(f.message())).toList();
+          .map(f -> (f.file().isEmpty() ? at : new Place(f.file(), f.line(), f.column(), at.robot())).error(f.message())).toList();
     } catch (RuntimeException | LinkageError e) {
       return List.of(at.error("'" + type.id() + "' cannot judge these settings: " + e));
     }

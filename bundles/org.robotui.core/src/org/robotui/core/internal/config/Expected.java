@@ -5,11 +5,14 @@ import org.robotui.api.config.ValueType;
 
 /** Says in words what a setting may hold. */
 final class Expected {
+  /** From here on a number is written with an exponent. */
+  private static final double MOST_DIGITS = 1e9;
+
   private Expected() {}
 
   static String of(ValueType type) {
     return switch (type) {
-      case ValueType.Text t -> "a text";
+      case ValueType.Text t -> t.rule().expected();
       case ValueType.Flag f -> "true or false";
       case ValueType.Num n -> "a number" + limits(n) + (n.unit().isEmpty() ? "" : " in " + n.unit());
       case ValueType.Int i -> "a whole number from " + i.min() + " to " + i.max();
@@ -35,14 +38,10 @@ final class Expected {
   }
 
   private static String limits(ValueType.Num n) {
-    boolean below = Double.isFinite(n.min());
-    boolean above = Double.isFinite(n.max());
-    return below && above ? " from " + plain(n.min()) + " to " + plain(n.max())
-        : below ? " of at least " + plain(n.min())
-        : above ? " of at most " + plain(n.max()) : "";
+    return " from " + plain(n.min()) + " to " + plain(n.max());
   }
 
   private static String plain(double number) {
-    return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
+    return number == Math.rint(number) && Math.abs(number) < MOST_DIGITS ? Long.toString((long) number) : Double.toString(number);
   }
 }

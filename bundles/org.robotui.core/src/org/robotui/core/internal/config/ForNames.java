@@ -1,5 +1,6 @@
 package org.robotui.core.internal.config;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,7 @@ final class ForNames {
 
   private final List<Problem> problems;
   private final Set<String> names = new LinkedHashSet<>();
+  private boolean wrong;
 
   ForNames(List<Problem> problems) {
     this.problems = problems;
@@ -35,13 +37,16 @@ final class ForNames {
   /** Adds what one text names. */
   void add(String text, Place place) {
     for (String part : text.split(",", -1)) {
+      if (wrong) {
+        return; // one mistake is enough, where names stand for so much
+      }
       Matcher range = RANGE.matcher(part.strip());
       if (range.matches()) {
         addRange(range, place);
       } else if (part.isBlank() || part.contains("..")) {
-        problems.add(place.error("'" + part.strip() + "' names nobody; write names, or a range such as r1..r50"));
+        wrong(place, "'" + part.strip() + "' names nobody; write names, or a range such as r1..r50");
       } else {
-        add(part.strip(), true, place);
+        addName(part.strip(), place);
       }
     }
   }
@@ -52,30 +57,36 @@ final class ForNames {
     int last = Integer.parseInt(range.group(4));
     boolean same = range.group(3).isEmpty() || range.group(3).equals(prefix);
     if (!same || last < first || last - first >= MOST) {
-      problems.add(place.error("'" + range.group() + "' is no range: write the same name with a smaller and a larger number, at most "
-          + MOST + " of them, such as " + prefix + "1.." + prefix + "50"));
+      wrong(place, "'" + range.group() + "' is no range: write the same name with a smaller and a larger number, at most "
+          + MOST + " of them, such as " + prefix + "1.." + prefix + "50");
       return;
     }
     int width = range.group(2).startsWith("0") ? range.group(2).length() : 1;
-    for (int i = first; i <= last; i++) {
-      add(prefix + ("%0" + width + "d").formatted(i), false, place);
+    for (int i = first; i <= last && !wrong; i++) {
+      addName(prefix + ("%0" + width + "d").formatted(i), place);
     }
   }
 
-  private void add(String name, boolean alone, Place place) {
+  private void addName(String name, Place place) {
     if (names.size() >= MOST) {
-      if (alone) {
-        problems.add(place.error("a template is formed for at most " + MOST + " names"));
-      }
+      wrong(place, "a template is formed for at most " + MOST + " names");
     } else if (!names.add(name)) {
-      problems.add(place.error("'" + name + "' is named twice"));
+      wrong(place, "'" + name + "' is named twice");
     }
+  }
+
+  private void wrong(Place place, String message) {
+    if (!wrong) {
+      problems.add(place.error(message));
+    }
+    wrong = true;
   }
 
   /** What is formed, in the order of the names. */
   List<Formed> formed() {
-    List<String> all = List.copyOf(names);
-    return all.stream().map(name -> new Formed(name, number(name, all.indexOf(name) + 1))).toList();
+    List<Formed> formed = new ArrayList<>();
+    names.forEach(name -> formed.add(new Formed(name, number(name, formed.size() + 1))));
+    return formed;
   }
 
   private static String number(String name, int place) {

@@ -46,6 +46,7 @@ final class LayoutReader {
 
   private Optional<Layout> section(YamlValue.Section section) {
     Shape.onlyKeys(section, KEYS, "in a layout", problems);
+    section.get("weight").ifPresent(w -> Shape.weight(w, problems));
     List<YamlValue.Entry> kinds = section.entries().stream().filter(e -> KINDS.contains(e.key())).toList();
     if (kinds.size() != 1) {
       problems.add(section.place().error("a layout has exactly one of view:, tabs:, row: and column:"));
@@ -61,11 +62,13 @@ final class LayoutReader {
   }
 
   private Optional<Layout> tabs(YamlValue value) {
+    named(value, "'tabs'");
     List<String> ids = Shape.items(value).stream().flatMap(v -> viewId(v).stream()).toList();
     return ids.isEmpty() ? Optional.empty() : Optional.of(new Layout.Tabs(ids));
   }
 
   private Optional<Layout> split(Layout.Direction direction, YamlValue value) {
+    named(value, direction == Layout.Direction.ROW ? "'row'" : "'column'");
     List<Layout> parts = new ArrayList<>();
     List<Double> weights = new ArrayList<>();
     for (YamlValue item : Shape.items(value)) {
@@ -81,8 +84,14 @@ final class LayoutReader {
     };
   }
 
+  private void named(YamlValue value, String what) {
+    if (Shape.items(value).isEmpty()) {
+      problems.add(value.place().error(what + " names no view; write at least one, for example [" + views.any().orElse("map") + "]"));
+    }
+  }
+
   private double weight(YamlValue item) {
     Optional<YamlValue> written = item instanceof YamlValue.Section s ? s.get("weight") : Optional.empty();
-    return written.flatMap(w -> Shape.positive(w, "'weight'", problems)).orElse(1.0);
+    return written.flatMap(w -> Shape.weight(w, new ArrayList<>())).orElse(1.0); // what is wrong with it has been said
   }
 }

@@ -1,6 +1,7 @@
 package org.robotui.core.internal.config;
 
 import org.robotui.api.config.Placed;
+import org.robotui.api.config.Printable;
 import org.robotui.api.host.Problem;
 
 /**
@@ -12,8 +13,15 @@ import org.robotui.api.host.Problem;
  * @param robot for which a template that stands there was formed, empty outside of templates
  */
 record Place(String file, int line, int column, String robot) {
+  private static final int LONGEST = 2000;
+
   Place(String file, int line, int column) {
     this(file, line, column, "");
+  }
+
+  /** Where a value stands, in what was formed for a robot of a template. */
+  static Place of(Placed value, String robot) {
+    return new Place(value.file(), value.line(), value.column(), robot);
   }
 
   Object at(Object value) {
@@ -21,10 +29,15 @@ record Place(String file, int line, int column, String robot) {
   }
 
   Problem error(String message) {
-    return new Problem(file, line, column, Problem.Severity.ERROR, message + Repeated.of(robot));
+    return problem(Problem.Severity.ERROR, message);
   }
 
   Problem warning(String message) {
-    return new Problem(file, line, column, Problem.Severity.WARNING, message + Repeated.of(robot));
+    return problem(Problem.Severity.WARNING, message);
+  }
+
+  /** Messages quote what is written, and lists of valid words can be long. */
+  private Problem problem(Problem.Severity severity, String message) {
+    return new Problem(file, line, column, severity, Printable.beginning(message, LONGEST) + Repeated.of(robot));
   }
 }

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.robotui.api.RuicType;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.Problem;
@@ -57,7 +56,7 @@ final class RuicReader {
     List<ConnectionConfig> connections =
         new ConnectionReader(views, Known.all(ids(rfics)), problems).read(part(section, "connect"));
     Optional<Layout> layout = section.get("layout").flatMap(new LayoutReader(views, problems)::read);
-    Map<String, SafetyConfig> safety = new SafetyReader(problems).read(part(section, "safety"), robots(rfics));
+    Map<String, SafetyConfig> safety = new SafetyReader(types, problems).read(part(section, "safety"), rfics);
     List<FrameTransform> frames = section.get("frames").map(new FramesReader(problems)::read).orElse(List.of());
     boolean startsShown = section.get("start").map(this::startsShown).orElse(false);
     Place at = entry.place();
@@ -143,7 +142,7 @@ final class RuicReader {
   }
 
   private void uniqueIds(List<ComponentConfig> rfics, List<ComponentConfig> uics) {
-    List<String> taken = ids(rfics);
+    Set<String> taken = Set.copyOf(ids(rfics));
     uics.stream().filter(u -> taken.contains(u.id())).forEach(u -> problems.add(
         new Place(u.file(), u.line(), u.column()).error("'" + u.id() + "' names a robot interface already; choose another")));
   }
@@ -160,10 +159,5 @@ final class RuicReader {
 
   private static List<String> ids(List<ComponentConfig> components) {
     return components.stream().map(ComponentConfig::id).toList();
-  }
-
-  private static List<String> robots(List<ComponentConfig> rfics) {
-    Stream<String> names = rfics.stream().map(ComponentConfig::robot).distinct();
-    return new ArrayList<>(names.toList());
   }
 }

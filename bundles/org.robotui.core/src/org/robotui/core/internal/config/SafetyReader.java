@@ -1,63 +1,119 @@
 package org.robotui.core.internal.config;
 
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.api.RficType;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.host.Problem;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.Port;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.SourceId;
+import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.StopCall;
+import org.robotui.core.internal.config.model.TypeLookup;
 import org.robotui.data.MotionLimits;
 
 /** Reads how robots are kept safe, by name of the robot. */
 final class SafetyReader {
-  private static final ValueType SPEED = new ValueType.Num(0, Double.POSITIVE_INFINITY, "m/s");
-  private static final ValueType TURN = new ValueType.Num(0, Double.POSITIVE_INFINITY, "rad/s");
+  /** Faster than any robot: what is above is a mistake, and would be no limit. */
+  private static final double FASTEST = 100;
+  private static final ValueType SPEED = new ValueType.Num(0, FASTEST, "m/s");
+  private static final ValueType TURN = new ValueType.Num(0, FASTEST, "rad/s");
+  private static final TextRule ID = TextRule.matching("the id of a robot interface, such as base", ComponentReader.ID);
+  private static final TextRule PORT = TextRule.matching("the name of a call port, such as services", "[^\\s.]+");
+  private static final TextRule SERVICE = TextRule.matching("the name of a service, such as /stop", "\\S+");
+  private static final String INTERFACE = "interface";
+  private static final String SERVICES = "services";
   private static final Schema STOP_CALL = Schema.of(
-      Setting.required("interface", new ValueType.Text(), "id of the robot interface"),
-      Setting.of("port", new ValueType.Text(), "services", "its call port"),
-      Setting.required("service", new ValueType.Text(), "the robot's name of the service"));
+      Setting.required(INTERFACE, placed(ID), "id of the robot interface"),
+      Setting.of("port", placed(PORT), Placed.nowhere(SERVICES), "its call port"),
+      Setting.required("service", new ValueType.Text(SERVICE), "the robot's name of the service"));
   private static final Schema SAFETY = Schema.of(
-      Setting.of("max_linear", SPEED, Double.POSITIVE_INFINITY, "no motion command is faster"),
-      Setting.of("max_angular", TURN, Double.POSITIVE_INFINITY, "no motion command turns faster"),
+      Setting.optional("max_linear", SPEED, "no motion command is faster; without it, there is no limit"),
+      Setting.optional("max_angular", TURN, "no motion command turns faster; without it, there is no limit"),
       Setting.of("lease", new ValueType.Flag(), true, "whether commands need the lease"),
       Setting.optional("stop_call", new ValueType.Section(STOP_CALL), "what the robot is asked when it is stopped"));
 
+  private final TypeLookup types;
   private final List<Problem> problems;
 
-  SafetyReader(List<Problem> problems) {
+  SafetyReader(TypeLookup types, List<Problem> problems) {
+    this.types = types;
     this.problems = problems;
   }
 
-  Map<String, SafetyConfig> read(YamlValue.Section section, Collection<String> robots) {
+  Map<String, SafetyConfig> read(YamlValue.Section section, List<ComponentConfig> rfics) {
     Map<String, SafetyConfig> read = new LinkedHashMap<>();
-    Shape.onlyKeys(section, robots, "is no robot of this RUIC", problems);
+    Shape.onlyKeys(section, rfics.stream().map(ComponentConfig::robot).distinct().toList(), "is no robot of this RUIC", problems);
     for (YamlValue.Entry entry : section.entries()) {
       Shape.section(entry.value(), "the safety of '" + entry.key() + "'", problems)
-          .ifPresent(s -> read.put(entry.key(), safety(new ValueReader(problems).settings(s, SAFETY))));
+          .ifPresent(s -> read.put(entry.key(), safety(entry, new ValueReader(problems).settings(s, SAFETY), rfics)));
     }
     return read;
   }
 
-  private static SafetyConfig safety(Settings settings) {
-    MotionLimits limits = new MotionLimits(settings.number("max_linear"), settings.number("max_angular"));
+  private SafetyConfig safety(YamlValue.Entry robot, Settings settings, List<ComponentConfig> rfics) {
+    MotionLimits limits = new MotionLimits(limit(settings, "max_linear", MotionLimits.NONE.linear()),
+        limit(settings, "max_angular", MotionLimits.NONE.angular()));
     Optional<StopCall> call =
-        settings.has("stop_call") ? stopCall(settings.section("stop_call")) : Optional.empty();
+        settings.has("stop_call") ? stopCall(robot, settings.section("stop_call"), rfics) : Optional.empty();
     return new SafetyConfig(limits, call, settings.flag("lease"));
   }
 
-  private static Optional<StopCall> stopCall(Settings settings) {
-    if (!settings.has("interface") || !settings.has("service")) {
+  private static double limit(Settings settings, String name, double none) {
+    return settings.has(name) ? settings.number(name) : none;
+  }
+
+  private Optional<StopCall> stopCall(YamlValue.Entry entry, Settings settings, List<ComponentConfig> rfics) {
+    if (!settings.has(INTERFACE) || !settings.has("service")) {
       return Optional.empty();
     }
-    SourceId port = new SourceId(settings.text("interface"), settings.text("port"));
-    return Optional.of(new StopCall(port, new ServiceRequest(settings.text("service"), Map.of())));
+    String robot = entry.key();
+    Placed written = settings.placed(INTERFACE);
+    Place at = Place.of(written, entry.place().robot());
+    String id = written.value().toString();
+    List<ComponentConfig> own = rfics.stream().filter(c -> c.robot().equals(robot)).toList();
+    Optional<ComponentConfig> callee = own.stream().filter(c -> c.id().equals(id)).findFirst();
+    if (callee.isEmpty()) {
+      List<String> ids = own.stream().map(ComponentConfig::id).toList();
+      boolean foreign = rfics.stream().anyMatch(c -> c.id().equals(id));
+      problems.add(at.error((foreign ? "the robot interface '" + id + "' does not speak to '" + robot + "'"
+          : "there is no robot interface '" + id + "'") + ", so the stop of '" + robot + "' would not call it" + NearestWord.hint(id, ids)));
+      return Optional.empty();
+    }
+    Placed port = settings.placed("port");
+    types.rfic(callee.get().type()).ifPresent(type -> hasPort(type, port, at));
+    return Optional.of(new StopCall(new SourceId(id, port.value().toString()), new ServiceRequest(settings.text("service"), Map.of())));
+  }
+
+  /** A type that has ports for services has no others; one that has none may still offer some while it runs. */
+  private void hasPort(RficType type, Placed port, Place at) {
+    List<String> known = type.ports().stream().filter(SafetyReader::takesServices).map(Port::name).toList();
+    Place place = port.file().isEmpty() ? at : Place.of(port, at.robot());
+    String name = port.value().toString();
+    if (known.isEmpty()) {
+      problems.add(place.warning("no robot interface of the type '" + type.id() + "' is known to call services: unless it offers the port '"
+          + name + "' while it runs, the stop does not reach the robot this way"));
+    } else if (!known.contains(name)) {
+      problems.add(place.error("robot interfaces of the type '" + type.id() + "' have no port '" + name
+          + "' that calls services, so the stop would not reach the robot" + NearestWord.hint(name, known)));
+    }
+  }
+
+  private static boolean takesServices(Port port) {
+    return port instanceof CallPort<?, ?> call && call.request() == ServiceRequest.class;
+  }
+
+  private static ValueType placed(TextRule rule) {
+    return new ValueType.WithPlace(new ValueType.Text(rule));
   }
 }

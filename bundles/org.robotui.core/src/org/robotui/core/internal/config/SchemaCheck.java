@@ -20,7 +20,7 @@ public final class SchemaCheck implements SettingsCheck {
 
   @Override
   public CheckedSettings check(Schema schema, RawSection raw) {
-    List<Problem> problems = new ArrayList<>();
+    List<Problem> problems = new Mistakes();
     Settings settings = new ValueReader(problems).settings(((WrittenSection) raw).section(), schema);
     return problems.isEmpty() ? new CheckedSettings.Valid(settings) : new CheckedSettings.Invalid(problems);
   }

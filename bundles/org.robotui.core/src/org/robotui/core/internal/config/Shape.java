@@ -3,10 +3,14 @@ package org.robotui.core.internal.config;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import org.robotui.api.config.ValueType;
 import org.robotui.api.host.Problem;
 
 /** Takes values of an expected shape, or says what was expected. */
 final class Shape {
+  /** A plain number: what counts is how it stands to the others. */
+  private static final ValueType WEIGHT = new ValueType.Num(0.01, 1000, "");
+
   private Shape() {}
 
   static Optional<YamlValue.Section> section(YamlValue value, String what, List<Problem> problems) {
@@ -27,17 +31,9 @@ final class Shape {
     return value instanceof YamlValue.Scalar s && !s.isEmpty() ? Optional.of(s.text()) : wrong(value, what, expected, problems);
   }
 
-  static Optional<Double> positive(YamlValue value, String what, List<Problem> problems) {
-    Optional<Double> number = value instanceof YamlValue.Scalar s ? parsed(s.text()).filter(d -> d > 0) : Optional.empty();
-    return number.isPresent() ? number : wrong(value, what, "a positive number", problems);
-  }
-
-  private static Optional<Double> parsed(String text) {
-    try {
-      return Optional.of(Double.valueOf(text)).filter(d -> !d.isInfinite());
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
+  /** A share of the room, in relation to those beside it. */
+  static Optional<Double> weight(YamlValue value, List<Problem> problems) {
+    return new ValueReader(problems).read(value, WEIGHT, "weight").map(Double.class::cast);
   }
 
   /** A list of words, or one word as a short form. */

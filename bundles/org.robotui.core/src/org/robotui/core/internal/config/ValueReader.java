@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.host.Problem;
 
@@ -50,7 +51,7 @@ final class ValueReader {
   /** Reads one value of a type. */
   Optional<Object> read(YamlValue value, ValueType type, String name) {
     return switch (type) {
-      case ValueType.Text t -> scalar(value).map(YamlValue.Scalar::text).<Object>map(x -> x).or(() -> wrong(value, type, name));
+      case ValueType.Text t -> text(value, t, name);
       case ValueType.Flag f -> scalar(value).flatMap(ValueReader::flag).or(() -> wrong(value, type, name));
       case ValueType.Num n -> number(value, n, name);
       case ValueType.Int i -> integer(value, i, name);
@@ -61,6 +62,18 @@ final class ValueReader {
       case ValueType.AnyOf a -> anyOf(value, a, name);
       case ValueType.WithPlace p -> read(value, p.value(), name).map(v -> value.place().at(v));
     };
+  }
+
+  private Optional<Object> text(YamlValue value, ValueType.Text type, String name) {
+    Optional<YamlValue.Scalar> scalar = scalar(value);
+    if (scalar.isEmpty()) {
+      return wrong(value, type, name);
+    }
+    String text = scalar.get().text();
+    Optional<String> fault = text.length() > TextRule.LONGEST
+        ? Optional.of("it has " + text.length() + " characters; at most " + TextRule.LONGEST + " are read") : type.rule().fault().apply(text);
+    fault.ifPresent(f -> problems.add(value.place().error(mismatch(value, type, name) + (f.isEmpty() ? "" : "; " + f))));
+    return fault.isEmpty() ? Optional.of(text) : Optional.empty();
   }
 
   private static Optional<YamlValue.Scalar> scalar(YamlValue value) {
@@ -76,33 +89,17 @@ final class ValueReader {
   }
 
   private Optional<Object> number(YamlValue value, ValueType.Num type, String name) {
-    Optional<Double> number = scalar(value).flatMap(s -> parsed(s.text()));
+    Optional<Double> number = scalar(value).flatMap(s -> Numbers.decimal(s.text()));
     return number.<Object>map(n -> n).filter(n -> (Double) n >= type.min() && (Double) n <= type.max())
         .or(() -> wrong(value, type, name));
   }
 
-  private static Optional<Double> parsed(String text) {
-    try {
-      return Optional.of(Double.parseDouble(text)).filter(d -> !d.isNaN());
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
-  }
-
   private Optional<Object> integer(YamlValue value, ValueType.Int type, String name) {
     return scalar(value)
-        .flatMap(s -> parsedLong(s.text()))
+        .flatMap(s -> Numbers.whole(s.text()))
         .filter(n -> n >= type.min() && n <= type.max())
         .<Object>map(n -> n)
         .or(() -> wrong(value, type, name));
-  }
-
-  private static Optional<Long> parsedLong(String text) {
-    try {
-      return Optional.of(Long.decode(text));
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
   }
 
   private Optional<Object> choice(YamlValue value, ValueType.Choice type, String name) {

@@ -50,7 +50,7 @@ final class WindowsReader {
 
   private Optional<WindowConfig> section(YamlValue.Section section) {
     Shape.onlyKeys(section, KEYS, "in a window", problems);
-    double weight = section.get("weight").flatMap(w -> Shape.positive(w, "'weight'", problems)).orElse(1.0);
+    double weight = section.get("weight").flatMap(w -> Shape.weight(w, problems)).orElse(1.0);
     return Shape.required(section, "show", "the name of a RUIC, such as {show: " + example() + ", weight: 2}", problems)
         .flatMap(this::ruic).map(name -> new WindowConfig(file, name, weight));
   }

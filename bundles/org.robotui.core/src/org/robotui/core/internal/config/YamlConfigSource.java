@@ -1,15 +1,14 @@
 package org.robotui.core.internal.config;
 
 import java.io.IOException;
-import java.nio.charset.MalformedInputException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robotui.api.config.Configuration;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.WindowConfig;
 import org.robotui.core.internal.config.model.ConfigResult;
@@ -20,7 +19,6 @@ import org.robotui.core.internal.config.model.TypeLookup;
 /** Reads configuration files. */
 public final class YamlConfigSource implements ConfigSource {
   private static final List<String> KEYS = List.of("simulator", "control", "windows", "ruics");
-  private static final long MAX_BYTES = 1 << 20;
 
   private final Variables variables;
 
@@ -41,14 +39,18 @@ public final class YamlConfigSource implements ConfigSource {
 
   @Override
   public ConfigResult read(Path file, String text, TypeLookup types) {
-    List<Problem> problems = new ArrayList<>();
+    List<Problem> problems = new Mistakes();
     List<RuicConfig> ruics = new ArrayList<>();
     List<WindowConfig> windows = new ArrayList<>();
-    YamlFile.parse(file.toString(), text, variables, problems).flatMap(root -> Shape.section(root, "a configuration", problems))
-        .ifPresent(root -> {
-          readRuics(root, types, problems, ruics);
-          root.get("windows").ifPresent(v -> windows.addAll(new WindowsReader(file, names(root), problems).read(v)));
-        });
+    try {
+      YamlFile.parse(file.toString(), text, variables, problems).flatMap(root -> Shape.section(root, "a configuration", problems))
+          .ifPresent(root -> {
+            readRuics(root, types, problems, ruics);
+            root.get("windows").ifPresent(v -> windows.addAll(new WindowsReader(file, names(root), problems).read(v)));
+          });
+    } catch (Mistakes.TooMany e) {
+      return new ConfigResult(Stream.concat(Stream.of(whole(file, "the file has " + e.getMessage())), problems.stream()).toList(), List.of(), List.of());
+    }
     boolean spoilt = problems.stream().anyMatch(YamlConfigSource::spoilsAll);
     return new ConfigResult(Repeated.merged(problems), spoilt ? List.of() : ruics, spoilt ? List.of() : windows);
   }
@@ -60,19 +62,11 @@ public final class YamlConfigSource implements ConfigSource {
 
   private static Optional<String> text(Path file, List<Problem> problems) {
     try {
-      if (Files.size(file) > MAX_BYTES) {
-        problems.add(whole(file, "is larger than a configuration can be (" + MAX_BYTES + " bytes)"));
-        return Optional.empty();
-      }
-      return Optional.of(Files.readString(file));
-    } catch (NoSuchFileException e) {
-      problems.add(whole(file, "there is no such file" + neighbours(file)));
-    } catch (MalformedInputException e) {
-      problems.add(whole(file, "is no UTF-8 text"));
+      return Optional.of(Configuration.read(file));
     } catch (IOException e) {
-      problems.add(whole(file, "cannot be read: " + e.getMessage()));
+      problems.add(whole(file, Files.exists(file) ? "the file " + e.getMessage() : "there is no such file" + neighbours(file)));
+      return Optional.empty();
     }
-    return Optional.empty();
   }
 
   private static Problem whole(Path file, String message) {
@@ -103,7 +97,7 @@ public final class YamlConfigSource implements ConfigSource {
   }
 
   private static void readRuic(YamlValue.Entry entry, TypeLookup types, List<Problem> problems, List<RuicConfig> ruics) {
-    List<Problem> own = new ArrayList<>();
+    List<Problem> own = new Mistakes();
     Optional<RuicConfig> ruic = new RuicReader(types, own).read(entry);
     problems.addAll(own);
     boolean usable = own.stream().noneMatch(p -> p.severity() == Problem.Severity.ERROR);

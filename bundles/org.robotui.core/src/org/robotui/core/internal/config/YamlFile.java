@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import org.robotui.api.config.Printable;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.host.Problem;
 import org.robotui.core.internal.config.ForNames.Formed;
 import org.yaml.snakeyaml.LoaderOptions;
@@ -19,6 +21,7 @@ import org.yaml.snakeyaml.nodes.Node;
 import org.yaml.snakeyaml.nodes.NodeTuple;
 import org.yaml.snakeyaml.nodes.ScalarNode;
 import org.yaml.snakeyaml.nodes.SequenceNode;
+import org.yaml.snakeyaml.reader.ReaderException;
 
 /**
  * Parses one YAML text into values with places. A section or an element of a list that says {@code for:} is a template, in whose place
@@ -28,11 +31,15 @@ final class YamlFile {
   private static final int MAX_DEPTH = 40;
   private static final int MAX_CHARACTERS = 1 << 20;
   private static final int MAX_VALUES = 100_000;
+  /** The most characters that templates and variables may make of those in the file. */
+  private static final int MAX_FORMED = 8 << 20;
+  private static final int SHOWN = 60;
 
   private final String file;
   private final Variables variables;
   private final List<Problem> problems;
   private int values;
+  private int characters;
 
   private YamlFile(String file, Variables variables, List<Problem> problems) {
     this.file = file;
@@ -51,9 +58,12 @@ final class YamlFile {
       return root.map(node -> value(node, 0, Formed.NONE)).or(() -> Optional.of(new YamlValue.Section(List.of(), new Place(file, 1, 1))));
     } catch (MarkedYAMLException e) {
       Place at = Optional.ofNullable(e.getProblemMark()).map(this::place).orElse(new Place(file, 1, 1));
-      problems.add(at.error("this is no YAML: " + e.getProblem()));
+      problems.add(at.error("this is no YAML: " + Printable.of(String.valueOf(e.getProblem()))));
+    } catch (ReaderException e) {
+      problems.add(new Place(file, 1, 1).error("this is no text: it has the control character U+"
+          + String.format("%04X", e.getCodePoint()) + ", as character " + (e.getPosition() + 1)));
     } catch (YAMLException e) {
-      problems.add(new Place(file, 1, 1).error("this is no YAML: " + e.getMessage()));
+      problems.add(new Place(file, 1, 1).error("this is no YAML: " + Printable.of(String.valueOf(e.getMessage()))));
     }
     return Optional.empty();
   }
@@ -80,7 +90,21 @@ final class YamlFile {
   }
 
   private String text(ScalarNode node, Formed formed) {
-    return variables.replaceIn(node.getValue(), formed.words(), place(node, formed), problems);
+    Place place = place(node, formed);
+    if (node.getValue().length() > TextRule.LONGEST) {
+      problems.add(place.error("a text of " + node.getValue().length() + " characters is too long; write at most " + TextRule.LONGEST));
+      return Printable.beginning(node.getValue(), SHOWN);
+    }
+    String text = variables.replaceIn(node.getValue(), formed.words(), place, problems);
+    if ((characters += text.length()) > MAX_FORMED) {
+      throw new YAMLException("templates or variables make this too large");
+    }
+    if (!Printable.isPlain(text)) {
+      problems.add(place.error("'" + Printable.beginning(text, SHOWN)
+          + "' has line breaks or other control characters; write it in one line, without them"));
+      return Printable.of(text);
+    }
+    return text;
   }
 
   private YamlValue items(SequenceNode node, Place place, int depth, Formed formed) {

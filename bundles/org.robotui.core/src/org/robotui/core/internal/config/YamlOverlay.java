@@ -5,9 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.robotui.api.config.NamedFile;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
@@ -21,18 +23,34 @@ import org.yaml.snakeyaml.representer.Representer;
 
 /** Keeps what users changed as YAML, so that it can be read, shared and mended by hand. */
 public final class YamlOverlay implements OverlayFile {
+  private static final long MAX_BYTES = 4 << 20;
+  private static final int MAX_DEPTH = 20;
+
   @Override
   public Map<String, Overlay> read(Path file) throws IOException {
     if (!Files.exists(file)) {
       return Map.of();
     }
     try {
-      Object root = yaml().load(Files.readString(file));
+      Object root = yaml().load(NamedFile.text(file, MAX_BYTES));
+      bounded(root, 0);
       Map<String, Overlay> overlays = new LinkedHashMap<>();
       map(Optional.ofNullable(root).orElse(Map.of())).forEach((name, value) -> overlays.put(name, overlay(map(value))));
       return overlays;
-    } catch (YAMLException | ClassCastException e) {
+    } catch (YAMLException | ClassCastException | IllegalArgumentException e) {
       throw new IOException(file + " is not what was kept there: " + e.getMessage(), e);
+    }
+  }
+
+  /** An alias of something that it is part of would be followed for ever. */
+  private static void bounded(Object value, int depth) {
+    if (depth > MAX_DEPTH) {
+      throw new YAMLException("it is nested too deeply");
+    }
+    switch (value) {
+      case Map<?, ?> map -> map.values().forEach(v -> bounded(v, depth + 1));
+      case List<?> list -> list.forEach(v -> bounded(v, depth + 1));
+      case null, default -> { }
     }
   }
 
@@ -107,7 +125,8 @@ public final class YamlOverlay implements OverlayFile {
 
   private static Map<String, Object> map(Object value) {
     Map<String, Object> copy = new LinkedHashMap<>();
-    ((Map<?, ?>) value).forEach((k, v) -> copy.put(k.toString(), v));
+    Map<?, ?> written = "".equals(value) ? Map.of() : (Map<?, ?>) value;
+    written.forEach((k, v) -> copy.put(String.valueOf(k), v == null ? "" : v));
     return copy;
   }
 }

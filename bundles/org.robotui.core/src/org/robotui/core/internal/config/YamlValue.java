@@ -2,6 +2,7 @@ package org.robotui.core.internal.config;
 
 import java.util.List;
 import java.util.Optional;
+import org.robotui.api.config.Printable;
 
 /** What stands in a YAML file, with the place where it stands. */
 sealed interface YamlValue {
@@ -19,13 +20,15 @@ sealed interface YamlValue {
    * @param place where
    */
   record Scalar(String text, boolean plain, Place place) implements YamlValue {
+    private static final int SHOWN = 60;
+
     boolean isEmpty() {
       return plain && (text.isEmpty() || "~".equals(text) || "null".equals(text));
     }
 
     @Override
     public String noun() {
-      return isEmpty() ? "nothing" : "'" + text + "'";
+      return isEmpty() ? "nothing" : "'" + Printable.beginning(text, SHOWN) + "'";
     }
   }
 

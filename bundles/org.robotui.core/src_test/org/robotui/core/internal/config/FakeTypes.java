@@ -17,12 +17,18 @@ import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.layout.Layout;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CallPort;
+import org.robotui.api.port.ServiceReply;
+import org.robotui.api.port.ServiceRequest;
 import org.robotui.core.internal.config.model.TypeLookup;
 
 /** The types ros, map, camera and base, readable only. */
 final class FakeTypes implements TypeLookup {
   private static final Schema ROS = Schema.of(Setting.required("master", new ValueType.Text(), "the master"),
       Setting.optional("folder", new ValueType.WithPlace(new ValueType.Text()), "a folder"));
+  private static final CallPort<ServiceRequest, ServiceReply> SERVICES =
+      new CallPort<>("services", ServiceRequest.class, ServiceReply.class, Arity.MANY, "calls");
   private static final Schema MAP = Schema.of(Setting.of("follow", new ValueType.Flag(), false, "follow"));
 
   @Override
@@ -58,7 +64,7 @@ final class FakeTypes implements TypeLookup {
   private record Ros() implements RficType {
     @Override
     public Descriptor descriptor() {
-      return new Descriptor("ros", "ROS", "", ROS, List.of());
+      return new Descriptor("ros", "ROS", "", ROS, List.of(SERVICES));
     }
 
     @Override

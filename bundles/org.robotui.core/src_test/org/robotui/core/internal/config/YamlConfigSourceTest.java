@@ -77,9 +77,9 @@ class YamlConfigSourceTest {
     assertProblem(GOOD.replace("layout:", "layuot:"), 12, 5, "did you mean 'layout'?");
     assertProblem(GOOD.replace("view: map", "view: mpa"), 14, 18, "there is no view 'mpa'; did you mean 'map'?");
     assertProblem(GOOD.replace("[ros.scan,", "[rso.scan,"), 10, 18, "there is no robot interface 'rso'; did you mean 'ros'?");
-    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 17, 29, "'max_linear' must be a number of at least 0 in m/s, not 'fast'");
+    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 17, 29, "'max_linear' must be a number from 0 to 100 in m/s, not 'fast'");
     assertProblem(GOOD.replace("ruics:", "ruisc:"), 1, 1, "did you mean 'ruics'?");
-    assertProblem(GOOD.replace("weight: 2", "weight: -2"), 14, 31, "'weight' must be a positive number");
+    assertProblem(GOOD.replace("weight: 2", "weight: -2"), 14, 31, "'weight' must be a number from 0.01 to 1000");
     assertProblem(GOOD.replace("    Natalie: {max", "    Natalia: {max"), 17, 7, "did you mean 'Natalie'?");
   }
 
@@ -102,7 +102,7 @@ class YamlConfigSourceTest {
     assertProblem("windows: [Natlie]\n" + GOOD, 1, 11, "there is no RUIC 'Natlie' for a window; did you mean 'Natalie'?");
     assertProblem("windows: [Natalie, Natalie]\n" + GOOD, 1, 20, "'Natalie' has a window already");
     assertProblem("windows: [{weight: 2}]\n" + GOOD, 1, 11, "'show' is missing: the name of a RUIC, such as {show: Natalie, weight: 2}");
-    assertProblem("windows: [{show: Natalie, weight: -1}]\n" + GOOD, 1, 35, "'weight' must be a positive number, not '-1'");
+    assertProblem("windows: [{show: Natalie, weight: -1}]\n" + GOOD, 1, 35, "'weight' must be a number from 0.01 to 1000, not '-1'");
     assertProblem("windows: [{show: Natalie, wieght: 1}]\n" + GOOD, 1, 27, "did you mean 'weight'?");
     assertProblem("windows: [[Natalie]]\n" + GOOD, 1, 11, "not a list");
     assertProblem("windows:\n" + GOOD, 1, 9, "a window must be the name of a RUIC, such as Natalie, not nothing");

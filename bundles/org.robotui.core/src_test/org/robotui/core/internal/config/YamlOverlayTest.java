@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
@@ -37,5 +39,19 @@ class YamlOverlayTest {
   void refusesWhatItDidNotWrite() throws IOException {
     Path file = Files.writeString(folder.resolve("odd.yaml"), "[1, 2]");
     assertThrows(IOException.class, () -> new YamlOverlay().read(file));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"a: &a {settings: {map: {x: *a}}}", "a: {settings: {map: &l [*l]}}", "a: {settings: {map: {x: &l [*l]}}}",
+      "!!java.lang.Object {}", "a: [", "\0"})
+  void refusesWhatWouldNeverEndOrIsNothing(String text) throws IOException {
+    Path file = Files.writeString(folder.resolve("odd.yaml"), text);
+    assertThrows(IOException.class, () -> new YamlOverlay().read(file));
+  }
+
+  @Test
+  void whatIsEmptyCountsAsNothing() throws IOException {
+    Path file = Files.writeString(folder.resolve("empty.yaml"), "a: {settings: {map: , ~: {x: ~}}}\nb:");
+    assertEquals(List.of("a", "b"), List.copyOf(new YamlOverlay().read(file).keySet()));
   }
 }
