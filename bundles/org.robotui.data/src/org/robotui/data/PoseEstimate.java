@@ -3,12 +3,14 @@ package org.robotui.data;
 import org.robotui.geometry.RigidTransform;
 
 /**
- * Where a robot is believed to be: what localisation says, or what a user tells it.
+ * Where a robot is believed to be: what localisation says, or what a user tells it. It holds until the next one: a localisation speaks when the robot has
+ * moved, and has nothing to say of one that stands.
  *
  * @param frame the frame in which it is given, usually the map
  * @param pose frame from base
  * @param covariance 6 x 6, row by row, of x, y, z, roll, pitch, yaw, or none where unknown
  */
+@Delivery(expires = false)
 public record PoseEstimate(FrameId frame, RigidTransform pose, Doubles covariance) implements Pose {
   /**
    * Checks the pose and the size of the covariance.

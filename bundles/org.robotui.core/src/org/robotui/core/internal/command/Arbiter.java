@@ -35,6 +35,7 @@ public final class Arbiter implements Authority {
   private final NanoClock clock;
   private final DisplayWatch display;
   private final Runnable wake;
+  private final StopListener stops;
   private final List<RobotPorts> ports = new CopyOnWriteArrayList<>();
   private final Map<CommandTarget<?>, Drive> drives = new LinkedHashMap<>();
   private Optional<Principal> holder = Optional.empty();
@@ -52,6 +53,12 @@ public final class Arbiter implements Authority {
    * @param wake has {@link #step} called soon
    */
   public Arbiter(String robot, NanoClock clock, DisplayWatch display, Runnable wake) {
+    this(robot, clock, display, wake, StopListener.NONE);
+  }
+
+  /** An arbiter of whose stops somebody hears. */
+  Arbiter(String robot, NanoClock clock, DisplayWatch display, Runnable wake, StopListener stops) {
+    this.stops = stops;
     this.robot = robot;
     this.clock = clock;
     this.display = display;
@@ -295,9 +302,23 @@ public final class Arbiter implements Authority {
       drives.values().forEach(d -> d.end(clock.nanos()));
       ports.forEach(p -> p.commands().forEach(CommandTarget::clear));
     }
+    stops.stopped(robot, by);
     ports.forEach(RobotPorts::cancelCalls);
     ports.forEach(RobotPorts::callStop);
     changed();
+  }
+
+  /** Stops as well, and says what that ended. */
+  String stopAndTell(Principal by) {
+    Optional<Principal> before;
+    List<String> moved;
+    synchronized (this) {
+      before = stopper;
+      moved = drives.values().stream().filter(Drive::isMoving).map(d -> d.target().id().toString()).sorted().toList();
+    }
+    stop(by);
+    String what = moved.isEmpty() ? "nothing was driven from here" : "what was driven from here: " + String.join(", ", moved);
+    return robot + " is stopped (" + before.map(b -> "it was already, by " + b.label()).orElse(what) + ")";
   }
 
   @Override
@@ -306,6 +327,7 @@ public final class Arbiter implements Authority {
       stopper = Optional.empty();
       latched = Optional.empty();
     }
+    stops.released(robot);
     changed();
   }
 

@@ -24,24 +24,31 @@ public final class Arbiters implements AutoCloseable {
     private final Arbiter arbiter;
     private volatile Optional<Thread> thread = Optional.empty();
 
-    Entry(String robot, NanoClock clock, DisplayWatch display) {
-      arbiter = new Arbiter(robot, clock, display, () -> thread.ifPresent(LockSupport::unpark));
+    Entry(String robot, NanoClock clock, DisplayWatch display, StopListener stops) {
+      arbiter = new Arbiter(robot, clock, display, () -> thread.ifPresent(LockSupport::unpark), stops);
     }
   }
 
   private final NanoClock clock;
   private final DisplayWatch display;
+  private final StopListener stops;
   private final Map<String, Entry> entries = new TreeMap<>();
 
   /** No robots. */
   public Arbiters(NanoClock clock, DisplayWatch display) {
+    this(clock, display, StopListener.NONE);
+  }
+
+  /** No robots; somebody hears of their stops. */
+  public Arbiters(NanoClock clock, DisplayWatch display, StopListener stops) {
+    this.stops = stops;
     this.clock = clock;
     this.display = display;
   }
 
   /** The arbiter of a robot. */
   public synchronized Arbiter of(String robot) {
-    return entries.computeIfAbsent(robot, name -> new Entry(name, clock, display)).arbiter;
+    return entries.computeIfAbsent(robot, name -> new Entry(name, clock, display, stops)).arbiter;
   }
 
   /** A RUIC has interfaces to a robot. */
@@ -93,9 +100,9 @@ public final class Arbiters implements AutoCloseable {
     return ended;
   }
 
-  /** Stops all robots that a RUIC has. */
-  public void stopAll(Principal by) {
-    used().forEach(a -> a.stop(by));
+  /** Stops all robots that a RUIC has. Returns a sentence for each. */
+  public List<String> stopAll(Principal by) {
+    return used().stream().map(a -> a.stopAndTell(by)).toList();
   }
 
   /** Has all look again, since the focus has changed. */

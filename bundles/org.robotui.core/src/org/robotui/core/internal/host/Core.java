@@ -61,6 +61,7 @@ public final class Core implements Host {
   private final ConfigWatch configWatch = new ConfigWatch(files, this::reread);
   private final Rereading rereading = new Rereading(this::running);
   private final DisplayWatch display;
+  private final OutsideStop outside;
   private final Arbiters arbiters;
   private final Watch watch;
   private final Services services;
@@ -70,16 +71,22 @@ public final class Core implements Host {
   public Core(CoreParts parts) {
     this.parts = parts;
     this.display = new DisplayWatch(parts.clock());
-    this.arbiters = new Arbiters(parts.clock(), display);
+    this.outside = new OutsideStop(parts.state().run(), files, parts.wall());
+    this.arbiters = new Arbiters(parts.clock(), display, outside);
     this.watch = new Watch(parts.clock());
     this.services = new Services(parts.registry(), parts.check(), arbiters, events, watch, timer, parts.clock(),
         parts.wall(), parts.state().interfaces(), () -> List.copyOf(ruics),
         parts.bundles(), () -> stage);
     watch.add(new DisplayWatchdog(display, parts.bundles(), new SuspectFile(parts.state().suspects()), files,
-        events::notice));
+        this::tellOfDisplay));
     watch.add(new MemoryWatch(MemoryWatch.heap(), () -> arbiters.stopAll(NO_STAGE.principal()),
         message -> events.alert("", message)));
     parts.registry().listen(this::typesChanged);
+  }
+
+  private void tellOfDisplay(String message) {
+    events.notice(message);
+    outside.display(message, display.silenceNanos() > DisplayWatch.SILENCE_NANOS);
   }
 
   private Optional<RuicRuntime> running(String name) {
@@ -106,6 +113,7 @@ public final class Core implements Host {
 
   @Override
   public List<Problem> load(Path file) {
+    outside.begin(arbiters::stopAll, message -> events.alert("", message));
     configWatch.add(file);
     rereading.forgetEnded(file);
     return read(file).problems();
@@ -227,6 +235,7 @@ public final class Core implements Host {
       left.addAll(await(all.get(i), ends.get(i), end - System.nanoTime()));
     }
     overlays.values().forEach(OverlayStore::save);
+    outside.close();
     arbiters.close();
     watch.close();
     timer.shutdownNow();

@@ -36,6 +36,11 @@ public record StateFolder(Path path) {
     return path.resolve("interfaces");
   }
 
+  /** Where running processes are reached, and what they would leave behind. */
+  Path run() {
+    return path.resolve("run");
+  }
+
   /** The file that names bundles which held the display up. */
   Path suspects() {
     return path.resolve("suspect-bundles.txt");

@@ -3,6 +3,7 @@ package org.robotui.core.internal.port;
 import java.util.Locale;
 import java.util.Optional;
 import org.robotui.data.DataType;
+import org.robotui.data.DynamicRecord;
 
 /** The rule by which a value is too old. */
 final class Staleness {
@@ -13,14 +14,15 @@ final class Staleness {
 
   /**
    * Why a value is stale, or nothing where it is not. One that is kept for late comers holds until the next, unless they come as often as measurements
-   * do.
+   * do. A record of which only one came may be an event as well as a measurement: it has no rhythm yet that could be missed.
    */
   static Optional<String> of(DataType type, boolean kept, double ageSeconds, double periodSeconds, Link link) {
     if (!link.isUp()) {
       return Optional.of("the link is lost (" + link.text() + ")");
     }
     double limit = Math.max(AT_LEAST_SECONDS, PERIODS * periodSeconds);
-    boolean holds = kept && (periodSeconds == 0 || periodSeconds >= AT_LEAST_SECONDS);
+    boolean event = type.type() == DynamicRecord.class && periodSeconds == 0;
+    boolean holds = event || kept && (periodSeconds == 0 || periodSeconds >= AT_LEAST_SECONDS);
     return type.expires() && !holds && ageSeconds > limit ? Optional.of(sentence(ageSeconds, periodSeconds)) : Optional.empty();
   }
 

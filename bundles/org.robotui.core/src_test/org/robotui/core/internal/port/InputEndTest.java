@@ -22,9 +22,13 @@ import org.robotui.core.internal.support.Samples;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Bytes;
 import org.robotui.data.Data;
+import org.robotui.data.Doubles;
+import org.robotui.data.DynamicRecord;
+import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
 import org.robotui.data.GridMap;
 import org.robotui.data.LaserScan;
+import org.robotui.data.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 
 class InputEndTest {
@@ -122,6 +126,45 @@ class InputEndTest {
     assertInstanceOf(InputState.Live.class, end.state());
     link.report(new LinkState.Failed("robot: no route", Duration.ofSeconds(2)));
     assertTrue(explanation(InputState.Stale.class, end.state()).contains("no route"));
+  }
+
+  @Test
+  void anEstimateOfThePoseHoldsWhileTheRobotStands() {
+    connected();
+    StreamSource<PoseEstimate> source = source("localize:0", PoseEstimate.class);
+    for (int i = 0; i < 20; i++) {
+      publish(source, new PoseEstimate(new FrameId("r", "map"), RigidTransform.planar(i, 0, 0), Doubles.EMPTY)); // it drives
+      clock.advanceMillis(200);
+    }
+    clock.advanceMillis(3_600_000);
+    assertFalse(source.status(clock).stale(), source.status(clock).problem());
+  }
+
+  private record Event(String schema) implements DynamicRecord {
+    @Override
+    public List<String> fields() {
+      return List.of();
+    }
+
+    @Override
+    public Optional<FieldValue> field(String name) {
+      return Optional.empty();
+    }
+  }
+
+  @Test
+  void aRecordOfWhichOnlyOneCameIsNoFault() {
+    connected();
+    StreamSource<DynamicRecord> source = source("events", DynamicRecord.class);
+    publish(source, new Event("pressed"));
+    clock.advanceMillis(3_600_000);
+    assertFalse(source.status(clock).stale(), source.status(clock).problem());
+    for (int i = 0; i < 20; i++) {
+      publish(source, new Event("pressed"));
+      clock.advanceMillis(100);
+    }
+    clock.advanceMillis(2000);
+    assertTrue(source.status(clock).stale(), "what comes regularly and ends is one");
   }
 
   @Test

@@ -1,0 +1,110 @@
+package org.robotui.core.internal.stop;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.Channels;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Where {@code ./robotui stop} reaches this process: a socket in the file system that only its user can open. It has threads of its own, so that it needs
+ * neither a window nor anything else that may hang. Who says {@code stop} is answered with a line for each robot, and {@code done} at the end.
+ */
+public final class StopSocket implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(StopSocket.class);
+  private static final int MOST_CHARACTERS = 16;
+
+  private final Path file;
+  private final Supplier<List<String>> stop;
+  private final Optional<ServerSocketChannel> server;
+
+  /**
+   * Listens from now on, as far as the folder allows that.
+   *
+   * @param folder of the sockets of all processes of this user; need not exist
+   * @param stop stops all robots and says for each what was done; must not wait for anything
+   */
+  public StopSocket(Path folder, Supplier<List<String>> stop) {
+    this.file = folder.resolve("stop-" + ProcessHandle.current().pid() + ".sock");
+    this.stop = stop;
+    this.server = open();
+    server.ifPresent(s -> daemon("robotui-stop-socket", () -> accept(s)));
+  }
+
+  private Optional<ServerSocketChannel> open() {
+    try {
+      PrivateFiles.folder(file.getParent());
+      Files.deleteIfExists(file); // of a process that had this number before
+      ServerSocketChannel channel = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
+      channel.bind(UnixDomainSocketAddress.of(file));
+      Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
+      return Optional.of(channel);
+    } catch (IOException | UnsupportedOperationException e) {
+      LOG.warn("./robotui stop cannot reach this process, as {} cannot be made: {}", file, e.toString());
+      return Optional.empty();
+    }
+  }
+
+  private static void daemon(String name, Runnable work) {
+    Thread thread = Thread.ofPlatform().daemon().name(name).unstarted(work);
+    thread.setPriority(Thread.MAX_PRIORITY);
+    thread.start();
+  }
+
+  private void accept(ServerSocketChannel listening) {
+    while (listening.isOpen()) {
+      try {
+        SocketChannel client = listening.accept();
+        daemon("robotui-stop-client", () -> serve(client));
+      } catch (IOException e) {
+        LOG.debug("{} is closed: {}", file, e.toString());
+      }
+    }
+  }
+
+  private void serve(SocketChannel client) {
+    try (client) {
+      BufferedReader in = new BufferedReader(new InputStreamReader(Channels.newInputStream(client), StandardCharsets.UTF_8));
+      if (line(in).equals("stop")) {
+        OutputStream out = Channels.newOutputStream(client);
+        out.write((String.join("\n", stop.get()) + "\ndone\n").getBytes(StandardCharsets.UTF_8));
+      }
+    } catch (IOException e) {
+      LOG.debug("who asked at {} has gone: {}", file, e.toString());
+    }
+  }
+
+  /** Never more than a word: what comes is not trusted. */
+  private static String line(BufferedReader in) throws IOException {
+    StringBuilder word = new StringBuilder();
+    for (int c = in.read(); c >= 0 && c != '\n' && word.length() < MOST_CHARACTERS; c = in.read()) {
+      word.append((char) c);
+    }
+    return word.toString();
+  }
+
+  @Override
+  public void close() {
+    server.ifPresent(s -> {
+      try {
+        s.close();
+        Files.deleteIfExists(file);
+      } catch (IOException e) {
+        LOG.debug("{} stays: {}", file, e.toString());
+      }
+    });
+  }
+}
