@@ -5,10 +5,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import org.robotui.api.port.Arity;
@@ -31,13 +33,21 @@ import org.robotui.player.layout.MessageLayout;
 import org.robotui.player.wire.MessageType;
 import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * One device: its ports, and its subscription, which is held only while somebody needs it, as it may start a driver. Data come on the
  * receiving thread; {@link #tick} is for the thread that follows the devices.
  */
 public final class DeviceFeed implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(DeviceFeed.class);
   private static final long LINGER_NANOS = 30_000_000_000L;
+  /** What measures again and again. Others speak when something changes, and their silence says nothing. */
+  private static final Set<String> MEASURING = Set.of("position2d", "position3d", "laser", "ranger", "sonar", "ir", "imu", "gps", "camera", "actarray",
+      "pointcloud3d", "bumper", "fiducial");
+  /** A localisation that is opened again forgets where the robot is, and its odometry comes on change. */
+  private static final String LOCALISATION = "amcl";
 
   /** Takes data as they are on the wire. */
   private interface Taker {
@@ -54,6 +64,8 @@ public final class DeviceFeed implements AutoCloseable {
   private final List<Runnable> closers = new CopyOnWriteArrayList<>();
   private final Map<Integer, List<Taker>> takers = new ConcurrentHashMap<>();
   private final List<Taker> others = new CopyOnWriteArrayList<>();
+  private final List<BooleanSupplier> busy = new CopyOnWriteArrayList<>();
+  private final Rhythm rhythm = new Rhythm();
   private final AtomicInteger holds = new AtomicInteger();
   private volatile long lingerUntil = System.nanoTime() - LINGER_NANOS; // ticks bring an earlier time than that of their making
   private volatile String refusal = "";
@@ -136,6 +148,11 @@ public final class DeviceFeed implements AutoCloseable {
     losers.add(loser);
   }
 
+  /** It is not closed while this is so, not even to be opened again. */
+  void whileBusy(BooleanSupplier moving) {
+    busy.add(moving);
+  }
+
   void onTick(LongConsumer ticker) {
     tickers.add(ticker);
   }
@@ -161,6 +178,26 @@ public final class DeviceFeed implements AutoCloseable {
         otherwise.accept(outcome.reason());
       }
     });
+  }
+
+  // What became silent.
+
+  /** Whether its data are wanted and came regularly, be it until now or until they stopped. */
+  public boolean isRegular() {
+    return wanted() && rhythm.isKnown() && MEASURING.contains(name().substring(0, name().indexOf(':')))
+        && device.state() instanceof DeviceState.Open open && !open.driver().contains(LOCALISATION);
+  }
+
+  /** Whether regular data have stopped. */
+  public boolean isSilent(long nowNanos) {
+    return rhythm.isSilent(nowNanos) && busy.stream().noneMatch(BooleanSupplier::getAsBoolean);
+  }
+
+  /** Asks for its data again. */
+  public void reopen(long nowNanos) {
+    LOG.info("{} at {} sends nothing any more while others do: it is opened again", name(), around.peer());
+    rhythm.retried(nowNanos);
+    device.reopen();
   }
 
   // The subscription.
@@ -216,6 +253,7 @@ public final class DeviceFeed implements AutoCloseable {
     @Override
     public void onData(PlayerMessage message, long receiveNanos) {
       around.pulse().heard(receiveNanos);
+      rhythm.heard(receiveNanos);
       Reception reception = new Reception(around.stamps().of(message.stamp()), receiveNanos, Optional.of(raw(message)));
       List<Taker> taking = takers.getOrDefault(message.subtype(), others);
       if (taking.isEmpty()) {
@@ -234,6 +272,7 @@ public final class DeviceFeed implements AutoCloseable {
       if (state instanceof DeviceState.Open) {
         openers.forEach(Runnable::run);
       } else {
+        rhythm.forget();
         losers.forEach(Runnable::run);
       }
     }

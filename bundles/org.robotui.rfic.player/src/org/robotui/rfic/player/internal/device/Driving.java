@@ -36,6 +36,7 @@ final class Driving<C extends Motion<C>> implements CommandSink<C> {
     this.zero = zero;
     this.refusal = refusal;
     feed.onLost(() -> moving = false); // a server stops what a lost client drove; who drives after that is not us
+    feed.whileBusy(() -> moving);
     feed.onClose(this::stop);
   }
 
@@ -78,11 +79,6 @@ final class Driving<C extends Motion<C>> implements CommandSink<C> {
     }
     moving = false;
     return new Sent.Out();
-  }
-
-  /** Whether it is we who drive it now. */
-  boolean isMoving() {
-    return moving;
   }
 
   /** Why a device takes no commands now. */

@@ -115,6 +115,7 @@ public final class Session implements AutoCloseable {
           known = listed;
         }
         liveness.tick(now);
+        SilentStreams.look(devices.all().values(), now);
       }
       devices.all().values().forEach(feed -> feed.tick(now));
       report(now);
