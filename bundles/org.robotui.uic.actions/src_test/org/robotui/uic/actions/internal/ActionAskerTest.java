@@ -67,7 +67,7 @@ class ActionAskerTest {
     made.progress().feedback(new MapRecord("MoveBaseFeedback", Map.of()));
     made.end().complete(new CallOutcome.Replied<>(
         new ActionReply(ActionReply.End.ABORTED, "no path", Optional.of(new MapRecord("MoveBaseResult", Map.of())))));
-    assertEquals(List.of("sent", "active", "feedback MoveBaseFeedback", "BAD aborted: no way MoveBaseResult"), told);
+    assertEquals(List.of("sent", "active", "feedback MoveBaseFeedback", "BAD aborted: no path MoveBaseResult"), told);
   }
 
   @Test

@@ -113,7 +113,7 @@ class SoundUicTest {
     uic.tick(0);
     Alert alert = context.alerts().find("log >= ERROR").orElseThrow();
     assertEquals("/planner", alert.source());
-    assertEquals("ERROR: no way", alert.value());
+    assertEquals("ERROR: no path", alert.value());
     assertFalse(alert.lasting());
   }
 
