@@ -34,6 +34,7 @@ import org.robotui.ui.scene.Told;
 import org.robotui.ui.scene.Viewport;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.model.MapSnapshot;
+import org.robotui.uic.map.internal.model.Note;
 import org.robotui.uic.map.internal.model.RobotPlace;
 
 /** The control of a map. Display thread only. */
@@ -277,7 +278,9 @@ public final class MapCanvas {
       states.message(gc, area, Health.WARNING, "No transform", snapshot.notes().getFirst().text());
     } else {
       states.paint(gc, area, snapshot.state());
-      overlay.notes(gc, area, snapshot.notes(), snapshot.state() instanceof InputState.Stale, tool.isPresent());
+      List<Note> notes = new ArrayList<>(snapshot.notes());
+      sent.note(snapshot, System.nanoTime()).ifPresent(notes::addFirst);
+      overlay.notes(gc, area, notes, snapshot.state() instanceof InputState.Stale, tool.isPresent());
     }
   }
 

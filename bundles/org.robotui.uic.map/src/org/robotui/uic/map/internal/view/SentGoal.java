@@ -7,10 +7,12 @@ import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Face;
+import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 import org.robotui.ui.scene.Painter;
 import org.robotui.uic.map.internal.model.GoalFailure;
 import org.robotui.uic.map.internal.model.MapSnapshot;
+import org.robotui.uic.map.internal.model.Note;
 
 /**
  * The goal that was sent last, until the robot is there, the fixed frame is another, or the user is done with it. Why it failed is
@@ -71,6 +73,12 @@ final class SentGoal {
     return !late ? "" : planned ? GIVEN_UP : NO_PATH;
   }
 
+  /** Why it failed, where that is a sentence: it has no room beside the goal. */
+  Optional<Note> note(MapSnapshot snapshot, long nowNanos) {
+    String problem = problem(snapshot, nowNanos);
+    return problem.indexOf(':') < 0 ? Optional.empty() : Optional.of(new Note(Health.WARNING, "goal " + problem));
+  }
+
   void paint(Painter painter, MapSnapshot snapshot, long nowNanos) {
     if (look(snapshot, nowNanos)) {
       String problem = problem(snapshot, nowNanos);
@@ -85,7 +93,7 @@ final class SentGoal {
     painter.circle(place.x(), place.y(), RING);
     Arrow.paint(painter, pose, ARROW, HEAD);
     if (!problem.isEmpty()) {
-      painter.label(problem, place.x(), place.y(), LABEL_GAP, LABEL_GAP, Face.BODY);
+      painter.label(problem.split(":", 2)[0], place.x(), place.y(), LABEL_GAP, LABEL_GAP, Face.BODY);
     }
   }
 

@@ -49,6 +49,7 @@ class SentGoalTest {
     assertEquals("", sent.problem(snapshot(ways(), ELSEWHERE, before), 102), "of the goal before");
     assertEquals(refused.words(), sent.problem(snapshot(ways(), ELSEWHERE, before, refused), 102));
     assertEquals(refused.words(), sent.problem(snapshot(Optional.empty(), ELSEWHERE, refused), 102), "without a plan");
+    assertEquals("goal " + refused.words(), sent.note(snapshot(ways(), ELSEWHERE, refused), 102).orElseThrow().text());
     sent.at(MAP, RigidTransform.planar(5, 2, 0), 103);
     assertEquals("", sent.problem(snapshot(ways(), ELSEWHERE, refused), 104), "a goal anew");
   }
