@@ -51,16 +51,18 @@ public interface Drawn {
   boolean translucent();
 
   /**
-   * Whether it is written into splats before OpenGL draws, where it is opaque.
+   * Writes it into the splats of a picture, where the processor is quicker with it than OpenGL.
    *
-   * @return false where OpenGL draws it
+   * @param pass the picture
+   * @param look how it looks in it
+   * @return false where OpenGL is to draw it
    */
-  default boolean splatted() {
+  default boolean paint(Pass pass, Look look) {
     return false;
   }
 
   /**
-   * Draws it.
+   * Draws it by OpenGL.
    *
    * @param pass the picture
    * @param look how it looks in it

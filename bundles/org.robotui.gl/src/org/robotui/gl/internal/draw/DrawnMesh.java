@@ -28,6 +28,11 @@ final class DrawnMesh implements Drawn {
   }
 
   @Override
+  public boolean paint(Pass pass, Look look) {
+    return surface.paint(pass, look);
+  }
+
+  @Override
   public void draw(Pass pass, Look look) {
     surface.bind(look);
     pass.light(pass.use(surface.shader(look), look), look);

@@ -100,12 +100,23 @@ public final class Pass {
     return Math.max(0, distance) / camera.reach();
   }
 
+  /** What is up, seen from the eye: x ahead, y to the left, z up. */
+  float[] up() {
+    Vector3 up = camera.eyeFromFixed().rotation().rotate(new Vector3(0, 0, 1));
+    return new float[] {(float) up.x(), (float) up.y(), (float) up.z()};
+  }
+
   /** Asked between pieces of what takes long. */
   BooleanSupplier givenUp() {
     return givenUp;
   }
 
-  boolean picking() {
+  /**
+   * Whether parts and elements are drawn in place of colours.
+   *
+   * @return true where something is searched
+   */
+  public boolean picking() {
     return picking;
   }
 
@@ -132,8 +143,8 @@ public final class Pass {
   /** What shaders of surfaces in light know besides. */
   void light(Program program, Look look) {
     program.matrix("eyeFromShape", look.eyeFromShape().floats());
-    Vector3 up = camera.eyeFromFixed().rotation().rotate(new Vector3(0, 0, 1));
-    program.triple("up", (float) up.x(), (float) up.y(), (float) up.z());
+    float[] up = up();
+    program.triple("up", up[0], up[1], up[2]);
     program.number("perspective", camera.perspective() ? 1 : 0);
   }
 }

@@ -40,20 +40,20 @@ final class SplattedPoints implements Drawn {
   }
 
   @Override
-  public boolean splatted() {
-    return true;
+  public boolean paint(Pass pass, Look look) {
+    Optional<Splats> splats = pass.splats();
+    boolean painted = splats.isPresent() && (pass.picking() || !translucent && look.color().alpha() == 1);
+    if (painted) {
+      PointSet.Part part = points.part(pass.every());
+      int count = new PointPainter(splats.get(), brush(pass, look)).paint(part.points(), part.every(), pass.givenUp());
+      pass.tally().points(count, points.elements() - count);
+    }
+    return painted;
   }
 
   @Override
   public void draw(Pass pass, Look look) {
-    Optional<Splats> splats = pass.splats();
-    if (splats.isPresent() && (pass.picking() || !translucent && look.color().alpha() == 1)) {
-      PointSet.Part part = points.part(pass.every());
-      int count = new PointPainter(splats.get(), brush(pass, look)).paint(part.points(), part.every(), pass.givenUp());
-      pass.tally().points(count, points.elements() - count);
-    } else {
-      inOpenGl().draw(pass, look);
-    }
+    inOpenGl().draw(pass, look);
   }
 
   private DrawnPoints inOpenGl() {

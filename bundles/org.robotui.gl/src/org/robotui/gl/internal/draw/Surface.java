@@ -27,9 +27,8 @@ final class Surface {
   private final GpuBuffer indices;
   private Optional<GpuBuffer> normals = Optional.empty();
   private Optional<GpuBuffer> uv = Optional.empty();
-  private Optional<Levels> levels = Optional.empty();
-  private double openness = 1;
-  private int draws;
+  private Optional<Settled> settled = Optional.empty();
+  private int pictures;
   private TriangleMesh mesh = TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0));
 
   Surface(Gpu gpu) {
@@ -45,9 +44,8 @@ final class Surface {
       return 0;
     }
     mesh = wanted;
-    levels = Optional.empty();
-    openness = 1;
-    draws = 0;
+    settled = Optional.empty();
+    pictures = 0;
     array.bind();
     long sent = corners.fill(mesh.xyz(), mesh.rgba()) + indices.fill(mesh.triangles());
     corners.lay(array, 1);
@@ -77,7 +75,11 @@ final class Surface {
     return SHADER
         .with(Trait.LIT, look.lit())
         .with(Trait.FACETS, look.lit() && mesh.normals().isEmpty())
-        .with(Trait.TEXTURED, look.texture().isPresent() && mesh.uv().isPresent());
+        .with(Trait.TEXTURED, isTextured(look));
+  }
+
+  private boolean isTextured(Look look) {
+    return look.texture().isPresent() && mesh.uv().isPresent();
   }
 
   VertexArray array() {
@@ -91,41 +93,54 @@ final class Surface {
     look.texture().ifPresent(texture -> texture.bind());
   }
 
+  /** Writes it into the splats of a picture, where the processor is quicker with it; answers whether it did. */
+  boolean paint(Pass pass, Look look) {
+    boolean plain = !pass.picking() && !translucent() && look.color().alpha() == 1 && !isTextured(look);
+    return plain && mayBeCoarser(pass) && pass.splats().flatMap(splats -> settled.map(form -> form.paint(pass, look, splats))).orElse(false);
+  }
+
   /** As fine as is seen. */
   void draw(Pass pass, Look look) {
-    if (pass.fineness().isExact() || mesh.elements() < MANY) {
-      draw(pass, 0, mesh.triangles().remaining(), 0);
-      return;
+    if (mayBeCoarser(pass)) {
+      settle();
+      settled.ifPresentOrElse(form -> draw(pass, look, form), () -> drawAll(pass));
+    } else {
+      drawAll(pass);
     }
-    Levels finenesses = levels.orElseGet(this::levels);
-    double metres = pass.metresPerPixel(look, mesh.bounds());
-    Levels.Level now = finenesses.within(pass.fineness().pixels() * metres);
-    Levels.Level rest = finenesses.within(Fineness.AT_REST.pixels() * metres);
-    boolean body = openness <= pass.fineness().openness() && !translucent() && look.color().alpha() == 1;
+  }
+
+  private boolean mayBeCoarser(Pass pass) {
+    return !pass.fineness().isExact() && mesh.elements() >= MANY;
+  }
+
+  /** Not before it has stayed the same for some pictures: what is found out of a mesh that changes with each would cost more than it saves. */
+  private void settle() {
+    if (settled.isEmpty() && ++pictures >= SETTLED) {
+      Settled form = new Settled(mesh);
+      indices.fill(form.indices());
+      settled = Optional.of(form);
+    }
+  }
+
+  private void drawAll(Pass pass) {
+    draw(pass, 0, mesh.triangles().remaining(), 0);
+  }
+
+  private void draw(Pass pass, Look look, Settled form) {
+    Levels.Level now = form.now(pass, look);
+    boolean body = form.hidesBacks(pass) && !translucent() && look.color().alpha() == 1;
     if (body) {
       pass.gl().glEnable(GL.GL_CULL_FACE);
     }
-    draw(pass, now.first(), now.count(), rest.count() - now.count());
+    draw(pass, now.first(), now.count(), form.leftOut(pass, look, now));
     if (body) {
       pass.gl().glDisable(GL.GL_CULL_FACE);
     }
   }
 
-  /** Not before it has stayed the same for some pictures: coarsening what changes with each would cost more than it saves. */
-  private Levels levels() {
-    if (++draws < SETTLED) {
-      return Levels.none(mesh);
-    }
-    Levels made = Levels.of(mesh);
-    levels = Optional.of(made);
-    openness = Solid.openness(mesh);
-    indices.fill(made.indices());
-    return made;
-  }
-
   private void draw(Pass pass, int first, int count, int leftOut) {
     pass.gl().glDrawElements(GL.GL_TRIANGLES, count, GL.GL_UNSIGNED_INT, (long) Integer.BYTES * first);
-    pass.tally().triangles(count / CORNERS, Math.max(0, leftOut) / CORNERS);
+    pass.tally().triangles(count / CORNERS, leftOut);
   }
 
   void draw(Pass pass, int instances) {

@@ -2,10 +2,13 @@ package org.robotui.gl.internal.scene;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.robotui.gl.internal.draw.Camera;
 import org.robotui.gl.internal.draw.Look;
 import org.robotui.gl.internal.draw.Matrix;
@@ -24,6 +27,7 @@ final class Canvas {
   private final Camera camera;
   private final List<Selected> selection;
   private final Map<Integer, Resident> byId = new HashMap<>();
+  private final Set<Resident> painted = Collections.newSetFromMap(new IdentityHashMap<>());
 
   Canvas(Gpu gpu, Pass pass, Camera camera, List<Selected> selection) {
     this.gl = gpu.gl();
@@ -53,15 +57,20 @@ final class Canvas {
     gl.glColorMask(true, true, true, false);
   }
 
-  /** Draws what the processor draws beside OpenGL, into splats. */
-  void drawSplatted(Order order) {
-    drawBoth(order.opaque().stream().filter(resident -> resident.drawn().splatted()).toList());
+  /** Writes what the processor paints beside OpenGL into splats. */
+  void paint(Order order) {
+    for (Resident resident : order.opaque()) {
+      Look look = resident.onTop() ? look(resident, 0, TOP) : look(resident, TOP, 1);
+      if (resident.drawn().paint(pass, look)) {
+        painted.add(resident);
+      }
+    }
   }
 
   /** Draws colours: translucent things over the opaque ones, without hiding each other. */
   void draw(Order order) {
     gl.glDisable(GL.GL_BLEND);
-    drawBoth(order.opaque().stream().filter(resident -> !resident.drawn().splatted()).toList());
+    drawBoth(order.opaque().stream().filter(resident -> !painted.contains(resident)).toList());
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthMask(false);
@@ -86,13 +95,20 @@ final class Canvas {
   }
 
   private void draw(Resident resident, double near, double far) {
+    Look look = look(resident, near, far);
+    if (!pass.picking() || !resident.drawn().paint(pass, look)) {
+      resident.drawn().draw(pass, look);
+    }
+  }
+
+  private Look look(Resident resident, double near, double far) {
     int id = byId.size() + 1;
     byId.put(id, resident);
     Matrix eyeFromShape = Matrix.of(camera.eyeFromFixed().times(resident.part().fixedFromShape()));
     boolean selected = selection.contains(new Selected(resident.display(), resident.part().key()));
-    resident.drawn().draw(pass, new Look(
+    return new Look(
         eyeFromShape, camera.clipFromEye().times(eyeFromShape), resident.part().material().color(), resident.part().material().lit(),
-        resident.picture().map(Pool.Picture::texture), selected, resident.part().material().pale(), near, far, id));
+        resident.picture().map(Pool.Picture::texture), selected, resident.part().material().pale(), near, far, id);
   }
 
   /** The part that was drawn with an id. */

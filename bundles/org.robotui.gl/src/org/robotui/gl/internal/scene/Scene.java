@@ -64,7 +64,7 @@ final class Scene {
         fineness(order, request), givenUp);
     target.bind(request.background());
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
-    canvas.drawSplatted(order);
+    canvas.paint(order);
     if (givenUp.getAsBoolean()) {
       return new Rendered.Skipped();
     }

@@ -9,8 +9,6 @@ import org.robotui.gl.shape.PointSet.Style;
 /** Writes the points of one set, by pieces that stay in the caches of the processor. */
 public final class PointPainter {
   private static final int PIECE = 4096;
-  /** Pixels beyond the left and upper edge, as far as is looked at; a number small enough to leave a float its hundredths of pixels. */
-  private static final int FAR = 4096;
   private static final byte[] WHITE = {-1, -1, -1, -1};
 
   private final Splats splats;
@@ -116,20 +114,15 @@ public final class PointPainter {
 
   private void dot(float x, float y, float near, long cell) {
     float edge = brush.pixels() > 0 ? brush.pixels() : Math.max(1, brush.reach() * near);
-    int left = Math.max(0, firstPixel(x - edge / 2));
-    int right = Math.min(splats.width(), firstPixel(x + edge / 2));
-    int top = Math.max(0, firstPixel(y - edge / 2));
-    int bottom = Math.min(splats.height(), firstPixel(y + edge / 2));
+    int left = Math.max(0, Splats.firstPixel(x - edge / 2));
+    int right = Math.min(splats.width(), Splats.firstPixel(x + edge / 2));
+    int top = Math.max(0, Splats.firstPixel(y - edge / 2));
+    int bottom = Math.min(splats.height(), Splats.firstPixel(y + edge / 2));
     if (brush.style() == Style.DISC && edge > 1) {
       disc(left, top, right, bottom, x, y, edge / 2, cell);
     } else {
       splats.put(left, top, right, bottom, cell, brush.part());
     }
-  }
-
-  /** The first whose middle is not before a place. Casting rounds towards 0, which is down for what is moved far enough. */
-  private static int firstPixel(float place) {
-    return (int) (Math.max(place, -FAR) + FAR + 0.5f) - FAR;
   }
 
   /** All pixels whose middle is in it. */

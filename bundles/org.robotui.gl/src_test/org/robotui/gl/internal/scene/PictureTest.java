@@ -141,6 +141,24 @@ class PictureTest {
     }
   }
 
+  /** The first pictures are drawn by OpenGL, later ones are painted by the processor where OpenGL is software. */
+  @Test
+  void aBodyLooksTheSameHoweverOftenItIsDrawn() throws Exception {
+    Part body = part("ball", ball(), Material.lit(Rgba.WHITE));
+    Picture first = stage.picture(request(body));
+    Picture last = first;
+    for (int i = 0; i < 5; i++) {
+      last = stage.picture(request(body));
+    }
+    long sum = 0;
+    for (int pixel = 0; pixel < first.rgb().length; pixel++) {
+      for (int shift = 0; shift < 24; shift += 8) {
+        sum += Math.abs((first.rgb()[pixel] >> shift & 0xff) - (last.rgb()[pixel] >> shift & 0xff));
+      }
+    }
+    assertTrue(sum < 4 * colored(first), "mean difference " + (double) sum / colored(first));
+  }
+
   @Test
   void pointsHideAndAreHiddenByMeshes() throws Exception {
     Part cloud = flat("p", points(6, 0, 0, 0, 2, 0.2f, 0.2f), RED);

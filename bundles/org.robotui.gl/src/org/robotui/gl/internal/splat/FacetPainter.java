@@ -1,0 +1,113 @@
+package org.robotui.gl.internal.splat;
+
+import static org.robotui.gl.internal.splat.FacetBuffers.DEPTH;
+import static org.robotui.gl.internal.splat.FacetBuffers.STRIDE;
+import static org.robotui.gl.internal.splat.FacetBuffers.Y;
+import static org.robotui.gl.internal.splat.Facets.CORNERS;
+
+import java.util.function.BooleanSupplier;
+
+/**
+ * Paints the triangles of a mesh. Where OpenGL is software, triangles of a few pixels take ten times as long there. All places must lie between the near
+ * and the far end of what is seen.
+ */
+public final class FacetPainter {
+  private static final int PIECE = 1 << 14;
+  /** Two triangles with one edge leave no pixel between them, whatever rounding does. */
+  private static final float OUTSIDE = -1e-4f;
+
+  private final Splats splats;
+  private final FacetBrush brush;
+  private final Facets facets;
+  private final FacetBuffers buffers;
+  private final int[] shades;
+
+  /**
+   * Takes what it paints with.
+   *
+   * @param splats to write into; not for picking
+   * @param brush how
+   * @param facets what
+   */
+  public FacetPainter(Splats splats, FacetBrush brush, Facets facets) {
+    this.splats = splats;
+    this.brush = brush;
+    this.facets = facets;
+    buffers = splats.buffers(facets.placeCount(), facets.normalCount());
+    shades = brush.shades(facets.palette());
+  }
+
+  /**
+   * Paints.
+   *
+   * @param givenUp asked between pieces: whether the rest is wanted no more
+   */
+  public void paint(BooleanSupplier givenUp) {
+    splats.use();
+    buffers.project(facets, brush, splats.width(), splats.height());
+    brush.lights(facets, buffers.facing(), buffers.away());
+    for (int first = 0; first < facets.count() && !givenUp.getAsBoolean(); first += PIECE) {
+      int end = Math.min(facets.count(), first + PIECE);
+      for (int triangle = first; triangle < end; triangle++) {
+        paint(triangle);
+      }
+    }
+  }
+
+  private void paint(int triangle) {
+    int at = CORNERS * triangle;
+    float[] p = buffers.pixels();
+    int a = STRIDE * facets.placesOf()[at];
+    int b = STRIDE * facets.placesOf()[at + 1];
+    int c = STRIDE * facets.placesOf()[at + 2];
+    float area = (p[b] - p[a]) * (p[c + Y] - p[a + Y]) - (p[c] - p[a]) * (p[b + Y] - p[a + Y]);
+    // Rows go down: what is counterclockwise to the eye has an area below 0. What is no number is left out as well.
+    if (area < 0 || area > 0 && !brush.hideBacks()) {
+      int left = Math.max(0, Splats.firstPixel(Math.min(p[a], Math.min(p[b], p[c]))));
+      int right = Math.min(splats.width(), Splats.firstPixel(Math.max(p[a], Math.max(p[b], p[c]))));
+      int top = Math.max(0, Splats.firstPixel(Math.min(p[a + Y], Math.min(p[b + Y], p[c + Y]))));
+      int bottom = Math.min(splats.height(), Splats.firstPixel(Math.max(p[a + Y], Math.max(p[b + Y], p[c + Y]))));
+      if (left < right && top < bottom) {
+        byte[] lights = area < 0 == facets.isOutward(triangle) ? buffers.facing() : buffers.away();
+        fill(triangle, lights, a, b, c, 1 / area, left, top, right, bottom);
+      }
+    }
+  }
+
+  /** Fills the pixels whose middle lies in it: its three weights there are not negative. */
+  private void fill(int triangle, byte[] lights, int a, int b, int c, float perArea, int left, int top, int right, int bottom) {
+    float[] p = buffers.pixels();
+    float x = left + 0.5f;
+    float y = top + 0.5f;
+    float rowA = ((p[b] - x) * (p[c + Y] - y) - (p[c] - x) * (p[b + Y] - y)) * perArea;
+    float rowB = ((p[c] - x) * (p[a + Y] - y) - (p[a] - x) * (p[c + Y] - y)) * perArea;
+    float acrossA = (p[b + Y] - p[c + Y]) * perArea;
+    float acrossB = (p[c + Y] - p[a + Y]) * perArea;
+    float downA = (p[c] - p[b]) * perArea;
+    float downB = (p[a] - p[c]) * perArea;
+    float deepC = p[c + DEPTH];
+    float deepA = p[a + DEPTH] - deepC;
+    float deepB = p[b + DEPTH] - deepC;
+    int first = FacetBrush.SHADES * facets.colorOf(triangle);
+    int at = CORNERS * triangle;
+    int lightC = lights[facets.normalsOf()[at + 2]] & 0xff;
+    int lightA = (lights[facets.normalsOf()[at]] & 0xff) - lightC;
+    int lightB = (lights[facets.normalsOf()[at + 1]] & 0xff) - lightC;
+    long[] cells = splats.cells();
+    for (int row = top * splats.width(); row < bottom * splats.width(); row += splats.width()) {
+      float inA = rowA;
+      float inB = rowB;
+      for (int pixel = row + left; pixel < row + right; pixel++) {
+        if (inA >= OUTSIDE && inB >= OUTSIDE && inA + inB <= 1 - OUTSIDE) {
+          float deep = Math.max(0, deepC + inA * deepA + inB * deepB);
+          int shade = Math.clamp((int) (lightC + inA * lightA + inB * lightB + 0.5f), 0, FacetBrush.SHADES - 1);
+          cells[pixel] = Math.min(cells[pixel], Splats.cell(deep, shades[first + shade]));
+        }
+        inA += acrossA;
+        inB += acrossB;
+      }
+      rowA += downA;
+      rowB += downB;
+    }
+  }
+}
