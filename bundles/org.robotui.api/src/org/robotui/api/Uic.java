@@ -1,5 +1,7 @@
 package org.robotui.api;
 
+import org.robotui.api.show.Subject;
+
 /** One view or control of a RUIC. */
 public interface Uic extends AutoCloseable {
   /**
@@ -11,6 +13,17 @@ public interface Uic extends AutoCloseable {
    * @return true where there is something new to show
    */
   boolean tick(long nowNanos);
+
+  /**
+   * Shows something that the user pointed at in another view. The application calls it when the view is in front, on the thread of its
+   * surface: in a window on the display thread, after {@code createControl}. It must not block.
+   *
+   * @param showing the id of one of the showings of its type
+   * @param subject what to show, of a kind and a type that the showing takes; it may have gone since
+   */
+  default void show(String showing, Subject subject) {
+    // Only views whose type declares showings are asked.
+  }
 
   /**
    * Releases what it holds. Called once on a core worker, after the last tick. Its surface may still be seen for a moment,

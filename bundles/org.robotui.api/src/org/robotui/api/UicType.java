@@ -1,6 +1,8 @@
 package org.robotui.api;
 
+import java.util.List;
 import org.robotui.api.config.Settings;
+import org.robotui.api.show.Showing;
 
 /** A type of user interface component: one view or control. */
 public interface UicType extends ComponentType {
@@ -27,6 +29,15 @@ public interface UicType extends ComponentType {
    * @return ticks per second
    */
   double rateHz();
+
+  /**
+   * What its instances show when a user asks for it at something in another view. It may change, for example with what is installed.
+   *
+   * @return the entries for the menus of ports, frames and nodes; none for a view that shows only what its ports are connected with
+   */
+  default List<Showing> showings() {
+    return List.of();
+  }
 
   /**
    * Creates an instance; must neither block nor start anything. Called on a core worker.

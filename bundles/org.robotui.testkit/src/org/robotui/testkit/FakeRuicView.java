@@ -10,7 +10,10 @@ import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.host.RuicView;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.show.ShowChoice;
+import org.robotui.api.show.Subject;
 import org.robotui.api.time.RobotClock;
 
 /** A RUIC whose snapshot a test sets. */
@@ -26,6 +29,7 @@ public final class FakeRuicView implements RuicView {
   private final FakeAuthority authority;
   private final FakeAlerts alerts = new FakeAlerts();
   private final FakeSelection selection = new FakeSelection();
+  private final FakeShowings showings = new FakeShowings();
   private Map<String, FakeAuthority> team = Map.of();
   private final List<Connect> connects = new ArrayList<>();
   private RuicSnapshot snapshot;
@@ -101,6 +105,30 @@ public final class FakeRuicView implements RuicView {
   @Override
   public RobotClock clock() {
     return new FakeClock();
+  }
+
+  /**
+   * The views that show what a user points at.
+   *
+   * @return always the same
+   */
+  public FakeShowings showings() {
+    return showings;
+  }
+
+  @Override
+  public List<ShowChoice> showChoices(Subject subject) {
+    return showings.choices(subject);
+  }
+
+  @Override
+  public void show(ShowChoice choice, Subject subject) {
+    showings.show(choice, subject);
+  }
+
+  @Override
+  public Optional<Envelope<?>> newest(SourceId port) {
+    return showings.newest(port);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.robotui.api.host;
 
+import org.robotui.api.show.Subject;
+
 /** Is told of changes. Called on core threads; must not block. */
 public interface HostListener {
   /** A RUIC came or went. */
@@ -28,6 +30,17 @@ public interface HostListener {
    * @param wanted name of the RUIC to show
    */
   default void showWanted(String from, String wanted) {}
+
+  /**
+   * The user wants to see something in a view. An application that shows the RUIC brings the view to the front and calls
+   * {@link org.robotui.api.Uic#show}.
+   *
+   * @param ruic name of the RUIC
+   * @param uic id of the view
+   * @param showing id of what the view shall do
+   * @param subject what it shall show
+   */
+  default void viewWanted(String ruic, String uic, String showing, Subject subject) {}
 
   /**
    * Something went wrong that the user should know: a component was fenced, the memory is used up.

@@ -4,6 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.command.Authority;
+import org.robotui.api.port.Envelope;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.show.ShowChoice;
+import org.robotui.api.show.Subject;
 import org.robotui.api.time.RobotClock;
 
 /** A RUIC as its views may see it. Safe for all threads; never blocks. */
@@ -59,10 +63,35 @@ public interface RuicView {
   RobotClock clock();
 
   /**
+   * What can be done with something that the user points at: what the types of views that are installed declare. May look at every port.
+   *
+   * @param subject a port, a frame or a node of this RUIC
+   * @return an entry for each view that could show it, and for each type of which there is no view here, with the reason; those that can be
+   *     done first, then by label
+   */
+  List<ShowChoice> showChoices(Subject subject);
+
+  /**
+   * Has a view show something, and the application bring that view to the front. Does nothing where the view has gone.
+   *
+   * @param choice one of {@link #showChoices} that can be done
+   * @param subject what to show
+   */
+  void show(ShowChoice choice, Subject subject);
+
+  /**
+   * The newest value of a stream.
+   *
+   * @param port a port of a robot interface
+   * @return the value, merged for keyed types; none before the first, where nobody has asked the robot for it, or where there is no such stream
+   */
+  Optional<Envelope<?>> newest(SourceId port);
+
+  /**
    * Connects a port of a view to a chosen peer, in place of what matching chose, and keeps the choice.
    *
    * @param port the view's port
    * @param peer a port of a robot interface that fits
    */
-  void connect(org.robotui.api.port.SourceId port, org.robotui.api.port.SourceId peer);
+  void connect(SourceId port, SourceId peer);
 }

@@ -21,13 +21,17 @@ import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.layout.Layout;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.show.ShowChoice;
+import org.robotui.api.show.Subject;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 import org.robotui.testkit.FakeAlerts;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeSelection;
+import org.robotui.testkit.FakeShowings;
 
 /** A RUIC whose state a test sets, and which notes down what is asked of it. Safe for all threads. */
 public final class FakeRuic implements Ruic {
@@ -37,6 +41,7 @@ public final class FakeRuic implements Ruic {
   private final Map<String, String> titles = new ConcurrentHashMap<>();
   private final FakeAlerts alerts = new FakeAlerts();
   private final FakeSelection selection = new FakeSelection();
+  private final FakeShowings showings = new FakeShowings();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final List<String> windows = new CopyOnWriteArrayList<>();
   private volatile Layout layout = new Layout.View("none");
@@ -255,6 +260,30 @@ public final class FakeRuic implements Ruic {
   @Override
   public RobotClock clock() {
     return new FakeClock(new Stamp(0, ClockKind.WALL), ClockKind.WALL, Optional.of(Duration.ofMillis(3)), 0);
+  }
+
+  /**
+   * The views that show what a user points at.
+   *
+   * @return always the same
+   */
+  public FakeShowings showings() {
+    return showings;
+  }
+
+  @Override
+  public List<ShowChoice> showChoices(Subject subject) {
+    return showings.choices(subject);
+  }
+
+  @Override
+  public void show(ShowChoice choice, Subject subject) {
+    showings.show(choice, subject);
+  }
+
+  @Override
+  public Optional<Envelope<?>> newest(SourceId port) {
+    return showings.newest(port);
   }
 
   @Override

@@ -67,6 +67,19 @@ public final class PopupMenu {
   }
 
   /**
+   * Something that cannot be done now, and why.
+   *
+   * @param label its words
+   * @param reason a few words
+   * @return this
+   */
+  public PopupMenu unavailable(String label, String reason) {
+    MenuItem item = item(SWT.PUSH, label + "  (" + reason + ")", chosen -> { });
+    item.setEnabled(false);
+    return this;
+  }
+
+  /**
    * Something to switch.
    *
    * @param label its words
@@ -134,19 +147,32 @@ public final class PopupMenu {
     return this;
   }
 
+  /**
+   * The menu of the toolkit, for example to look at its entries before it is opened.
+   *
+   * @return the widget
+   */
+  public Menu widget() {
+    return menu;
+  }
+
   /** Opens it at the pointer. */
   public void open() {
     menu.setVisible(true);
   }
 
   /**
-   * Opens it at a point.
+   * Opens it at a point. A menu without entries goes at once.
    *
    * @param at on the display
    */
   public void open(Point at) {
-    menu.setLocation(at);
-    menu.setVisible(true);
+    if (menu.getItemCount() == 0) {
+      menu.dispose();
+    } else {
+      menu.setLocation(at);
+      menu.setVisible(true);
+    }
   }
 
   /**

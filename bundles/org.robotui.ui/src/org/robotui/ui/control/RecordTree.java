@@ -3,6 +3,7 @@ package org.robotui.ui.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.eclipse.swt.SWT;
@@ -26,7 +27,7 @@ public final class RecordTree {
   private final RecordRows rows = new RecordRows();
   private Optional<DynamicRecord> record = Optional.empty();
   private Consumer<String> opened = path -> { };
-  private Function<String, List<ViewAction>> more = path -> List.of();
+  private BiConsumer<PopupMenu, String> first = (menu, path) -> { };
 
   /**
    * An empty tree.
@@ -37,7 +38,7 @@ public final class RecordTree {
   public RecordTree(Composite parent, Theme theme) {
     look = new RecordLook(theme);
     list = new RowList<>(parent, theme, look).named("Fields").onOpen(this::open);
-    list.menu(selected -> selected.isEmpty() ? List.of() : actions(selected.getFirst()));
+    list.menu(this::entries);
     list.input().first(this::key, this::pressed);
   }
 
@@ -147,13 +148,13 @@ public final class RecordTree {
   }
 
   /**
-   * Adds to the context menu.
+   * Begins the context menu with entries of its own, also with menus within it.
    *
-   * @param actions is given the path of the selected field
+   * @param fill is given the menu and the path of the selected field
    * @return this
    */
-  public RecordTree menu(Function<String, List<ViewAction>> actions) {
-    more = actions;
+  public RecordTree menu(BiConsumer<PopupMenu, String> fill) {
+    first = fill;
     return this;
   }
 
@@ -219,8 +220,16 @@ public final class RecordTree {
     return before.stream().filter(above -> above.depth() < row.depth()).findFirst();
   }
 
+  private void entries(PopupMenu menu, List<RecordRow> selected) {
+    selected.stream().findFirst().ifPresent(row -> {
+      first.accept(menu, row.fieldPath());
+      menu.line();
+      actions(row).forEach(menu::action);
+    });
+  }
+
   private List<ViewAction> actions(RecordRow row) {
-    List<ViewAction> actions = new ArrayList<>(more.apply(row.fieldPath()));
+    List<ViewAction> actions = new ArrayList<>();
     actions.add(action("copy.value", "Copy value", () -> Clipboards.copy(RecordText.full(row.value()))));
     actions.add(action("copy.path", "Copy path", () -> Clipboards.copy(row.fieldPath())));
     actions.add(action("expand", "Expand all", this::expandAll));

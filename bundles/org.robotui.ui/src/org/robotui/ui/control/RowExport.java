@@ -2,6 +2,7 @@ package org.robotui.ui.control;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.eclipse.swt.dnd.DND;
 import org.eclipse.swt.dnd.DragSource;
@@ -38,11 +39,13 @@ final class RowExport {
 
   /** Opens a menu at the pointer. */
   static void menu(Control control, int x, int y, List<ViewAction> actions) {
-    if (actions.isEmpty()) {
-      return;
-    }
+    menu(control, x, y, menu -> actions.forEach(menu::action));
+  }
+
+  /** Opens a menu at the pointer, unless it stays empty. */
+  static void menu(Control control, int x, int y, Consumer<PopupMenu> fill) {
     PopupMenu menu = new PopupMenu(control);
-    actions.forEach(menu::action);
+    fill.accept(menu);
     menu.open(new Point(x, y));
   }
 }

@@ -3,6 +3,7 @@ package org.robotui.ui.control;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -160,6 +161,17 @@ public final class RowList<R> {
    */
   public RowList<R> menu(Function<List<R>, List<ViewAction>> actions) {
     canvas.addListener(SWT.MenuDetect, e -> RowExport.menu(canvas, e.x, e.y, actions.apply(selected())));
+    return this;
+  }
+
+  /**
+   * Gives the rows a context menu with menus within it.
+   *
+   * @param fill is given the menu and the selected rows; what it leaves empty is not opened
+   * @return this
+   */
+  public RowList<R> menu(BiConsumer<PopupMenu, List<R>> fill) {
+    canvas.addListener(SWT.MenuDetect, e -> RowExport.menu(canvas, e.x, e.y, menu -> fill.accept(menu, selected())));
     return this;
   }
 

@@ -3,12 +3,14 @@ package org.robotui.ui.diagram;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Image;
 import org.eclipse.swt.graphics.ImageData;
+import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
@@ -19,6 +21,7 @@ import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.scene.SceneHands;
 import org.robotui.ui.scene.Viewport;
 
@@ -97,6 +100,29 @@ public final class DiagramCanvas {
   public DiagramCanvas onOpen(Consumer<Box> action) {
     opening = action;
     return this;
+  }
+
+  /**
+   * Gives boxes a context menu; the box is selected by that.
+   *
+   * @param fill is given the menu and the box; what it leaves empty is not opened
+   * @return this
+   */
+  public DiagramCanvas onMenu(BiConsumer<PopupMenu, Box> fill) {
+    canvas.addListener(SWT.MenuDetect, e -> meant(e).ifPresent(box -> {
+      choose(Optional.of(box.key()));
+      PopupMenu menu = new PopupMenu(canvas);
+      fill.accept(menu, box);
+      menu.open(new Point(e.x, e.y));
+    }));
+    return this;
+  }
+
+  /** By key the selected box, by mouse the one below the pointer. */
+  private Optional<Box> meant(Event menuDetect) {
+    Point at = canvas.toControl(menuDetect.x, menuDetect.y);
+    return menuDetect.detail == SWT.MENU_KEYBOARD ? selected.flatMap(diagram::find)
+        : diagram.at(eye.diagramX(at.x), eye.diagramY(at.y));
   }
 
   /**

@@ -3,6 +3,7 @@ package org.robotui.core.internal.host;
 import java.util.List;
 import java.util.function.Consumer;
 import org.robotui.api.host.ConfigChange;
+import org.robotui.api.show.Subject;
 import org.robotui.core.internal.life.Events;
 import org.robotui.core.internal.life.RuicRuntime;
 import org.slf4j.Logger;
@@ -44,6 +45,11 @@ final class HostEvents implements Events {
   @Override
   public void showWanted(String from, String wanted) {
     notifier.post(List.of("show", from, wanted), l -> l.showWanted(from, wanted));
+  }
+
+  @Override
+  public void viewWanted(String ruic, String uic, String showing, Subject subject) {
+    notifier.post(List.of("view", ruic, uic, showing, subject), l -> l.viewWanted(ruic, uic, showing, subject));
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robotui.api.ComponentType;
 import org.robotui.api.link.LinkState;
+import org.robotui.api.show.Subject;
 import org.robotui.core.internal.config.model.CheckedSettings;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.match.Supplier;
@@ -119,6 +120,11 @@ public final class LoneInterface implements AutoCloseable {
     @Override
     public void showWanted(String from, String wanted) {
       // there are no views
+    }
+
+    @Override
+    public void viewWanted(String ruic, String uic, String showing, Subject subject) {
+      // No view belongs to it.
     }
 
     @Override

@@ -23,7 +23,10 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.layout.Layout;
+import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.show.ShowChoice;
+import org.robotui.api.show.Subject;
 import org.robotui.api.time.RobotClock;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
@@ -51,6 +54,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final Set<String> windows = ConcurrentHashMap.newKeySet();
   private final CompletableFuture<List<String>> ended = new CompletableFuture<>();
   private final RuicInterfaces interfaces;
+  private final Showings showings;
   private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
   private boolean wasSelected; // only on the worker
   private boolean waits; // until it is shown; only on the worker
@@ -70,10 +74,10 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
     RuicParts parts = new RuicParts(this.config::get, this, services, worker, threads, clock, frames, alerts, overlay, this);
     this.components = new Components(parts);
+    this.showings = new Showings(services, components);
     this.robots = new RuicRobots(this.config::get, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
-    this.interfaces =
-        new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
+    this.interfaces = new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
     this.layout = config.layout().orElse(layout);
   }
 
@@ -136,14 +140,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   private void takeUpTypes() {
-    if (waits) {
-      return;
-    }
     Optional<RuicType> type = services.registry().ruic(config.get().type());
-    if (!config.get().type().isEmpty() && !type.equals(plannedWith)) {
+    if (!waits && !config.get().type().isEmpty() && !type.equals(plannedWith)) {
       end(CLOSE_LIMIT);
       create();
-    } else if (components.typesChanged()) {
+    } else if (!waits && components.typesChanged()) {
       wiring.rematch();
       applySelection();
       tell();
@@ -297,6 +298,21 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     robots.recheck();
     wiring.request();
     tell();
+  }
+
+  @Override
+  public List<ShowChoice> showChoices(Subject subject) {
+    return showings.choices(subject);
+  }
+
+  @Override
+  public void show(ShowChoice choice, Subject subject) {
+    showings.show(name(), choice, subject);
+  }
+
+  @Override
+  public Optional<Envelope<?>> newest(SourceId port) {
+    return showings.newest(port);
   }
 
   @Override

@@ -13,14 +13,16 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Port;
+import org.robotui.api.show.Showing;
 
 /** A type of view that does what a test tells it. */
-public final class FakeView implements UicType {
+public class FakeView implements UicType {
   public final List<UicContext> contexts = new CopyOnWriteArrayList<>();
   public final AtomicInteger ticks = new AtomicInteger();
   public final AtomicInteger closed = new AtomicInteger();
   private final String id;
   private final List<Port> ports;
+  private volatile List<Showing> showings = List.of();
   private volatile Surface surface = Surface.WINDOW;
   private volatile Predicate<UicContext> onTick = context -> false;
 
@@ -33,6 +35,16 @@ public final class FakeView implements UicType {
   public FakeView on(Surface where) {
     surface = where;
     return this;
+  }
+
+  public FakeView shows(Showing... all) {
+    showings = List.of(all);
+    return this;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return showings;
   }
 
   public FakeView onTick(Predicate<UicContext> action) {

@@ -10,8 +10,10 @@ import org.robotui.api.host.RuicView;
 import org.robotui.api.port.SourceId;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
+import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.connections.internal.model.ConnectionsModel;
 import org.robotui.uic.connections.internal.model.Filter;
 import org.robotui.uic.connections.internal.view.ConnectionsSurface;
@@ -40,7 +42,7 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    ConnectionsSurface made = new ConnectionsSurface(parent, ui, this);
+    ConnectionsSurface made = new ConnectionsSurface(parent, ui, this, ruic -> subjects(ruic, ui.theme()));
     surface = Optional.of(made);
     search("");
     made.show(model.shown());
@@ -92,6 +94,11 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
   @Override
   public void connect(String ruic, SourceId port, SourceId peer) {
     context.ruics().stream().filter(view -> view.name().equals(ruic)).findFirst().ifPresent(view -> view.connect(port, peer));
+  }
+
+  /** The menus of the ports of a RUIC; views of another one are seen when that is shown. */
+  private Optional<SubjectMenu> subjects(String ruic, Theme theme) {
+    return Optional.of(context.ruic()).filter(own -> own.name().equals(ruic)).map(own -> new SubjectMenu(own, theme, context.background()));
   }
 
   @Override

@@ -1,11 +1,13 @@
 package org.robotui.uic.graph.internal;
 
+import java.util.List;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
 import org.robotui.api.config.Settings;
+import org.robotui.api.show.Showing;
 
 /** Shows which node of a robot sends what to which. */
 @Component(service = UicType.class)
@@ -28,6 +30,11 @@ public final class GraphType implements UicType {
   @Override
   public double rateHz() {
     return RATE_HZ;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return List.of(Showing.nodes("node", "Show in Graph"));
   }
 
   @Override

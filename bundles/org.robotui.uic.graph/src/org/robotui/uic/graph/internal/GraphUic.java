@@ -5,11 +5,13 @@ import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.diagram.TextWidths;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.graph.internal.model.Ask;
 import org.robotui.uic.graph.internal.model.GraphModel;
 import org.robotui.uic.graph.internal.view.GraphSurface;
@@ -38,7 +40,8 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    GraphSurface made = new GraphSurface(parent, ui, this);
+    GraphSurface made = new GraphSurface(parent, ui, this, model::subject,
+        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     made.show(model.look(), model.ask());
     return made.control();
@@ -47,6 +50,13 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
   @Override
   public void refresh() {
     surface.ifPresent(s -> s.show(model.look(), model.ask()));
+  }
+
+  @Override
+  public void show(String showing, Subject subject) {
+    if (subject instanceof Subject.Node node) {
+      ask(model.ask().search("").select(model.node(node.name())));
+    }
   }
 
   @Override

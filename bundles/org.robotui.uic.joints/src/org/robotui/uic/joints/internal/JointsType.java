@@ -65,6 +65,6 @@ public final class JointsType implements UicType {
 
   @Override
   public Uic create(UicContext context, Settings settings) {
-    return new JointsUic(context.input(JOINTS), context.input(MESSAGES), context.settings());
+    return new JointsUic(context.input(JOINTS), context.input(MESSAGES), context);
   }
 }

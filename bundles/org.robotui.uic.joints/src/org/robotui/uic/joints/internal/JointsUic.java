@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.api.UicContext;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.port.Input;
 import org.robotui.data.JointState;
@@ -12,12 +13,14 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.joints.internal.model.JointTracks;
 import org.robotui.uic.joints.internal.model.JointsLook;
 import org.robotui.uic.joints.internal.view.JointsSurface;
 
 /** The view: the tick takes what came and sorts, the surface lists. */
 final class JointsUic implements SwtUic {
+  private final UicContext context;
   private final Input<JointState> input;
   private final Input<JointState> messages;
   private final SettingsStore settings;
@@ -27,10 +30,11 @@ final class JointsUic implements SwtUic {
   private volatile JointsLook look;
   private volatile Optional<JointsSurface> surface = Optional.empty();
 
-  JointsUic(Input<JointState> input, Input<JointState> messages, SettingsStore settings) {
+  JointsUic(Input<JointState> input, Input<JointState> messages, UicContext context) {
+    this.context = context;
     this.input = input;
     this.messages = messages;
-    this.settings = settings;
+    this.settings = context.settings();
     this.look = look(System.nanoTime());
     this.actions = List.of(
         new ViewAction("degrees", "Angles in degrees", "", Optional.of(this::degrees), () -> degrees(!degrees())),
@@ -58,7 +62,8 @@ final class JointsUic implements SwtUic {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    JointsSurface made = new JointsSurface(parent, ui);
+    JointsSurface made = new JointsSurface(parent, ui, context.ruic().name(),
+        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     made.prepare(look);
     made.refresh();

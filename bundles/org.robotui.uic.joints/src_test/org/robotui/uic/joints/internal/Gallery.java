@@ -101,7 +101,7 @@ record Gallery(GalleryWindow window, Theme theme) {
     FakeUicContext context = new FakeUicContext("joints", new JointsType().schema());
     prepare.accept(context);
     Composite part = window.cell(x, y, width, height);
-    JointsUic uic = new JointsUic(context.input(JointsType.JOINTS), context.input(JointsType.MESSAGES), context.settings());
+    JointsUic uic = new JointsUic(context.input(JointsType.JOINTS), context.input(JointsType.MESSAGES), context);
     uic.tick(59 * 100 * MS + 12 * MS);
     uic.createControl(part, UiContext.of(theme, part::setData));
     part.layout(true, true);

@@ -20,7 +20,7 @@ import org.robotui.uic.joints.internal.model.Span;
 class JointsUicTest {
   private final FakeUicContext context = new FakeUicContext("joints", new JointsType().schema());
   private final FakeInput<JointState> input = context.input(JointsType.JOINTS);
-  private final JointsUic uic = new JointsUic(input, context.input(JointsType.MESSAGES), context.settings());
+  private final JointsUic uic = new JointsUic(input, context.input(JointsType.MESSAGES), context);
 
   @Test
   void aTickTellsNews() {

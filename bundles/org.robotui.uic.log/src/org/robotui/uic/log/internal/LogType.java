@@ -14,6 +14,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.show.Showing;
 import org.robotui.data.LogEntry;
 import org.robotui.data.Severity;
 
@@ -63,6 +64,11 @@ public final class LogType implements UicType {
   @Override
   public double rateHz() {
     return RATE_HZ;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return List.of(Showing.nodes("node", "Show in Log"));
   }
 
   @Override

@@ -11,10 +11,12 @@ import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
+import org.robotui.api.show.Subject;
 import org.robotui.data.LogEntry;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFile;
 import org.robotui.uic.log.internal.model.LogFilter;
@@ -66,7 +68,8 @@ final class LogUic implements SwtUic {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    LogSurface made = new LogSurface(parent, ui, wording, hands);
+    LogSurface made = new LogSurface(parent, ui, wording, hands,
+        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     made.show(frame);
     return made.control();
@@ -75,6 +78,13 @@ final class LogUic implements SwtUic {
   @Override
   public void refresh() {
     surface.ifPresent(s -> s.show(frame));
+  }
+
+  @Override
+  public void show(String showing, Subject subject) {
+    if (subject instanceof Subject.Node node) {
+      hands.filter(model.filter().cleared().onlyOrigin(node.name()));
+    }
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Bumpers;
+import org.robotui.data.Data;
 import org.robotui.data.Footprint;
 import org.robotui.data.GridMap;
 import org.robotui.data.LaserScan;
@@ -47,6 +48,9 @@ public final class MapPorts {
   /** All of them. */
   public static final List<Port> ALL =
       List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, NAVIGATION, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
+
+  /** The data that are layers of their own. */
+  public static final List<Class<? extends Data>> SHOWN = List.of(MAP.type(), SCAN.type(), SONAR.type(), BUMPER.type(), ODOM.type(), PATH.type(), POSE.type());
 
   private MapPorts() {}
 }

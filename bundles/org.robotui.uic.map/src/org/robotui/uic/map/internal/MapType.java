@@ -1,11 +1,13 @@
 package org.robotui.uic.map.internal;
 
+import java.util.List;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
 import org.robotui.api.config.Settings;
+import org.robotui.api.show.Showing;
 
 /** The map: what robots know of the floor around them, seen from above. */
 @Component(service = UicType.class)
@@ -29,6 +31,11 @@ public final class MapType implements UicType {
   @Override
   public double rateHz() {
     return RATE_HZ;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return List.of(Showing.streams("map", "Show in Map", MapPorts.SHOWN));
   }
 
   @Override

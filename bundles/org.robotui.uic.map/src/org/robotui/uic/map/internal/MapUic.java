@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
@@ -51,6 +52,13 @@ final class MapUic implements SwtUic {
   /** Whether what is painted next is what the last tick prepared. Display thread. */
   boolean upToDate() {
     return canvas.map(MapCanvas::upToDate).orElse(true);
+  }
+
+  @Override
+  public void show(String showing, Subject subject) {
+    if (subject instanceof Subject.Stream stream) {
+      canvas.ifPresent(c -> c.show(stream.port()));
+    }
   }
 
   @Override

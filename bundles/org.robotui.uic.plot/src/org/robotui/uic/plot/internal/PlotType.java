@@ -10,6 +10,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.StreamPort;
+import org.robotui.api.show.Showing;
 import org.robotui.data.Data;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 
@@ -38,6 +39,11 @@ public final class PlotType implements UicType {
   @Override
   public double rateHz() {
     return RATE_HZ;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return List.of(Showing.numbers("plot", "Plot"));
   }
 
   @Override

@@ -9,13 +9,17 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.show.Subject;
 import org.robotui.data.Data;
 import org.robotui.data.DynamicRecord;
 import org.robotui.ui.Icon;
 import org.robotui.ui.StateView;
 import org.robotui.ui.SwtUic;
+import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.show.NumberPaths;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.FieldTree;
 import org.robotui.uic.plot.internal.model.PlotEngine;
 import org.robotui.uic.plot.internal.model.PlotScene;
@@ -32,6 +36,7 @@ final class PlotUic implements SwtUic {
   private static final double STEPS = 1000;
   private static final double ALL_WINDOW = 60;
 
+  private final UicContext context;
   private final Input<Data> input;
   private final PlotEngine engine;
   private final Exporter exporter;
@@ -44,6 +49,7 @@ final class PlotUic implements SwtUic {
   private boolean noticing;
 
   PlotUic(UicContext context) {
+    this.context = context;
     this.input = context.input(PlotType.VALUES);
     this.engine = new PlotEngine(input, context.clock(), context.settings());
     this.exporter = new Exporter(context.background());
@@ -99,6 +105,13 @@ final class PlotUic implements SwtUic {
   }
 
   @Override
+  public void show(String showing, Subject subject) {
+    if (subject instanceof Subject.Stream stream) {
+      surface.ifPresent(s -> s.plot(stream));
+    }
+  }
+
+  @Override
   public List<ViewAction> actions() {
     return actions;
   }
@@ -125,6 +138,21 @@ final class PlotUic implements SwtUic {
         DynamicRecord own = Records.own(envelope);
         return new FieldTree.Learned(data, own.schema().equals(data.schema()) ? Optional.empty() : Optional.of(own));
       });
+    }
+
+    @Override
+    public String ruic() {
+      return context.ruic().name();
+    }
+
+    @Override
+    public List<String> numbers(SourceId source) {
+      return context.ruic().newest(source).map(envelope -> NumberPaths.of(Records.data(envelope))).orElse(List.of());
+    }
+
+    @Override
+    public SubjectMenu ports(Theme colours) {
+      return new SubjectMenu(context.ruic(), colours, context.background());
     }
 
     @Override

@@ -17,6 +17,8 @@ import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
 import org.robotui.api.config.Settings;
+import org.robotui.api.show.Showing;
+import org.robotui.data.Data;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
 
@@ -59,6 +61,13 @@ public final class Scene3dType implements UicType {
   @Override
   public double rateHz() {
     return RATE_HZ;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return List.of(
+        Showing.streams("display", "Show in Scene", kinds().stream().<Class<? extends Data>>flatMap(kind -> kind.accepts().stream()).distinct().toList()),
+        Showing.frames("frame", "Show in Scene"));
   }
 
   @Override

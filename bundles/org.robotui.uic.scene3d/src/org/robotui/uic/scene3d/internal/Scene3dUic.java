@@ -7,6 +7,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
+import org.robotui.api.show.Subject;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
 import org.robotui.ui.SwtUic;
@@ -143,6 +144,16 @@ final class Scene3dUic implements SwtUic {
   @Override
   public void refresh() {
     surface.ifPresent(SceneSurface::refresh);
+  }
+
+  @Override
+  public void show(String showing, Subject subject) {
+    switch (subject) {
+      case Subject.Stream stream -> surface.ifPresent(s -> s.show(stream.port()));
+      case Subject.Frame frame -> followed.where(frame.frame(), parts.settings().current(), parts.model().stage().fixed())
+          .ifPresent(place -> surface.ifPresent(s -> s.look(place.translation())));
+      case Subject.Node node -> { }
+    }
   }
 
   @Override

@@ -1,16 +1,24 @@
 package org.robotui.uic.status.internal;
 
+import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.api.port.PortKind;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowList;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
+import org.robotui.ui.show.SubjectMenu;
 
 /** What is seen of the view while it is shown: a line of controls, and the list. Display thread. */
 final class StatusSurface {
@@ -28,7 +36,7 @@ final class StatusSurface {
   private final RowPainter painter;
   private final RowList<Row> list;
 
-  StatusSurface(Composite parent, UiContext context, StatusUic.Actions actions) {
+  StatusSurface(Composite parent, UiContext context, StatusUic.Actions actions, String ruic, SubjectMenu subjects) {
     this.context = context;
     this.root = Boxes.panel(parent, context.theme(), 1);
     this.bar = Boxes.bar(root, context.theme(), 6);
@@ -46,6 +54,16 @@ final class StatusSurface {
     list.control().setLayoutData(Boxes.fill());
     filter.onDown(list.control()::setFocus);
     bar.addListener(SWT.Resize, e -> fit());
+    list.menu((menu, rows) -> rows.forEach(row -> menu(menu, row, subjects)));
+    PortDrag.from(list.control(), at -> Optional.of(new DraggedPorts(ruic, list.selected().stream().flatMap(row -> stream(row).stream()).toList())));
+  }
+
+  private static void menu(PopupMenu menu, Row row, SubjectMenu subjects) {
+    stream(row).ifPresentOrElse(stream -> subjects.fill(menu, stream), () -> menu.push("Copy text", () -> Clipboards.copy(row.details())));
+  }
+
+  private static Optional<Subject.Stream> stream(Row row) {
+    return row instanceof PortRow port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
   }
 
   Control control() {

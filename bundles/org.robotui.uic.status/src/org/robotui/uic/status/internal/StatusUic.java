@@ -13,6 +13,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.Battery;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.show.SubjectMenu;
 
 /** The view: the tick looks and makes the lines, the surface shows them. */
 final class StatusUic implements SwtUic {
@@ -48,7 +49,8 @@ final class StatusUic implements SwtUic {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    StatusSurface made = new StatusSurface(parent, ui, new Actions());
+    StatusSurface made = new StatusSurface(parent, ui, new Actions(), context.ruic().name(),
+        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     made.show(page);
     return made.control();

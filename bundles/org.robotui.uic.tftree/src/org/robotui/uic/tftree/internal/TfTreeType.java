@@ -10,6 +10,7 @@ import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
+import org.robotui.api.show.Showing;
 
 /** Shows the coordinate frames of the robots as a tree, and where one lies in another. */
 @Component(service = UicType.class)
@@ -46,6 +47,11 @@ public final class TfTreeType implements UicType {
   @Override
   public double rateHz() {
     return RATE_HZ;
+  }
+
+  @Override
+  public List<Showing> showings() {
+    return List.of(Showing.frames("frame", "Show in Frames"));
   }
 
   @Override

@@ -5,11 +5,13 @@ import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.diagram.TextWidths;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.tftree.internal.model.Ask;
 import org.robotui.uic.tftree.internal.model.TfTreeModel;
 import org.robotui.uic.tftree.internal.view.TfTreeSurface;
@@ -38,7 +40,8 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    TfTreeSurface made = new TfTreeSurface(parent, ui, this);
+    TfTreeSurface made = new TfTreeSurface(parent, ui, this,
+        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     made.show(model.look(), model.ask());
     return made.control();
@@ -47,6 +50,13 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
   @Override
   public void refresh() {
     surface.ifPresent(s -> s.show(model.look(), model.ask()));
+  }
+
+  @Override
+  public void show(String showing, Subject subject) {
+    if (subject instanceof Subject.Frame frame) {
+      ask(model.ask().search("").problems(false).opened().select(Optional.of(frame.frame())));
+    }
   }
 
   @Override

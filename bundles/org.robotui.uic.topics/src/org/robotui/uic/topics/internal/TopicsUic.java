@@ -5,9 +5,11 @@ import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.TopicsModel;
 import org.robotui.uic.topics.internal.view.TopicsActions;
 import org.robotui.uic.topics.internal.view.TopicsSurface;
@@ -32,7 +34,8 @@ final class TopicsUic implements SwtUic {
 
   @Override
   public Control createControl(Composite parent, UiContext ui) {
-    TopicsSurface made = new TopicsSurface(parent, ui, model, this::options);
+    TopicsSurface made = new TopicsSurface(parent, ui, model, this::options,
+        context.ruic().name(), new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     return made.control();
   }
@@ -40,6 +43,17 @@ final class TopicsUic implements SwtUic {
   @Override
   public void refresh() {
     surface.ifPresent(TopicsSurface::refresh);
+  }
+
+  @Override
+  public void show(String showing, Subject subject) {
+    surface.ifPresent(shown -> {
+      switch (subject) {
+        case Subject.Stream stream -> shown.show(stream.port(), showing.equals(TopicsType.ECHO));
+        case Subject.Node node -> shown.showNode(node.name());
+        case Subject.Frame frame -> { }
+      }
+    });
   }
 
   @Override

@@ -21,6 +21,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.FakeGraph;
 import org.robotui.uic.topics.internal.model.Fields;
 import org.robotui.uic.topics.internal.model.Key;
@@ -147,7 +148,8 @@ final class Gallery {
     prepare.accept(context);
     Composite part = window.cell(x, y, width, height);
     TopicsModel model = new TopicsModel(context);
-    TopicsSurface surface = new TopicsSurface(part, UiContext.of(theme, text -> { }), model, () -> TopicsOptions.of(context.settings().current()));
+    TopicsSurface surface = new TopicsSurface(part, UiContext.of(theme, text -> { }), model, () -> TopicsOptions.of(context.settings().current()),
+        context.ruic().name(), new SubjectMenu(context.ruic(), theme, Runnable::run));
     part.layout(true, true);
     run(context, model, surface, 1);
     Stage stage = new Stage(surface);

@@ -27,6 +27,7 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.FakeGraph;
 import org.robotui.uic.topics.internal.model.Fields;
 import org.robotui.uic.topics.internal.model.TopicsModel;
@@ -54,7 +55,8 @@ class TopicsSwtTest {
     shell = new Shell(display, SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
     shell.setSize(1000, 600);
-    surface = new TopicsSurface(shell, UiContext.of(theme, text -> note = text), model, () -> TopicsOptions.of(context.settings().current()));
+    surface = new TopicsSurface(shell, UiContext.of(theme, text -> note = text), model, () -> TopicsOptions.of(context.settings().current()),
+        context.ruic().name(), new SubjectMenu(context.ruic(), theme, Runnable::run));
     stage = new Stage(surface);
     shell.open();
   }

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
+import org.robotui.api.show.Subject;
 
 /**
  * Brings what core tells to the display thread: each thing once for any number of calls, and never more than one pending
@@ -28,6 +29,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** The user wants to see another RUIC in place of one. */
     default void showWanted(String from, String wanted) {}
+
+    /** The user wants to see something in a view. */
+    default void viewWanted(String ruic, String uic, String showing, Subject subject) {}
 
     /** The user should know something. */
     default void alert(String ruic, String message) {}
@@ -54,6 +58,9 @@ public final class HostHub implements HostListener, AutoCloseable {
 
     /** Another RUIC is to be shown. */
     record Show(String from, String wanted) implements Event {}
+
+    /** Something is to be shown in a view. */
+    record View(String ruic, String uic, String showing, Subject subject) implements Event {}
 
     /** An alert. */
     record Alert(String ruic, String message) implements Event {}
@@ -108,6 +115,11 @@ public final class HostHub implements HostListener, AutoCloseable {
   }
 
   @Override
+  public void viewWanted(String ruic, String uic, String showing, Subject subject) {
+    post(new Event.View(ruic, uic, showing, subject));
+  }
+
+  @Override
   public void alert(String ruic, String message) {
     post(new Event.Alert(ruic, message));
   }
@@ -158,6 +170,7 @@ public final class HostHub implements HostListener, AutoCloseable {
       case Event.Changed c -> client -> client.ruicChanged(c.ruic());
       case Event.Frame f -> client -> client.frameReady(f.ruic(), f.uic());
       case Event.Show s -> client -> client.showWanted(s.from(), s.wanted());
+      case Event.View v -> client -> client.viewWanted(v.ruic(), v.uic(), v.showing(), v.subject());
       case Event.Alert a -> client -> client.alert(a.ruic(), a.message());
       case Event.Config c -> client -> client.configurationChanged(c.change());
       case Event.Notice n -> client -> client.notice(n.message());

@@ -22,8 +22,9 @@ import org.robotui.ui.Health;
  * @param figure its rate, or a word
  * @param age of the newest value; empty where the word says it, or where it does not matter
  * @param hint all that is known, for the tooltip
+ * @param port the stream that it stands for, none for what is not offered
  */
-public record PortRow(String name, Health health, String figure, String age, String hint) {
+public record PortRow(String name, Health health, String figure, String age, String hint, Optional<SourceId> port) {
   /** More than this of what nobody looks at is for the views that list all of it. */
   private static final int MOST_OFFERED = 40;
 
@@ -39,7 +40,7 @@ public record PortRow(String name, Health health, String figure, String age, Str
   private static Optional<PortRow> more(RuicSnapshot ruic) {
     long more = ruic.ports().stream().filter(p -> p.kind() == PortKind.STREAM && !p.wanted()).count() - MOST_OFFERED;
     return more <= 0 ? Optional.empty()
-        : Optional.of(new PortRow("and " + more + " more", Health.NONE, "offered", "", "The topics view lists all that the robot has."));
+        : Optional.of(new PortRow("and " + more + " more", Health.NONE, "offered", "", "The topics view lists all that the robot has.", Optional.empty()));
   }
 
   private static Stream<PortStatus> streams(RuicSnapshot ruic, boolean wanted) {
@@ -49,11 +50,11 @@ public record PortRow(String name, Health health, String figure, String age, Str
   }
 
   private static PortRow wanted(PortStatus port, boolean several) {
-    return new PortRow(shown(port.port(), several), health(port), figure(port), age(port), hint(port));
+    return new PortRow(shown(port.port(), several), health(port), figure(port), age(port), hint(port), Optional.of(port.port()));
   }
 
   private static PortRow offered(PortStatus port, boolean several) {
-    return new PortRow(shown(port.port(), several), Health.NONE, "offered", "", hint(port));
+    return new PortRow(shown(port.port(), several), Health.NONE, "offered", "", hint(port), Optional.of(port.port()));
   }
 
   private static boolean isMissed(Match match) {
@@ -67,7 +68,7 @@ public record PortRow(String name, Health health, String figure, String age, Str
       case REFUSED, CONNECTED -> "not offered";
     };
     Health health = match.state() == MatchState.AMBIGUOUS ? Health.WARNING : Health.NONE;
-    return new PortRow(match.port().toString(), health, word, "", match.port() + " (" + match.typeName() + ")\n" + match.reason());
+    return new PortRow(match.port().toString(), health, word, "", match.port() + " (" + match.typeName() + ")\n" + match.reason(), Optional.empty());
   }
 
   private static Health health(PortStatus port) {

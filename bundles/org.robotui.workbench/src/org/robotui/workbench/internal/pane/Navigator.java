@@ -8,12 +8,17 @@ import org.eclipse.swt.custom.ScrolledComposite;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
+import org.eclipse.swt.widgets.Control;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Face;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
 import org.robotui.workbench.internal.model.PortRow;
 import org.robotui.workbench.internal.model.RobotRow;
 
@@ -41,6 +46,9 @@ public final class Navigator extends Composite {
 
     /** Shows what is connected, and why. */
     void connections(String ruic);
+
+    /** Opens the menu of a port at the pointer. */
+    void portMenu(Control over, String ruic, SourceId port);
 
     /** Asks for another framework in place of the one that it has. */
     void exchange(String ruic);
@@ -77,6 +85,8 @@ public final class Navigator extends Composite {
     portsHeading = heading("");
     scroller = new ScrolledComposite(this, SWT.V_SCROLL);
     ports = new PortList(scroller, theme);
+    ports.addListener(SWT.MenuDetect, e -> ports.meant(e).flatMap(PortRow::port).ifPresent(port -> actions.portMenu(ports, selected, port)));
+    PortDrag.from(ports, at -> ports.at(at.y).flatMap(PortRow::port).map(port -> new DraggedPorts(selected, List.of(Subject.Stream.of(port)))));
     scroll();
   }
 
@@ -91,6 +101,11 @@ public final class Navigator extends Composite {
       layout(true);
       fitScroller();
     }
+  }
+
+  /** The list of ports. */
+  public PortList ports() {
+    return ports;
   }
 
   /** The list of robots. */

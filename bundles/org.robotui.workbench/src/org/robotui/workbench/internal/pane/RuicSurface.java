@@ -14,6 +14,7 @@ import org.eclipse.swt.widgets.Listener;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.layout.Layout;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
@@ -77,6 +78,11 @@ public final class RuicSurface extends Composite {
   /** Has a view show what its last ticks prepared. */
   public void refresh(String uic) {
     stacks.forEach(s -> s.refresh(uic));
+  }
+
+  /** Brings a view to the front and has it show something that the user pointed at. */
+  public void view(String uic, String showing, Subject subject) {
+    stacks.forEach(s -> s.view(uic, showing, subject));
   }
 
   /** Takes the view out whose code took part in a failure on the display thread; false where no view did. */

@@ -3,6 +3,7 @@ package org.robotui.workbench.internal.pane;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
@@ -12,6 +13,7 @@ import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 import org.robotui.ui.SwtUic;
@@ -82,9 +84,18 @@ final class ViewHolder extends Composite implements UiContext {
 
   /** Has the view show what its last ticks prepared. */
   void refresh() {
+    withView(SwtUic::refresh);
+  }
+
+  /** Has the view show something that the user pointed at elsewhere. */
+  void view(String showing, Subject subject) {
+    withView(uic -> uic.show(showing, subject));
+  }
+
+  private void withView(Consumer<SwtUic> call) {
     if (shown.isPresent()) {
       try {
-        shown.get().refresh();
+        call.accept(shown.get());
       } catch (RuntimeException | Error e) {
         fail(e);
       }

@@ -1,6 +1,7 @@
 package org.robotui.workbench.internal.pane;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.StackLayout;
@@ -10,6 +11,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
@@ -76,6 +78,15 @@ final class ViewStack extends Composite {
   void refresh(String id) {
     holders.stream().filter(h -> h.id().equals(id) && h == seen()).forEach(ViewHolder::refresh);
     line.checks();
+  }
+
+  /** Brings a view to the front, where it is among these, and has it show something. */
+  void view(String id, String showing, Subject subject) {
+    IntStream.range(0, holders.size()).filter(i -> holders.get(i).id().equals(id)).findFirst().ifPresent(index -> {
+      choose(index);
+      setFocus();
+      holders.get(index).view(showing, subject);
+    });
   }
 
   @Override

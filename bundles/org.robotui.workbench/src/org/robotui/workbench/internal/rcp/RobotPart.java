@@ -10,6 +10,7 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.part.ViewPart;
 import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
@@ -85,6 +86,14 @@ public final class RobotPart extends ViewPart {
             new WindowActions(session, getSite().getWorkbenchWindow()).exchange(e.ruic(), e.wanted());
           }
         });
+      }
+
+      @Override
+      public void viewWanted(String ruic, String uic, String showing, Subject subject) {
+        if (isShown(ruic)) {
+          getSite().getPage().bringToTop(RobotPart.this);
+          surface().ifPresent(s -> s.view(uic, showing, subject));
+        }
       }
 
       @Override

@@ -12,14 +12,17 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.InterfaceConfig;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.show.Subject;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.NewRobotModel;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
-import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.Navigator;
+import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.ReuseDialog;
 import org.robotui.workbench.internal.pane.RobotArea;
 import org.robotui.workbench.internal.pane.SearchPane;
@@ -132,6 +135,12 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   @Override
   public void connections(String ruic) {
     session.ruic(ruic).ifPresent(r -> new ConnectionsDialog(window.getShell(), session.look().theme(), r).open());
+  }
+
+  @Override
+  public void portMenu(Control over, String ruic, SourceId port) {
+    session.ruic(ruic).ifPresent(r -> new SubjectMenu(r, session.look().theme(), session.configurations().background())
+        .open(over, Subject.Stream.of(port)));
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.host.Ruic;
+import org.robotui.api.port.SourceId;
 
 /** Notes down what panes ask for. */
 final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Actions {
@@ -67,6 +68,11 @@ final class NoActions implements TopBar.Actions, Navigator.Actions, RobotArea.Ac
   @Override
   public void exchange(String ruic) {
     calls.add("exchange " + ruic);
+  }
+
+  @Override
+  public void portMenu(Control over, String ruic, SourceId port) {
+    calls.add("menu of " + port + " of " + ruic);
   }
 
   @Override

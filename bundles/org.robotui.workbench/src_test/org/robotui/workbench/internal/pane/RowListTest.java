@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Image;
@@ -55,7 +56,7 @@ class RowListTest {
   }
 
   private byte[] port(PortList list, String name, String figure) {
-    return row(list, new PortRow(name, Health.OK, figure, "", ""));
+    return row(list, new PortRow(name, Health.OK, figure, "", "", Optional.empty()));
   }
 
   private byte[] robot(RobotList list, String name, String figure) {

@@ -2,21 +2,28 @@ package org.robotui.uic.connections.internal.view;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
+import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Health;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowList;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.connections.internal.model.ConnectionsModel.Shown;
 import org.robotui.uic.connections.internal.model.Line;
 import org.robotui.uic.connections.internal.model.Transcript;
@@ -61,7 +68,7 @@ public final class ConnectionsSurface {
   private boolean detailed;
 
   /** Makes the controls. */
-  public ConnectionsSurface(Composite parent, UiContext context, Wishes wishes) {
+  public ConnectionsSurface(Composite parent, UiContext context, Wishes wishes, Function<String, Optional<SubjectMenu>> subjects) {
     this.context = context;
     this.wishes = wishes;
     this.display = parent.getDisplay();
@@ -78,6 +85,20 @@ public final class ConnectionsSurface {
     rule = Boxes.rule(root, theme);
     detail = new DetailPane(root, theme, wishes::connect, () -> list.control().setFocus());
     listen();
+    list.menu((menu, lines) -> first(lines).ifPresent(line -> menu(menu, line, subjects)));
+    PortDrag.from(list.control(), at -> selected().flatMap(line -> stream(line).map(stream -> new DraggedPorts(line.ruic(), List.of(stream)))));
+  }
+
+  private static void menu(PopupMenu menu, Line line, Function<String, Optional<SubjectMenu>> subjects) {
+    Optional<Subject.Stream> stream = stream(line);
+    Optional<SubjectMenu> known = stream.flatMap(s -> subjects.apply(line.ruic()));
+    known.ifPresentOrElse(menus -> menus.fill(menu, stream.get()), () -> menu.push("Copy name", () -> Clipboards.copy(line.name())));
+    menu.line();
+    menu.push("Copy all of it as text", () -> Clipboards.copy(line.details()));
+  }
+
+  private static Optional<Subject.Stream> stream(Line line) {
+    return line instanceof Line.RobotPort port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
   }
 
   private boolean focus() {

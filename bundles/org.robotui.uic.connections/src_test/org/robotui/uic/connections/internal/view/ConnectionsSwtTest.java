@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.dnd.Clipboard;
@@ -45,7 +46,7 @@ class ConnectionsSwtTest {
     theme = Themes.of(TestDisplay.get(), "dark");
     shell.setLayout(new FillLayout());
     shell.setBounds(0, 0, 900, 600);
-    surface = new ConnectionsSurface(shell, UiContext.of(theme, text -> note = text), new Wishes());
+    surface = new ConnectionsSurface(shell, UiContext.of(theme, text -> note = text), new Wishes(), ruic -> Optional.empty());
     shell.open();
   }
 

@@ -14,8 +14,11 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Scrollable;
 import org.robotui.ui.Figures;
+import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
+import org.robotui.ui.ViewAction;
+import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowList;
 import org.robotui.uic.diagnostics.internal.model.Ask;
@@ -43,7 +46,8 @@ final class TreeArea {
     pill = new QuietButton(root, theme, () -> hands.ask(ask.at(Optional.empty()))).fill(Role.ACCENT).hint("Show what is now (Esc)");
     pill.setVisible(false);
     list = new RowList<>(root, theme, look).named("Diagnostics")
-        .onSelect(rows -> hands.ask(ask.select(rows.stream().findFirst().map(Row::key)))).onOpen(this::toggle);
+        .onSelect(rows -> hands.ask(ask.select(rows.stream().findFirst().map(Row::key)))).onOpen(this::toggle)
+        .menu(TreeArea::menu);
     root.addListener(SWT.Resize, e -> arrange());
     list.control().addListener(SWT.MouseDown, this::pressed);
     list.control().addListener(SWT.MouseMove, this::dragged);
@@ -93,6 +97,15 @@ final class TreeArea {
     if (row.group()) {
       hands.ask(ask.open(row.key(), !row.open()));
     }
+  }
+
+  private static List<ViewAction> menu(List<Row> rows) {
+    return rows.stream().findFirst().map(row -> List.of(copy("name", "Copy name", row.label()), copy("message", "Copy message", row.message())))
+        .orElse(List.of());
+  }
+
+  private static ViewAction copy(String id, String label, String text) {
+    return new ViewAction(id, label, Icon.COPY.id(), Optional.empty(), () -> Clipboards.copy(text));
   }
 
   /** The list has selected the line already. */

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.InputState;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Health;
 import org.robotui.ui.ask.Measure;
 import org.robotui.ui.ask.Presence;
@@ -142,6 +143,20 @@ public final class GraphModel {
   /** What the last tick prepared. */
   public Look look() {
     return look;
+  }
+
+  /** What a box stands for, as other views know it: a program, or the stream that carries a topic. Any thread. */
+  public Optional<Subject> subject(Vertex vertex) {
+    return switch (vertex.kind()) {
+      case NODE -> Optional.of(new Subject.Node(vertex.name()));
+      case TOPIC -> asker.wiring().stream(vertex).map(Subject.Stream::of);
+      case GROUP -> Optional.empty();
+    };
+  }
+
+  /** The box of a program, where it is known. Any thread. */
+  public Optional<Vertex> node(String name) {
+    return asker.wiring().ties().stream().map(Tie::node).filter(vertex -> vertex.name().equals(name)).findFirst();
   }
 
   /** What is asked for now. */

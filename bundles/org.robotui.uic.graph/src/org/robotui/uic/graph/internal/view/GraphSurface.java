@@ -1,15 +1,19 @@
 package org.robotui.uic.graph.internal.view;
 
+import java.util.Optional;
+import java.util.function.Function;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.PopupMenu;
@@ -18,6 +22,7 @@ import org.robotui.ui.diagram.Box;
 import org.robotui.ui.diagram.DiagramCanvas;
 import org.robotui.ui.diagram.DiagramSaver;
 import org.robotui.ui.diagram.TextWidths;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.graph.internal.model.Ask;
 import org.robotui.uic.graph.internal.model.Look;
 import org.robotui.uic.graph.internal.model.Vertex;
@@ -54,7 +59,8 @@ public final class GraphSurface {
   private final NoticeLine selected;
 
   /** In a part of a window. */
-  public GraphSurface(Composite parent, UiContext context, Wishes wishes) {
+  public GraphSurface(
+      Composite parent, UiContext context, Wishes wishes, Function<Vertex, Optional<Subject>> subject, SubjectMenu subjects) {
     this.context = context;
     this.wishes = wishes;
     Theme theme = context.theme();
@@ -69,7 +75,7 @@ public final class GraphSurface {
     filter.setLayoutData(Boxes.end(WIDEST_FILTER));
     notice = new NoticeLine(root, theme, Face.BODY);
     canvas = new DiagramCanvas(root, theme).onSelect(key -> wishes.ask(wishes.asked().select(key.map(Vertex.class::cast)))).onOpen(this::open)
-        .hints(GraphSurface::hint);
+        .hints(GraphSurface::hint).onMenu((menu, box) -> menu(menu, (Vertex) box.key(), subject, subjects));
     canvas.control().setLayoutData(Boxes.fill());
     canvas.fit();
     selected = new NoticeLine(root, theme, Face.BODY);
@@ -82,6 +88,11 @@ public final class GraphSurface {
     GC gc = new GC(root);
     wishes.widths(TextWidths.of(gc, theme));
     gc.dispose();
+  }
+
+  /** Of a topic that no stream carries, no more than its name is known. */
+  private static void menu(PopupMenu menu, Vertex vertex, Function<Vertex, Optional<Subject>> subject, SubjectMenu subjects) {
+    subject.apply(vertex).ifPresentOrElse(s -> subjects.fill(menu, s), () -> menu.push("Copy name", () -> Clipboards.copy(vertex.name())));
   }
 
   /** What stands in the part. */

@@ -1,24 +1,24 @@
 package org.robotui.uic.joints.internal.view;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
-import java.util.stream.Collectors;
-import org.eclipse.swt.dnd.DND;
-import org.eclipse.swt.dnd.DragSource;
-import org.eclipse.swt.dnd.DragSourceAdapter;
-import org.eclipse.swt.dnd.DragSourceEvent;
-import org.eclipse.swt.dnd.TextTransfer;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Theme;
-import org.robotui.ui.ViewAction;
+import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.Column;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.RowList;
 import org.robotui.ui.control.RowOrder;
 import org.robotui.ui.control.RowTable;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.joints.internal.model.Address;
 import org.robotui.uic.joints.internal.model.Export;
 import org.robotui.uic.joints.internal.model.JointColumn;
@@ -28,10 +28,12 @@ import org.robotui.uic.joints.internal.model.JointRow;
 final class JointTable {
   private final Map<JointColumn, Column<JointRow>> columns;
   private final RowTable<JointRow> table;
-  private final Consumer<String> copy;
+  private final String ruic;
+  private final SubjectMenu subjects;
 
-  JointTable(Composite parent, Theme theme, JointColumns kind, Consumer<String> copy) {
-    this.copy = copy;
+  JointTable(Composite parent, Theme theme, JointColumns kind, String ruic, SubjectMenu subjects) {
+    this.ruic = ruic;
+    this.subjects = subjects;
     columns = kind.make(theme);
     table = new RowTable<>(parent, theme, List.copyOf(columns.values()), JointRow::key);
     table.list().named("Joints").several().menu(this::menu);
@@ -60,51 +62,35 @@ final class JointTable {
     Optional.ofNullable(columns.get(by.column())).ifPresent(column -> table.order(new RowOrder<>(column, by.descending())));
   }
 
-  private List<ViewAction> menu(List<JointRow> rows) {
-    List<ViewAction> actions = new ArrayList<>();
-    if (!rows.isEmpty()) {
-      actions.add(action("yaml", "Copy as YAML", Export.yaml(rows)));
-      actions.add(action("csv", "Copy as CSV", Export.csv(rows)));
-      address(actions, rows, JointColumn.POSITION, "position");
-      address(actions, rows, JointColumn.VELOCITY, "velocity");
-      address(actions, rows, JointColumn.EFFORT, "effort");
+  private void menu(PopupMenu menu, List<JointRow> rows) {
+    if (rows.isEmpty()) {
+      return;
     }
-    return actions;
+    menu.push("Copy as YAML", () -> Clipboards.copy(Export.yaml(rows)));
+    menu.push("Copy as CSV", () -> Clipboards.copy(Export.csv(rows)));
+    menu.line();
+    quantity(menu, rows, JointColumn.POSITION, "Position");
+    quantity(menu, rows, JointColumn.VELOCITY, "Velocity");
+    quantity(menu, rows, JointColumn.EFFORT, "Effort");
   }
 
-  private void address(List<ViewAction> actions, List<JointRow> rows, JointColumn column, String name) {
-    String text = addresses(rows, column);
-    if (!text.isEmpty()) {
-      actions.add(action(name, "Copy address of " + name + ", for a plot", text));
-    }
+  /** What can be done with one quantity of the selected joints, as far as these come from one port. */
+  private void quantity(PopupMenu menu, List<JointRow> rows, JointColumn column, String name) {
+    streams(rows, column).stream().findFirst().ifPresent(stream -> subjects.fill(menu.under(name), stream));
   }
 
-  private ViewAction action(String id, String label, String text) {
-    return new ViewAction(id, label, "", Optional.empty(), () -> copy.accept(text));
-  }
-
-  private static String addresses(List<JointRow> rows, JointColumn column) {
-    return rows.stream().map(row -> Address.of(row, column)).flatMap(Optional::stream).collect(Collectors.joining("\n"));
+  /** A stream for each port, with the fields of its joints. */
+  private static List<Subject.Stream> streams(List<JointRow> rows, JointColumn column) {
+    Map<SourceId, List<String>> fields = new LinkedHashMap<>();
+    rows.forEach(row -> Address.field(row, column).ifPresent(field -> fields.computeIfAbsent(row.source(), s -> new ArrayList<>()).add(field)));
+    return fields.entrySet().stream().map(entry -> new Subject.Stream(entry.getKey(), entry.getValue())).toList();
   }
 
   /** What is dragged is what the column under the pointer shows, of all selected rows: the press has selected the one there. */
   private void drag() {
-    DragSource source = new DragSource(list().control(), DND.DROP_COPY | DND.DROP_MOVE);
-    source.setTransfer(TextTransfer.getInstance());
-    source.addDragListener(new DragSourceAdapter() {
-      private String text = "";
-
-      @Override
-      public void dragStart(DragSourceEvent event) {
-        JointColumn column = table.columnAt(event.x).flatMap(at -> JointColumns.which(columns, at)).orElse(JointColumn.POSITION);
-        text = addresses(list().selected(), column);
-        event.doit = !text.isEmpty();
-      }
-
-      @Override
-      public void dragSetData(DragSourceEvent event) {
-        event.data = text;
-      }
+    PortDrag.from(list().control(), at -> {
+      JointColumn column = table.columnAt(at.x).flatMap(c -> JointColumns.which(columns, c)).orElse(JointColumn.POSITION);
+      return Optional.of(new DraggedPorts(ruic, streams(list().selected(), column)));
     });
   }
 

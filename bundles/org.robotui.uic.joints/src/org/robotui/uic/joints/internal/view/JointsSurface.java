@@ -15,6 +15,7 @@ import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.joints.internal.model.Export;
 import org.robotui.uic.joints.internal.model.JointRow;
 import org.robotui.uic.joints.internal.model.JointsLook;
@@ -28,6 +29,8 @@ public final class JointsSurface {
   private record Shown(JointsLook look, List<JointRow> rows) {}
 
   private final UiContext context;
+  private final String ruic;
+  private final SubjectMenu subjects;
   private final Composite root;
   private final SourceStrip sources;
   private final FilterField filter;
@@ -37,8 +40,10 @@ public final class JointsSurface {
   private volatile Optional<Shown> shown = Optional.empty();
 
   /** Makes the controls. */
-  public JointsSurface(Composite parent, UiContext context) {
+  public JointsSurface(Composite parent, UiContext context, String ruic, SubjectMenu subjects) {
     this.context = context;
+    this.ruic = ruic;
+    this.subjects = subjects;
     Theme theme = context.theme();
     root = Boxes.root(parent, theme, this::focus);
     Composite bar = Boxes.bar(root, theme, 2);
@@ -147,7 +152,7 @@ public final class JointsSurface {
   }
 
   private JointTable table() {
-    JointTable made = new JointTable(root, context.theme(), kind, Clipboards::copy);
+    JointTable made = new JointTable(root, context.theme(), kind, ruic, subjects);
     made.control().setLayoutData(Boxes.fill());
     made.table().onOrder(this::again);
     made.list().onFind(filter::focus);

@@ -38,13 +38,13 @@ class ExportTest {
   @Test
   void addressesAreThoseOfTheRobotsMessage() {
     JointRow row = row("shoulder", 0, 0, 0);
-    assertEquals(Optional.of("base./joint_states:position[3]"), Address.of(row, JointColumn.POSITION));
-    assertEquals(Optional.of("base./joint_states:position[3]"), Address.of(row, JointColumn.JOINT));
-    assertEquals(Optional.of("base./joint_states:effort[3]"), Address.of(row, JointColumn.EFFORT));
+    assertEquals(Optional.of("position[3]"), Address.field(row, JointColumn.POSITION));
+    assertEquals(Optional.of("position[3]"), Address.field(row, JointColumn.JOINT));
+    assertEquals(Optional.of("effort[3]"), Address.field(row, JointColumn.EFFORT));
     JointRow record = new JointRow(ARM, row.joint(), JointUnit.RADIANS, Span.NONE, 0, false, JointRow.Fields.RECORDS, OptionalInt.of(1));
-    assertEquals(Optional.of("base./joint_states:joints[1].velocity"), Address.of(record, JointColumn.VELOCITY));
+    assertEquals(Optional.of("joints[1].velocity"), Address.field(record, JointColumn.VELOCITY));
     JointRow nowhere = new JointRow(ARM, row.joint(), JointUnit.RADIANS, Span.NONE, 0, false, JointRow.Fields.ARRAYS, OptionalInt.empty());
-    assertEquals(Optional.empty(), Address.of(nowhere, JointColumn.POSITION));
+    assertEquals(Optional.empty(), Address.field(nowhere, JointColumn.POSITION));
   }
 
   private static JointRow row(String name, double position, double velocity, double effort) {

@@ -134,7 +134,7 @@ class JointTracksTest {
     assertEquals(Optional.empty(), address(0, "b"), "what was merged tells nothing");
     assertEquals(Set.of(ARM), messages.chosen());
     message(true, "b", "a");
-    assertEquals(Optional.of("base./arm/joint_states:position[0]"), address(1, "b"));
+    assertEquals(Optional.of("position[0]"), address(1, "b"));
     assertEquals(Set.of(), messages.chosen(), "one message is enough");
   }
 
@@ -149,7 +149,7 @@ class JointTracksTest {
     look(3);
     assertEquals(Set.of(ARM), messages.chosen());
     message(true, "c", "a");
-    assertEquals(Optional.of("base./arm/joint_states:position[1]"), address(4, "a"));
+    assertEquals(Optional.of("position[1]"), address(4, "a"));
     look(29_000 * MS);
     assertEquals(Set.of(), messages.chosen());
     look(31_000 * MS);
@@ -163,11 +163,11 @@ class JointTracksTest {
     message(false, "a", "b");
     assertEquals(Optional.empty(), address(0, "b"), "these may have been merged");
     message(false, "a", "b");
-    assertEquals(Optional.of("base./arm/joint_states:joints[1].position"), address(1, "b"));
+    assertEquals(Optional.of("joints[1].position"), address(1, "b"));
   }
 
   private Optional<String> address(long now, String joint) {
-    return Address.of(row(look(now), joint), JointColumn.POSITION);
+    return Address.field(row(look(now), joint), JointColumn.POSITION);
   }
 
   private void message(boolean kept, String... joints) {

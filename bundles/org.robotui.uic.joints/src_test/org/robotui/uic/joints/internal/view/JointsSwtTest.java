@@ -22,10 +22,13 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.JointState.Joint;
 import org.robotui.testkit.Displays;
+import org.robotui.testkit.FakeAuthority;
+import org.robotui.testkit.FakeRuicView;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.joints.internal.model.Export;
 import org.robotui.uic.joints.internal.model.JointColumn;
 import org.robotui.uic.joints.internal.model.JointRow;
@@ -50,7 +53,8 @@ class JointsSwtTest {
     theme = Themes.of(TestDisplay.get(), "dark");
     shell.setLayout(new FillLayout());
     shell.setBounds(0, 0, 900, 400);
-    surface = new JointsSurface(shell, UiContext.of(theme, text -> note = text));
+    surface = new JointsSurface(shell, UiContext.of(theme, text -> note = text), "Robot",
+        new SubjectMenu(new FakeRuicView(new FakeAuthority("Robot")), theme, Runnable::run));
     shell.open();
   }
 

@@ -11,6 +11,7 @@ import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
@@ -19,9 +20,12 @@ import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NoticeLine;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.SaveDialog;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFilter;
+import org.robotui.uic.log.internal.model.LogJson;
 import org.robotui.uic.log.internal.model.Notice;
 import org.robotui.uic.log.internal.model.OriginCount;
 import org.robotui.uic.log.internal.model.Search;
@@ -37,6 +41,7 @@ public final class LogSurface {
   private final UiContext context;
   private final LogHands hands;
   private final Wording wording;
+  private final SubjectMenu subjects;
   private final Composite root;
   private final NoticeLine notice;
   private final LogBar bar;
@@ -48,7 +53,8 @@ public final class LogSurface {
   private Frame frame;
 
   /** In a part of a window. */
-  public LogSurface(Composite parent, UiContext context, Wording wording, LogHands hands) {
+  public LogSurface(Composite parent, UiContext context, Wording wording, LogHands hands, SubjectMenu subjects) {
+    this.subjects = subjects;
     this.context = context;
     this.hands = hands;
     this.wording = wording;
@@ -74,7 +80,7 @@ public final class LogSurface {
     detail = new DetailPane(halves, theme, wording, this::copy, this::closeDetail);
     halves.setWeights(LIST_SHARE, DETAIL_SHARE);
     halves.setMaximizedControl(lines.control());
-    lines.list().onSelect(this::selected).onFind(bar::find).menu(this::menu);
+    lines.list().onSelect(this::selected).onFind(bar::find).menu(this::fill);
     lines.list().control().addListener(SWT.KeyDown, this::key);
   }
 
@@ -149,11 +155,17 @@ public final class LogSurface {
     Clipboards.copy(chosen.stream().map(wording::text).collect(Collectors.joining("\n")));
   }
 
+  private void fill(PopupMenu menu, List<Line> chosen) {
+    menu(chosen).forEach(menu::action);
+    chosen.stream().findFirst().ifPresent(line -> subjects.fill(menu.line().under(line.last().origin()), new Subject.Node(line.last().origin())));
+  }
+
   private List<ViewAction> menu(List<Line> chosen) {
     List<ViewAction> actions = new ArrayList<>();
     if (!chosen.isEmpty()) {
       Line line = chosen.getFirst();
       actions.add(NodePane.action("copy", chosen.size() == 1 ? "Copy this entry" : "Copy " + chosen.size() + " entries", this::copy));
+      actions.add(NodePane.action("json", "Copy as JSON", () -> Clipboards.copy(chosen.stream().map(LogJson::of).collect(Collectors.joining()))));
       actions.addAll(NodePane.menu(List.of(new OriginCount(line.last().origin(), 0)), frame.filter(), hands));
       actions.add(NodePane.action("alike", "Search for this message", () ->
           hands.filter(frame.filter().search(Search.of(line.last().firstLine(FIRST_WORDS), false)))));

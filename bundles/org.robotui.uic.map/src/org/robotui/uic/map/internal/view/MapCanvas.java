@@ -14,6 +14,7 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Figures;
@@ -25,6 +26,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.scene.Camera;
 import org.robotui.ui.scene.Commander;
+import org.robotui.ui.scene.Layer;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Scene;
 import org.robotui.ui.scene.SceneMover;
@@ -32,6 +34,7 @@ import org.robotui.ui.scene.ScenePicture;
 import org.robotui.ui.scene.Toast;
 import org.robotui.ui.scene.Told;
 import org.robotui.ui.scene.Viewport;
+import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.model.MapSnapshot;
 import org.robotui.uic.map.internal.model.Note;
@@ -128,6 +131,21 @@ public final class MapCanvas {
 
   SceneMover mover() {
     return mover;
+  }
+
+  /** Shows the layers of a stream, and where they lie. */
+  public void show(SourceId port) {
+    List<Layer> layers = model.scene().layers().stream().filter(layer -> layer.id().endsWith(":" + port)).toList();
+    layers.forEach(layer -> {
+      choices.show(Kind.values()[layer.order()], true);
+      choices.show(layer.id(), true);
+    });
+    layers.stream().flatMap(layer -> layer.entity().bounds().stream()).findFirst()
+        .ifPresent(box -> mover.center((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2));
+    if (layers.isEmpty()) {
+      say(new Told(Health.WARNING, port + " is not connected to this map"));
+    }
+    refresh();
   }
 
   void openLayers() {

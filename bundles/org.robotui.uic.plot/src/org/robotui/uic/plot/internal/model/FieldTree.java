@@ -48,6 +48,11 @@ public final class FieldTree {
     }
   }
 
+  /** Opens a source, whether it is there already or not. */
+  public void open(SourceId source) {
+    open.add(source.toString());
+  }
+
   /** The sources whose fields are to be learned. */
   public Set<SourceId> openSources() {
     return openSources;

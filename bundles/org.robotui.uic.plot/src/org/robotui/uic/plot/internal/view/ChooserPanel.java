@@ -19,6 +19,7 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.FieldTree;
 import org.robotui.uic.plot.internal.signal.ExprParser;
 
@@ -29,6 +30,15 @@ public final class ChooserPanel {
     List<Input.Candidate> candidates();
 
     Optional<FieldTree.Learned> learned(SourceId source);
+
+    /** The name of the RUIC whose ports these are. */
+    String ruic();
+
+    /** Paths of the numbers in the newest value of a source; none before the first. */
+    List<String> numbers(SourceId source);
+
+    /** The menus of its ports. */
+    SubjectMenu ports(Theme colours);
 
     /** Says which sources are to be asked for, to learn their fields. */
     void watch(Set<SourceId> sources);
@@ -85,6 +95,13 @@ public final class ChooserPanel {
     text.words(typed);
     text.setFocus();
     refresh(true);
+  }
+
+  /** Shows it with the fields of one source. */
+  void open(SourceId source) {
+    tree.open(source);
+    open(source.toString());
+    list.focus();
   }
 
   boolean isOpen() {

@@ -1,32 +1,35 @@
 package org.robotui.uic.plot.internal.view;
 
 import java.util.Optional;
-import java.util.function.BiConsumer;
-import org.eclipse.swt.dnd.DND;
-import org.eclipse.swt.dnd.DropTarget;
-import org.eclipse.swt.dnd.DropTargetAdapter;
-import org.eclipse.swt.dnd.DropTargetEvent;
-import org.eclipse.swt.dnd.TextTransfer;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Canvas;
 import org.robotui.ui.Theme;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
 
-/** Takes signals that are dropped on the view, as texts; shows to which axis they would go. Display thread. */
-final class DropZone {
+/** Takes ports and signals that are dropped on the view; shows to which axis they would go. Display thread. */
+final class DropZone implements PortDrag.Target {
+  /** What is done with what was dropped. */
+  interface Taker {
+    /** Adds signals, one a line, to an axis. */
+    void signals(String text, int axis);
+
+    /** Adds ports to an axis, or asks which of their fields. */
+    void ports(DraggedPorts ports, int axis, Point at);
+  }
+
   private final Canvas canvas;
   private final PlotPainter painter;
-  private final BiConsumer<String, Integer> dropped;
+  private final Taker taker;
   private Optional<Point> over = Optional.empty();
 
-  DropZone(Canvas canvas, PlotPainter painter, BiConsumer<String, Integer> dropped) {
+  DropZone(Canvas canvas, PlotPainter painter, Taker taker) {
     this.canvas = canvas;
     this.painter = painter;
-    this.dropped = dropped;
-    DropTarget target = new DropTarget(canvas, DND.DROP_COPY | DND.DROP_MOVE | DND.DROP_LINK | DND.DROP_DEFAULT);
-    target.setTransfer(TextTransfer.getInstance());
-    target.addDropListener(new Listener());
+    this.taker = taker;
+    PortDrag.to(canvas, true, this);
   }
 
   /** The axis at a point; a new one outside of all. */
@@ -57,33 +60,19 @@ final class DropZone {
     return new Rectangle(area.x, area.y + area.height - height, area.width, height);
   }
 
-  private final class Listener extends DropTargetAdapter {
-    @Override
-    public void dragEnter(DropTargetEvent event) {
-      if (event.detail == DND.DROP_DEFAULT) {
-        event.detail = DND.DROP_COPY;
-      }
-    }
+  @Override
+  public void over(Optional<Point> at) {
+    over = at;
+    canvas.redraw();
+  }
 
-    @Override
-    public void dragOver(DropTargetEvent event) {
-      over = Optional.of(canvas.toControl(event.x, event.y));
-      canvas.redraw();
-    }
+  @Override
+  public void dropped(DraggedPorts ports, Point at) {
+    taker.ports(ports, axisAt(at), at);
+  }
 
-    @Override
-    public void dragLeave(DropTargetEvent event) {
-      over = Optional.empty();
-      canvas.redraw();
-    }
-
-    @Override
-    public void drop(DropTargetEvent event) {
-      over = Optional.empty();
-      if (event.data instanceof String text) {
-        dropped.accept(text, axisAt(canvas.toControl(event.x, event.y)));
-      }
-      canvas.redraw();
-    }
+  @Override
+  public void dropped(String text, Point at) {
+    taker.signals(text, axisAt(at));
   }
 }

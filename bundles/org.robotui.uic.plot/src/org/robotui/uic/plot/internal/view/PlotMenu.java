@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.ui.control.PopupMenu;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.AxisSpec;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.PlotOptions;
@@ -37,10 +38,10 @@ final class PlotMenu {
   private final Commands commands;
   private final TraceMenu traces;
 
-  PlotMenu(Edits edits, Commands commands) {
+  PlotMenu(Edits edits, Commands commands, SubjectMenu ports) {
     this.edits = edits;
     this.commands = commands;
-    this.traces = new TraceMenu(edits, commands::choose);
+    this.traces = new TraceMenu(edits, commands::choose, ports);
   }
 
   /** Shows the menu for a point of the view. */

@@ -10,6 +10,8 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
+import org.robotui.api.port.SourceId;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 import org.robotui.ui.Icon;
@@ -42,6 +44,7 @@ public final class PlotSurface {
   private final Navigation navigation;
   private final PlotMenu menu;
   private final ChooserPanel chooser;
+  private final PortAdder ports;
   private final DropZone drops;
   private final QuietButton choose;
   private volatile boolean choosing;
@@ -66,8 +69,9 @@ public final class PlotSurface {
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
     this.chooser = new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
     this.navigation = new Navigation(canvas, () -> this.scene, state, painter);
-    this.menu = new PlotMenu(edits, new Commands());
-    this.drops = new DropZone(canvas, painter, this::dropped);
+    this.menu = new PlotMenu(edits, new Commands(), robot.ports(context.theme()));
+    this.ports = new PortAdder(canvas, robot, new Ports());
+    this.drops = new DropZone(canvas, painter, ports);
     this.choose = new QuietButton(canvas, context.theme(), () -> choose("")).icon(Icon.PLUS).text("Choose a field").fill(Role.ACCENT);
     listen();
     show(scene);
@@ -97,6 +101,20 @@ public final class PlotSurface {
     choosing = true;
     choose.setVisible(false);
     place();
+  }
+
+  /** Plots fields of a port; without any named, the user chooses. */
+  public void plot(Subject.Stream stream) {
+    if (stream.fields().isEmpty()) {
+      choose(stream.port());
+    } else {
+      ports.signals(PortAdder.signals(stream.port(), stream.fields()), lastAxis());
+    }
+  }
+
+  private void choose(SourceId source) {
+    choose("");
+    chooser.open(source);
   }
 
   public void toggleChooser() {
@@ -139,10 +157,6 @@ public final class PlotSurface {
 
   private int lastAxis() {
     return Math.max(0, scene.axes().size() - 1);
-  }
-
-  private void dropped(String text, int axis) {
-    edits.add(text, axis).ifPresent(wrong -> exporter.say("cannot plot that: " + wrong, false));
   }
 
   private void closeChooser() {
@@ -226,6 +240,24 @@ public final class PlotSurface {
       states.banner(gc, low, notice.get().good() ? Health.OK : Health.BAD, words);
     } else if (!state.isLive() && !scene.spec().isEmpty()) {
       states.banner(gc, low, Health.NONE, "paused \u00b7 double-click for live");
+    }
+  }
+
+  private final class Ports implements PortAdder.Plot {
+    @Override
+    public void add(String signals, int axis) {
+      edits.add(signals, axis).ifPresent(this::refuse);
+    }
+
+    @Override
+    public void choose(SourceId port) {
+      PlotSurface.this.choose(port);
+    }
+
+    @Override
+    public void refuse(String reason) {
+      exporter.say("cannot plot that: " + reason, false);
+      show(scene);
     }
   }
 

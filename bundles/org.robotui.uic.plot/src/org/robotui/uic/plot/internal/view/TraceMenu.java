@@ -6,14 +6,18 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.PopupMenu;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.LineStyle;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.TraceRef;
 import org.robotui.uic.plot.internal.model.TraceSpec;
 import org.robotui.uic.plot.internal.model.TraceView;
+import org.robotui.uic.plot.internal.signal.Expr;
+import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** What can be done with a trace. Display thread. */
 final class TraceMenu {
@@ -21,9 +25,11 @@ final class TraceMenu {
 
   private final Edits edits;
   private final Consumer<String> type;
+  private final SubjectMenu ports;
 
   /** Given also what is called with a signal that the user wants to go on typing. */
-  TraceMenu(Edits edits, Consumer<String> type) {
+  TraceMenu(Edits edits, Consumer<String> type, SubjectMenu ports) {
+    this.ports = ports;
     this.edits = edits;
     this.type = type;
   }
@@ -41,6 +47,16 @@ final class TraceMenu {
     move(menu.under("Move to"), scene, ref);
     menu.line();
     menu.push("Copy signal", () -> Clipboards.copy(spec.signal()));
+    fields(spec.signal()).forEach(field -> ports.fill(menu.under(field.toString()), new Subject.Stream(field.source(), List.of(field.path()))));
+  }
+
+  /** The fields that a signal is made of; none of one that cannot be read. */
+  private static List<Expr.Field> fields(String signal) {
+    try {
+      return ExprParser.parse(signal).fields().distinct().toList();
+    } catch (IllegalArgumentException e) {
+      return List.of();
+    }
   }
 
   private void derive(PopupMenu menu, PlotScene scene, TraceRef ref, String signal) {

@@ -31,6 +31,13 @@ public final class Edits {
     this.now = now;
   }
 
+  /** Adds a display of a source and says its id. */
+  public String add(String type, String source) {
+    String id = add(type);
+    change(id, spec -> spec.from(List.of(source)));
+    return id;
+  }
+
   /** Adds a display and says its id. */
   public String add(String type) {
     List<DisplaySpec> specs = new ArrayList<>(now.get());

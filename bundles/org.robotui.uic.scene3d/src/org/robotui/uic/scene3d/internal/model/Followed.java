@@ -34,6 +34,12 @@ public final class Followed {
     }
   }
 
+  /** Where a frame is now. Any thread. */
+  public Optional<RigidTransform> where(FrameId frame, Settings settings, Optional<FrameId> fixed) {
+    Frames joined = new JoinedFrames(frames, Joint.read(settings));
+    return fixed.flatMap(f -> new Placer(joined, f).latest(frame).found());
+  }
+
   private Optional<RigidTransform> place(String wanted, Settings settings, Optional<FrameId> fixed) {
     Frames joined = new JoinedFrames(frames, Joint.read(settings));
     Optional<FrameId> frame = joined.all().stream()

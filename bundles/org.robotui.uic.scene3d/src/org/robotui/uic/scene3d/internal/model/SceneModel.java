@@ -27,10 +27,10 @@ import org.robotui.data.FrameId;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.shape.Part;
+import org.robotui.ui.scene.FixedFrame;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.ScenePorts;
 import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
-import org.robotui.ui.scene.FixedFrame;
 
 /** Drains, routes to displays, and makes the stage. Worker thread, where nothing else is said. */
 public final class SceneModel {
@@ -82,6 +82,13 @@ public final class SceneModel {
     Settings now = settings.current();
     List<DisplaySpec> written = DisplayCodec.read(now);
     return written.isEmpty() && now.flag(SceneOptions.AUTOMATIC) ? Automatic.displays(kinds.get(), input.candidates()) : written;
+  }
+
+  /** A kind of display that takes a stream. Any thread. */
+  public Optional<DisplayType> kindFor(SourceId port) {
+    List<Input.Candidate> offered = input.candidates();
+    return kinds.get().stream()
+        .filter(kind -> kind.accepts().stream().anyMatch(data -> SourceChoice.fitting(data, offered).contains(port))).findFirst();
   }
 
   /** Prepares; true where there is something new to show. */

@@ -92,6 +92,12 @@ final class DisplayTree {
     }
   }
 
+  /** Chooses a display, as soon as it is listed. */
+  void choose(String id) {
+    added = Optional.of(id);
+    choose();
+  }
+
   /** What a user just added, as soon as it is listed: its settings are what is wanted next. */
   private void choose() {
     rows.stream().filter(r -> added.filter(r.spec().id()::equals).isPresent()).findFirst().ifPresent(row -> {

@@ -1,11 +1,14 @@
 package org.robotui.uic.scene3d.internal.view;
 
+import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
+import org.robotui.api.port.SourceId;
+import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
@@ -14,6 +17,8 @@ import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Lens;
+import org.robotui.uic.scene3d.internal.model.DisplayRow;
+import org.robotui.uic.scene3d.internal.model.SourceName;
 
 /** The control of a scene: the list of displays, and the picture. Display thread, where nothing else is said. */
 public final class SceneSurface {
@@ -146,6 +151,26 @@ public final class SceneSurface {
   /** As the camera is now; places in points. */
   Lens lens() {
     return canvas.lens(parts.rig().at(System.nanoTime()));
+  }
+
+  /** Shows the display of a stream, after adding one where there is none, and goes to it in list and picture. */
+  public void show(SourceId port) {
+    Optional<DisplayRow> there = parts.model().stage().rows().stream()
+        .filter(row -> row.spec().sources().stream().anyMatch(written -> SourceName.fits(written, port))).findFirst();
+    Optional<String> display = there.map(row -> row.spec().id())
+        .or(() -> parts.model().kindFor(port).map(kind -> parts.edits().add(kind.id(), SourceName.of(port))));
+    display.ifPresent(id -> {
+      parts.edits().change(id, spec -> spec.show(true));
+      parts.edits().tree(true);
+      tree.choose(id);
+      parts.model().stage().bounds(id).ifPresent(box -> go(parts.rig().aim().fit(box, aspect())));
+    });
+    refresh();
+  }
+
+  /** Turns the camera to a place. */
+  public void look(Vector3 place) {
+    go(parts.rig().aim().at(place));
   }
 
   void fit() {

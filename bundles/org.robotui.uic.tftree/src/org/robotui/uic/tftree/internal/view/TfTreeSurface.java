@@ -9,6 +9,7 @@ import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
+import org.robotui.api.show.Subject;
 import org.robotui.data.FrameId;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
@@ -21,6 +22,7 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.diagram.DiagramCanvas;
 import org.robotui.ui.diagram.DiagramSaver;
 import org.robotui.ui.diagram.TextWidths;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.tftree.internal.model.Ask;
 import org.robotui.uic.tftree.internal.model.Look;
 import org.robotui.uic.tftree.internal.model.Notice;
@@ -62,7 +64,7 @@ public final class TfTreeSurface {
   private Optional<Look> shown = Optional.empty();
 
   /** In a part of a window. */
-  public TfTreeSurface(Composite parent, UiContext context, Wishes wishes) {
+  public TfTreeSurface(Composite parent, UiContext context, Wishes wishes, SubjectMenu subjects) {
     this.context = context;
     this.wishes = wishes;
     Theme theme = context.theme();
@@ -87,6 +89,8 @@ public final class TfTreeSurface {
     halves.setWeights(TREE_SHARE, DETAIL_SHARE);
     halves.setMaximizedControl(stack);
     listen(theme);
+    canvas.onMenu((menu, box) -> subjects.fill(menu, new Subject.Frame((FrameId) box.key())));
+    table.list().menu((menu, rows) -> rows.stream().findFirst().ifPresent(row -> subjects.fill(menu, new Subject.Frame(row.id()))));
   }
 
   private void listen(Theme theme) {

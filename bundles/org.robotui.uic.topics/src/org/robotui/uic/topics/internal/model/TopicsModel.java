@@ -10,6 +10,7 @@ import java.util.function.UnaryOperator;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
 import org.robotui.data.DynamicRecord;
 import org.robotui.ui.ask.Measure;
 import org.robotui.ui.ask.Presence;
@@ -137,6 +138,16 @@ public final class TopicsModel {
     if (gone) {
       select(Optional.empty());
     }
+  }
+
+  /** The topic that a stream carries, as soon as it is known. */
+  public Optional<Key> topic(SourceId stream) {
+    return poller.catalog().of(Kind.TOPIC).stream().filter(entry -> entry.stream().filter(stream::equals).isPresent()).map(Entry::key).findFirst();
+  }
+
+  /** A program by the robot's name of it, as soon as it is known. */
+  public Optional<Key> node(String name) {
+    return poller.catalog().of(Kind.NODE).stream().map(Entry::key).filter(key -> key.name().equals(name)).findFirst();
   }
 
   /** What is selected. */

@@ -17,6 +17,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.MessagePane;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.Described;
 import org.robotui.uic.topics.internal.model.Key;
 import org.robotui.uic.topics.internal.model.Look;
@@ -54,7 +55,7 @@ final class DetailPane {
   private Optional<Key> selected = Optional.empty();
   private Leaf leaf = Leaf.ABOUT;
 
-  DetailPane(Composite parent, Theme theme, TopicsModel model, Consumer<Key> follow) {
+  DetailPane(Composite parent, Theme theme, TopicsModel model, Consumer<Key> follow, String ruic, SubjectMenu subjects) {
     this.model = model;
     this.display = parent.getDisplay();
     root = Boxes.panel(parent, theme, 1);
@@ -76,7 +77,7 @@ final class DetailPane {
     nothing = new MessagePane(stack, theme);
     nothing.show(Health.NONE, "Nothing is selected", "Select a line to see who uses it, what it carries and what it is made of.");
     about = new AboutPane(stack, theme, follow);
-    echo = new EchoPane(stack, theme, model);
+    echo = new EchoPane(stack, theme, model, ruic, subjects);
     publish = new PublishPane(stack, theme, model);
     leaves.topControl = nothing.control();
     root.addListener(SWT.Dispose, e -> display.timerExec(-1, rested));

@@ -10,13 +10,13 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.port.InputState;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.Column;
@@ -24,10 +24,13 @@ import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RecordTree;
 import org.robotui.ui.control.RowTable;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
+import org.robotui.ui.show.RecordYaml;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.Heard;
 import org.robotui.uic.topics.internal.model.Look;
 import org.robotui.uic.topics.internal.model.TopicsModel;
-import org.robotui.uic.topics.internal.model.YamlText;
 
 /** The messages of a topic: the newest as a tree, and those before it. Display thread. */
 final class EchoPane {
@@ -46,7 +49,7 @@ final class EchoPane {
   private Look.Echo shown = Look.Echo.NOTHING;
   private Optional<Boolean> wanted = Optional.empty();
 
-  EchoPane(Composite parent, Theme theme, TopicsModel model) {
+  EchoPane(Composite parent, Theme theme, TopicsModel model, String ruic, SubjectMenu subjects) {
     this.model = model;
     root = Boxes.panel(parent, theme, 1);
     Composite bar = Boxes.bar(root, theme, 4);
@@ -58,7 +61,8 @@ final class EchoPane {
     body.setLayoutData(Boxes.fill());
     tree = new RecordTree(body, theme);
     tree.control().setLayoutData(Boxes.fill());
-    tree.drag(this::address).menu(this::menu);
+    tree.menu((menu, path) -> field(path).ifPresent(field -> subjects.fill(menu, field)));
+    PortDrag.from(tree.control(), at -> tree.selected().flatMap(this::field).map(field -> new DraggedPorts(ruic, List.of(field))));
     rule = new Composite(body, SWT.NONE);
     rule.setBackground(theme.color(Role.LINE));
     GridData line = new GridData(SWT.FILL, SWT.FILL, false, true);
@@ -135,7 +139,7 @@ final class EchoPane {
   }
 
   private void copy() {
-    shown.record().ifPresent(record -> Clipboards.copy(YamlText.of(record)));
+    shown.record().ifPresent(record -> Clipboards.copy(RecordYaml.of(record)));
   }
 
   private void arrange(Composite body) {
@@ -147,14 +151,8 @@ final class EchoPane {
     }
   }
 
-  /** What a plot takes. */
-  private Optional<String> address(String path) {
-    return shown.source().map(source -> source + ":" + path);
-  }
-
-  private List<ViewAction> menu(String path) {
-    return address(path).map(text -> List.of(new ViewAction("address", "Copy for a plot", Icon.COPY.id(), Optional.empty(),
-        () -> Clipboards.copy(text)))).orElse(List.of());
+  private Optional<Subject.Stream> field(String path) {
+    return shown.source().map(source -> new Subject.Stream(source, List.of(path)));
   }
 
   private static List<Column<Heard>> columns() {

@@ -10,14 +10,17 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.InputState;
+import org.robotui.api.show.Subject;
 import org.robotui.ui.Health;
-import org.robotui.ui.Icon;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.RowTable;
+import org.robotui.ui.show.DraggedPorts;
+import org.robotui.ui.show.PortDrag;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.Key;
 import org.robotui.uic.topics.internal.model.Look;
 import org.robotui.uic.topics.internal.model.Row;
@@ -38,6 +41,7 @@ final class Shelf {
   }
 
   private final Acts acts;
+  private final SubjectMenu subjects;
   private final Composite root;
   private final StackLayout stack = new StackLayout();
   private final RowTable<Row> topics;
@@ -45,8 +49,9 @@ final class Shelf {
   private final RowTable<Row> others;
   private volatile Kind section = Kind.TOPIC;
 
-  Shelf(Composite parent, Theme theme, Acts acts) {
+  Shelf(Composite parent, Theme theme, Acts acts, String ruic, SubjectMenu subjects) {
     this.acts = acts;
+    this.subjects = subjects;
     root = new Composite(parent, SWT.NONE);
     root.setBackground(theme.color(Role.PANEL));
     root.setLayout(stack);
@@ -56,7 +61,8 @@ final class Shelf {
     listen(topics, "Topics");
     listen(nodes, "Nodes");
     listen(others, "Services and actions");
-    topics.list().drag(row -> row.entry().stream().map(Object::toString));
+    PortDrag.from(topics.list().control(), at -> Optional.of(new DraggedPorts(ruic,
+        topics.list().selected().stream().flatMap(row -> row.entry().stream().stream()).map(Subject.Stream::of).toList())));
     topics.list().control().addListener(SWT.MouseUp, this::clicked);
     topics.list().control().addListener(SWT.KeyDown, this::key);
     stack.topControl = topics.control();
@@ -128,20 +134,21 @@ final class Shelf {
     table.list().named(name).onFind(acts::find)
         .onSelect(rows -> acts.select(rows.stream().findFirst().map(Row::key)))
         .onOpen(row -> acts.open(row.key()))
-        .menu(rows -> rows.stream().findFirst().map(this::menu).orElse(List.of()));
+        .menu((menu, rows) -> rows.stream().findFirst().ifPresent(row -> menu(menu, row)));
   }
 
-  private List<ViewAction> menu(Row row) {
-    ViewAction copy = action("copy", "Copy name", () -> Clipboards.copy(row.key().name()));
-    if (row.key().kind() != Kind.TOPIC) {
-      return List.of(copy);
+  private void menu(PopupMenu menu, Row row) {
+    Key key = row.key();
+    Optional<Subject> subject = switch (key.kind()) {
+      case TOPIC -> row.entry().stream().map(Subject.Stream::of);
+      case NODE -> Optional.of(new Subject.Node(key.name()));
+      default -> Optional.empty();
+    };
+    if (key.kind() == Kind.TOPIC) {
+      menu.push("Show messages", () -> acts.open(key));
+      menu.check("Measure", row.measured(), on -> measure(row));
     }
-    return List.of(action("echo", "Echo", () -> acts.open(row.key())),
-        new ViewAction("measure", "Measure", "", Optional.of(row::measured), () -> measure(row)), copy);
-  }
-
-  private static ViewAction action(String id, String label, Runnable run) {
-    return new ViewAction(id, label, Icon.COPY.id(), Optional.empty(), run);
+    subject.ifPresentOrElse(s -> subjects.fill(menu, s), () -> menu.push("Copy name", () -> Clipboards.copy(key.name())));
   }
 
   private void clicked(Event event) {

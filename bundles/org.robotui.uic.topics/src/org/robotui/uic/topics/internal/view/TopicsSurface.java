@@ -10,6 +10,7 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.port.Browser.Kind;
+import org.robotui.api.port.SourceId;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
@@ -19,6 +20,7 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.TopicsOptions;
 import org.robotui.uic.topics.internal.model.Catalog;
 import org.robotui.uic.topics.internal.model.Key;
@@ -44,9 +46,19 @@ public final class TopicsSurface {
   private final SashForm split;
   private final Shelf shelf;
   private final DetailPane detail;
+  private Optional<Awaited> awaited = Optional.empty();
 
-  /** Makes the controls. */
-  public TopicsSurface(Composite parent, UiContext context, TopicsModel model, Supplier<TopicsOptions> options) {
+  /** Something that is to be shown as soon as the robot has said that it is there. */
+  private record Awaited(Supplier<Optional<Key>> key, DetailPane.Leaf leaf) {}
+
+  /**
+   * Makes the controls.
+   *
+   * @param ruic the RUIC whose streams the topics are
+   * @param subjects the menus of its ports and nodes
+   */
+  public TopicsSurface(Composite parent, UiContext context, TopicsModel model, Supplier<TopicsOptions> options, String ruic,
+      SubjectMenu subjects) {
     this.context = context;
     this.model = model;
     this.options = options;
@@ -61,8 +73,8 @@ public final class TopicsSurface {
     notice = new NoticeLine(root, theme, Face.BODY);
     split = Boxes.split(root, theme, SWT.HORIZONTAL);
     split.setLayoutData(Boxes.fill());
-    shelf = new Shelf(split, theme, new Acts());
-    detail = new DetailPane(split, theme, model, this::follow);
+    shelf = new Shelf(split, theme, new Acts(), ruic, subjects);
+    detail = new DetailPane(split, theme, model, this::follow, ruic, subjects);
     split.setWeights(WIDE);
     listen();
     resume(model.look().wishes());
@@ -87,6 +99,7 @@ public final class TopicsSurface {
       model.seen(System.nanoTime());
     }
     watch();
+    reach();
     Look look = model.look();
     sections(look);
     shelf.show(look);
@@ -101,6 +114,30 @@ public final class TopicsSurface {
     }
     notice.show(Health.WARNING, look.notice());
     context.note(note(look));
+  }
+
+  /** Shows the topic of a stream: its messages, or what is known of it. */
+  public void show(SourceId stream, boolean echo) {
+    await(new Awaited(() -> model.topic(stream), echo ? DetailPane.Leaf.ECHO : DetailPane.Leaf.ABOUT));
+  }
+
+  /** Shows a program. */
+  public void showNode(String name) {
+    await(new Awaited(() -> model.node(name), DetailPane.Leaf.ABOUT));
+  }
+
+  private void await(Awaited next) {
+    awaited = Optional.of(next);
+    refresh();
+  }
+
+  /** Goes to what was asked for, once it is known. */
+  private void reach() {
+    awaited.ifPresent(wanted -> wanted.key().get().ifPresent(key -> {
+      awaited = Optional.empty();
+      follow(key);
+      detail.open(wanted.leaf());
+    }));
   }
 
   Shelf shelf() {
@@ -141,6 +178,7 @@ public final class TopicsSurface {
   }
 
   private void select(Optional<Key> key) {
+    awaited = awaited.filter(wanted -> key.isEmpty());
     model.select(key);
     detail.select(key);
     detail.show(model.look());

@@ -1,24 +1,29 @@
-package org.robotui.uic.topics.internal.model;
+package org.robotui.ui.show;
 
 import java.util.List;
 import org.robotui.data.Doubles;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldValue;
 
-/** A message as text that people of the field read: as YAML, as far as its size is sensible. Pure. */
-public final class YamlText {
-  private static final int MOST_ELEMENTS = 64;
-  private static final int MOST_CHARACTERS = 200_000;
-  private static final int MOST_TEXT = 4000;
+/** A message as text that people of the field read: as YAML, as far as its size is sensible. Any thread. */
+public final class RecordYaml {
+  private static final int MOST_ELEMENTS = 10_000;
+  private static final int MOST_CHARACTERS = 2_000_000;
+  private static final int MOST_TEXT = 100_000;
   private static final long NANOS = 1_000_000_000L;
 
   private final StringBuilder text = new StringBuilder();
 
-  private YamlText() {}
+  private RecordYaml() {}
 
-  /** The text of a message; long lists are cut, and say so. */
+  /**
+   * The text of a message.
+   *
+   * @param record the message
+   * @return its fields, in their order; very long lists are cut, and say so
+   */
   public static String of(DynamicRecord record) {
-    YamlText writer = new YamlText();
+    RecordYaml writer = new RecordYaml();
     writer.record(record, 0);
     return writer.text.toString();
   }
@@ -36,7 +41,7 @@ public final class YamlText {
 
   private void value(FieldValue value, int depth) {
     switch (value) {
-      case FieldValue.Num n -> text.append(' ').append(n.exact()).append('\n');
+      case FieldValue.Num n -> text.append(' ').append(Numerals.yaml(n)).append('\n');
       case FieldValue.Flag f -> text.append(' ').append(f.value()).append('\n');
       case FieldValue.Text t -> text.append(' ').append(quoted(t.value())).append('\n');
       case FieldValue.Time t -> time(t.nanos(), depth);
@@ -65,7 +70,7 @@ public final class YamlText {
     text.append(" [");
     int shown = Math.min(values.size(), MOST_ELEMENTS);
     for (int i = 0; i < shown; i++) {
-      text.append(i == 0 ? "" : ", ").append(number(values.get(i)));
+      text.append(i == 0 ? "" : ", ").append(Numerals.yaml(values.get(i)));
     }
     text.append(']');
     cut(values.size(), shown);
@@ -95,13 +100,9 @@ public final class YamlText {
     }
   }
 
-  private static String number(double value) {
-    return value == Math.rint(value) && Math.abs(value) < 1e15 ? Long.toString((long) value) : Double.toString(value);
-  }
-
   private static String quoted(String value) {
     String shown = value.length() > MOST_TEXT ? value.substring(0, MOST_TEXT) + "\u2026" : value;
-    return '"' + shown.replace("\\", "\\\\").replace("\"", "\\\"").replace("\n", "\\n").replace("\r", "\\r").replace("\t", "\\t") + '"';
+    return Numerals.quoted(shown);
   }
 
   private StringBuilder indent(int depth) {

@@ -1,4 +1,4 @@
-package org.robotui.uic.topics.internal.model;
+package org.robotui.ui.show;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -12,7 +12,7 @@ import org.robotui.data.Doubles;
 import org.robotui.data.DynamicRecord;
 import org.robotui.data.FieldValue;
 
-class YamlTextTest {
+class RecordYamlTest {
   @Test
   void fieldsNestAndListsFlow() {
     Map<String, FieldValue> fields = new LinkedHashMap<>();
@@ -33,13 +33,26 @@ class YamlTextTest {
           - "x"
         pose:
           x: 1.0
-        """, YamlText.of(new Values(fields)));
+        """, RecordYaml.of(new Values(fields)));
   }
 
   @Test
   void longListsAreCutAndSaySo() {
-    String text = YamlText.of(new Values(Map.of("data", new FieldValue.Numbers(Doubles.wrap(new double[1_000_000])))));
-    assertTrue(text.endsWith("] # and 999936 more\n"), text);
+    String text = RecordYaml.of(new Values(Map.of("data", new FieldValue.Numbers(Doubles.wrap(new double[1_000_000])))));
+    assertTrue(text.endsWith("] # and 990000 more\n"), text);
+  }
+
+  @Test
+  void whatIsNoNumberIsWrittenAsYamlWritesIt() {
+    Map<String, FieldValue> fields = new LinkedHashMap<>();
+    fields.put("charge", new FieldValue.Num(Double.NaN, "NaN"));
+    fields.put("ranges", new FieldValue.Numbers(Doubles.of(Double.POSITIVE_INFINITY, -1, Double.NEGATIVE_INFINITY)));
+    fields.put("text", new FieldValue.Text("bell\u0007"));
+    assertEquals("""
+        charge: .nan
+        ranges: [.inf, -1, -.inf]
+        text: "bell\\u0007"
+        """, RecordYaml.of(new Values(fields)));
   }
 
   private record Values(Map<String, FieldValue> all) implements DynamicRecord {
