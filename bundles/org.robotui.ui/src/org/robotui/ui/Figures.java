@@ -7,6 +7,8 @@ public final class Figures {
   /** What stands for a number that is not known. */
   public static final String UNKNOWN = "\u2014";
 
+  /** From here on a figure would be longer than any place for it. */
+  private static final double LONG = 1e12;
   private static final char MINUS = '\u2212';
   private static final double SECONDS_PER_MINUTE = 60;
   private static final double MINUTES_PER_HOUR = 60;
@@ -31,7 +33,9 @@ public final class Figures {
     if (Double.isInfinite(value)) {
       return value > 0 ? "\u221e" : MINUS + "\u221e";
     }
-    String text = String.format(Locale.ROOT, "%." + decimals + "f", Math.abs(value));
+    String text = Math.abs(value) < LONG
+        ? String.format(Locale.ROOT, "%." + decimals + "f", Math.abs(value))
+        : String.format(Locale.ROOT, "%.3e", Math.abs(value)).replace("e+", "e");
     boolean negative = value < 0 && text.chars().anyMatch(c -> c > '0' && c <= '9');
     return negative ? MINUS + text : text;
   }

@@ -6,6 +6,13 @@ import org.junit.jupiter.api.Test;
 
 class FiguresTest {
   @Test
+  void hugeFiguresAreShort() {
+    assertEquals("1.000e300", Figures.fixed(1e300, 6));
+    assertEquals("\u22121.798e308\u00a0m", Figures.of(-Double.MAX_VALUE, 2, "m"));
+    assertEquals("999999999999.0", Figures.fixed(999_999_999_999.0, 1));
+  }
+
+  @Test
   void noValueIsYoungerThanNow() {
     assertEquals("0\u00a0ms", Figures.ageOfValue(-0.02));
     assertEquals("\u22123.0\u00a0s", Figures.ageOfValue(-3));

@@ -105,10 +105,9 @@ public final class ViewTrial {
   }
 
   /** A value for a port. */
-  private record Given(FakeInput<Data> input, SourceId source, Data value) {
+  private record Given(FakeInput<Data> input, SourceId source, Data value, Stamp stamp) {
     void put() {
-      long now = System.nanoTime();
-      input.put(source, value, now, Optional.of(new Stamp(now, ClockKind.ROBOT)));
+      input.put(source, value, System.nanoTime(), Optional.of(stamp));
     }
   }
 
@@ -119,10 +118,15 @@ public final class ViewTrial {
         @SuppressWarnings("unchecked") // only values of its type are put in
         FakeInput<Data> input = (FakeInput<Data>) context.input(stream);
         valid.stream().filter(stream.type()::isInstance)
-            .forEach(value -> given.add(new Given(input, source(value), spoiled ? spoil(value) : value)));
+            .forEach(value -> given.add(new Given(input, source(value), spoiled ? spoil(value) : value, stamp(spoiled))));
       }
     }
     return given;
+  }
+
+  private Stamp stamp(boolean spoiled) {
+    Stamp now = new Stamp(System.nanoTime(), ClockKind.ROBOT);
+    return spoiled ? spoiler.spoil(now) : now;
   }
 
   /**

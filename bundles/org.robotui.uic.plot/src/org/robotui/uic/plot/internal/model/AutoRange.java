@@ -25,7 +25,7 @@ public final class AutoRange {
     if (seen.isEmpty()) {
       return before.orElse(NOTHING);
     }
-    ValueSpan wanted = around(Math.max(seen.min(), -MOST), Math.min(seen.max(), MOST));
+    ValueSpan wanted = around(Math.clamp(seen.min(), -MOST, MOST), Math.clamp(seen.max(), -MOST, MOST));
     if (before.isEmpty()) {
       return wanted;
     }

@@ -14,6 +14,8 @@ public record Ticks(double first, double step, int count) {
   private static final double HALF = 1e-9;
   private static final int MOST_DECIMALS = 9;
   private static final double LARGE = 1e7;
+  /** A hundredth of it is still a number with all its digits. */
+  private static final double FINEST = 1e-290;
 
   /** Ticks within limits, at most so many. */
   public static Ticks of(double low, double high, int most) {
@@ -28,8 +30,9 @@ public record Ticks(double first, double step, int count) {
     if (!(least > 0) || !Double.isFinite(least)) {
       return 1;
     }
-    double power = Math.pow(10, Math.floor(Math.log10(least)));
-    return DoubleStream.of(1, 2, 5, 10).map(m -> m * power).filter(s -> s >= least * (1 - HALF)).findFirst().orElse(10 * power);
+    double wanted = Math.max(FINEST, least);
+    double power = Math.pow(10, Math.floor(Math.log10(wanted)));
+    return DoubleStream.of(1, 2, 5, 10).map(m -> m * power).filter(s -> s >= wanted * (1 - HALF)).findFirst().orElse(10 * power);
   }
 
   public double at(int index) {

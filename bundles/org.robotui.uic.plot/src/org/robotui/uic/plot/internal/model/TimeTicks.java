@@ -23,6 +23,7 @@ public final class TimeTicks {
     30 * MINUTE, HOUR, 2 * HOUR, 3 * HOUR, 6 * HOUR, 12 * HOUR, DAY, 2 * DAY, 7 * DAY, 14 * DAY, 30 * DAY
   };
   /** Below that, times are those of a simulation, counted from its beginning. */
+  private static final long MOST_DAYS = Long.MAX_VALUE / DAY;
   private static final long FIRST_CALENDAR = 10L * 365 * DAY;
 
   private TimeTicks() {}
@@ -31,7 +32,8 @@ public final class TimeTicks {
   public static List<Tick> relative(TimeSpan span, int most) {
     long step = step(span.length(), most);
     List<Tick> ticks = new ArrayList<>();
-    for (long back = span.length() / step * step; back >= 0; back -= step) {
+    for (long i = bounded(span.length() / step, most); i >= 0; i--) {
+      long back = i * step;
       ticks.add(new Tick(span.to() - back, back == 0 ? "now" : duration(-back, step)));
     }
     return ticks;
@@ -43,10 +45,16 @@ public final class TimeTicks {
     long shift = span.from() < FIRST_CALENDAR ? 0 : offset(span.from(), zone);
     List<Tick> ticks = new ArrayList<>();
     long first = Math.ceilDiv(span.from() + shift, step) * step - shift;
-    for (long time = first; time <= span.to(); time += step) {
-      ticks.add(new Tick(time, clock(time, step, zone)));
+    long last = first > span.to() ? -1 : bounded((span.to() - first) / step, most);
+    for (long i = 0; i <= last; i++) {
+      ticks.add(new Tick(first + i * step, clock(first + i * step, step, zone)));
     }
     return ticks;
+  }
+
+  /** Times from robots may lie at either end of what a number holds, where differences are no differences any more. */
+  private static long bounded(long count, int most) {
+    return Math.clamp(count, 0, Math.max(1, most) + 1);
   }
 
   /** A time as exact as a step tells apart. */
@@ -80,7 +88,7 @@ public final class TimeTicks {
         return step;
       }
     }
-    return least > SECOND ? Math.ceilDiv(least, DAY) * DAY : Math.max(1, Math.round(Ticks.niceStep(least)));
+    return least > SECOND ? Math.min(Math.ceilDiv(least, DAY), MOST_DAYS) * DAY : Math.max(1, Math.round(Ticks.niceStep(least)));
   }
 
   static int decimals(long step) {

@@ -15,7 +15,7 @@ public sealed interface YRange {
     if (value instanceof List<?> limits && limits.size() == 2) {
       double low = ((Number) limits.get(0)).doubleValue();
       double high = ((Number) limits.get(1)).doubleValue();
-      return low < high ? new Fixed(low, high) : new Auto();
+      return low < high && Double.isFinite(high - low) ? new Fixed(low, high) : new Auto();
     }
     return HOLD.equals(value) ? new Hold() : new Auto();
   }

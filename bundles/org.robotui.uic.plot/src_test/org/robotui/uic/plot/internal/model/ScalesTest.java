@@ -18,6 +18,37 @@ class ScalesTest {
   private static final long NOON = 1_700_049_600L * SECOND;
 
   @Test
+  void scalesAreBoundedWhateverTheNumbersAre() {
+    double[] values = {-Double.MAX_VALUE, -1e300, -1, -Double.MIN_VALUE, 0, Double.MIN_VALUE, 1e-300, 1, 1e9, 1e300, Double.MAX_VALUE};
+    for (double low : values) {
+      for (double high : values) {
+        if (low <= high) {
+          Summary seen = new Summary();
+          seen.add(low);
+          seen.add(high);
+          ValueSpan span = AutoRange.next(seen, Optional.empty(), false);
+          assertTrue(Ticks.of(span.low(), span.high(), 10).count() <= 11, low + " to " + high);
+        }
+      }
+    }
+  }
+
+  @Test
+  void timesAreBoundedWhateverTheStampsAre() {
+    long[] times = {Long.MIN_VALUE, Long.MIN_VALUE + 1, -SECOND, 0, 1, NOON, Long.MAX_VALUE - 1, Long.MAX_VALUE};
+    for (long from : times) {
+      for (long to : times) {
+        for (int most : new int[] {1, 7}) {
+          if (from <= to) {
+            assertTrue(TimeTicks.relative(new TimeSpan(from, to), most).size() <= most + 2);
+            assertTrue(TimeTicks.absolute(new TimeSpan(from, to), most, ZoneOffset.UTC).size() <= most + 2);
+          }
+        }
+      }
+    }
+  }
+
+  @Test
   void ticksAreRoundAndAsManyAsFit() {
     assertEquals(List.of("\u22120.5", "0.0", "0.5", "1.0"), labels(Ticks.of(-0.7, 1.1, 5)));
     assertEquals(List.of("0", "50", "100"), labels(Ticks.of(0, 100, 4)));

@@ -33,6 +33,8 @@ public record CameraPose(CameraKind kind, Vector3 focus, double distance, double
   private static final double FARTHEST = 1e6;
   private static final double HALF = Math.tan(FIELD_OF_VIEW / 2);
   private static final double DEPTHS = 1e5;
+  /** What lies farther is seen from afar only, metres. */
+  private static final double HORIZON = 1e4;
   private static final double LEAST_FIT = 0.2;
   private static final double MARGIN = 1.12;
 
@@ -104,11 +106,11 @@ public record CameraPose(CameraKind kind, Vector3 focus, double distance, double
     Box3 all = seen.orElse(new Box3(focus, focus)).union(new Box3(focus, focus));
     double beyond = all.center().minus(eye()).norm() + all.radius();
     if (kind == CameraKind.TOP) {
-      Vector3 above = new Vector3(focus.x(), focus.y(), Math.max(focus.z() + distance, all.high().z() + 1));
-      double far = above.z() - all.low().z() + 1;
+      Vector3 above = new Vector3(focus.x(), focus.y(), within(Math.max(focus.z() + distance, all.high().z() + 1), focus.z() + 2 * FARTHEST));
+      double far = within(above.z() - all.low().z() + 1, 4 * FARTHEST);
       return new Eye(new RigidTransform(above, rotation()), new Eye.Projection.Parallel(height()), far / DEPTHS, far);
     }
-    double far = Math.max(beyond, 2 * distance) * 1.05;
+    double far = within(Math.max(beyond, 2 * distance) * 1.05, Math.max(HORIZON, distance * DEPTHS / 50));
     double near = Math.clamp(distance / 50, far / DEPTHS, far / 10);
     return new Eye(new RigidTransform(eye(), rotation()), new Eye.Projection.Perspective(FIELD_OF_VIEW), near, far);
   }
@@ -123,6 +125,11 @@ public record CameraPose(CameraKind kind, Vector3 focus, double distance, double
       off = Math.max(off, kind == CameraKind.TOP ? wide : wide - at.x());
     }
     return new CameraPose(kind, box.center(), off * MARGIN, yaw, pitch);
+  }
+
+  /** The most where it is more, or no number: one thing that is infinitely far away must not hide what is near. */
+  private static double within(double value, double most) {
+    return value < most ? value : most;
   }
 
   private static Vector3 corner(Box3 box, int number) {
