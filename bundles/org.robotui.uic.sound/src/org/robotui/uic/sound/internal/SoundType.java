@@ -1,21 +1,27 @@
 package org.robotui.uic.sound.internal;
 
 import java.util.List;
+import java.util.Optional;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
+import org.robotui.uic.sound.internal.alert.Conditions;
 import org.robotui.uic.sound.internal.tone.LineSpeaker;
 import org.robotui.uic.sound.internal.tone.Player;
+import org.robotui.uic.sound.internal.tone.Sound;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,13 +43,16 @@ public final class SoundType implements UicType {
   static final StreamPort<Data> SIGNALS =
       new StreamPort<>("signals", Data.class, Arity.MANY, "What the conditions of the alerts look at.", Intake.CHOSEN);
 
+  private static final double MOST = 1e12;
+
   static final Schema ALERT = Schema.of(
       Setting.optional(NAME, new ValueType.Text(), "What users read; without it, the condition."),
-      Setting.required(WHEN, new ValueType.Text(),
+      Setting.required(WHEN, new ValueType.Text(TextRule.readBy("a condition", text -> Conditions.parse(text, 0))),
           "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR."),
-      Setting.of(HYSTERESIS, new ValueType.Num(0, Double.MAX_VALUE, ""), 0.0, "By how much a number must come back for the alert to end."),
+      Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0, "By how much a number must come back for the alert to end, in its unit."),
       Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0, "How long the condition must hold before."),
-      Setting.of(SOUND, new ValueType.Text(), "beep", "beep, chime, alarm, or the path of a .wav file."),
+      Setting.of(SOUND, new ValueType.WithPlace(new ValueType.Text(TextRule.readBy("beep, chime, alarm, or the path of a .wav file", Sound::parse))),
+          Placed.nowhere("beep"), "beep, chime, alarm, or the path of a .wav file, relative to the configuration."),
       Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud, 0 to 1."),
       Setting.of(REPEAT, new ValueType.Num(0, 3600, "s"), 10.0, "How often it is heard while it lasts; 0 for once."),
       Setting.of(MUTED, new ValueType.Flag(), false, "Whether it is only written to the log."));
@@ -52,7 +61,7 @@ public final class SoundType implements UicType {
       Setting.of(ALERTS, new ValueType.ListOf(new ValueType.Section(ALERT)), List.of(), "The alerts."),
       Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud all of them are, 0 to 1."),
       Setting.of(MUTED, new ValueType.Flag(), false, "Whether all alerts are muted."),
-      Setting.optional(MUTED_UNTIL, new ValueType.Text(), "Until when all are muted, for example 2026-11-21T18:00 or with Z for UTC."));
+      Setting.optional(MUTED_UNTIL, new ValueType.Text(TextRule.readBy("a time, such as 2026-11-21T18:00", Mute::time)), "Until when all are muted, for example 2026-11-21T18:00 or with Z for UTC."));
 
   private static final double RATE_HZ = 5;
   private static final Logger LOG = LoggerFactory.getLogger(SoundType.class);
@@ -64,6 +73,20 @@ public final class SoundType implements UicType {
   @Override
   public Descriptor descriptor() {
     return DESCRIPTOR;
+  }
+
+  @Override
+  public List<SettingFault> faults(Settings settings) {
+    try {
+      AlertReader.read(settings);
+    } catch (IllegalArgumentException e) {
+      return List.of(Placed.nowhere("").fault(e.getMessage()));
+    }
+    return settings.list(ALERTS).stream().map(Settings.class::cast).flatMap(alert -> fault(alert.placed(SOUND)).stream()).toList();
+  }
+
+  private static Optional<SettingFault> fault(Placed sound) {
+    return Sound.parse(sound).fault().map(wrong -> sound.fault("'" + SOUND + "' must be a WAV file: " + sound.value() + " " + wrong));
   }
 
   @Override

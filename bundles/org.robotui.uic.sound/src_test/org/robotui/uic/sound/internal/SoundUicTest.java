@@ -17,6 +17,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.Uic;
 import org.robotui.api.alert.Alert;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Input;
@@ -222,6 +223,7 @@ class SoundUicTest {
 
   private static Settings filled(Schema schema, Map<String, Object> values) {
     Map<String, Object> all = new HashMap<>(values);
+    all.computeIfPresent(SoundType.SOUND, (name, sound) -> Placed.nowhere(sound));
     schema.settings().forEach(setting -> setting.fallback().ifPresent(value -> all.putIfAbsent(setting.name(), value)));
     return new Settings(schema, all);
   }

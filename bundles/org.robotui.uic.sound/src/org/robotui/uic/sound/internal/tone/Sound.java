@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.robotui.api.config.Placed;
 
 /** What an alert sounds like. */
 public sealed interface Sound {
@@ -15,6 +16,15 @@ public sealed interface Sound {
    * @throws SilentException where a file cannot be read
    */
   Pcm load() throws SilentException;
+
+  /**
+   * Why it cannot be heard, as far as that can be told by the beginning of a file.
+   *
+   * @return what is wrong, behind the name of the file
+   */
+  default Optional<String> fault() {
+    return Optional.empty();
+  }
 
   /**
    * One that is made.
@@ -38,6 +48,23 @@ public sealed interface Sound {
     public Pcm load() throws SilentException {
       return WavFile.read(path);
     }
+
+    @Override
+    public Optional<String> fault() {
+      return WavHead.fault(path);
+    }
+  }
+
+  /**
+   * Reads the word of a configuration; files are relative to it.
+   *
+   * @param written a word, or the path of a file
+   * @return the sound
+   * @throws IllegalArgumentException where it is neither; the message says what to write
+   */
+  static Sound parse(Placed written) {
+    Sound sound = parse(written.value().toString());
+    return sound instanceof File f ? new File(written.resolve(f.path().toString())) : sound;
   }
 
   /**
