@@ -1,6 +1,7 @@
 package org.robotui.lcm.type;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.MalformedInputException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,6 +15,7 @@ public final class TypeFolder {
 
   private static final String ENDING = ".lcm";
   private static final long MOST_BYTES = 4L << 20;
+  private static final long MOST_FILES = 20_000;
 
   private final List<TypeDefinition> definitions = new ArrayList<>();
   private final List<TypeException> problems = new ArrayList<>();
@@ -40,10 +42,21 @@ public final class TypeFolder {
     if (!Files.exists(place)) {
       throw new IOException("there is no file or folder " + place);
     }
-    try (Stream<Path> files = Files.walk(place)) {
-      for (Path file : files.filter(each -> each.equals(place) || each.toString().endsWith(ENDING)).filter(Files::isRegularFile).sorted().toList()) {
-        file(file);
+    for (Path file : files(place)) {
+      file(file);
+    }
+  }
+
+  /** Not all that is somewhere below a folder such as / may be looked at, nor is it types: a folder of types is small. */
+  private static List<Path> files(Path place) throws IOException {
+    try (Stream<Path> all = Files.walk(place)) {
+      List<Path> seen = all.limit(MOST_FILES + 1).toList();
+      if (seen.size() > MOST_FILES) {
+        throw new IOException("there is far more than types in " + place + ": name the folder of the .lcm files itself");
       }
+      return seen.stream().filter(each -> each.equals(place) || each.toString().endsWith(ENDING)).filter(Files::isRegularFile).sorted().toList();
+    } catch (UncheckedIOException e) {
+      throw new IOException(place + " cannot be looked through, as not all in it may be read (" + e.getCause().getMessage() + ")", e);
     }
   }
 
