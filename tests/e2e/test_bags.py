@@ -58,3 +58,61 @@ def test_a_recording_without_messages_is_no_error(roscore):
 
     assert robotui.wait(60) == 0
     assert "Exception" not in robotui.err.read_text()
+
+
+SECONDS = 5
+
+
+def loop(file):
+    """Writes a recording of a robot that drives in a circle: a map that is latched, transforms and scans."""
+    rosbag = pytest.importorskip("rosbag")
+    import rospy
+    from geometry_msgs.msg import TransformStamped
+    from nav_msgs.msg import OccupancyGrid
+    from sensor_msgs.msg import LaserScan
+    from tf2_msgs.msg import TFMessage
+
+    def stamped(kind, moment, frame):
+        message = kind()
+        message.header.stamp, message.header.frame_id = moment, frame
+        return message
+
+    def transform(moment, parent, child, x):
+        message = stamped(TransformStamped, moment, parent)
+        message.child_frame_id, message.transform.translation.x, message.transform.rotation.w = child, x, 1
+        return message
+
+    with rosbag.Bag(str(file), "w") as bag:
+        start = rospy.Time(1500000000)
+        grid = stamped(OccupancyGrid, start, "map")
+        grid.info.resolution, grid.info.width, grid.info.height, grid.info.origin.orientation.w, grid.data = 0.1, 2, 1, 1, [0, 100]
+        bag.write("/map", grid, start, connection_header={
+            "topic": "/map", "type": grid._type, "md5sum": grid._md5sum, "message_definition": grid._full_text, "latching": "1"})
+        for step in range(SECONDS * 20):
+            moment = start + rospy.Duration.from_sec(0.05 * step)
+            bag.write("/tf", TFMessage([transform(moment, "map", "odom", 0), transform(moment, "odom", "base_link", step * 0.01)]), moment)
+            scan = stamped(LaserScan, moment, "base_link")
+            scan.angle_min, scan.angle_max, scan.angle_increment, scan.range_max, scan.ranges = -1, 1, 1, 10, [1, 2, 3]
+            bag.write("/scan", scan, moment)
+    return file
+
+
+@pytest.mark.parametrize("clock", [False, True])
+def test_a_recording_in_a_loop_is_noticed_by_its_stamps_where_no_clock_says_so(clock, roscore, tmp_path):
+    file = loop(tmp_path / "loop.bag")
+    if clock:
+        roscore.tool("rosparam", "set", "use_sim_time", "true")
+    robotui = start_robotui(roscore, "run", "--json", "ros")
+    wait_for(lambda: json_lines(robotui), seconds=120, what="the first line")
+    roscore.start_tool("rosbag", "play", "-q", "-l", "--wait-for-subscribers", *(["--clock"] if clock else []), str(file), name="rosbag")
+
+    wait_for(lambda: times_sent(robotui, "map") > 3, seconds=120, what="three rounds more")
+    said = robotui.err.read_text()
+    assert said.count("jumped back by") == (0 if clock else 1), said
+    assert "Exception" not in said
+
+
+def times_sent(robotui, port):
+    """How often a value came that comes seldom, seen by its age."""
+    ages = [line["age_s"] for line in json_lines(robotui) if line["port"].endswith(f".{port}") and line["age_s"] is not None]
+    return sum(1 for before, after in zip([float("inf"), *ages], ages) if after < before)

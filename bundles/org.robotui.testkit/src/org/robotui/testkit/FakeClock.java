@@ -2,12 +2,20 @@ package org.robotui.testkit;
 
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 
-/** A robot clock that shows the time of this machine and never jumps. */
+/** A robot clock that shows the time of this machine and jumps when a test says so. */
 public final class FakeClock implements RobotClock {
+  private final AtomicLong epoch = new AtomicLong();
+
+  /** Says that it has jumped back. */
+  public void jump() {
+    epoch.incrementAndGet();
+  }
+
   @Override
   public Stamp now() {
     return new Stamp(System.currentTimeMillis() * 1_000_000L, ClockKind.WALL);
@@ -25,6 +33,6 @@ public final class FakeClock implements RobotClock {
 
   @Override
   public long epoch() {
-    return 0;
+    return epoch.get();
   }
 }

@@ -1,6 +1,7 @@
 package org.robotui.testkit;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,8 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
+import org.robotui.data.DataType;
+import org.robotui.data.Late;
 import org.robotui.data.Stamp;
 
 /**
@@ -28,6 +31,7 @@ public final class FakeInput<T extends Data> implements Input<T> {
   private InputState state = new InputState.Unconnected("nothing there offers such a port");
   private List<Candidate> candidates = List.of();
   private Set<SourceId> chosen = Set.of();
+  private final Set<SourceId> kept = new HashSet<>();
   private final Map<SourceId, Long> sequences = new LinkedHashMap<>();
   private long dropped;
 
@@ -131,6 +135,15 @@ public final class FakeInput<T extends Data> implements Input<T> {
   }
 
   /**
+   * Has a source keep its last value, so that {@link #recall} gives it again.
+   *
+   * @param source the source
+   */
+  public synchronized void keep(SourceId source) {
+    kept.add(source);
+  }
+
+  /**
    * Sets the count of lost values.
    *
    * @param count the count
@@ -184,6 +197,17 @@ public final class FakeInput<T extends Data> implements Input<T> {
   @Override
   public synchronized long dropped() {
     return dropped;
+  }
+
+  @Override
+  public synchronized void recall() {
+    newest.forEach((source, envelope) -> {
+      DataType type = DataType.of(envelope.value().getClass());
+      if (type.late() != Late.NONE && (kept.contains(source) || !type.expires())) {
+        queue.removeIf(e -> e.source().equals(source));
+        queue.add(envelope);
+      }
+    });
   }
 
   private synchronized List<Envelope<T>> take() {

@@ -14,7 +14,6 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.show.ShowChoice;
 import org.robotui.api.show.Subject;
-import org.robotui.api.time.RobotClock;
 
 /** A RUIC whose snapshot a test sets. */
 public final class FakeRuicView implements RuicView {
@@ -31,6 +30,7 @@ public final class FakeRuicView implements RuicView {
   private final FakeSelection selection = new FakeSelection();
   private final FakeShowings showings = new FakeShowings();
   private Map<String, FakeAuthority> team = Map.of();
+  private final FakeClock clock = new FakeClock();
   private final List<Connect> connects = new ArrayList<>();
   private RuicSnapshot snapshot;
 
@@ -103,8 +103,14 @@ public final class FakeRuicView implements RuicView {
   }
 
   @Override
-  public RobotClock clock() {
-    return new FakeClock();
+  public FakeClock clock() {
+    return clock;
+  }
+
+  /** The clock jumps back by that. */
+  @Override
+  public void reset() {
+    clock.jump();
   }
 
   /**

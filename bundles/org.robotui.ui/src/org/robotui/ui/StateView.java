@@ -51,7 +51,7 @@ public final class StateView {
    * The word of a state.
    *
    * @param state the state
-   * @return for example {@code stale 2.1 s}
+   * @return for example {@code stale 2.1 s}, or {@code lost for 12 s} where nothing newer can come
    */
   public static String word(InputState state) {
     return switch (state) {
@@ -59,9 +59,21 @@ public final class StateView {
       case InputState.Waiting w -> "waiting";
       case InputState.Live l -> l.rateHz() > 0 ? Figures.rate(l.rateHz()) : "live";
       case InputState.Stale s when s.refused() -> "refused";
-      case InputState.Stale s -> "stale " + Figures.age(s.ageSeconds());
+      case InputState.Stale s -> s.lostSeconds().isPresent()
+          ? "lost for " + Figures.age(s.lostSeconds().getAsDouble()) : "stale " + Figures.age(s.ageSeconds());
       case InputState.Failed f -> "failed";
     };
+  }
+
+  /**
+   * The word of old data, with what is to be known of it.
+   *
+   * @param state the state
+   * @return that values are late needs no explanation; that nothing can come does: {@code lost for 12 s: base.map: nobody publishes /map
+   *     any more}
+   */
+  public static String sentence(InputState.Stale state) {
+    return state.lostSeconds().isPresent() ? word(state) + "  \u00b7  " + state.explanation() : word(state);
   }
 
   /**
@@ -85,7 +97,7 @@ public final class StateView {
   }
 
   /**
-   * Paints what the state has to say: nothing where data is live, a banner where it is stale, else dot, word and sentence in
+   * Paints what the state has to say: nothing where data is live, a banner where it is old, else dot, word and sentence in
    * the middle.
    *
    * @param gc where to paint
@@ -96,7 +108,7 @@ public final class StateView {
     switch (state) {
       case InputState.Live l -> { }
       case InputState.Stale s when s.refused() -> banner(gc, area, Health.WARNING, s.explanation());
-      case InputState.Stale s -> banner(gc, area, Health.STALE, word(s));
+      case InputState.Stale s -> banner(gc, area, Health.STALE, sentence(s));
       default -> message(gc, area, health(state), title(state), state.explanation());
     }
   }

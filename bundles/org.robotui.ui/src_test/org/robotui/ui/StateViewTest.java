@@ -27,6 +27,15 @@ class StateViewTest {
   }
 
   @Test
+  void whatNothingNewerCanComeOfSaysSinceWhenAndWhy() {
+    InputState.Stale lost = InputState.Stale.lost(20, "base.map: nobody publishes /map any more", 12);
+    assertEquals("lost for 12\u00a0s", StateView.word(lost));
+    assertEquals("lost for 12\u00a0s  \u00b7  base.map: nobody publishes /map any more", StateView.sentence(lost));
+    assertEquals("stale 2.1\u00a0s", StateView.sentence((InputState.Stale) ALL.get(3)));
+    assertTrue(StateView.showsContent(lost));
+  }
+
+  @Test
   void onlyLiveAndStaleDataIsShownAndStaleFades() {
     assertTrue(StateView.showsContent(ALL.get(2)) && StateView.showsContent(ALL.get(3)));
     assertFalse(StateView.showsContent(ALL.get(0)) || StateView.showsContent(ALL.get(4)));

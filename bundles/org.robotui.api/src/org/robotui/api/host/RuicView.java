@@ -88,6 +88,12 @@ public interface RuicView {
   Optional<Envelope<?>> newest(SourceId port);
 
   /**
+   * Has transforms forgotten, but for fixed ones, and what its views collected over time, as when the clock jumps back. What robots say but
+   * once, such as a map, stays.
+   */
+  void reset();
+
+  /**
    * Connects a port of a view to a chosen peer, in place of what matching chose, and keeps the choice.
    *
    * @param port the view's port

@@ -84,6 +84,13 @@ public interface Input<T extends Data> {
   int drain(Consumer<? super Envelope<T>> consumer);
 
   /**
+   * Has the next {@link #drain} give again what holds until something newer comes: the last value of sources whose sender keeps it for late
+   * comers, or whose type does not expire, as if they were connected anew. For a view that has forgotten what it took, as the clock of the
+   * robot jumped back: call it before draining, on the thread that drains.
+   */
+  void recall();
+
+  /**
    * Values lost to full queues since the connection was made, and keys given up where a keyed type had too many
    * ({@link org.robotui.data.Keyed#most()}). Values that conflation replaced do not count.
    *

@@ -287,6 +287,11 @@ public final class FakeRuic implements Ruic {
   }
 
   @Override
+  public void reset() {
+    calls.add("reset");
+  }
+
+  @Override
   public void connect(SourceId port, SourceId peer) {
     calls.add("connect " + port + " " + peer);
   }

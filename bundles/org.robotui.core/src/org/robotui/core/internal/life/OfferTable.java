@@ -30,8 +30,11 @@ import org.robotui.core.internal.fence.FencedSink;
 import org.robotui.core.internal.port.BrowseTarget;
 import org.robotui.core.internal.port.CallTarget;
 import org.robotui.core.internal.port.Offered;
+import org.robotui.core.internal.port.StampedStream;
 import org.robotui.core.internal.port.StreamSource;
 import org.robotui.data.Data;
+import org.robotui.data.DataType;
+import org.robotui.data.TransformSet;
 
 /** What one instance of a robot interface offers now. */
 final class OfferTable implements Offers {
@@ -54,8 +57,14 @@ final class OfferTable implements Offers {
 
   @Override
   public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
-    return add(new StreamSource<>(
+    StreamSource<T> source = add(new StreamSource<>(
         id(port.name()), port, parts.link(), parts.clock(), new FencedDemand(demand), parts.background(), this::remove));
+    return measures(port.dataType()) ? new StampedStream<>(source, parts.stamps()) : source;
+  }
+
+  /** Whether the newest value is the newest measurement; transforms are looked at one by one. */
+  private static boolean measures(DataType type) {
+    return type.expires() && type.type() != TransformSet.class;
   }
 
   @Override

@@ -20,7 +20,10 @@ import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.port.CallPool;
 import org.robotui.core.internal.port.Link;
+import org.robotui.core.internal.time.StampWatch;
+import org.robotui.core.internal.time.TimeNotices;
 import org.robotui.core.internal.watch.Watch.Watched;
+import org.robotui.data.FrameId;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -45,6 +48,7 @@ final class RficInstance implements RficContext, Instance {
   private final Background background;
   private final OfferTable offers;
   private final ClockSource clock;
+  private final StampWatch stamps;
   private final Watched watched = this::check;
   private volatile Optional<Rfic> rfic = Optional.empty();
   private final FixedFrames fixed = new FixedFrames();
@@ -65,8 +69,10 @@ final class RficInstance implements RficContext, Instance {
     this.tasks = new CallPool(threads);
     this.clock = ruic.clock().source(config.id());
     this.background = new Background(name, threads, what -> alert(config.id() + " " + what));
+    this.stamps = new StampWatch(services.clock(), new TimeNotices(config.id(), () -> ruic.clock().jumpedBack(clock),
+        what -> services.events().alert(ruic.ruicName(), what)));
     this.offers = new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, tasks, services.timer(), background,
-        services.clock(), ruic.wake()::rematch, this::origin));
+        services.clock(), stamps, ruic.wake()::rematch, this::origin));
   }
 
   @Override
@@ -197,9 +203,18 @@ final class RficInstance implements RficContext, Instance {
     return (transforms, authority) -> {
       if (!ended) {
         fixed.remember(transforms, authority);
+        transforms.transforms().stream().filter(t -> !t.fixed())
+            .forEach(t -> stamps.heard(new FrameVoice(t.child(), authority), t.stamp()));
         ruic.frames().add(transforms, authority);
       }
     };
+  }
+
+  private record FrameVoice(FrameId frame, String authority) {
+    @Override
+    public String toString() {
+      return "frame " + frame.name() + (authority.isEmpty() ? "" : " (" + authority + ")");
+    }
   }
 
   /** All frames were forgotten: what holds for all times is said but once by robots. */

@@ -8,6 +8,7 @@ import org.robotui.core.internal.command.Sender;
 import org.robotui.core.internal.port.CallPool;
 import org.robotui.core.internal.port.Link;
 import org.robotui.core.internal.time.NanoClock;
+import org.robotui.core.internal.time.StampWatch;
 
 /**
  * What the ports of one robot interface are made of.
@@ -21,6 +22,7 @@ import org.robotui.core.internal.time.NanoClock;
  * @param timer for time-outs
  * @param background tells it of demand
  * @param clock monotonic
+ * @param stamps notices that the time of the robot jumped back
  * @param changed is told that the offers have changed
  * @param origin names its bundle and class
  */
@@ -34,5 +36,6 @@ record RficParts(
     ScheduledExecutorService timer,
     Executor background,
     NanoClock clock,
+    StampWatch stamps,
     Runnable changed,
     Supplier<String> origin) {}

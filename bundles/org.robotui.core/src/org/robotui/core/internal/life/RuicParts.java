@@ -1,5 +1,6 @@
 package org.robotui.core.internal.life;
 
+import java.time.Duration;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.robotui.api.host.RuicView;
@@ -51,5 +52,8 @@ record RuicParts(
 
     /** A component failed while it ran. */
     void failed(Object instance, String reason);
+
+    /** A view took too long to answer. */
+    default void late(UicInstance instance, Duration limit) {}
   }
 }

@@ -51,6 +51,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final Components components;
   private final RuicRobots robots;
   private final Wiring wiring;
+  private final LateViews lateViews;
   private final Set<String> windows = ConcurrentHashMap.newKeySet();
   private final CompletableFuture<List<String>> ended = new CompletableFuture<>();
   private final RuicInterfaces interfaces;
@@ -77,6 +78,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.showings = new Showings(services, components);
     this.robots = new RuicRobots(this.config::get, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
+    this.lateViews = new LateViews(services, components, this::onWorker, this::started);
     this.interfaces = new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
     this.layout = config.layout().orElse(layout);
   }
@@ -145,9 +147,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
       end(CLOSE_LIMIT);
       create();
     } else if (!waits && components.typesChanged()) {
-      wiring.rematch();
-      applySelection();
-      tell();
+      started();
     }
   }
 
@@ -195,11 +195,15 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   @Override
   public void restart(String id) {
     onWorker(() -> components.find(id).ifPresent(slot -> {
-      slot.start();
-      wiring.rematch();
-      applySelection();
-      tell();
+      slot.restart();
+      started();
     }));
+  }
+
+  private void started() {
+    wiring.rematch();
+    applySelection();
+    tell();
   }
 
   @Override
@@ -268,6 +272,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   @Override
   public void failed(Object instance, String reason) {
     onComponents(() -> components.failed(instance, reason));
+  }
+
+  @Override
+  public void late(UicInstance instance, Duration limit) {
+    onComponents(() -> lateViews.late(instance, limit));
   }
 
   @Override
@@ -375,6 +384,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   @Override
   public AlertBoard alerts() {
     return alerts;
+  }
+
+  @Override
+  public void reset() {
+    clock.forgetPast();
   }
 
   @Override

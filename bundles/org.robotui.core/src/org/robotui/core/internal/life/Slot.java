@@ -73,11 +73,26 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
     }
   }
 
+  /** The user wants a new instance. */
+  void restart() {
+    start();
+  }
+
   /** Ends the instance; the component has failed. */
   final void giveUp(String reason) {
-    health = Health.failed(reason);
-    close(CLOSE_LIMIT).ifPresent(left -> health = Health.failed(reason + "; " + left));
+    fail(reason, "; ");
     alert(config.id() + " failed: " + health.reason());
+  }
+
+  /** Ends the instance; the user is told by a sentence that names the view. */
+  final void endLate(String sentence) {
+    fail(sentence, " It could not be ended: ");
+    alert(health.reason());
+  }
+
+  private void fail(String reason, String but) {
+    health = Health.failed(reason);
+    close(CLOSE_LIMIT).ifPresent(left -> health = Health.failed(reason + but + left));
   }
 
   private void alert(String message) {

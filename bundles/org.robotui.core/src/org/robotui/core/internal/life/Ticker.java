@@ -2,7 +2,6 @@ package org.robotui.core.internal.life;
 
 import java.time.Duration;
 import java.util.concurrent.ThreadFactory;
-import java.util.function.Consumer;
 import org.robotui.api.Uic;
 import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.time.NanoClock;
@@ -17,10 +16,19 @@ final class Ticker implements Watched, AutoCloseable {
   private static final double SLOWEST_HZ = 0.01;
   private static final long NOT_TICKING = Long.MIN_VALUE;
 
+  /** Is told, once, why the ticking has ended. Must not block. */
+  interface End {
+    /** A tick threw; a sentence. */
+    void threw(String reason);
+
+    /** A tick did not return within its limit. */
+    void late(Duration limit);
+  }
+
   private final Uic uic;
   private final long periodNanos;
   private final Runnable frameReady;
-  private final Consumer<String> failed;
+  private final End ended;
   private final NanoClock clock;
   private final Thread thread;
   private final TickDoubt doubt;
@@ -36,14 +44,14 @@ final class Ticker implements Watched, AutoCloseable {
    * @param rateHz how often at most
    * @param threads makes its thread
    * @param frameReady is told that there is something new to show
-   * @param failed is told, once, why the ticking has ended
+   * @param ended is told why it has
    * @param clock monotonic
    */
-  Ticker(Uic uic, double rateHz, ThreadFactory threads, Runnable frameReady, Consumer<String> failed, NanoClock clock) {
+  Ticker(Uic uic, double rateHz, ThreadFactory threads, Runnable frameReady, End ended, NanoClock clock) {
     this.uic = uic;
     this.periodNanos = (long) (1e9 / Math.clamp(rateHz, SLOWEST_HZ, FASTEST_HZ));
     this.frameReady = frameReady;
-    this.failed = failed;
+    this.ended = ended;
     this.clock = clock;
     this.thread = threads.newThread(this::run);
     this.doubt = new TickDoubt(thread);
@@ -90,16 +98,16 @@ final class Ticker implements Watched, AutoCloseable {
       }
     } catch (RuntimeException | Error e) { // foreign code may throw anything; it must not end more than this view
       Thrown.log(LOG, "A tick on " + thread.getName() + " failed", e);
-      giveUp("threw " + Thrown.text(e) + " in tick");
+      giveUp(() -> ended.threw("threw " + Thrown.text(e) + " in tick"));
     } finally {
       tickSince = NOT_TICKING;
       limit = Limits.TICK;
     }
   }
 
-  private void giveUp(String reason) {
+  private void giveUp(Runnable told) {
     if (end()) {
-      failed.accept(reason);
+      told.run();
     }
   }
 
@@ -115,7 +123,7 @@ final class Ticker implements Watched, AutoCloseable {
     Duration most = limit; // before the time: the limit of a tick that has just ended is never the shorter one
     long since = tickSince;
     if (since != NOT_TICKING && now - since > most.toNanos() && doubt.hangs(since, Duration.ofNanos(now - since), most)) {
-      giveUp("did not return from tick within " + most.toSeconds() + " s");
+      giveUp(() -> ended.late(most));
       thread.interrupt();
     }
   }
@@ -123,6 +131,11 @@ final class Ticker implements Watched, AutoCloseable {
   @Override
   public void close() {
     end();
+  }
+
+  /** Whether its thread has not ended. */
+  boolean isAlive() {
+    return thread.isAlive();
   }
 
   /** Waits for the thread's end; false where it hangs. Interrupts it half-way. */

@@ -80,12 +80,29 @@ final class UicInstance implements UicContext, Instance {
     Uic made = Guarded.call("create", threads, Limits.FIRST, () -> type.create(this, settings.current()));
     Ticker ticks = new Ticker(made, type.rateHz(), threads,
         () -> services.events().frameReady(ruic.config().name(), config.id()),
-        reason -> ruic.wake().failed(this, reason + " (" + origin() + ")"), services.clock());
+        new Ended(), services.clock());
     uic = Optional.of(made);
     ticker = Optional.of(ticks);
     services.watch().add(ticks);
     ticks.start();
     select(false);
+  }
+
+  private final class Ended implements Ticker.End {
+    @Override
+    public void threw(String reason) {
+      ruic.wake().failed(UicInstance.this, reason + " (" + origin() + ")");
+    }
+
+    @Override
+    public void late(Duration limit) {
+      ruic.wake().late(UicInstance.this, limit);
+    }
+  }
+
+  /** Whether the thread of its ticks has not ended. */
+  boolean isTicking() {
+    return ticker.filter(Ticker::isAlive).isPresent();
   }
 
   /** What has no surface, such as an alert, works whether its RUIC is seen or not. */

@@ -17,12 +17,24 @@ import org.robotui.core.internal.match.Want;
 final class UicSlot extends Slot<UicType, UicInstance> {
   private final Supplier<Authority> authority;
   private final RuicParts parts;
+  private final Revival revival = new Revival();
   private volatile boolean shown = true;
 
   UicSlot(ComponentConfig config, Supplier<Authority> authority, RuicParts ruic) {
     super(config, ruic);
     this.authority = authority;
     this.parts = ruic;
+  }
+
+  @Override
+  void restart() {
+    revival.begin();
+    super.restart();
+  }
+
+  /** When it is started again after it took too long. */
+  Revival revival() {
+    return revival;
   }
 
   @Override

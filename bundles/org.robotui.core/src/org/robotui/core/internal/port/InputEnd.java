@@ -145,6 +145,15 @@ public final class InputEnd<T extends Data> implements Input<T> {
   }
 
   @Override
+  public synchronized void recall() {
+    Lines<T> now = lines;
+    List<Line<T>> again = now.all().stream().filter(l -> l.source().holds()).toList();
+    lines = Lines.of(now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake)) : l).toList(),
+        now.candidates(), now.reason());
+    again.forEach(l -> l.source().leave(l.tap())); // after the new ones have joined, so that the robot is not asked to stop
+  }
+
+  @Override
   public long dropped() {
     return lines.all().stream().mapToLong(l -> l.tap().dropped()).sum();
   }

@@ -16,12 +16,14 @@ import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
+import org.robotui.data.Late;
 import org.robotui.data.Stamp;
 
 /** A stream that a robot interface offers. */
 public final class StreamSource<T extends Data> implements Publication<T>, Offered {
   /** How long a loss is told of after values came again, so that a stream of which some are refused is not taken for a sound one. */
   private static final long TOLD_NANOS = 5_000_000_000L;
+  private static final double SECONDS = 1e-9;
 
   private final SourceId id;
   private final StreamPort<T> port;
@@ -34,10 +36,19 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private final AtomicBoolean closed = new AtomicBoolean();
   private final AtomicLong lost = new AtomicLong();
   private volatile Optional<Loss> newestLoss = Optional.empty();
-  private volatile String failure = "";
+  private volatile Failure failure = Failure.NONE;
   private volatile boolean kept;
 
   private record Loss(String reason, long nanos, boolean healed) {}
+
+  /** Why the source as such gives nothing, and since when. */
+  private record Failure(String reason, long since) {
+    static final Failure NONE = new Failure("", 0);
+
+    boolean isNone() {
+      return reason.isEmpty();
+    }
+  }
 
   /** Made by the table of offers. */
   public StreamSource(
@@ -55,7 +66,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   @Override
   public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
     if (!closed.get()) {
-      failure = "";
+      failure = Failure.NONE;
       newestLoss.filter(loss -> !loss.healed()).ifPresent(loss -> newestLoss = Optional.of(new Loss(loss.reason(), loss.nanos(), true)));
       fan.publish(value, stamp, receivedNanos, raw);
     }
@@ -74,13 +85,19 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   @Override
   public void failed(String reason) {
-    failure = reason;
+    Failure before = failure;
+    failure = reason.isEmpty() ? Failure.NONE : new Failure(reason, before.isNone() ? clock.nanos() : before.since());
   }
 
   /** Adds a consumer: a view, or anything that taps the port without the producer knowing. */
   public Tap<T> join(Intake intake) {
     demand.add(1);
     return fan.join(intake);
+  }
+
+  /** Whether its last value is true until the next one comes, and whoever asks late is given it. */
+  boolean holds() {
+    return type.late() != Late.NONE && (kept || !type.expires());
   }
 
   /** Ends a consumer. */
@@ -99,18 +116,23 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   /** What a consumer of this source has. */
   InputState state(Tap<T> tap, NanoClock clock) {
-    if (!failure.isEmpty()) {
-      return new InputState.Failed(id + ": " + failure);
-    }
-    return tap.latest().map(e -> aged(e, clock.nanos())).orElseGet(this::waiting);
+    return tap.latest().map(e -> aged(e, clock.nanos())).orElseGet(this::nothing);
   }
 
+  /** What was received once stays in sight, whatever becomes of its source. */
   private InputState aged(Envelope<T> newest, long now) {
     double age = newest.ageSeconds(now);
-    return refused().map(why -> new InputState.Stale(age, id + ": " + why, true))
-        .or(() -> stale(age).map(why -> new InputState.Stale(age, id + ": " + why)))
-        .<InputState>map(state -> state)
+    Failure why = failure;
+    if (!why.isNone()) {
+      return lost(age, why.reason(), why.since(), now);
+    }
+    return refused().<InputState>map(reason -> InputState.Stale.refused(age, id + ": " + reason))
+        .or(() -> stale(age).map(late -> link.isUp() ? new InputState.Stale(age, id + ": " + late) : lost(age, late, link.since(), now)))
         .orElseGet(() -> new InputState.Live(fan.rate().rateHz(now), age));
+  }
+
+  private InputState lost(double age, String why, long since, long now) {
+    return InputState.Stale.lost(age, id + ": " + why, Math.max(0, (now - since) * SECONDS));
   }
 
   private Optional<String> stale(double age) {
@@ -120,6 +142,11 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   /** Why the newest value is not the newest that was sent, while the link is up. */
   private Optional<String> refused() {
     return newestLoss.filter(loss -> link.isUp() && !loss.healed()).map(loss -> "the newest message was refused; " + loss.reason());
+  }
+
+  private InputState nothing() {
+    Failure why = failure;
+    return why.isNone() ? waiting() : new InputState.Failed(id + ": " + why.reason());
   }
 
   private InputState waiting() {
@@ -152,9 +179,10 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     long now = clock.nanos();
     double age = last.map(e -> e.ageSeconds(now)).orElse(Double.NaN);
     Optional<String> stale = last.flatMap(e -> stale(age));
-    String problem = !failure.isEmpty() ? failure : told(now).or(() -> stale).orElse("");
+    Failure why = failure;
+    String problem = !why.isNone() ? why.reason() : told(now).or(() -> stale).orElse("");
     String value = last.map(e -> ValueText.of(e.value())).orElse("");
     return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now), age,
-        stale.isPresent() && refused().isEmpty(), lost.get() + fan.dropped(), problem, value);
+        stale.isPresent() && refused().isEmpty() || !why.isNone() && last.isPresent(), lost.get() + fan.dropped(), problem, value);
   }
 }

@@ -78,8 +78,11 @@ final class FrameLedger {
     }
   }
 
-  /** The clock jumped back: what moves begins anew. */
+  /** The clock jumped back: what moves begins anew, and what was refused was refused of another time. */
   void clear() {
     voices.values().removeIf(said -> !said.fixed());
+    synchronized (refusals) {
+      refusals.clear();
+    }
   }
 }

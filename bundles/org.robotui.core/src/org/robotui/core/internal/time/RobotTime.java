@@ -58,6 +58,10 @@ final class RobotTime implements ClockSource {
     }
   }
 
+  void forgetOffset() {
+    filter.clear();
+  }
+
   synchronized boolean isSimulated() {
     return simulated;
   }

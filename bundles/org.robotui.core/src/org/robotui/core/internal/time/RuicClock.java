@@ -53,6 +53,18 @@ public final class RuicClock implements RobotClock {
     epoch.incrementAndGet();
   }
 
+  /** The stamps of a robot interface jumped back: what was learnt of its robot's clock is void as well. */
+  public void jumpedBack(ClockSource source) {
+    all().stream().filter(t -> t == source).forEach(RobotTime::forgetOffset);
+    jump();
+  }
+
+  /** The user says that what was before counts no more. */
+  public void forgetPast() {
+    all().forEach(RobotTime::forgetOffset);
+    jump();
+  }
+
   private void jump() {
     epoch.incrementAndGet();
     jumped.run();

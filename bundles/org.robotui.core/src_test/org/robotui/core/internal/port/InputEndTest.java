@@ -194,6 +194,52 @@ class InputEndTest {
   }
 
   @Test
+  void whatWasReceivedStaysWhenItsSourceFailsAndItIsSaidSinceWhen() {
+    connected();
+    input.connect(List.of(front), "");
+    publish(front, Samples.scan(1));
+    clock.advanceMillis(5_000);
+    front.failed("nobody publishes /front any more");
+    clock.advanceMillis(12_000);
+    front.failed("nobody publishes /front any more"); // as it is told again with each look at the graph
+    InputState.Stale lost = assertInstanceOf(InputState.Stale.class, input.state());
+    assertEquals(17, lost.ageSeconds(), 1e-6);
+    assertEquals(12, lost.lostSeconds().orElseThrow(), 1e-6);
+    assertEquals("base.front: nobody publishes /front any more", lost.explanation());
+    assertTrue(input.latest().isPresent());
+    assertTrue(front.status(clock).stale());
+    assertEquals("nobody publishes /front any more", front.status(clock).problem());
+    front.failed("");
+    assertTrue(assertInstanceOf(InputState.Stale.class, input.state()).lostSeconds().isEmpty(), "late, but it may come");
+    link.report(new LinkState.Failed("robot: no route", Duration.ofSeconds(2)));
+    clock.advanceMillis(3_000);
+    assertEquals(3, assertInstanceOf(InputState.Stale.class, input.state()).lostSeconds().orElseThrow(), 1e-6);
+  }
+
+  @Test
+  void whatHoldsIsGivenAgainWhereAViewHasForgottenIt() {
+    connected();
+    StreamSource<GridMap> source = source("map", GridMap.class);
+    InputEnd<GridMap> end = new InputEnd<>(Intake.MATCHED, clock);
+    end.connect(List.of(source), "");
+    publish(source, new GridMap(new FrameId("r", "map"), 1, 1, 1, RigidTransform.IDENTITY, Bytes.of((byte) 0)));
+    assertEquals(1, end.drain(e -> { }));
+    end.recall();
+    assertEquals(1, end.drain(e -> assertEquals(source.id(), e.source())));
+    assertEquals(0, end.drain(e -> { }));
+    assertEquals(List.of(true), demand, "the robot is not asked to stop in between");
+    input.connect(List.of(front, rear), "");
+    publish(front, Samples.scan(1));
+    rear.kept(true);
+    publish(rear, Samples.scan(2));
+    input.drain(e -> { });
+    input.recall();
+    List<SourceId> again = new ArrayList<>();
+    input.drain(e -> again.add(e.source()));
+    assertEquals(List.of(rear.id()), again, "a measurement of another time is not");
+  }
+
+  @Test
   void lostMessagesAreToldWhileNothingUsableCame() {
     connected();
     input.connect(List.of(front), "");

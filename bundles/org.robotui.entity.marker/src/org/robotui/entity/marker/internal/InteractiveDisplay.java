@@ -24,6 +24,7 @@ import org.robotui.gl.display.DisplayResult;
 import org.robotui.gl.display.DisplayStatus;
 import org.robotui.gl.display.DisplayTick;
 import org.robotui.gl.display.Places;
+import org.robotui.gl.display.Recent;
 import org.robotui.gl.shape.Describer;
 import org.robotui.gl.shape.Label;
 import org.robotui.gl.shape.Material;
@@ -112,14 +113,14 @@ final class InteractiveDisplay implements Display {
     }
     Optional<RigidTransform> frame = place.found().filter(f -> !movable.flawed());
     frame.ifPresent(f -> {
-      controls(id, movable, f, tick.places(), parts);
+      controls(id, movable, f, tick, parts);
       if (tick.settings().flag(InteractiveType.DESCRIPTIONS) && !marker.description().isBlank()) {
         parts.add(label(id, movable, f));
       }
     });
   }
 
-  private static void controls(Id id, Movable movable, RigidTransform frame, Places places, List<Part> parts) {
+  private static void controls(Id id, Movable movable, RigidTransform frame, DisplayTick tick, List<Part> parts) {
     List<Control> controls = movable.marker().controls();
     for (int c = 0; c < controls.size(); c++) {
       Control control = controls.get(c);
@@ -128,16 +129,16 @@ final class InteractiveDisplay implements Display {
       for (int p = 0; p < pieces.size(); p++) {
         Key key = new Key(id, c, p);
         ControlLook.Piece piece = pieces.get(p);
-        Optional<RigidTransform> at = piece.frame().isEmpty() ? Optional.of(base) : places.at(piece.frame().get(), Optional.empty()).found();
-        at.ifPresent(a -> parts.add(part(key, movable, control, piece, a)));
+        Optional<RigidTransform> at = piece.frame().isEmpty() ? Optional.of(base) : tick.places().at(piece.frame().get(), Optional.empty()).found();
+        at.ifPresent(a -> parts.add(part(key, movable, control, piece, a, Recent.paleness(tick))));
       }
     }
   }
 
-  private static Part part(Key key, Movable movable, Control control, ControlLook.Piece piece, RigidTransform base) {
+  private static Part part(Key key, Movable movable, Control control, ControlLook.Piece piece, RigidTransform base, float pale) {
     boolean handled = control.mode() != InteractiveMarker.Mode.NONE || !movable.marker().menu().isEmpty();
     String title = movable.marker().name() + (control.description().isEmpty() ? "" : ": " + control.description());
-    return new Part(key, piece.shape(), base.times(piece.at()), piece.material(), Describer.of(title),
+    return new Part(key, piece.shape(), base.times(piece.at()), piece.material().paled(pale), Describer.of(title),
         handled ? Optional.of(movable.handle(control)) : Optional.empty());
   }
 

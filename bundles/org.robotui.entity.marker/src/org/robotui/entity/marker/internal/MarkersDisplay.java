@@ -16,6 +16,7 @@ import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayResult;
 import org.robotui.gl.display.DisplayStatus;
 import org.robotui.gl.display.DisplayTick;
+import org.robotui.gl.display.Recent;
 import org.robotui.gl.shape.Material;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Rgba;
@@ -44,13 +45,13 @@ final class MarkersDisplay implements Display {
     Spots spots = new Spots(tick.places());
     store.tick(spots, tick.places().fixed(), tick.nowNanos());
     meshes.begin(tick.settings().list(MarkersType.PACKAGES), store.markers());
-    List<Part> parts = parts(spots, tick.settings());
+    List<Part> parts = parts(spots, tick.settings(), Recent.opacity(tick));
     return new DisplayResult(parts, status(tick, spots.missing()), store.dropped());
   }
 
-  private List<Part> parts(Spots spots, Settings settings) {
+  private List<Part> parts(Spots spots, Settings settings, float fresh) {
     Visible visible = new Visible(settings);
-    double opacity = settings.number(MarkersType.OPACITY);
+    double opacity = settings.number(MarkersType.OPACITY) * fresh;
     List<Part> parts = new ArrayList<>();
     for (Chunk chunk : store.chunks().all()) {
       Optional<RigidTransform> at = visible.shows(chunk.group().namespace()) ? spots.at(chunk.group().spot()) : Optional.empty();

@@ -22,11 +22,12 @@ final class MapUic implements SwtUic {
   private final Choices choices;
   private final Commander commander;
   private final TeamGoals goals;
-  private final MapActions actions = new MapActions();
+  private final MapActions actions;
   private Optional<MapCanvas> canvas = Optional.empty();
 
   MapUic(UicContext context) {
     model = new MapModel(context);
+    actions = new MapActions(context.ruic()::reset);
     choices = new Choices(context.settings());
     goals = new TeamGoals(context);
     commander = new Commander(context, MapPorts.GOAL, MapPorts.INITIAL_POSE);

@@ -42,7 +42,7 @@ final class Scene3dUic implements SwtUic {
   private final SceneParts parts;
   private final Followed followed;
   private final Driver driver;
-  private final SceneActions actions = new SceneActions();
+  private final SceneActions actions;
   private volatile Optional<SceneSurface> surface = Optional.empty();
   private long preparing;
   private long preparedNanos;
@@ -57,6 +57,7 @@ final class Scene3dUic implements SwtUic {
     Waypoints waypoints = new Waypoints(context.settings(),
         new Tour(commander, context.output(ScenePorts.GOAL), context.principal(), told -> tell(context, told)));
     model = new SceneModel(context, kinds, new SceneDisplays(context), waypoints);
+    actions = new SceneActions(context.ruic()::reset);
     driver = new Driver(context, waypoints);
     Edits edits = new Edits(context.settings(), model::specs);
     Rig rig = new Rig(edits.start().orElse(CameraPose.START));

@@ -149,7 +149,7 @@ public final class GpsModel {
     boolean changed = false;
     for (Receiver receiver : now.receivers()) {
       Source source = sources.get(receiver.id());
-      boolean stale = receiver.state() instanceof InputState.Stale || receiver.state() instanceof InputState.Failed;
+      boolean stale = receiver.state() instanceof InputState.Stale;
       changed |= source.layer.faded() != stale;
       source.layer.fade(stale);
       source.entity.colorByQuality(byQuality);

@@ -168,7 +168,7 @@ public final class Feed<T extends Data, E extends Entity> {
     if (source == null) {
       source = add(id);
     }
-    boolean faded = input.state(id) instanceof InputState.Stale || input.state(id) instanceof InputState.Failed;
+    boolean faded = input.state(id) instanceof InputState.Stale;
     boolean changed = source.layer.faded() != faded;
     source.layer.fade(faded);
     Optional<Envelope<T>> latest = input.latest(id);
@@ -241,7 +241,7 @@ public final class Feed<T extends Data, E extends Entity> {
       case FAILED, WAITING -> new Note(StateView.health(state), name + ": " + state.explanation());
       case REFUSED -> new Note(Health.WARNING, name + ": " + state.explanation());
       case UNPLACED -> new Note(Health.WARNING, name + ": " + source.problem.orElse(""));
-      case STALE -> new Note(Health.STALE, name + " " + StateView.word(state));
+      case STALE -> new Note(Health.STALE, name + " " + (state instanceof InputState.Stale old ? StateView.sentence(old) : StateView.word(state)));
     };
   }
 

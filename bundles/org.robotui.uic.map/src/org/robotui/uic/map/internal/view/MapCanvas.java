@@ -295,7 +295,11 @@ public final class MapCanvas {
     } else if (empty && !snapshot.notes().isEmpty()) {
       states.message(gc, area, Health.WARNING, "No transform", snapshot.notes().getFirst().text());
     } else {
-      states.paint(gc, area, snapshot.state());
+      if (snapshot.state() instanceof InputState.Stale old && !snapshot.notes().isEmpty()) {
+        states.banner(gc, area, Health.STALE, StateView.word(old)); // the notes say of what, and why
+      } else {
+        states.paint(gc, area, snapshot.state());
+      }
       List<Note> notes = new ArrayList<>(snapshot.notes());
       sent.note(snapshot, System.nanoTime()).ifPresent(notes::addFirst);
       overlay.notes(gc, area, notes, snapshot.state() instanceof InputState.Stale, tool.isPresent());

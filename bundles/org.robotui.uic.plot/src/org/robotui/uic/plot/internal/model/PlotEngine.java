@@ -75,6 +75,7 @@ public final class PlotEngine {
     if (clock.epoch() != epoch) {
       epoch = clock.epoch();
       restart();
+      input.recall();
     }
     taken = input.drain(envelope -> take(envelope, nowNanos));
     if (taken > 0) {

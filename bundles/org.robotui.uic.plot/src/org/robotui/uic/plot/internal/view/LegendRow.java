@@ -2,7 +2,6 @@ package org.robotui.uic.plot.internal.view;
 
 import java.util.Optional;
 import org.robotui.api.port.InputState;
-import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.uic.plot.internal.model.CursorPair;
@@ -74,7 +73,7 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
     return switch (trace.state()) {
       case InputState.Live l when trace.lost() > 0 -> Optional.of(new Trouble(Health.WARNING, trace.lost() + " values lost in transit"));
       case InputState.Live l -> Optional.empty();
-      case InputState.Stale s -> Optional.of(new Trouble(Health.STALE, "stale " + Figures.age(s.ageSeconds())
+      case InputState.Stale s -> Optional.of(new Trouble(Health.STALE, StateView.word(s)
           + (s.explanation().isBlank() ? "" : ": " + s.explanation())));
       default -> Optional.of(new Trouble(StateView.health(trace.state()), trace.state().explanation()));
     };

@@ -20,6 +20,7 @@ import org.robotui.gl.display.Places;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Rgba;
 import org.robotui.ui.Health;
+import org.robotui.ui.StateView;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -39,6 +40,7 @@ final class DisplaySlot {
   private Optional<KindSettings> settings = Optional.empty();
   private SourceChoice choice = new SourceChoice(Set.of(), Set.of(), "");
   private DisplayResult result = NOTHING;
+  private InputState state = new InputState.Live(0, 0);
   private Optional<String> robot = Optional.empty();
   private List<String> choices = List.of();
   private long bytes;
@@ -102,8 +104,9 @@ final class DisplaySlot {
     List<Part> before = result.parts();
     if (wanted()) {
       try {
+        state = state(input);
         result = running(context).display().update(new DisplayTick(
-            arrived, state(input), places, settings.orElseThrow().settings(), color, nowNanos, reset));
+            arrived, state, places, settings.orElseThrow().settings(), color, nowNanos, reset));
         PartsCheck.distinct(result.parts());
       } catch (RuntimeException | LinkageError e) {
         fail(e);
@@ -182,7 +185,7 @@ final class DisplaySlot {
     if (!choice.problem().isEmpty() && result.parts().isEmpty()) {
       return Health.WAITING;
     }
-    return switch (result.status()) {
+    return switch (status()) {
       case DisplayStatus.Shown s -> settings.filter(k -> !k.problems().isEmpty()).isPresent() ? Health.WARNING : Health.OK;
       case DisplayStatus.Partly p -> Health.WARNING;
       case DisplayStatus.NoData n -> Health.WAITING;
@@ -190,6 +193,13 @@ final class DisplaySlot {
       case DisplayStatus.TooOld t -> Health.STALE;
       case DisplayStatus.Unfit u -> Health.BAD;
     };
+  }
+
+  /** Whatever a display makes of it: what nothing newer can come of is not shown as if it were true. */
+  private DisplayStatus status() {
+    boolean seen = result.status() instanceof DisplayStatus.Shown || result.status() instanceof DisplayStatus.TooOld;
+    return seen && state instanceof InputState.Stale old && old.lostSeconds().isPresent()
+        ? new DisplayStatus.TooOld(StateView.sentence(old)) : result.status();
   }
 
   private String words() {
@@ -206,6 +216,6 @@ final class DisplaySlot {
     if (!wrong.isEmpty()) {
       return wrong.getFirst();
     }
-    return !choice.problem().isEmpty() && result.parts().isEmpty() ? choice.problem() : result.status().words();
+    return !choice.problem().isEmpty() && result.parts().isEmpty() ? choice.problem() : status().words();
   }
 }

@@ -96,12 +96,17 @@ public final class SceneModel {
     Settings now = settings.current();
     Frames frames = new JoinedFrames(known, Joint.read(now));
     configure();
+    boolean reset = clock.epoch() != epoch;
+    if (reset) {
+      epoch = clock.epoch();
+      input.recall(); // what displays forget now and the robot says but once
+    }
     drain();
     Optional<String> wanted = Optional.of(now.text(SceneOptions.FIXED_FRAME).strip()).filter(f -> !f.isEmpty() && !f.equals(SceneOptions.AUTO));
     Optional<FrameId> fixed = FixedFrame.choose(wanted.map(SceneModel::plain), frames, List.copyOf(named));
     ScenePlaces places = new ScenePlaces(frames, fixed.orElse(new FrameId("scene", "fixed")));
     boolean changed = runTasks();
-    changed |= update(places, now, nowNanos);
+    changed |= update(places, now, nowNanos, reset);
     List<Part> before = marks;
     marks = waypoints.tick(places);
     changed |= !PartsCheck.same(before, marks);
@@ -166,9 +171,7 @@ public final class SceneModel {
     return some;
   }
 
-  private boolean update(ScenePlaces places, Settings now, long nowNanos) {
-    boolean reset = clock.epoch() != epoch;
-    epoch = clock.epoch();
+  private boolean update(ScenePlaces places, Settings now, long nowNanos, boolean reset) {
     boolean changed = false;
     for (DisplaySlot slot : slots.values()) {
       String robot = slot.robot().orElseGet(() -> places.fixed().robot());

@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.Input;
+import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Bytes;
 import org.robotui.data.Color;
@@ -28,6 +29,7 @@ import org.robotui.data.StampedPose;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.DisplayContext;
+import org.robotui.gl.display.DisplayTick;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeInput;
@@ -103,6 +105,38 @@ class SceneModelTest {
     assertEquals("1 lines", row(1).words());
     assertEquals(Health.OK, row(1).health());
     assertFalse(model.tick(2));
+  }
+
+  @Test
+  void afterAJumpOfTheClockDisplaysAreGivenAgainWhatRobotsSayButOnce() {
+    offer(POSE, OTHER);
+    start();
+    model.tick(0);
+    put(POSE);
+    put(OTHER);
+    input.keep(OTHER);
+    model.tick(1);
+    context.ruic().reset();
+    model.tick(2);
+    List<DisplayTick> last = pose.ticks.subList(pose.ticks.size() - 2, pose.ticks.size());
+    assertTrue(last.stream().allMatch(DisplayTick::reset));
+    assertEquals(List.of(OTHER), last.stream().flatMap(t -> t.arrived().stream()).map(e -> e.source()).toList());
+    model.tick(3);
+    assertFalse(pose.ticks.getLast().reset());
+  }
+
+  @Test
+  void whatNobodyPublishesAnyMoreIsOldWhateverItsDisplayMakesOfIt() {
+    offer(POSE);
+    start();
+    model.tick(0);
+    put(POSE);
+    model.tick(1);
+    input.state(POSE, InputState.Stale.lost(20, "base.pose: nobody publishes /pose any more", 12));
+    model.tick(2);
+    assertEquals(Health.STALE, row(1).health());
+    assertTrue(row(1).words().startsWith("lost for 12"), row(1).words());
+    assertTrue(row(1).words().endsWith("nobody publishes /pose any more"), row(1).words());
   }
 
   @Test
