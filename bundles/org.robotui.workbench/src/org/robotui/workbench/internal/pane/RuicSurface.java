@@ -11,8 +11,10 @@ import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.FillLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Listener;
+import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicSnapshot;
+import org.robotui.api.host.RuicState;
 import org.robotui.api.layout.Layout;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
@@ -61,7 +63,9 @@ public final class RuicSurface extends Composite {
 
   /** All its views, in the order of the layout. */
   public List<ViewEntry> views() {
-    return stacks.stream().flatMap(s -> s.holders().map(h -> new ViewEntry(h.id(), ruic.title(h.id()), s.isSeen(h), h.actions()))).toList();
+    List<String> failed = ruic.snapshot().components().stream().filter(c -> c.state() == RuicState.FAILED).map(ComponentStatus::id).toList();
+    return stacks.stream().flatMap(s -> s.holders()
+        .map(h -> new ViewEntry(h.id(), ruic.title(h.id()), failed.contains(h.id()), s.isSeen(h), h.actions()))).toList();
   }
 
   /** Brings a view to the front of its tabs and gives it the keys. */

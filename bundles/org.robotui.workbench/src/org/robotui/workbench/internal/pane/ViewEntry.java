@@ -8,11 +8,17 @@ import org.robotui.ui.ViewAction;
  *
  * @param id of its component
  * @param title what users read
+ * @param failed whether it does not work; its place says why
  * @param seen whether it is in front of its tabs
  * @param actions what can be done in it; none before it was seen for the first time
  */
-public record ViewEntry(String id, String title, boolean seen, List<ViewAction> actions) {
+public record ViewEntry(String id, String title, boolean failed, boolean seen, List<ViewAction> actions) {
   public ViewEntry {
     actions = List.copyOf(actions);
+  }
+
+  /** Its title, and that it does not work where that is so. */
+  public String label() {
+    return failed ? title + " (does not work)" : title;
   }
 }

@@ -20,16 +20,20 @@ final class SearchEntries {
     this.window = window;
   }
 
+  /** Those that keys do as well. */
+  List<SearchEntry> withKeys() {
+    return all().stream().filter(entry -> !entry.keys().isEmpty()).toList();
+  }
+
   List<SearchEntry> all() {
     List<SearchEntry> entries = new ArrayList<>();
     Optional<RuicSurface> surface = RobotPart.in(window).flatMap(part -> part.area().surface());
-    surface.ifPresent(shown -> shown.views().forEach(view -> {
-      entries.add(new SearchEntry("View", view.title(), "", () -> shown.reveal(view.id())));
-      view.actions().forEach(action -> entries.add(new SearchEntry(view.title(), action.label(), "", () -> {
-        shown.reveal(view.id());
-        action.run().run();
-      })));
-    }));
+    // The views themselves are in the menu View.
+    surface.ifPresent(shown -> shown.views().forEach(view -> view.actions().forEach(action ->
+        entries.add(new SearchEntry(view.title(), action.label(), "", () -> {
+          shown.reveal(view.id());
+          action.run().run();
+        })))));
     WindowActions actions = new WindowActions(session, window);
     session.host().ruics().stream().map(Ruic::name)
         .forEach(name -> entries.add(new SearchEntry("Robot", "Show " + name, "", () -> actions.select(name))));

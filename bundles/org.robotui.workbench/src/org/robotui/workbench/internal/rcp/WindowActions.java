@@ -50,6 +50,11 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     SearchPane.open(window.getShell(), session.look().theme(), new SearchEntries(session, window).all());
   }
 
+  /** Shows which keys do what in the window, whatever has the focus. */
+  void keys() {
+    SearchPane.open(window.getShell(), session.look().theme(), new SearchEntries(session, window).withKeys());
+  }
+
   @Override
   public void lease() {
     selected().map(Ruic::authorities).filter(a -> !a.isEmpty()).map(java.util.List::getFirst).ifPresent(this::lease);

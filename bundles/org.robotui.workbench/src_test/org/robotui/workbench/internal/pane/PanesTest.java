@@ -250,6 +250,19 @@ class PanesTest {
   }
 
   @Test
+  void viewsAreListedWithWhatIsSeenAndWhatDoesNotWork() {
+    ruic.surfaceFailed("camera", "it threw");
+    RuicSurface surface = show(new Layout.Tabs(List.of("map", "camera"))).surface().orElseThrow();
+
+    assertEquals(List.of("map true", "camera (does not work) false"),
+        surface.views().stream().map(view -> view.label() + " " + view.seen()).toList());
+
+    surface.reveal("camera");
+
+    assertEquals(List.of(false, true), surface.views().stream().map(ViewEntry::seen).toList());
+  }
+
+  @Test
   void theSearchTakesTheKeysAtOnceAndGivesThemBack() {
     show(new Layout.View("map"));
     shell.open();
