@@ -26,8 +26,9 @@ need_native() {
 
 is_native_fresh() { [[ -r $NATIVE_STAMP && -x $NATIVE_BUILD/bin/robotui-rt ]] && [[ $(<"$NATIVE_STAMP") == "$(native_stamp)" ]]; }
 
+# The folder, too: programs know their libraries by absolute paths.
 native_stamp() {
-  (cd "$NATIVE" && mujoco_option && find . -type f ! -path './target/*' ! -path './tests/*' ! -name '*.md' -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum)
+  (cd "$NATIVE" && pwd && mujoco_option && find . -type f ! -path './target/*' ! -path './tests/*' ! -name '*.md' -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum)
 }
 
 build_native() {
@@ -53,6 +54,7 @@ native_cmake() {
   local preset=$1 log=$LOGS/native-$1.log
   shift
   mkdir -p "$LOGS"
+  clear_moved_cmake "$NATIVE/target/$preset"
   if ! (cd "$NATIVE" && cmake --preset "$preset" $(mujoco_option) "$@" && cmake --build --preset "$preset" -j"$(nproc)" "${targets[@]}") >"$log" 2>&1 </dev/null; then
     say "robotui: the real-time side could not be built. The errors in $log:"
     grep -E 'error|Error' "$log" | head -n 20 >&2 || tail -n 20 "$log" >&2
