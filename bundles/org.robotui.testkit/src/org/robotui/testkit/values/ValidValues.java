@@ -3,6 +3,7 @@ package org.robotui.testkit.values;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -81,6 +82,9 @@ public final class ValidValues {
         <joint name="lift" type="prismatic"><parent link="base"/><child link="hand"/><axis xyz="0 0 1"/><limit lower="0" upper="1"/></joint></robot>
       """;
 
+  private static final String ONE_PIXEL =
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
+
   private ValidValues() {}
 
   /**
@@ -119,7 +123,7 @@ public final class ValidValues {
         new Footprint(MAP, List.of(new Vector3(0.3, 0.2, 0), new Vector3(-0.3, 0.2, 0), new Vector3(-0.3, -0.2, 0), new Vector3(0.3, -0.2, 0))),
         new TransformSet(List.of(new FrameTransform(MAP, FakePlaces.frame("base"), new Stamp(1, ClockKind.ROBOT), POSE, false))),
         new VelocityCommand(new Vector3(0.5, 0, 0), new Vector3(0, 0, 0.2)),
-        new CompressedImage(MAP, "png", Bytes.of(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13})),
+        new CompressedImage(MAP, "png", Bytes.of(Base64.getDecoder().decode(ONE_PIXEL))),
         new JointModel(List.of(new JointModel.Joint("lift", 1, JointModel.Type.PRISMATIC, 0, 1, 0.5, 100)), List.of(new JointModel.Chain("arm", List.of("lift")))),
         new JointControl(List.of(new JointControl.Joint("lift", new JointControl.Measured(0.5, 0.5, 0, 0, 3, 40, 41),
             new JointControl.Reference(0.6, 0, 0, 100, 10), Set.of(JointMode.POSITION), JointControl.Source.COMMANDED, "plugin", 0, 0, 0))),

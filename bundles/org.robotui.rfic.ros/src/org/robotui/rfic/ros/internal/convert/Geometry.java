@@ -16,11 +16,15 @@ final class Geometry {
   }
 
   static RigidTransform transform(Transform transform) {
-    return new RigidTransform(vector(transform.translation()), rotation(transform.rotation()));
+    return new RigidTransform(translation(transform.translation()), rotation(transform.rotation()));
   }
 
   static Vector3 point(Point p) {
     return finite(new Vector3(p.x(), p.y(), p.z()), "position");
+  }
+
+  private static Vector3 translation(org.robotui.ros.msgs.geometry_msgs.Vector3 v) {
+    return finite(new Vector3(v.x(), v.y(), v.z()), "translation");
   }
 
   static Vector3 vector(org.robotui.ros.msgs.geometry_msgs.Vector3 v) {

@@ -56,13 +56,35 @@ public final class StateAdapters {
     return good.isEmpty() ? Optional.empty() : Optional.of(new TransformSet(good));
   }
 
+  /**
+   * Why the first transform that is left out is none.
+   *
+   * @param m the message
+   * @param names names frames of the robot
+   * @return its frames and what is wrong with it, or none where all are transforms
+   */
+  public static Optional<String> refusal(TFMessage m, FrameNames names) {
+    for (TransformStamped t : m.transforms()) {
+      try {
+        converted(t, names, false);
+      } catch (IllegalArgumentException e) {
+        return Optional.of("'" + t.header().frameId() + "' -> '" + t.childFrameId() + "': " + e.getMessage());
+      }
+    }
+    return Optional.empty();
+  }
+
   private static Optional<FrameTransform> transform(TransformStamped t, FrameNames names, boolean fixed) {
     try {
-      return Optional.of(new FrameTransform(names.frame(t.header().frameId()), names.frame(t.childFrameId()),
-          names.stamp(t.header().stamp()), Geometry.transform(t.transform()), fixed));
+      return Optional.of(converted(t, names, fixed));
     } catch (IllegalArgumentException e) {
       return Optional.empty();
     }
+  }
+
+  private static FrameTransform converted(TransformStamped t, FrameNames names, boolean fixed) {
+    return new FrameTransform(names.frame(t.header().frameId()), names.frame(t.childFrameId()), names.stamp(t.header().stamp()),
+        Geometry.transform(t.transform()), fixed);
   }
 
   private static long stampOf(TFMessage m) {

@@ -53,14 +53,18 @@ final class TransformFeed implements AutoCloseable {
   /** Listens for all where nobody does. Called regularly by the thread that follows the graph. */
   synchronized void tick() {
     if (!closed && subscribers.isEmpty() && master.listens(this)) {
-      subscribe("/tf", false);
-      subscribe("/tf_static", true);
+      subscribe(false);
+      subscribe(true);
     }
   }
 
-  private void subscribe(String topic, boolean fixed) {
-    subscribers.add(node.subscriber(topic, TFMessage.CODEC, SubscriberOptions.observing(),
+  private void subscribe(boolean fixed) {
+    subscribers.add(node.subscriber(topic(fixed), TFMessage.CODEC, SubscriberOptions.observing(),
         (message, reception) -> master.heard(message, reception, fixed)));
+  }
+
+  private static String topic(boolean fixed) {
+    return fixed ? "/tf_static" : "/tf";
   }
 
   /** The namespace of the robot without slashes at its ends, empty for all. */
@@ -79,7 +83,8 @@ final class TransformFeed implements AutoCloseable {
     Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
     int refused = own.size() - good.map(set -> set.transforms().size()).orElse(0);
     if (refused > 0) {
-      publication.lost(refused, refused + " transforms of " + reception.callerId() + " are no transforms");
+      publication.lost(refused, topic(fixed) + " from " + reception.callerId() + ": " + refused + " of " + own.size() + " transforms refused; "
+          + StateAdapters.refusal(message, names).orElse(""));
     }
     good.ifPresent(set -> {
       context.frames().add(set, reception.callerId());
