@@ -8,7 +8,7 @@ final class ExportRule implements Rule {
 
   private static final List<String> EXPORTERS = List.of("org.robotui.geometry", "org.robotui.guard", "org.robotui.lcm", "org.robotui.player", "org.robotui.ros",
       "org.robotui.urdf", "org.robotui.xbot", "org.robotui.data", "org.robotui.api", "org.robotui.ui", "org.robotui.gl",
-      "org.robotui.entity.*", "org.robotui.testkit");
+      "org.robotui.entity.*", "org.robotui.testkit", "org.robotui.testkit.*");
 
   @Override
   public String statement() {
