@@ -49,12 +49,6 @@ class PathEntityTest {
     assertTrue(entity.bounds().isEmpty());
   }
 
-  @Test
-  void posesThatAreNoPlacesAreLeftOut() {
-    Path broken = new Path(MAP, List.of(at(Double.NaN, 0), at(1, 1)));
-    assertEquals(1, Line.of(broken, RigidTransform.IDENTITY).orElseThrow().count());
-  }
-
   private static RigidTransform at(double x, double y) {
     return RigidTransform.planar(x, y, 0);
   }

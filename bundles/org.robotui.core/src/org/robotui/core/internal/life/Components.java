@@ -107,6 +107,13 @@ final class Components {
     return shown().stream().filter(s -> s.id().equals(id)).findFirst();
   }
 
+  /** Gives up a view whose surface failed; answers whether there is such a view. */
+  boolean surfaceFailed(String id, String reason) {
+    Optional<UicSlot> slot = uic(id);
+    slot.ifPresent(s -> s.giveUp(reason + s.instance().map(i -> " (" + i.origin() + ")").orElse("")));
+    return slot.isPresent();
+  }
+
   /** The command ports to one robot. */
   List<CommandTarget<?>> commands(String robot) {
     return rfics.stream().filter(s -> s.config().robot().equals(robot))

@@ -42,7 +42,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   private final AtomicReference<RuicConfig> config;
   private final Services services;
-  private final SerialWorker worker;
+  private final RuicWorker worker;
   private final RuicFrames frames;
   private final RuicClock clock;
   private final RuicAlerts alerts;
@@ -53,7 +53,6 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   private final Wiring wiring;
   private final LateViews lateViews;
   private final Set<String> windows = ConcurrentHashMap.newKeySet();
-  private final CompletableFuture<List<String>> ended = new CompletableFuture<>();
   private final RuicInterfaces interfaces;
   private final Showings showings;
   private Optional<RuicType> plannedWith = Optional.empty(); // only on the worker
@@ -67,18 +66,18 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.overlay = overlay;
     this.services = services;
     this.config = new AtomicReference<>(new Written(services.check()).withChosen(config, overlay));
-    this.worker = new SerialWorker("ruic-" + config.name());
+    this.worker = new RuicWorker("ruic-" + config.name());
     this.frames = new RuicFrames(config.frames());
     this.waits = config.startsShown();
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
     this.alerts = new RuicAlerts(services.wall());
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
-    RuicParts parts = new RuicParts(this.config::get, this, services, worker, threads, clock, frames, alerts, overlay, this);
+    RuicParts parts = new RuicParts(this.config::get, this, services, worker.serial(), threads, clock, frames, alerts, overlay, this);
     this.components = new Components(parts);
     this.showings = new Showings(services, components);
     this.robots = new RuicRobots(this.config::get, services, components);
     this.wiring = new Wiring(parts, components, this::tell);
-    this.lateViews = new LateViews(services, components, this::onWorker, this::started);
+    this.lateViews = new LateViews(services, components, worker::run, this::started);
     this.interfaces = new RuicInterfaces(parts, this.config, new AtomicReference<>(config), components, robots, wiring);
     this.layout = config.layout().orElse(layout);
   }
@@ -86,17 +85,9 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   /** Creates all components; of a RUIC that starts when it is shown, then. */
   public void initialize() {
     robots.register(); // at once: who may command is asked for at once
-    onWorker(() -> {
+    worker.run(() -> {
       if (!waits) {
         create();
-      }
-    });
-  }
-
-  private void onWorker(Runnable task) {
-    worker.execute(() -> {
-      if (health.state() != RuicState.SHUT_DOWN) {
-        task.run();
       }
     });
   }
@@ -129,16 +120,10 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   /** Component types have come or gone. Completes when that is taken up: when nothing of a type that has gone runs. */
   public CompletableFuture<Void> typesChanged() {
-    CompletableFuture<Void> taken = new CompletableFuture<>();
-    onWorker(() -> {
-      try {
-        takeUpTypes();
-      } finally {
-        taken.complete(null);
-      }
-    });
-    ended.thenRun(() -> taken.complete(null));
-    return taken;
+    return worker.ask(() -> {
+      takeUpTypes();
+      return true;
+    }, true).thenAccept(taken -> { });
   }
 
   private void takeUpTypes() {
@@ -157,9 +142,8 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     }
     boolean selected = !windows.isEmpty();
     wasSelected |= selected;
-    RuicState idle = wasSelected ? RuicState.UNSELECTED : RuicState.INITIALIZED;
     components.shown().forEach(s -> s.select(selected));
-    set(new Health(selected ? RuicState.SELECTED : idle, ""));
+    set(new Health(selected ? RuicState.SELECTED : wasSelected ? RuicState.UNSELECTED : RuicState.INITIALIZED, ""));
   }
 
   /** Ends all components; logs what is left. */
@@ -180,21 +164,18 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public CompletionStage<RuicState> restart() {
-    CompletableFuture<RuicState> done = new CompletableFuture<>();
-    onWorker(() -> {
+    return worker.ask(() -> {
       end(CLOSE_LIMIT);
       set(Health.ADDED);
       interfaces.takeUpFile();
       create();
-      done.complete(health.state());
-    });
-    ended.thenRun(() -> done.complete(RuicState.SHUT_DOWN));
-    return done;
+      return health.state();
+    }, RuicState.SHUT_DOWN);
   }
 
   @Override
   public void restart(String id) {
-    onWorker(() -> components.find(id).ifPresent(slot -> {
+    worker.run(() -> components.find(id).ifPresent(slot -> {
       slot.restart();
       started();
     }));
@@ -213,15 +194,13 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   /** Ends it within a limit; completes with what could not be ended. */
   public CompletionStage<List<String>> shutDown(Duration limit) {
-    onWorker(() -> {
+    worker.run(() -> {
       List<String> left = end(limit);
       robots.unregister();
       set(new Health(RuicState.SHUT_DOWN, ""));
-      worker.close();
-      services.events().removed(this);
-      ended.complete(left);
+      worker.end(() -> services.events().removed(this), left);
     });
-    return ended;
+    return worker.ended();
   }
 
   /** How many robot interfaces it has that run, or should. */
@@ -245,13 +224,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   private CompletionStage<ExchangeOutcome> exchange(ComponentConfig next, Map<SourceId, SourceId> connections) {
-    CompletableFuture<ExchangeOutcome> done = new CompletableFuture<>();
-    onWorker(() -> {
-      done.complete(interfaces.exchange(next, connections));
+    return worker.ask(() -> {
+      ExchangeOutcome outcome = interfaces.exchange(next, connections);
       tell();
-    });
-    ended.thenRun(() -> done.complete(new ExchangeOutcome.Refused(name() + " has ended")));
-    return done;
+      return outcome;
+    }, new ExchangeOutcome.Refused(name() + " has ended"));
   }
 
   /** As it is configured now. */
@@ -281,15 +258,11 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
 
   @Override
   public void surfaceFailed(String id, String reason) {
-    onComponents(() -> {
-      Optional<UicSlot> slot = components.uic(id);
-      slot.ifPresent(s -> s.giveUp(reason + s.instance().map(i -> " (" + i.origin() + ")").orElse("")));
-      return slot.isPresent();
-    });
+    onComponents(() -> components.surfaceFailed(id, reason));
   }
 
   private void onComponents(BooleanSupplier change) {
-    onWorker(() -> {
+    worker.run(() -> {
       if (change.getAsBoolean()) {
         wiring.rematch();
         tell();
@@ -341,7 +314,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
   }
 
   private void change(Consumer<Set<String>> how) {
-    onWorker(() -> {
+    worker.run(() -> {
       how.accept(windows);
       if (waits && !windows.isEmpty()) {
         create();

@@ -5,10 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.net.UnixDomainSocketAddress;
-import java.nio.channels.Channels;
-import java.nio.channels.SocketChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -170,23 +166,15 @@ class CoreTest {
     Await.until("the new instance is stopped, too", () -> sent.size() > 1);
   }
 
-  private String stopFromOutside() throws IOException {
-    Path socket = folder.resolve("state/run/stop-" + ProcessHandle.current().pid() + ".sock");
-    try (SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
-      Channels.newOutputStream(channel).write("stop\n".getBytes(StandardCharsets.UTF_8));
-      return new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
-    }
-  }
-
   @Test
   void aStopFromOutsideWorksWhileTheDisplayHangs() throws IOException {
     Ruic ruic = running();
     bench.core.displayAlive(); // and never again
-    String told = stopFromOutside();
+    String told = bench.stopFromOutside();
     assertTrue(told.contains("nothing was driven from here") && told.endsWith("done\n"), told);
     Await.until("zero is sent", () -> sent.contains(VelocityCommand.ZERO));
     assertEquals("./robotui stop", ruic.authorities().getFirst().stoppedBy().orElseThrow().label());
-    assertTrue(stopFromOutside().contains("it was already, by ./robotui stop"));
+    assertTrue(bench.stopFromOutside().contains("it was already, by ./robotui stop"));
   }
 
   @Test

@@ -2,6 +2,10 @@ package org.robotui.core.internal.support;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.Channels;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -105,5 +109,14 @@ public final class CoreBench implements AutoCloseable {
   @Override
   public void close() {
     core.close(Duration.ofSeconds(5));
+  }
+
+  /** Asks this process to stop all robots, as another one does; answers what it says. */
+  public String stopFromOutside() throws IOException {
+    Path socket = folder.resolve("state/run/stop-" + ProcessHandle.current().pid() + ".sock");
+    try (SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
+      Channels.newOutputStream(channel).write("stop\n".getBytes(StandardCharsets.UTF_8));
+      return new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
+    }
   }
 }

@@ -148,7 +148,7 @@ class PointCloudDisplayTest {
 
   @Test
   void aCloudWithoutCoordinatesIsUnfit() {
-    PointCloud cloud = new PointCloud(FakePlaces.frame("lidar"), Integer.MAX_VALUE, Integer.MAX_VALUE, List.of(), 0, 0, ByteOrder.BIG_ENDIAN, true,
+    PointCloud cloud = new PointCloud(FakePlaces.frame("lidar"), 0, 0, List.of(), 16, 0, ByteOrder.BIG_ENDIAN, true,
         Bytes.EMPTY);
     DisplayResult result = probe.tick(cloud);
     assertInstanceOf(DisplayStatus.Unfit.class, result.status());
