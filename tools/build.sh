@@ -4,7 +4,7 @@ readonly LOGS=$KEEP/logs
 readonly PRODUCTS=$ROOT/product/target/products
 readonly WINDOW_PRODUCT=$PRODUCTS/org.robotui.workbench.product/linux/gtk/x86_64
 readonly HEADLESS_PRODUCT=$PRODUCTS/org.robotui.headless.product/linux/gtk/x86_64
-readonly LOADING_SECONDS=6
+readonly PRODUCT_TOOLS=(tools/{archive,control,desktop,java,launch,packages,run,say,simulator,stop,surroundings,use}.sh)
 readonly STAMP=$ROOT/product/target/robotui.stamp
 
 # Makes both products, unless they are those of the present sources.
@@ -22,9 +22,10 @@ is_product_fresh() {
   [[ -r $STAMP && -d $WINDOW_PRODUCT/plugins && -d $HEADLESS_PRODUCT/plugins ]] && [[ $(<"$STAMP") == "$(source_stamp)" ]]
 }
 
-# Name, size and time of every file that goes into a product. What the build itself brings into lib/ says nothing of the sources.
+# Name, size and time of every file that goes into a product, but for its configurations and texts, which one may change without a build.
+# What the build itself brings into lib/ says nothing of the sources.
 source_stamp() {
-  (cd "$ROOT" && find .mvn pom.xml releng bundles features product rt-native/link rt-native/jni -type f \
+  (cd "$ROOT" && find .mvn pom.xml "${PRODUCT_TOOLS[@]}" releng bundles features product rt-native/link rt-native/jni -type f \
       ! -path 'bundles/*/lib/*' ! -path '*/target/*' ! -path '*/bin/*' ! -path '*/src_test/*' ! -name '.polyglot.*' -printf '%p %s %T@\n' \
     | LC_ALL=C sort | sha256sum)
 }
@@ -37,44 +38,14 @@ build_product() {
   clear_classes
   say "Building RobotUI ($(build_outlook))"
   maven "$LOGS/build.log" verify -Dproduct.only -Dmaven.test.skip=true -Dtest.compile.phase=none -Dskip.archive=true || exit 1
-  archive_classes "$HEADLESS_PRODUCT" load_by_check
-  archive_classes "$WINDOW_PRODUCT" load_by_window
+  # Without the archive a start is merely slower.
+  { archive_classes "$HEADLESS_PRODUCT" load_by_check; archive_classes "$WINDOW_PRODUCT" load_by_window; } >"$LOGS/archive.log" 2>&1 || true
   printf '%s' "$stamp" >"$STAMP"
   say "Built in $((SECONDS - started)) s"
 }
 
 # Tycho compiles the sources that changed, not those that use them: classes of before and after would meet in one product.
 clear_classes() { rm -rf "$ROOT"/bundles/*/target/classes; }
-
-# Keeps the classes of one quiet run as the virtual machine has them in memory, for later starts. The run only writes their
-# names down: an archive written by the run itself, while threads of robots still live, has crashed the virtual machine.
-archive_classes() {
-  local work
-  work=$(mktemp -d)
-  (
-    export XDG_STATE_HOME=$work ROBOTUI_VMARGS="-XX:SharedArchiveFile= -XX:DumpLoadedClassList=$work/classes"
-    "$2" "$1"
-    ROBOTUI_VMARGS="-Xshare:dump -XX:SharedClassListFile=$work/classes -XX:SharedArchiveFile=$1/classes.jsa" "$1/robotui"
-  ) >"$LOGS/archive.log" 2>&1 </dev/null || true          # without the archive a start is merely slower
-  rm -rf "$work"
-}
-
-load_by_check() { "$1/robotui" -application org.robotui.headless.application -check "$ROOT/configs/ros.yaml"; }
-
-# The demo in a window that nobody sees; where there is no such display, what can be loaded without one.
-load_by_window() {
-  if ! command -v xvfb-run >/dev/null; then
-    load_by_check "$1"
-    return
-  fi
-  (
-    unset WAYLAND_DISPLAY
-    export GDK_BACKEND=x11 NO_AT_BRIDGE=1
-    trap end_everything EXIT
-    start_simulators '' "$ROOT/configs/demo.yaml"
-    xvfb-run -a "$1/robotui" -config "$ROOT/configs/demo.yaml" -for "$LOADING_SECONDS"
-  )
-}
 
 build_outlook() {
   if [[ -d ${HOME}/.m2/repository/org/eclipse/platform/org.eclipse.ui.workbench ]]; then

@@ -1,4 +1,4 @@
-# System packages. Root gets what is missing installed; everybody else is told what to install.
+# System packages. Root of a checkout gets what is missing installed; everybody else is told what to install.
 # A package written a|b is there when one of the two is: newer Debian releases renamed some.
 
 readonly WINDOW_PACKAGES=("libgtk-3-0t64|libgtk-3-0" fonts-dejavu-core adwaita-icon-theme)
@@ -21,7 +21,7 @@ need_packages() {
   shift
   missing=$(missing_packages "$@")
   [[ -n $missing ]] || return 0
-  if [[ $(id -u) -ne 0 ]]; then
+  if [[ $(id -u) -ne 0 || -n ${PACKAGED:-} ]]; then
     say "$purpose needs system packages that are not installed. Please run:"
     say "  sudo apt-get install --no-install-recommends $missing"
     return 1

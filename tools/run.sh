@@ -1,6 +1,5 @@
 # Running the workbench, or its headless sister, with a simulated robot beside it where the configuration asks for one.
 
-readonly STATE=${XDG_STATE_HOME:-$HOME/.local/state}/robotui
 readonly LIVE_SECONDS=8
 readonly DEFAULT_CONFIG=$ROOT/configs/natalie-keira.yaml
 
@@ -70,7 +69,7 @@ cmd_check() {
   need_product
   trap end_everything EXIT
   [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$config"
-  run_application check -application org.robotui.headless.application -check "$config" "${live[@]}" "${reuse[@]}"
+  run_application check -check "$config" "${live[@]}" "${reuse[@]}"
 }
 
 cmd_new() {
@@ -98,7 +97,7 @@ cmd_new() {
   [[ -n $file ]] || usage_error "new needs a file: one that is not there yet, or a configuration to which the robot is added"
   need_product
   trap end_everything EXIT
-  run_application check -application org.robotui.headless.application -new "$file" "${options[@]}"
+  run_application check -new "$file" "${options[@]}"
 }
 
 # A file, or the name of one in configs/.
@@ -122,6 +121,10 @@ mode_for_display() {
     say "robotui: only a window can have a screenshot: leave out --text and --json"
     return 1
   fi
+  if [[ $mode == window ]] && ! has_window; then
+    [[ -z $screenshot ]] || { say "robotui: this RobotUI has no window that could have a screenshot"; return 1; }
+    mode=text
+  fi
   if [[ $mode == window && -z ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
     if [[ -n $screenshot ]]; then
       say "robotui: a screenshot needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set."
@@ -135,15 +138,18 @@ mode_for_display() {
   printf '%s' "$mode"
 }
 
+# The headless product has none.
+has_window() { [[ -z ${PACKAGED:-} ]] || compgen -G "$ROOT/plugins/org.robotui.workbench_*.jar" >/dev/null; }
+
 # ---- the application ------------------------------------------------------------------------------------------------
 
 # Runs in the background and waits: a shell that waits for a foreground child would not hear a signal.
 # A check needs no display, but it must know the views of windows, and so their product.
 run_application() {
-  local product=$HEADLESS_PRODUCT rc=0
-  [[ $1 != window && $1 != check ]] || product=$WINDOW_PRODUCT
+  local product=$HEADLESS_PRODUCT rc=0 mode=$1
   shift
-  mkdir -p "$STATE"
+  [[ $mode != window && $mode != check ]] || product=$WINDOW_PRODUCT
+  [[ $mode == window ]] || set -- -application org.robotui.headless.application "$@"
   "$product/robotui" "$@" <&0 &
   application=$!
   trap 'stop_application 130' INT

@@ -3,6 +3,10 @@
 # Small and quick to start; the same speed as with all compilers.
 readonly SIMULATOR_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m)
 
+declare -rA SIMULATOR_FEATURES=(
+  [org.robotui.sim]='RobotUI demo' [org.robotui.ros]='RobotUI for ROS 1' [org.robotui.player]='RobotUI for Player' [org.robotui.lcm]='RobotUI for LCM'
+)
+
 simulators=() simulator_dirs=() simulator_stays=
 declare -A simulator_variables=()
 
@@ -75,6 +79,7 @@ start_simulator() {
   local stay=$1 number=$2 out prefix=() options=(--seed "$2" --lcm-types "$ROOT/configs/lcm/types")
   # shellcheck disable=SC2206
   options+=($3)
+  need_simulator "$3"
   out=$(mktemp -d "${TMPDIR:-/tmp}/robotui-sim.XXXXXX")
   simulator_dirs+=("$out")
   : >"$out/out"
@@ -89,13 +94,30 @@ start_simulator() {
   simulators+=($!)
 }
 
+# What a robot with these options consists of may have been taken out of a product.
+need_simulator() {
+  local bundle wanted=(org.robotui.sim)
+  [[ $1 != *ros* && $1 != *--swarm* ]] || wanted+=(org.robotui.ros)
+  [[ $1 != *player* ]] || wanted+=(org.robotui.player)
+  [[ $1 != *lcm* ]] || wanted+=(org.robotui.lcm)
+  for bundle in "${wanted[@]}"; do
+    [[ -n $(jar_of "$bundle") ]] || fail "the simulated robot needs the feature '${SIMULATOR_FEATURES[$bundle]}', which is not installed"
+  done
+}
+
 # The simulator needs no OSGi: the same bundles are plain jars.
 simulator_classpath() {
   local bundle jars=()
   for bundle in org.robotui.sim org.robotui.ros org.robotui.player org.robotui.lcm org.robotui.geometry slf4j.api; do
-    jars+=("$HEADLESS_PRODUCT"/plugins/"$bundle"_*.jar)
+    jars+=("$(jar_of "$bundle")")
   done
   (IFS=:; printf '%s' "${jars[*]}")
+}
+
+# The jar of a bundle that the product starts with: others may lie beside it, of what was updated or taken out.
+jar_of() {
+  awk -F, -v bundle="$1" -v home="$HEADLESS_PRODUCT" '$1 == bundle { print home "/" $3 }' \
+    "$HEADLESS_PRODUCT/configuration/org.eclipse.equinox.simpleconfigurator/bundles.info"
 }
 
 # It says in one piece by which variables it is found.

@@ -3,8 +3,8 @@
 cmd_stop() {
   [[ $# -eq 0 ]] || usage_error "stop takes no arguments"
   local jar home java=java
-  jar=$(ls -t "$HEADLESS_PRODUCT"/plugins/org.robotui.headless_*.jar 2>/dev/null | head -n 1) || true
+  jar=$(jar_of org.robotui.headless 2>/dev/null) || true
   [[ -n $jar ]] || { say "robotui: nothing of this folder runs: it was never built"; exit 4; }
-  ! home=$(find_jdk) || java=$home/bin/java
-  exec "$java" -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xshare:auto -Xmx32m -cp "$jar" org.robotui.headless.internal.StopMain "$STATE"
+  ! home=$(find_java java) || java=$home/bin/java
+  exec "$java" -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xshare:auto -Xmx32m -cp "$jar" org.robotui.headless.internal.StopMain "$(state_folder)"
 }

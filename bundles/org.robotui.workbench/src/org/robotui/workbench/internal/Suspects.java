@@ -42,7 +42,7 @@ public final class Suspects {
     try {
       return Files.exists(file) ? Files.readAllLines(file).stream().filter(l -> !l.isBlank()).distinct().toList() : List.of();
     } catch (IOException e) {
-      LOG.warn("{} cannot be read", file, e);
+      LOG.warn("{} cannot be read: {}", file, e.toString());
       return List.of();
     }
   }
@@ -51,7 +51,7 @@ public final class Suspects {
     try {
       Files.deleteIfExists(file);
     } catch (IOException e) {
-      LOG.warn("{} cannot be deleted: the same question comes again", file, e);
+      LOG.warn("{} cannot be deleted, so that the same question comes again: {}", file, e.toString());
     }
   }
 }

@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import java.util.Properties;
 import org.slf4j.Logger;
@@ -28,7 +29,7 @@ public final class UserState {
   /** The folder of this user: a system property, else what the XDG base directories say. */
   public static Path usualFolder() {
     return Optional.ofNullable(System.getProperty("robotui.state")).map(Path::of)
-        .or(() -> Optional.ofNullable(System.getenv("XDG_STATE_HOME")).map(home -> Path.of(home, "robotui")))
+        .or(() -> Optional.ofNullable(System.getenv("XDG_STATE_HOME")).filter(home -> home.startsWith("/")).map(home -> Path.of(home, "robotui")))
         .orElseGet(() -> Path.of(System.getProperty("user.home"), ".local", "state", "robotui"));
   }
 
@@ -55,7 +56,7 @@ public final class UserState {
       try (InputStream in = Files.newInputStream(file)) {
         values.load(in);
       } catch (IOException | IllegalArgumentException e) {
-        LOG.warn("{} cannot be read, the usual values are taken", file, e);
+        LOG.warn("{} cannot be read, so that the usual values are taken: {}", file, e.toString());
       }
     }
   }
@@ -63,14 +64,22 @@ public final class UserState {
   private void write() {
     Path file = folder.resolve(FILE);
     try {
-      Files.createDirectories(folder);
-      Path next = Files.createTempFile(folder, FILE, ".new");
+      Files.createDirectories(folder, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+      write(file, Files.createTempFile(folder, FILE, ".new"));
+    } catch (IOException e) {
+      LOG.warn("{} cannot be written, so that what you change is kept for this run only: {}", file, e.toString());
+    }
+  }
+
+  /** By way of a file beside it, which is gone afterwards also when the disk is full. */
+  private void write(Path file, Path next) throws IOException {
+    try {
       try (OutputStream out = Files.newOutputStream(next)) {
         values.store(out, null);
       }
       Files.move(next, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-    } catch (IOException e) {
-      LOG.warn("{} cannot be written", file, e);
+    } finally {
+      Files.deleteIfExists(next);
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal;
 
+import java.io.File;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -7,8 +8,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.core.runtime.ILog;
+import org.eclipse.core.runtime.IStatus;
+import org.eclipse.core.runtime.Platform;
 import org.eclipse.equinox.app.IApplication;
 import org.eclipse.equinox.app.IApplicationContext;
+import org.eclipse.swt.SWTError;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.PlatformUI;
@@ -27,7 +31,7 @@ import org.robotui.workbench.internal.rcp.RobotWorkbenchAdvisor;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The workbench. Exit codes: 0 fine, 2 a configuration cannot be read, 3 wrong arguments, 4 the core did not start. */
+/** The workbench. Exit codes: 0 fine, 2 a configuration cannot be read, 3 wrong arguments, 4 the core did not start, 5 there is no display. */
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
   private static final Duration CLOSE_LIMIT = Duration.ofMillis(1200);
@@ -36,6 +40,8 @@ public final class WorkbenchApplication implements IApplication {
   private static final int UNREADABLE = 2;
   private static final int WRONG_ARGUMENTS = 3;
   private static final int NO_CORE = 4;
+  private static final int NO_DISPLAY = 5;
+  private static final int ROOM_FOR_LOG = 64 << 10;
   private static final String THEME = "theme";
   private static final Principal USER = new Principal("workbench", "You", Principal.Kind.WINDOW);
 
@@ -74,7 +80,13 @@ public final class WorkbenchApplication implements IApplication {
   private static Object show(Arguments arguments) throws InterruptedException {
     CompletableFuture<Void> components = WorkbenchServices.startLaterBundles(CORE_LIMIT);
     Display.setAppName("RobotUI");
-    Display display = PlatformUI.createDisplay();
+    Display display;
+    try {
+      display = PlatformUI.createDisplay();
+    } catch (SWTError | UnsatisfiedLinkError e) {
+      System.err.println(withoutDisplay(e));
+      return NO_DISPLAY;
+    }
     try {
       Optional<Host> host = WorkbenchServices.host(CORE_LIMIT);
       if (host.isEmpty()) {
@@ -85,6 +97,14 @@ public final class WorkbenchApplication implements IApplication {
     } finally {
       display.dispose();
     }
+  }
+
+  private static String withoutDisplay(Error failure) {
+    return failure instanceof UnsatisfiedLinkError
+        ? "RobotUI cannot open a window: GTK 3 is not installed, or not wholly (" + failure.getMessage().lines().findFirst().orElse("") + ")"
+        : "RobotUI cannot open a window: there is no display, or it does not let us in (DISPLAY is "
+            + Optional.ofNullable(System.getenv("DISPLAY")).map(name -> "'" + name + "'").orElse("not set")
+            + "). Start it from a desktop session, through ssh -X or by xvfb-run -a, or see it as text: ./robotui run --text";
   }
 
   private static Object run(Host host, Display display, Arguments arguments, CompletableFuture<Void> components) {
@@ -105,7 +125,7 @@ public final class WorkbenchApplication implements IApplication {
     CountDownLatch ended = new CountDownLatch(1);
     Runtime.getRuntime().addShutdownHook(new Thread(() -> onSignal(session.host(), display, ended), "robotui-stop"));
     Optional<ErrorLog> errors =
-        ErrorLog.open(LoggerFactory.getILoggerFactory(), ILog.of(WorkbenchApplication.class)::log);
+        ErrorLog.open(LoggerFactory.getILoggerFactory(), WorkbenchApplication::tellPlatform);
     try (Heartbeat heartbeat = new Heartbeat(session.host(), display);
         StopKeys keys = new StopKeys(display, session::stop)) {
       RobotWorkbenchAdvisor advisor = new RobotWorkbenchAdvisor(session, heartbeat::begin);
@@ -141,6 +161,14 @@ public final class WorkbenchApplication implements IApplication {
   /** Not made with the class: the first logger of all takes a while, and core asks for one beside the start of the display. */
   private static Logger log() {
     return LoggerFactory.getLogger(WorkbenchApplication.class);
+  }
+
+  /** Where its log cannot be written, the platform would print its own failure, stack and all. */
+  private static void tellPlatform(IStatus status) {
+    File folder = Platform.getLogFileLocation().toFile().getParentFile();
+    if (folder.getUsableSpace() > ROOM_FOR_LOG) {
+      ILog.of(WorkbenchApplication.class).log(status);
+    }
   }
 
   private static void wake(Display display) {

@@ -53,7 +53,7 @@ class ShippingRulesTest {
 
   @Test
   void a_component_that_the_window_would_wait_for_is_refused() {
-    assertEquals(List.of("org.robotui.uic.plot: has no startLevel=\"5\" in product/org.robotui.workbench.product: the window would wait for it"),
+    assertEquals(List.of("org.robotui.uic.plot: has no start level in product/org.robotui.workbench.p2.inf: the window would wait for it"),
         fixtureWithLaterBundle("org.robotui.uic.map").bundle("org.robotui.uic.plot").violationsOf(new StartLevelRule()));
   }
 
@@ -68,9 +68,22 @@ class ShippingRulesTest {
     assertEquals(1, fixtureWithLaterBundle("org.robotui.ui").violationsOf(new StartLevelRule()).size());
   }
 
+  @Test
+  void bundles_may_be_named_by_what_their_ids_begin_with() {
+    assertEquals(List.of(), fixtureWithLaterBundle("org.robotui.uic.map")
+        .file("product/org.robotui.workbench.p2.inf", "units.0.hostRequirements.1.matchExp = id ~= /org.robotui.uic.*/").violationsOf(new StartLevelRule()));
+  }
+
+  @Test
+  void a_product_that_names_a_bundle_is_refused() {
+    assertEquals(List.of("product/org.robotui.workbench.product: names org.robotui.uic.map, whose feature could then not be taken out"),
+        fixtureWithLaterBundle("org.robotui.uic.map")
+            .file("product/org.robotui.workbench.product", "<plugin id=\"org.robotui.uic.map\" autoStart=\"false\" startLevel=\"5\"/>")
+            .violationsOf(new StartLevelRule()));
+  }
+
   private Fixture fixtureWithLaterBundle(String later) {
-    return new Fixture(folder).bundle(later).file("product/org.robotui.workbench.product",
-        "<configurations><plugin id=\"" + later + "\" autoStart=\"false\" startLevel=\"5\"/></configurations>");
+    return new Fixture(folder).bundle(later).file("product/org.robotui.workbench.p2.inf", "units.0.hostRequirements.1.matchExp = id ~= /" + later + "/");
   }
 
   private Fixture fixtureWithFeatures(String... shipped) {

@@ -77,7 +77,12 @@ record ConfigFile(Path path) {
 
   private Path beside(String text) throws IOException {
     Path next = Files.createTempFile(folder(), "." + path.getFileName(), ".new");
-    Files.writeString(next, text);
+    try {
+      Files.writeString(next, text);
+    } catch (IOException e) {
+      Files.deleteIfExists(next);
+      throw e;
+    }
     Optional<PosixFileAttributeView> view = rights(next);
     if (view.isPresent()) {
       view.get().setPermissions(java.nio.file.attribute.PosixFilePermissions.fromString("rw-r--r--"));

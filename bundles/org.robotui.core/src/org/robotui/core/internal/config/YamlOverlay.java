@@ -60,8 +60,12 @@ public final class YamlOverlay implements OverlayFile {
     overlays.forEach((name, overlay) -> root.put(name, written(overlay)));
     Files.createDirectories(file.toAbsolutePath().getParent());
     Path fresh = Files.createTempFile(file.toAbsolutePath().getParent(), file.getFileName().toString(), ".new");
-    Files.writeString(fresh, yaml().dump(root));
-    Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    try {
+      Files.writeString(fresh, yaml().dump(root));
+      Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    } finally {
+      Files.deleteIfExists(fresh);        // where the disk is full
+    }
   }
 
   private static Yaml yaml() {

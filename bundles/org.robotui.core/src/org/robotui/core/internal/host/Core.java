@@ -44,9 +44,12 @@ import org.robotui.core.internal.watch.DisplayWatchdog;
 import org.robotui.core.internal.watch.MemoryWatch;
 import org.robotui.core.internal.watch.SuspectFile;
 import org.robotui.core.internal.watch.Watch;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The core, put together. It knows nothing of OSGi. */
 public final class Core implements Host {
+  private static final Logger LOG = LoggerFactory.getLogger(Core.class);
   private static final Services.Stage NO_STAGE =
       new Services.Stage(Surface.NONE, new Principal("core", "RobotUI", Principal.Kind.SCRIPT));
 
@@ -134,7 +137,10 @@ public final class Core implements Host {
       return more.size() == before ? List.of(new ConfigChange.Step.Added(config.name())) : List.of();
     });
     events.ruicsChanged();
-    return new ConfigChange(file, Stream.concat(change.problems().stream(), more.stream()).toList(), change.steps());
+    ConfigChange all = new ConfigChange(file, Stream.concat(change.problems().stream(), more.stream()).toList(), change.steps());
+    LOG.info("read {} with {} problems; robot UIs: {}", file, all.problems().size(), ruics.stream().map(RuicRuntime::name).toList());
+    all.problems().forEach(problem -> LOG.info("{}", problem));
+    return all;
   }
 
   private synchronized void add(Path file, RuicConfig config, List<Problem> problems) {

@@ -55,8 +55,11 @@ public final class CoreComponent implements Host {
   /** Called by declarative services. */
   @Activate
   public CoreComponent(BundleContext context) {
-    core = new Core(new CoreParts(registry, new YamlConfigSource(System.getenv()), new SchemaCheck(), new YamlOverlay(),
-        StateFolder.of(System.getProperties(), System.getenv()), new OsgiBundleNames(context), NanoClock.SYSTEM,
+    StateFolder state = StateFolder.of(System.getProperties(), System.getenv());
+    LOG.info("RobotUI {}, Java {} ({}), {} {} on {}, {} processors, {} MB for Java, state in {}", context.getBundle().getVersion(),
+        System.getProperty("java.version"), System.getProperty("java.home"), System.getProperty("os.name"), System.getProperty("os.version"),
+        System.getProperty("os.arch"), Runtime.getRuntime().availableProcessors(), Runtime.getRuntime().maxMemory() >> 20, state.path());
+    core = new Core(new CoreParts(registry, new YamlConfigSource(System.getenv()), new SchemaCheck(), new YamlOverlay(), state, new OsgiBundleNames(context), NanoClock.SYSTEM,
         WallClock.SYSTEM));
   }
 

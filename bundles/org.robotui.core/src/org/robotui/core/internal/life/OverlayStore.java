@@ -43,7 +43,7 @@ public final class OverlayStore {
     try {
       return format.read(file);
     } catch (IOException e) {
-      LOG.warn("What was changed before is lost: {} cannot be read", file, e);
+      LOG.warn("What was changed before is lost: {} cannot be read: {}", file, e.toString());
       return Map.of();
     }
   }
@@ -72,7 +72,7 @@ public final class OverlayStore {
       try {
         format.write(file, copy());
       } catch (IOException e) {
-        LOG.warn("What was changed cannot be kept: {} cannot be written", file, e);
+        LOG.warn("What was changed cannot be kept: {} cannot be written: {}", file, e.toString());
       }
     }
   }

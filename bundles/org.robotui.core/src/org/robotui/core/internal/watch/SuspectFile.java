@@ -30,7 +30,7 @@ public final class SuspectFile {
         Files.writeString(file, bundle + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
       }
     } catch (IOException e) {
-      LOG.warn("{} cannot be written: the next start will not know of bundle {}", file, bundle, e);
+      LOG.warn("{} cannot be written, so that the next start will not know of bundle {}: {}", file, bundle, e.toString());
     }
   }
 

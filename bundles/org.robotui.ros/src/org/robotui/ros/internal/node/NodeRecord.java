@@ -45,8 +45,12 @@ record NodeRecord(String node, String uri, String rpcUri, String master, Owner p
     StringWriter text = new StringWriter();
     all.store(text, "registered at a ROS master; removed when the node is closed");
     Path part = file.resolveSibling(file.getFileName() + ".part");
-    Files.writeString(part, text.toString());
-    Files.move(part, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    try {
+      Files.writeString(part, text.toString());
+      Files.move(part, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    } finally {
+      Files.deleteIfExists(part);
+    }
   }
 
   static NodeRecord read(Path file) throws IOException {

@@ -174,7 +174,7 @@ public final class Measurement implements AutoCloseable {
       Files.writeString(next, json());
       Files.move(next, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     } catch (IOException e) {
-      LOG.error("{} could not be written", file, e);
+      LOG.error("{} could not be written: {}", file, e.toString());
     }
   }
 

@@ -1,0 +1,223 @@
+"""The products as somebody gets them who unpacks an archive: their own launcher, on machines that lack this and that."""
+import os
+import pathlib
+import re
+import shutil
+import stat
+import subprocess
+
+import pytest
+
+from conftest import NO_DISPLAY, ROOT
+
+PRODUCTS = {kind: ROOT / f"product/target/products/org.robotui.{kind}.product/linux/gtk/x86_64" for kind in ("workbench", "headless")}
+UPDATE_SITE = ROOT / "product/target/repository"
+DIRECTOR = ("-application", "org.eclipse.equinox.p2.director")
+ROS = "org.robotui.feature.ros.feature.group"
+
+
+def run(program, *arguments, seconds=120, without=(), **variables):
+    environment = {name: value for name, value in os.environ.items() if name not in (*NO_DISPLAY, *without)} | variables
+    return subprocess.run([program, *map(str, arguments)], env=environment, stdin=subprocess.DEVNULL, text=True, capture_output=True,
+                          timeout=seconds, check=False)
+
+
+def shell(*parts, then, **variables):
+    """Runs shell code after parts of ./robotui."""
+    code = "set -euo pipefail\n" + "".join(f"source {ROOT}/tools/{part}.sh\n" for part in parts) + then
+    return run("/bin/bash", "-c", code, **variables)
+
+
+@pytest.fixture(params=PRODUCTS)
+def product(request):
+    return PRODUCTS[request.param]
+
+
+@pytest.fixture
+def unpacked(tmp_path):
+    """A product of its own, in a folder with a name that is not ASCII and has a space."""
+    folder = tmp_path / "Büro 1" / "robotui"
+    shutil.copytree(PRODUCTS["headless"], folder, symlinks=True)
+    return folder
+
+
+@pytest.fixture
+def state(tmp_path):
+    return tmp_path / "state"
+
+
+# ---- what is in it ----------------------------------------------------------------------------------------------------
+
+
+def test_it_has_what_belongs_to_a_product(product):
+    for name in ("LICENSE", "THIRD-PARTY.md", "README.md", "robotui.desktop", "robotui.svg", "configs/demo.yaml", "configs/lcm/types"):
+        assert (product / name).exists(), name
+
+
+def test_each_says_which_version_it_is(product):
+    for program in (product / "robotui", ROOT / "robotui"):
+        said = run(program, "--version")
+        assert said.returncode == 0, said.stderr
+        assert re.match(r"RobotUI 0\.\d+\.\d+.*\nJava \d+.* in /", said.stdout), said.stdout
+
+
+def test_its_own_launcher_runs_the_demo(product, state):
+    demo = run(product / "robotui", "run", "--text", "--for", "4", XDG_STATE_HOME=str(state))
+
+    assert demo.returncode == 0, demo.stderr
+    assert "ROS_MASTER_URI=http://127.0.0.1:" in demo.stderr
+    assert "Natalie" in demo.stdout
+
+
+def test_its_own_launcher_checks_a_configuration(product, state):
+    fine = run(product / "robotui", "check", "demo", XDG_STATE_HOME=str(state))
+
+    assert fine.returncode == 0, fine.stderr
+    assert "Natalie" in fine.stdout
+    assert "no errors, no warnings" in fine.stdout
+
+
+def test_it_goes_among_the_applications_of_a_desktop_and_out_again(unpacked, tmp_path):
+    data = tmp_path / "data"
+    assert run(unpacked / "robotui", "desktop", XDG_DATA_HOME=str(data)).returncode == 0
+
+    entry = (data / "applications/robotui.desktop").read_text(encoding="utf-8")
+    assert f'Exec="{unpacked}/robotui" run\n' in entry
+    assert f"Icon={unpacked}/robotui.svg\n" in entry
+
+    assert run(unpacked / "robotui", "desktop", "--remove", XDG_DATA_HOME=str(data)).returncode == 0
+    assert list((data / "applications").iterdir()) == []
+
+
+# ---- machines that lack something ---------------------------------------------------------------------------------------
+
+
+def test_an_older_java_in_the_path_is_passed_over(product, state, tmp_path):
+    old = tmp_path / "jdk-17"
+    (old / "bin").mkdir(parents=True)
+    (old / "release").write_text('JAVA_VERSION="17.0.15"\n', encoding="ascii")
+    (old / "bin/java").write_text("#!/bin/sh\necho UnsupportedClassVersionError >&2\nexit 1\n", encoding="ascii")
+    (old / "bin/java").chmod(0o755)
+
+    fine = run(product / "robotui", "-application", "org.robotui.headless.application", "-check", product / "configs/demo.yaml",
+               XDG_STATE_HOME=str(state), JAVA_HOME=str(old), PATH=f"{old}/bin:{os.environ['PATH']}")
+
+    assert fine.returncode == 0, fine.stderr
+
+
+def test_without_any_java_it_says_which_is_needed_and_where_to_get_it():
+    said = shell("say", "packages", "java", then="java_candidates() { :; }; need_java")
+
+    assert said.returncode == 1
+    assert "needs Java >= 21" in said.stderr
+    assert "apt-get install" in said.stderr or "adoptium.net" in said.stderr
+
+
+def test_without_a_display_the_window_says_so(state):
+    said = run(PRODUCTS["workbench"] / "robotui", "-config", ROOT / "configs/player.yaml", XDG_STATE_HOME=str(state))
+
+    assert said.returncode == 5, said.stderr
+    assert "there is no display" in said.stderr
+    assert "DISPLAY is not set" in said.stderr
+    assert "log file" not in said.stdout + said.stderr
+
+
+def test_without_home_it_is_that_of_the_user(product):
+    folder = shell("say", "surroundings", then="need_home; state_folder", without=("HOME", "XDG_STATE_HOME"))
+
+    assert folder.stdout == str(pathlib.Path(os.path.expanduser("~")) / ".local/state/robotui")
+    for program in (product / "robotui", ROOT / "robotui"):
+        assert run(program, "--version", without=("HOME",)).returncode == 0
+
+
+def test_where_nothing_can_be_kept_that_is_said_and_it_runs(product, tmp_path):
+    (tmp_path / "file").write_text("", encoding="ascii")
+    rooms = tmp_path / "tmp"
+    rooms.mkdir()
+
+    fine = run(product / "robotui", "check", "demo", XDG_STATE_HOME=str(tmp_path / "file"), TMPDIR=str(rooms))
+
+    assert fine.returncode == 0, fine.stderr
+    assert f"{tmp_path}/file/robotui cannot be written" in fine.stderr
+    assert "XDG_STATE_HOME" in fine.stderr
+    assert list(rooms.glob("robotui-state*")) == []
+
+
+def test_names_in_any_language_can_be_read_in_the_plain_locale(unpacked, state, tmp_path):
+    config = tmp_path / "Räume/für-überall.yaml"
+    config.parent.mkdir()
+    shutil.copy(ROOT / "configs/player.yaml", config)
+
+    fine = run(unpacked / "robotui", "check", config, XDG_STATE_HOME=str(state), LC_ALL="C", LANG="C")
+
+    assert fine.returncode == 0, fine.stdout + fine.stderr
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root can make a disk that is full")
+def test_a_full_disk_is_said_in_a_sentence(tmp_path):
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk], check=True)
+    try:
+        subprocess.run(["dd", "if=/dev/zero", f"of={disk}/all", "bs=4k"], capture_output=True, check=False)
+        fine = run(PRODUCTS["headless"] / "robotui", "check", "demo", XDG_STATE_HOME=str(disk))
+    finally:
+        subprocess.run(["umount", "--lazy", disk], check=True)
+
+    assert fine.returncode == 0, fine.stderr
+    assert "cannot be written" in fine.stderr
+    assert "\tat " not in fine.stderr + fine.stdout
+
+
+# ---- what it keeps ------------------------------------------------------------------------------------------------------
+
+
+def test_nobody_else_can_read_what_it_keeps_and_the_log_says_what_ran(product, state):
+    run(product / "robotui", "run", "player", "--text", "--for", "2", XDG_STATE_HOME=str(state), PLAYER_HOST="127.0.0.1", PLAYER_PORT="1")
+
+    (log,) = state.glob("robotui/workspace-*/robotui.log")
+    assert stat.S_IMODE((state / "robotui").stat().st_mode) == 0o700
+    assert stat.S_IMODE(log.stat().st_mode) == 0o600
+    text = log.read_text(encoding="utf-8")
+    assert re.search(r"RobotUI 0\.\d+\.\d+\S*, Java \d+", text), text
+    assert "Linux" in text
+    assert str(product / "configs/player.yaml") in text
+
+
+# ---- features -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def removable(tmp_path):
+    if not (UPDATE_SITE / "p2.index").exists():
+        pytest.skip("there is no update site: ./robotui package makes it")
+    folder = tmp_path / "robotui"
+    shutil.copytree(PRODUCTS["workbench"], folder, symlinks=True, ignore=shutil.ignore_patterns("classes.jsa"))
+    return folder
+
+
+def installed(product):
+    """The bundles that its framework starts with."""
+    return {line.split(",")[0] for line in (product / "configuration/org.eclipse.equinox.simpleconfigurator/bundles.info").read_text().splitlines()}
+
+
+def test_a_framework_is_taken_out_and_installed_again(removable, state):
+    def director(*arguments):
+        done = run(removable / "robotui", *DIRECTOR, *arguments, seconds=300, XDG_STATE_HOME=str(state))
+        assert done.returncode == 0, done.stdout + done.stderr
+
+    ours = {"org.robotui.ros", "org.robotui.rfic.ros"}
+    assert ours <= installed(removable)
+
+    director("-uninstallIU", ROS)
+    assert not ours & installed(removable)
+    without = run(removable / "robotui", "check", "ros", XDG_STATE_HOME=str(state))
+    assert "type 'ros' is not installed" in without.stdout + without.stderr
+    demo = run(removable / "robotui", "run", "demo", "--text", "--for", "2", XDG_STATE_HOME=str(state))
+    assert demo.returncode == 1
+    assert "RobotUI for ROS 1" in demo.stderr
+    assert "\tat " not in demo.stderr
+
+    director("-repository", UPDATE_SITE.as_uri(), "-installIU", ROS)
+    assert ours <= installed(removable)
+    assert run(removable / "robotui", "check", "ros", XDG_STATE_HOME=str(state)).returncode == 0

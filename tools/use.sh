@@ -1,0 +1,44 @@
+# What a checkout and a product have in common for those who use them: the help, and which RobotUI this is.
+
+help_use() {
+  cat <<'TEXT'
+  ./robotui run [CONFIG...]     open the workbench (default: the demo, with two simulated robots)
+      --text                    the text view, without a window
+      --json                    JSON lines instead: one per port and second
+      --show NAME               with --text or --json: also this robot UI, which starts only when it is shown
+      --watch                   with --text or --json: take up what is changed in the files (the window always does, and asks)
+      --for SECONDS             end by itself
+      --screenshot FILE         save the window's picture ...
+      --after SECONDS           ... this long after the start
+      --theme light|dark        how the window looks
+      --measure FILE            write every second how long the start and the display took
+      --stay                    leave the simulated robot running at the end
+  ./robotui stop                stop the robots of all running workbenches of this user, also where a window hangs; says what was stopped.
+                                0: all stopped, 1: one does not answer, 4: none runs. A stop stays until it is released in a window
+  ./robotui check CONFIG        print every connection made, refused, pending or ambiguous, and why
+      --live                    ask the running robots what they have (else no robot is asked)
+      --reuse md|csv            also print which bundles are used by which robot UI, as a table
+  ./robotui new --rfic TYPE --name NAME FILE   write the configuration of a robot from what it offers, and say why; FILE is new, or added to
+      --set KEY=VALUE           a setting of its interface, such as host=keira (any number)
+      --ruic TYPE  --views A,B  else what fits best;  --connect VIEW.PORT=PORT  where several ports fit, else the plainest
+      --robot NAME  --wait SECONDS  --dry   print it only
+TEXT
+}
+
+help_end() {
+  cat <<'TEXT'
+  ./robotui --version           which RobotUI this is, and with which Java it runs
+  ./robotui help                this text
+TEXT
+}
+
+# cmd_version VERSION
+cmd_version() {
+  local home
+  printf 'RobotUI %s\n' "$1"
+  if home=$(find_java java); then
+    printf 'Java %s in %s\n' "$(sed -n 's/^JAVA_VERSION="\(.*\)"/\1/p' "$home/release")" "$home"
+  else
+    printf 'no Java >= %s was found\n' "$JAVA_WANTED"
+  fi
+}
