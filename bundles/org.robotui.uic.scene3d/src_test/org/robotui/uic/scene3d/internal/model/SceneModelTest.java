@@ -112,9 +112,8 @@ class SceneModelTest {
     offer(POSE, OTHER);
     start();
     model.tick(0);
-    put(POSE);
+    input.put(POSE, new StampedPose(BASE, RigidTransform.IDENTITY), System.nanoTime(), Optional.empty());
     put(OTHER);
-    input.keep(OTHER);
     model.tick(1);
     context.ruic().reset();
     model.tick(2);
