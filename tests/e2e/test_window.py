@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from conftest import Robot, end, free_port, listening, start_simulator, wait_for
+from conftest import ROOT, Robot, end, free_port, listening, start_simulator, wait_for
 from desktop import DARK, LIGHT, TOP_BAR, Keys, Motion, Picture, Window, java_of, missing
 
 # What a robot may need to come to rest after the last command: its own time-out, and a machine with much to do.
@@ -119,12 +119,12 @@ def test_a_window_that_loses_the_focus_stops_the_robot(window, motion, keys, pro
     end(other)
 
 
-@pytest.mark.parametrize("how", ["key", "button"])
-def test_a_stop_is_latched_until_it_is_released(window, motion, keys, how):
+@pytest.mark.parametrize("how", ["key", "button", "terminal"])
+def test_a_stop_is_latched_until_it_is_released(window, motion, keys, how, simulator):
     assert window.release_button() is None
     drive(window, motion, keys)
 
-    stop(window, keys, how)
+    stop(window, keys, how, simulator)
     assert motion.seconds_until_it_stood(time.time()) < REST
     assert motion.stands_for(25)
     release = wait_for(window.release_button, what="the window to show the stop")
@@ -140,12 +140,16 @@ def test_a_stop_is_latched_until_it_is_released(window, motion, keys, how):
     drive(window, motion, keys)
 
 
-def stop(window, keys, how):
+def stop(window, keys, how, simulator):
     if how == "key":
         keys.press("F12")
-    else:
+    elif how == "button":
         window.click(window.stop_button())
         window.move(window.stick())     # a button under the pointer has another colour
+    else:
+        state = {"XDG_STATE_HOME": str(simulator.processes.folder / "window-state")}
+        told = subprocess.run([ROOT / "robotui", "stop"], env=simulator.environment | state, capture_output=True, text=True, timeout=60, check=False)
+        assert told.returncode == 0 and "is stopped" in told.stdout + told.stderr, told
 
 
 def test_a_goal_on_the_map_sends_the_robot_there(window, motion, simulator, keys):
