@@ -46,7 +46,7 @@ record Gallery(GalleryWindow window, Theme theme) {
     }
     if (count > 4) {
       squad.lose(2).is(4, new InputState.Stale(2.1, "the newest is older than usual"))
-          .is(5, new InputState.Failed("nobody publishes /r5/odom any more"));
+          .is(5, InputState.Stale.lost(20, "nobody publishes /r5/odom any more", 12));
       squad.robot(3).stop(FakeAuthority.ANNA);
       squad.does(6, 4, "gave up: the way is blocked");
     }

@@ -38,6 +38,7 @@ record Condition(Doing doing, String words, String why) {
     InputState state = source.map(odometry::state).orElseGet(() -> new InputState.Waiting("it offers no odometry"));
     return switch (state) {
       case InputState.Failed f -> new Condition(Doing.SILENT, "silent", f.explanation());
+      case InputState.Stale s when s.lostSeconds().isPresent() -> new Condition(Doing.SILENT, "silent", s.explanation());
       case InputState.Stale s -> new Condition(Doing.STALE, "stale " + Figures.age(s.ageSeconds()), s.explanation());
       case InputState.Waiting w -> new Condition(Doing.WAITING, "no position", w.explanation());
       case InputState.Unconnected u -> new Condition(Doing.WAITING, "no position", u.explanation());

@@ -56,7 +56,7 @@ class TeamModelTest {
 
   @Test
   void saysWhyARobotIsSilentWhileOthersGoOn() {
-    Squad squad = new Squad(2).drives(1, 0, 0, 0.2).drives(2, 0, 0, 0.2).is(1, new InputState.Failed("nobody publishes /r1/odom any more"));
+    Squad squad = new Squad(2).drives(1, 0, 0, 0.2).drives(2, 0, 0, 0.2).is(1, InputState.Stale.lost(12, "nobody publishes /r1/odom any more", 10));
     assertEquals(Doing.SILENT, row(squad, 1).doing());
     assertEquals("nobody publishes /r1/odom any more", row(squad, 1).why());
     assertEquals(Doing.DRIVING, row(squad, 2).doing());
