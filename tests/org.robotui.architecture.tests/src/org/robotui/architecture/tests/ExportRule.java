@@ -1,14 +1,9 @@
 package org.robotui.architecture.tests;
 
-import java.util.List;
 import java.util.stream.Stream;
 
-/** Internals are not exported. */
+/** Internals are not exported, and nothing at all by bundles that bundles/LAYERS has for nobody. */
 final class ExportRule implements Rule {
-
-  private static final List<String> EXPORTERS = List.of("org.robotui.geometry", "org.robotui.guard", "org.robotui.lcm", "org.robotui.player", "org.robotui.ros",
-      "org.robotui.urdf", "org.robotui.xbot", "org.robotui.data", "org.robotui.api", "org.robotui.ui", "org.robotui.gl",
-      "org.robotui.entity.*", "org.robotui.testkit", "org.robotui.testkit.*");
 
   @Override
   public String statement() {
@@ -18,12 +13,12 @@ final class ExportRule implements Rule {
   @Override
   public Stream<Violation> violations(Repository repository) {
     return repository.bundles().stream().flatMap(bundle -> bundle.manifest().exportedPackages().stream()
-        .flatMap(exported -> complaints(bundle, exported)
+        .flatMap(exported -> complaints(bundle, exported, repository.layers())
             .map(complaint -> new Violation(bundle.name(), "exports " + exported + ": " + complaint))));
   }
 
-  private static Stream<String> complaints(Bundle bundle, String exported) {
-    if (EXPORTERS.stream().noneMatch(bundle::matches)) {
+  private static Stream<String> complaints(Bundle bundle, String exported, Layers layers) {
+    if (layers.height(bundle.name()).stream().anyMatch(height -> layers.at(height).isForNobody())) {
       return Stream.of("this bundle exports nothing");
     }
     if ((exported + ".").contains(".internal.")) {

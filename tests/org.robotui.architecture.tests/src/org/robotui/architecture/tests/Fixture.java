@@ -11,17 +11,17 @@ final class Fixture {
 
   static final String LAYERS = """
       # as in the real file
-      0b  org.robotui.ros
-      0c  org.robotui.sim
-      1   org.robotui.data
-      2   org.robotui.api
-      3   org.robotui.core
-      4   org.robotui.rfic.*
-      5   org.robotui.ui
-      6   org.robotui.entity.*
-      7   org.robotui.uic.*
-      8   org.robotui.ruic.*
-      9   org.robotui.workbench  org.robotui.headless
+      0c  for 0d 4 org.robotui.ros
+      0d  for none org.robotui.sim
+      1            org.robotui.data
+      2            org.robotui.api
+      3   for none org.robotui.core
+      4   for none org.robotui.rfic.*
+      5            org.robotui.ui
+      6            org.robotui.entity.*
+      7   for none org.robotui.uic.*
+      8   for none org.robotui.ruic.*
+      9   for none org.robotui.workbench  org.robotui.headless
       """;
 
   private final Path root;

@@ -4,12 +4,12 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 
-/** Arrows point strictly down the lines of bundles/LAYERS, in manifests and in sources. */
+/** Arrows point strictly down the lines of bundles/LAYERS, in manifests and in sources, and only from those whom a line is for. */
 final class LayerRule implements Rule {
 
   @Override
   public String statement() {
-    return "a bundle imports only from layers below its own";
+    return "a bundle imports only from layers below its own that are for it";
   }
 
   @Override
@@ -27,16 +27,21 @@ final class LayerRule implements Rule {
   private static Optional<Violation> violation(Bundle from, Uses.Use use, Repository repository) {
     return repository.owner(use.name())
         .filter(to -> !to.name().equals(from.name()))
-        .flatMap(to -> upward(from, to, use, repository.layers()));
+        .flatMap(to -> wrongArrow(from, to, use, repository.layers()));
   }
 
-  private static Optional<Violation> upward(Bundle from, Bundle to, Uses.Use use, Layers layers) {
+  private static Optional<Violation> wrongArrow(Bundle from, Bundle to, Uses.Use use, Layers layers) {
     int own = layers.height(from.name()).orElseThrow();
     OptionalInt other = layers.height(to.name());
-    if (other.isEmpty() || other.getAsInt() < own) {
+    if (other.isEmpty()) {
       return Optional.empty();
     }
-    return Optional.of(new Violation(use.where(), "layer %s uses %s of layer %s".formatted(
-        layers.level(own), use.name(), layers.level(other.getAsInt()))));
+    Layers.Layer user = layers.at(own);
+    Layers.Layer used = layers.at(other.getAsInt());
+    String arrow = "layer %s uses %s of layer %s".formatted(user.level(), use.name(), used.level());
+    if (other.getAsInt() >= own) {
+      return Optional.of(new Violation(use.where(), arrow));
+    }
+    return used.isFor(user.level()) ? Optional.empty() : Optional.of(new Violation(use.where(), arrow + ", which is for " + used.audience()));
   }
 }

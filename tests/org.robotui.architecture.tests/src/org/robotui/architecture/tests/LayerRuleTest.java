@@ -7,6 +7,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LayerRuleTest {
 
@@ -16,7 +18,7 @@ class LayerRuleTest {
 
   @BeforeEach
   void twoBundlesThatAreRight() {
-    fixture = new Fixture(folder).bundle("org.robotui.data").bundle("org.robotui.core", "Import-Package: org.robotui.data");
+    fixture = new Fixture(folder).bundle("org.robotui.data").bundle("org.robotui.core", "Import-Package: org.robotui.data").bundle("org.robotui.ros");
   }
 
   @Test
@@ -65,6 +67,29 @@ class LayerRuleTest {
         "/** See org.robotui.core.Core. */\nclass Scan { String id = \"org.robotui.core.Core\"; }");
 
     assertEquals(List.of(), violations());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"org.robotui.rfic.ros", "org.robotui.sim"})
+  void accepts_those_whom_a_line_is_for(String user) {
+    fixture.bundle(user, "Import-Package: org.robotui.ros.master");
+
+    assertEquals(List.of(), violations());
+  }
+
+  @Test
+  void refuses_those_whom_a_line_is_not_for() {
+    fixture.bundle("org.robotui.uic.map", "Import-Package: org.robotui.ros.master");
+
+    assertEquals(List.of("org.robotui.uic.map/META-INF/MANIFEST.MF: layer 7 uses org.robotui.ros.master of layer 0c, which is for 0d 4 alone"),
+        violations());
+  }
+
+  @Test
+  void refuses_to_import_what_is_for_nobody() {
+    fixture.bundle("org.robotui.uic.map", "Require-Bundle: org.robotui.core");
+
+    assertEquals(List.of("org.robotui.uic.map/META-INF/MANIFEST.MF: layer 7 uses org.robotui.core of layer 3, which is for nobody"), violations());
   }
 
   @Test

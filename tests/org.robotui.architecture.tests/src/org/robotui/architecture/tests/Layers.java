@@ -6,11 +6,35 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 
-/** The file bundles/LAYERS: lines of a level and its bundles, lowest first. */
+/** The file bundles/LAYERS: lines of a level, for whom it is, and its bundles, lowest first. */
 record Layers(List<Layer> layers) {
 
-  /** One line: its level as written, and the names or patterns of its bundles. */
-  record Layer(String level, List<String> patterns) {
+  private static final String FOR = "for";
+
+  private static final String NOBODY = "none";
+
+  private static final String OURS = "org.robotui.";
+
+  /**
+   * One line.
+   *
+   * @param level as written
+   * @param users the levels that may import it: empty means all those below the line
+   * @param patterns the names or patterns of its bundles
+   */
+  record Layer(String level, List<String> users, List<String> patterns) {
+
+    boolean isFor(String other) {
+      return users.isEmpty() || users.contains(other);
+    }
+
+    boolean isForNobody() {
+      return users.equals(List.of(NOBODY));
+    }
+
+    String audience() {
+      return isForNobody() ? "nobody" : String.join(" ", users) + " alone";
+    }
   }
 
   static Layers read(Path file) {
@@ -32,8 +56,8 @@ record Layers(List<Layer> layers) {
         .findFirst();
   }
 
-  String level(int height) {
-    return layers.get(height).level();
+  Layer at(int height) {
+    return layers.get(height);
   }
 
   static boolean matches(String pattern, String name) {
@@ -41,7 +65,9 @@ record Layers(List<Layer> layers) {
   }
 
   private static Layer layer(String line) {
-    String[] words = line.split("\\s+");
-    return new Layer(words[0], Arrays.asList(words).subList(1, words.length));
+    List<String> words = Arrays.asList(line.split("\\s+"));
+    int names = (int) words.stream().takeWhile(word -> !word.startsWith(OURS)).count();
+    boolean limited = names > 1 && words.get(1).equals(FOR);
+    return new Layer(words.getFirst(), limited ? words.subList(2, names) : List.of(), words.subList(names, words.size()));
   }
 }

@@ -3,7 +3,7 @@ package org.robotui.architecture.tests;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Who may use SWT, the Eclipse workbench, and a framework's protocol library. */
+/** Who may use SWT and the Eclipse workbench. Who may use a bundle of ours says bundles/LAYERS. */
 final class ReservedPackagesRule implements Rule {
 
   /** Packages with this prefix are reserved for the bundles that match one of the patterns. */
@@ -22,16 +22,11 @@ final class ReservedPackagesRule implements Rule {
       new Reservation(List.of("org.eclipse.swt", "org.eclipse.jface"),
           List.of("org.robotui.ui", "org.robotui.gl", "org.robotui.entity.*", "org.robotui.uic.*", "org.robotui.workbench",
               "org.robotui.testkit", "org.robotui.testkit.*")),
-      new Reservation(List.of("org.eclipse.ui", "org.eclipse.e4"), List.of("org.robotui.workbench")),
-      new Reservation(List.of("org.robotui.ros"), List.of("org.robotui.ros", "org.robotui.rfic.*", "org.robotui.sim")),
-      new Reservation(List.of("org.robotui.lcm"), List.of("org.robotui.lcm", "org.robotui.rfic.*", "org.robotui.sim")),
-      new Reservation(List.of("org.robotui.player"), List.of("org.robotui.player", "org.robotui.rfic.*", "org.robotui.sim")),
-      new Reservation(List.of("org.robotui.guard"), List.of("org.robotui.guard", "org.robotui.rfic.*")),
-      new Reservation(List.of("org.robotui.sim"), List.of("org.robotui.sim")));
+      new Reservation(List.of("org.eclipse.ui", "org.eclipse.e4"), List.of("org.robotui.workbench")));
 
   @Override
   public String statement() {
-    return "no SWT below the ui, no Eclipse workbench below ours, no framework's library outside its component";
+    return "no SWT below the ui, no Eclipse workbench below ours";
   }
 
   @Override

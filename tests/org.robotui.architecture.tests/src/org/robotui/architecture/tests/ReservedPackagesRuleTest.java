@@ -20,9 +20,6 @@ class ReservedPackagesRuleTest {
     "org.robotui.core,     org.eclipse.swt.graphics",
     "org.robotui.rfic.ros, org.eclipse.jface.action",
     "org.robotui.uic.map,  org.eclipse.ui",
-    "org.robotui.data,     org.robotui.ros.master",
-    "org.robotui.uic.map,  org.robotui.ros",
-    "org.robotui.rfic.ros, org.robotui.sim",
     "org.robotui.headless, org.eclipse.swt.widgets"})
   void refuses_what_is_reserved_for_others(String bundle, String used) {
     List<String> violations = violations(bundle, used);
@@ -34,9 +31,7 @@ class ReservedPackagesRuleTest {
   @ParameterizedTest
   @CsvSource({
     "org.robotui.uic.map,   org.eclipse.swt.graphics",
-    "org.robotui.workbench, org.eclipse.ui",
-    "org.robotui.rfic.ros,  org.robotui.ros.master",
-    "org.robotui.sim,       org.robotui.ros.master"})
+    "org.robotui.workbench, org.eclipse.ui"})
   void accepts_its_users(String bundle, String used) {
     assertEquals(List.of(), violations(bundle, used));
   }
