@@ -34,6 +34,7 @@ build_product() {
   local stamp started=$SECONDS
   need_maven
   need_link
+  list_features
   stamp=$(source_stamp)
   clear_classes
   say "Building RobotUI ($(build_outlook))"
@@ -43,6 +44,9 @@ build_product() {
   printf '%s' "$stamp" >"$STAMP"
   say "Built in $((SECONDS - started)) s"
 }
+
+# The products and the update site have every feature that there is.
+list_features() { "$JAVA_HOME/bin/java" "$ROOT/releng/ProductFeatures.java" "$ROOT" >&2; }
 
 # Tycho compiles the sources that changed, not those that use them: classes of before and after would meet in one product.
 clear_classes() { rm -rf "$ROOT"/bundles/*/target/classes; }
@@ -60,6 +64,7 @@ cmd_package() {
   need_jdk
   need_maven
   need_link
+  list_features
   say "Packaging RobotUI"
   maven "$LOGS/package.log" verify -Dproduct.only -Dmaven.test.skip=true -Dtest.compile.phase=none || exit 1
   source_stamp >"$STAMP"

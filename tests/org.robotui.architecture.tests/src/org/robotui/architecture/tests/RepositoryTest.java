@@ -39,7 +39,7 @@ class RepositoryTest {
     }
   }
 
-  private static Path root() {
+  static Path root() {
     Path folder = Path.of(System.getProperty("robotui.root", "")).toAbsolutePath();
     while (!Files.exists(folder.resolve("bundles/LAYERS"))) {
       folder = folder.getParent();
