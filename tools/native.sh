@@ -86,13 +86,31 @@ cmd_rt_ctl() {
 # All tests with address and undefined-behaviour sanitizers, those of link and host also with that for threads, and those of whole
 # processes as they are shipped: counters of allocations mean nothing under sanitizers.
 test_native() {
-  need_packages "Tests of the real-time side" "${NATIVE_PACKAGES[@]}" "${NATIVE_ROS_PACKAGES[@]}" || exit 1
   mkdir -p "$NATIVE/target"
   [[ $part == all ]] || clear_reports         # else Maven's runner has done so
+  [[ -z ${native_builder:-} ]] || wait "$native_builder" || true       # what failed is tried, and told, again below
   native_suite asan ''
   native_suite tsan '^(link|plugin|host|ros)$' rt_thread_tests
   native_suite release ''
 }
+
+# Compiles with what the tests before leave of the processors: most of their time they wait. A process group of its own, so that it can be ended whole.
+begin_native() {
+  set -m
+  (
+    renice -n 19 "$BASHPID" >/dev/null
+    targets=()
+    native_cmake asan -DBUILD_TESTING=ON
+    targets=(--target rt_thread_tests)
+    native_cmake tsan -DBUILD_TESTING=ON
+    targets=()
+    native_cmake release -DBUILD_TESTING=ON
+  ) </dev/null 2>/dev/null &
+  native_builder=$!
+  set +m
+}
+
+end_native() { [[ -z ${native_builder:-} ]] || kill -- "-$native_builder" 2>/dev/null || true; }
 
 # PRESET FILTER [TARGET...]: a test that fails is counted from its report, one that cannot run at all is said.
 native_suite() {

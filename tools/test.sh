@@ -15,8 +15,9 @@ cmd_test() {
   export ROBOTUI_SHARED=${ROBOTUI_SHARED:-$(realpath -m "$ROOT/../shared")}
   export ROBOTUI_ROOT=$ROOT
   prepare_tests "$part"
-  trap end_display EXIT
+  trap 'end_display; end_native' EXIT
   broken=''
+  [[ $part != all ]] || begin_native
   [[ $part == e2e || $part == native || $part == lint ]] || test_with_maven "$part"
   [[ $part != lint ]] || test_lint
   [[ $part != native && $part != all ]] || test_native
@@ -26,6 +27,7 @@ cmd_test() {
 
 prepare_tests() {
   [[ $1 != all && $1 != native ]] || fetch_mujoco || say "  MuJoCo could not be fetched: its tests will say that they were skipped."
+  [[ $1 != all && $1 != native ]] || need_packages "Tests of the real-time side" "${NATIVE_PACKAGES[@]}" "${NATIVE_ROS_PACKAGES[@]}" || exit 1
   [[ $1 != native && $1 != lint ]] || return 0
   need_jdk
   need_maven
