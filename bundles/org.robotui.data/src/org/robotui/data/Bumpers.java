@@ -8,7 +8,7 @@ import java.util.List;
  * @param frame of their poses, mostly the robot's base
  * @param bumpers in the order in which the robot counts them
  */
-public record Bumpers(FrameId frame, List<Bumper> bumpers) implements Data {
+public record Bumpers(FrameId frame, List<Bumper> bumpers) implements Data, InFrame {
   /**
    * Copies the list.
    *

@@ -22,7 +22,7 @@ public record CameraInfo(
     Doubles intrinsics,
     Doubles rectification,
     Doubles projection)
-    implements Data {
+    implements Data, InFrame {
   private static final int SQUARE = 9;
   private static final int WIDE = 12;
 

@@ -10,7 +10,7 @@ import org.robotui.geometry.Vector3;
  * @param corners at least three, metres, counter-clockwise
  */
 @Delivery(expires = false)
-public record Footprint(FrameId frame, List<Vector3> corners) implements Data {
+public record Footprint(FrameId frame, List<Vector3> corners) implements Data, InFrame {
   private static final int TRIANGLE = 3;
 
   /**

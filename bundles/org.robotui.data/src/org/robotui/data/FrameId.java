@@ -18,6 +18,15 @@ public record FrameId(String robot, String name) {
     name = name.startsWith("/") ? name.substring(1) : name;
   }
 
+  /**
+   * Whether the robot gave it a name.
+   *
+   * @return false where the name is empty
+   */
+  public boolean isNamed() {
+    return !name.isEmpty();
+  }
+
   @Override
   public String toString() {
     return robot + ":" + name;

@@ -12,7 +12,7 @@ package org.robotui.data;
  */
 public record GpsFix(
     FrameId frame, Quality quality, double latitude, double longitude, double altitude, double horizontalAccuracy)
-    implements Data {
+    implements Data, InFrame {
   /** What kind of fix. */
   public enum Quality {
     /** None. */

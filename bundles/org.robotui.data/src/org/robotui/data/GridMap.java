@@ -14,7 +14,7 @@ import org.robotui.geometry.RigidTransform;
  */
 @Delivery(expires = false)
 public record GridMap(FrameId frame, double resolution, int width, int height, RigidTransform origin, Bytes cells)
-    implements Data {
+    implements Data, InFrame {
   /** The value of a cell of which nothing is known. */
   public static final byte UNKNOWN = -1;
 

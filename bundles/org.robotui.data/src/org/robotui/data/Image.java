@@ -1,11 +1,12 @@
 package org.robotui.data;
 
 /** A picture, raw or compressed. */
-public sealed interface Image extends Data permits RawImage, CompressedImage {
+public sealed interface Image extends Data, InFrame permits RawImage, CompressedImage {
   /**
    * The optical frame: z forward, x right, y down (REP-103).
    *
    * @return the camera's frame
    */
+  @Override
   FrameId frame();
 }

@@ -17,4 +17,4 @@ public record Imu(
     Optional<Quaternion> orientation,
     Optional<Vector3> angularVelocity,
     Optional<Vector3> linearAcceleration)
-    implements Data {}
+    implements Data, InFrame {}

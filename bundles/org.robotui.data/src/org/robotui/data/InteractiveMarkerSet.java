@@ -2,6 +2,7 @@ package org.robotui.data;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What became of the interactive markers of one source, the newest per name.
@@ -10,7 +11,7 @@ import java.util.Optional;
  * @param entries what became of each marker
  */
 @Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS, expires = false)
-public record InteractiveMarkerSet(boolean all, List<Entry> entries) implements Keyed<InteractiveMarkerSet> {
+public record InteractiveMarkerSet(boolean all, List<Entry> entries) implements Keyed<InteractiveMarkerSet>, Framed {
   /**
    * What became of a marker.
    *
@@ -27,6 +28,11 @@ public record InteractiveMarkerSet(boolean all, List<Entry> entries) implements 
    */
   public InteractiveMarkerSet {
     entries = List.copyOf(entries);
+  }
+
+  @Override
+  public Stream<FrameId> frames() {
+    return entries.stream().flatMap(entry -> entry.marker().stream()).map(InteractiveMarker::frame).filter(FrameId::isNamed);
   }
 
   @Override

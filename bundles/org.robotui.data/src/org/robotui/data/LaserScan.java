@@ -25,7 +25,7 @@ public record LaserScan(
     double scanTime,
     Floats ranges,
     Floats intensities)
-    implements Data {
+    implements Data, InFrame {
   /**
    * Checks the geometry.
    *

@@ -30,7 +30,7 @@ public record MarkerFeedback(
     RigidTransform pose,
     int menuEntry,
     Optional<Vector3> point)
-    implements Data {
+    implements Data, InFrame {
   /** What was done. */
   public enum Event {
     /** The user still holds it. */

@@ -2,6 +2,7 @@ package org.robotui.data;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What became of markers of one source, the newest per namespace and id. Merged values keep that a marker was taken away, so that
@@ -11,7 +12,7 @@ import java.util.Optional;
  * @param entries what became of each marker
  */
 @Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS, expires = false)
-public record MarkerSet(boolean all, List<Entry> entries) implements Keyed<MarkerSet> {
+public record MarkerSet(boolean all, List<Entry> entries) implements Keyed<MarkerSet>, Framed {
   private static final int MOST = 16_384;
 
   /**
@@ -30,6 +31,11 @@ public record MarkerSet(boolean all, List<Entry> entries) implements Keyed<Marke
    */
   public MarkerSet {
     entries = List.copyOf(entries);
+  }
+
+  @Override
+  public Stream<FrameId> frames() {
+    return entries.stream().flatMap(entry -> entry.marker().stream()).map(Marker::frame).filter(FrameId::isNamed);
   }
 
   @Override

@@ -10,7 +10,7 @@ import org.robotui.geometry.RigidTransform;
  * @param poses frame from body along the way, first to last; empty where there is no way
  */
 @Delivery(expires = false)
-public record Path(FrameId frame, List<RigidTransform> poses) implements Data {
+public record Path(FrameId frame, List<RigidTransform> poses) implements Data, InFrame {
   /**
    * Copies the list and checks the poses.
    *

@@ -27,7 +27,7 @@ public record PointCloud(
     ByteOrder order,
     boolean dense,
     Bytes points)
-    implements Data {
+    implements Data, InFrame {
   /**
    * Checks that the points fit into the bytes.
    *

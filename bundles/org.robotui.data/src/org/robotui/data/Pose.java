@@ -3,14 +3,7 @@ package org.robotui.data;
 import org.robotui.geometry.RigidTransform;
 
 /** Where something is and how it is turned, in a named frame. */
-public interface Pose extends Data {
-  /**
-   * The frame in which the pose is given.
-   *
-   * @return the frame
-   */
-  FrameId frame();
-
+public interface Pose extends Data, InFrame {
   /**
    * Position in metres and orientation.
    *

@@ -10,7 +10,7 @@ import org.robotui.geometry.RigidTransform;
  * @param poses frame from body each
  */
 @Delivery(expires = false)
-public record PoseArray(FrameId frame, List<RigidTransform> poses) implements Data {
+public record PoseArray(FrameId frame, List<RigidTransform> poses) implements Data, InFrame {
   /**
    * Copies the list and checks the poses.
    *

@@ -1,6 +1,7 @@
 package org.robotui.data;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * Distances of several sensors, the newest per sensor frame.
@@ -8,7 +9,7 @@ import java.util.List;
  * @param readings one per sensor
  */
 @Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS)
-public record RangeReadings(List<RangeReading> readings) implements Keyed<RangeReadings> {
+public record RangeReadings(List<RangeReading> readings) implements Keyed<RangeReadings>, Framed {
   /**
    * Copies the list.
    *
@@ -16,6 +17,11 @@ public record RangeReadings(List<RangeReading> readings) implements Keyed<RangeR
    */
   public RangeReadings {
     readings = List.copyOf(readings);
+  }
+
+  @Override
+  public Stream<FrameId> frames() {
+    return readings.stream().map(RangeReading::frame).filter(FrameId::isNamed);
   }
 
   @Override

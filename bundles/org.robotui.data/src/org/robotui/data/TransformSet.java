@@ -1,6 +1,7 @@
 package org.robotui.data;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * Transforms between frames, the newest per parent and child.
@@ -8,7 +9,7 @@ import java.util.List;
  * @param transforms the transforms
  */
 @Delivery(conflation = Conflation.KEYED, late = Late.ALL_KEYS)
-public record TransformSet(List<FrameTransform> transforms) implements Keyed<TransformSet> {
+public record TransformSet(List<FrameTransform> transforms) implements Keyed<TransformSet>, Framed {
   private record Edge(FrameId parent, FrameId child) {}
 
   /**
@@ -18,6 +19,11 @@ public record TransformSet(List<FrameTransform> transforms) implements Keyed<Tra
    */
   public TransformSet {
     transforms = List.copyOf(transforms);
+  }
+
+  @Override
+  public Stream<FrameId> frames() {
+    return transforms.stream().flatMap(transform -> Stream.of(transform.parent(), transform.child())).filter(FrameId::isNamed);
   }
 
   @Override

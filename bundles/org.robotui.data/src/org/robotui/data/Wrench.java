@@ -9,4 +9,4 @@ import org.robotui.geometry.Vector3;
  * @param force newton
  * @param torque newton metres
  */
-public record Wrench(FrameId frame, Vector3 force, Vector3 torque) implements Data {}
+public record Wrench(FrameId frame, Vector3 force, Vector3 torque) implements Data, InFrame {}

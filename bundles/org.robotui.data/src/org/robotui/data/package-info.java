@@ -7,6 +7,6 @@
  * the origin of their frame, and turned by quaternions of length 1; markers alone are kept as robots send them, for their displays to say what is wrong. Types extend each other by interface; {@link org.robotui.data.DataType} tells how a type is
  * delivered.
  */
-@org.osgi.annotation.versioning.Version("1.1.0")
+@org.osgi.annotation.versioning.Version("1.2.0")
 package org.robotui.data;
 

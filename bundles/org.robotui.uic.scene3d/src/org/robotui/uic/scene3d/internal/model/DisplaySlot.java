@@ -10,6 +10,9 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
+import org.robotui.data.FrameId;
+import org.robotui.data.Framed;
+import org.robotui.data.RobotDescription;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayResult;
@@ -95,8 +98,16 @@ final class DisplaySlot {
   void take(Envelope<Data> envelope) {
     arrived.add(envelope);
     if (robot.isEmpty()) {
-      robot = FrameOf.robot(envelope.value());
+      robot = robotOf(envelope.value());
     }
+  }
+
+  private static Optional<String> robotOf(Data value) {
+    return switch (value) {
+      case RobotDescription description -> Optional.of(description.robot());
+      case Framed framed -> framed.frames().findFirst().map(FrameId::robot);
+      default -> Optional.empty();
+    };
   }
 
   /** Updates it; true where something else is to be seen. */

@@ -24,6 +24,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
+import org.robotui.data.Framed;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.shape.Part;
@@ -157,7 +158,9 @@ public final class SceneModel {
 
   private void drain() {
     input.drain(envelope -> {
-      FrameOf.all(envelope.value()).limit(MOST_FRAMES).filter(f -> named.size() < MOST_FRAMES).forEach(named::add);
+      if (envelope.value() instanceof Framed framed) {
+        framed.frames().limit(MOST_FRAMES).filter(f -> named.size() < MOST_FRAMES).forEach(named::add);
+      }
       slots.values().stream().filter(s -> s.wanted() && s.choice().sources().contains(envelope.source())).forEach(s -> s.take(envelope));
     });
   }
