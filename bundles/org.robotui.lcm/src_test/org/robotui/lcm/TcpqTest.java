@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -168,6 +169,28 @@ class TcpqTest {
     }
     Eventually.await("refusals", () -> server.refused() == 6);
     connected(client());
+  }
+
+  /** Each byte comes soon after the one before, and the whole never. */
+  @Test
+  void aGreetingThatDripsIsNotWaitedFor() throws IOException {
+    TcpqServer server = server(options().withGreetingTime(Duration.ofMillis(300)));
+    try (Socket dripping = new Socket(InetAddress.getLoopbackAddress(), port)) {
+      threads.newThread(() -> drip(dripping)).start();
+      Eventually.await("a refusal", Duration.ofSeconds(20), () -> server.refused() == 1);
+    }
+  }
+
+  private static void drip(Socket socket) {
+    try {
+      for (byte each : HexFormat.of().parseHex("287617fb000001")) {
+        socket.getOutputStream().write(each);
+        LockSupport.parkNanos(Duration.ofMillis(200).toNanos());
+      }
+      socket.getInputStream().readAllBytes();
+    } catch (IOException e) {
+      // sent away
+    }
   }
 
   /** It looks at a text of 40 letters two to the power of 40 times. */

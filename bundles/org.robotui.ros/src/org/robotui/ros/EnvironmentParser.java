@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
-import org.robotui.ros.internal.io.HostPort;
+import org.robotui.net.socket.HostPort;
 
 /** Reads ROS environment variables and command lines. */
 final class EnvironmentParser {

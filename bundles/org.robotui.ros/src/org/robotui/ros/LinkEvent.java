@@ -1,5 +1,7 @@
 package org.robotui.ros;
 
+import org.robotui.net.call.Outcome;
+
 /**
  * A change of one link's state. What becomes of calls to services of other nodes is told by their {@link Outcome}.
  *

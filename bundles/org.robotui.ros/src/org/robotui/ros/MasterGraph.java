@@ -1,6 +1,7 @@
 package org.robotui.ros;
 
 import java.util.List;
+import org.robotui.net.call.Outcome;
 
 /** The graph of nodes, topics and services as the master knows it. Calls wait for the master. */
 public interface MasterGraph {

@@ -1,6 +1,7 @@
 package org.robotui.ros;
 
 import java.util.List;
+import org.robotui.net.call.Outcome;
 
 /** The master's parameter server. All names are resolved as seen from the node. Calls wait for the master. */
 public interface Parameters {

@@ -3,6 +3,7 @@ package org.robotui.ros;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.CompletionStage;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.internal.node.NodeRuntime;
 import org.robotui.ros.message.MessageCodec;
 import org.robotui.ros.message.ServiceCodec;

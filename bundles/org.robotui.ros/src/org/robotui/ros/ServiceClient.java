@@ -1,6 +1,7 @@
 package org.robotui.ros;
 
 import java.time.Duration;
+import org.robotui.net.call.Outcome;
 
 /**
  * Calls one service. Any thread may use it; a persistent client makes its calls one after the other.

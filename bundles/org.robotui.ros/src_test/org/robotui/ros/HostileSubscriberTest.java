@@ -1,5 +1,6 @@
 package org.robotui.ros;
 
+import org.robotui.net.call.Outcome;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -13,7 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.ros.LinkEvent.Kind;
-import org.robotui.ros.internal.io.HostPort;
+import org.robotui.net.socket.HostPort;
 import org.robotui.ros.message.MessageWriter;
 import org.robotui.ros.message.ServiceCodec;
 

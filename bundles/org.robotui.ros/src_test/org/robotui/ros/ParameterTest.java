@@ -1,5 +1,6 @@
 package org.robotui.ros;
 
+import org.robotui.net.call.Outcome;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -15,7 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.internal.io.HostPort;
+import org.robotui.net.socket.HostPort;
 
 /** What reaches a subscriber that did not take anything for a while, as behind a network that stalls. */
 class PromptPublisherTest {

@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robotui.ros.internal.io.Workers;
+import org.robotui.net.thread.Workers;
 
 /** Accepts connections and does to each what a test wants, on a thread of its own. */
 final class ScriptedServer implements AutoCloseable {

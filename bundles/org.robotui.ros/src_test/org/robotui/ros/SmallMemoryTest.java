@@ -17,7 +17,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.robotui.ros.internal.io.HostPort;
+import org.robotui.net.socket.HostPort;
 import org.robotui.ros.message.MessageWriter;
 import org.slf4j.Logger;
 

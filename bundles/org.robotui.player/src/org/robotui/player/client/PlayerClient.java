@@ -2,6 +2,7 @@ package org.robotui.player.client;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.robotui.net.call.Outcome;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.internal.client.ClientRuntime;
 import org.robotui.player.layout.InterfaceLayout;

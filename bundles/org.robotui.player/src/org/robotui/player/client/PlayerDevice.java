@@ -3,6 +3,7 @@ package org.robotui.player.client;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import org.robotui.net.call.Outcome;
 import org.robotui.player.internal.client.DeviceLink;
 import org.robotui.player.layout.Codec;
 import org.robotui.player.layout.Kind;

@@ -3,8 +3,8 @@ package org.robotui.ros.action;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.message.MessageRegistry;
 

@@ -5,10 +5,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.InvalidNameException;
 import org.robotui.ros.MasterGraph;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
 

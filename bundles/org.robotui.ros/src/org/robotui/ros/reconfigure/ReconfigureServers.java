@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.MasterGraph;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
 

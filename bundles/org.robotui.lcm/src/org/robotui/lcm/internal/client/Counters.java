@@ -2,8 +2,8 @@ package org.robotui.lcm.internal.client;
 
 import java.util.concurrent.atomic.LongAdder;
 import org.robotui.lcm.LcmStatistics;
-import org.robotui.lcm.internal.io.PeerText;
-import org.robotui.lcm.internal.io.Seldom;
+import org.robotui.net.log.LogThrottle;
+import org.robotui.net.log.PeerText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -21,7 +21,7 @@ public final class Counters {
   private final LongAdder damaged = new LongAdder();
   private final LongAdder dropped = new LongAdder();
   private final LongAdder listenerErrors = new LongAdder();
-  private final Seldom damages = new Seldom();
+  private final LogThrottle damages = new LogThrottle();
   private volatile int receiveBufferWanted;
   private volatile int receiveBuffer;
   private volatile String lastDamage = "";
@@ -49,7 +49,7 @@ public final class Counters {
   public void damaged(String reason) {
     damaged.increment();
     lastDamage = PeerText.brief(reason);
-    if (damages.again()) {
+    if (damages.admit()) {
       LOG.warn("LCM: {} ({} so far)", lastDamage, damages.count());
     }
   }

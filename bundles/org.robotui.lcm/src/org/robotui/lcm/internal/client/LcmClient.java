@@ -13,7 +13,7 @@ import org.robotui.lcm.LcmStatistics;
 import org.robotui.lcm.LcmUrl;
 import org.robotui.lcm.Subscription;
 import org.robotui.lcm.SubscriptionOptions;
-import org.robotui.lcm.internal.io.Workers;
+import org.robotui.net.thread.Workers;
 
 /** One connection: subscriptions on one side, and a link that is opened again when it broke on the other. */
 public final class LcmClient implements Lcm {

@@ -7,6 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.LcmState;
+import org.robotui.net.call.Backoff;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -32,7 +33,7 @@ final class LinkKeeper {
 
   /** The work of the connection's thread. */
   void run() {
-    Duration pause = options.minBackoff();
+    Backoff backoff = new Backoff(options.minBackoff(), options.maxBackoff());
     while (!isClosed()) {
       tell(new LcmState.Connecting());
       String reason;
@@ -40,7 +41,7 @@ final class LinkKeeper {
         if (!take(open)) {
           return;
         }
-        pause = options.minBackoff();
+        backoff.reset();
         tell(new LcmState.Connected(open.where()));
         tell(new LcmState.Ended(open.receive()));
         return;
@@ -55,7 +56,7 @@ final class LinkKeeper {
           link = Optional.empty();
         }
       }
-      pause = failed(reason, pause);
+      failed(reason, backoff.next());
     }
   }
 
@@ -74,8 +75,8 @@ final class LinkKeeper {
     }
   }
 
-  /** Tells of it, waits, and answers the pause after the next failure. */
-  private Duration failed(String reason, Duration pause) {
+  /** Tells of it, and waits. */
+  private void failed(String reason, Duration pause) {
     tell(new LcmState.Failed(reason, pause));
     try {
       closing.await(pause.toNanos(), TimeUnit.NANOSECONDS);
@@ -83,8 +84,6 @@ final class LinkKeeper {
       Thread.currentThread().interrupt();
       closing.countDown();
     }
-    Duration doubled = pause.multipliedBy(2);
-    return doubled.compareTo(options.maxBackoff()) < 0 ? doubled : options.maxBackoff();
   }
 
   private boolean take(Link open) throws IOException {

@@ -10,7 +10,7 @@ import org.robotui.lcm.LcmListener;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.Subscription;
 import org.robotui.lcm.SubscriptionOptions;
-import org.robotui.lcm.internal.io.Seldom;
+import org.robotui.net.log.LogThrottle;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -27,7 +27,7 @@ final class LiveSubscription implements Subscription {
   private final LongAdder received = new LongAdder();
   private final LongAdder dropped = new LongAdder();
   private final LongAdder errors = new LongAdder();
-  private final Seldom troubles = new Seldom();
+  private final LogThrottle troubles = new LogThrottle();
   private final Deque<LcmMessage> queue = new ArrayDeque<>();
   private long queuedBytes;
   private volatile boolean closed;
@@ -98,7 +98,7 @@ final class LiveSubscription implements Subscription {
     } catch (RuntimeException | Error e) {
       errors.increment();
       counters.listenerError();
-      if (troubles.again()) {
+      if (troubles.admit()) {
         LOG.error("the listener to '{}' failed on a message of {} ({} times so far)", pattern, message.channel(), troubles.count(), e);
       }
     }

@@ -1,6 +1,5 @@
 package org.robotui.lcm.internal.tcpq;
 
-import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -14,6 +13,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.robotui.lcm.tcpq.TcpqServerOptions;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.Sockets;
 
 /** One client of a server: a thread reads its frames, another one writes what it subscribed to. */
 final class ServerClient {
@@ -43,11 +44,12 @@ final class ServerClient {
   /** The work of the thread that reads. */
   void read() {
     try {
-      DataInputStream in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), BUFFER));
-      socket.setTcpNoDelay(true);
-      socket.setSoTimeout((int) Math.max(1, options.greetingTime().toMillis()));
+      DeadlineInput timed = new DeadlineInput(socket, BUFFER);
+      DataInputStream in = new DataInputStream(timed);
+      Sockets.prepare(socket);
+      timed.within(options.greetingTime());
       Frames.expectGreeting(in, Frames.CLIENT);
-      socket.setSoTimeout(0);
+      timed.withoutDeadline();
       enqueue(Frames.greeting(Frames.SERVER));
       server.start("LCM client's queue " + socket.getRemoteSocketAddress(), this::write);
       greeted = true;
@@ -126,10 +128,6 @@ final class ServerClient {
       queue.notifyAll();
     }
     server.ended(this);
-    try {
-      socket.close();
-    } catch (IOException e) {
-      // it is gone either way
-    }
+    Sockets.closeQuietly(socket);
   }
 }

@@ -2,17 +2,17 @@ package org.robotui.lcm.internal.tcpq;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
-import org.robotui.lcm.internal.io.PeerText;
-import org.robotui.lcm.internal.io.Seldom;
-import org.robotui.lcm.internal.io.Workers;
 import org.robotui.lcm.tcpq.TcpqServer;
 import org.robotui.lcm.tcpq.TcpqServerOptions;
+import org.robotui.net.log.LogThrottle;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.TcpListener;
+import org.robotui.net.thread.Workers;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -22,42 +22,25 @@ public final class ServerRuntime implements TcpqServer {
   private static final Logger LOG = LoggerFactory.getLogger(ServerRuntime.class);
   private static final Duration CLOSING = Duration.ofMillis(900);
 
-  private final ServerSocket socket;
+  private final TcpListener listener;
   private final TcpqServerOptions options;
   private final Workers workers;
   private final Set<ServerClient> clients = ConcurrentHashMap.newKeySet();
   private final LongAdder dropped = new LongAdder();
   private final LongAdder refused = new LongAdder();
-  private final Seldom refusals = new Seldom();
+  private final LogThrottle refusals = new LogThrottle();
 
-  private ServerRuntime(ServerSocket socket, TcpqServerOptions options) {
-    this.socket = socket;
+  private ServerRuntime(TcpListener listener, TcpqServerOptions options) {
+    this.listener = listener;
     this.options = options;
     this.workers = new Workers(options.threads());
   }
 
   public static ServerRuntime open(TcpqServerOptions options) throws IOException {
-    ServerSocket socket = new ServerSocket();
-    try {
-      socket.setReuseAddress(true);
-      socket.bind(new InetSocketAddress(options.address(), options.port()));
-    } catch (IOException e) {
-      socket.close();
-      throw new IOException("cannot listen on " + options.address().getHostAddress() + ":" + options.port() + ": " + e.getMessage(), e);
-    }
-    ServerRuntime server = new ServerRuntime(socket, options);
-    server.workers.start("LCM server " + server.address(), server::accept);
+    ServerRuntime server = new ServerRuntime(TcpListener.bind(options.address(), options.port()), options);
+    String name = "LCM server " + server.address();
+    server.workers.start(name, () -> server.listener.acceptAll(name, server::take));
     return server;
-  }
-
-  private void accept() {
-    while (!socket.isClosed()) {
-      try {
-        take(socket.accept());
-      } catch (IOException e) {
-        LOG.debug("no more connections", e);
-      }
-    }
   }
 
   private void take(Socket connection) throws IOException {
@@ -69,7 +52,7 @@ public final class ServerRuntime implements TcpqServer {
     ServerClient client = new ServerClient(connection, options, this);
     clients.add(client);
     workers.start("LCM client " + connection.getRemoteSocketAddress(), client::read);
-    if (socket.isClosed()) {
+    if (listener.isClosed()) {
       client.close();
     }
   }
@@ -89,7 +72,7 @@ public final class ServerRuntime implements TcpqServer {
 
   void refused(Socket connection, String reason) {
     refused.increment();
-    if (refusals.again()) {
+    if (refusals.admit()) {
       LOG.warn("LCM client {}: {} ({} refused so far)", connection.getRemoteSocketAddress(), PeerText.brief(reason), refusals.count());
     }
   }
@@ -100,7 +83,7 @@ public final class ServerRuntime implements TcpqServer {
 
   @Override
   public InetSocketAddress address() {
-    return new InetSocketAddress(socket.getInetAddress(), socket.getLocalPort());
+    return listener.address();
   }
 
   @Override
@@ -120,11 +103,7 @@ public final class ServerRuntime implements TcpqServer {
 
   @Override
   public void close() {
-    try {
-      socket.close();
-    } catch (IOException e) {
-      LOG.debug("closing {}", socket, e);
-    }
+    listener.close();
     clients.forEach(ServerClient::close);
     workers.join(System.nanoTime() + CLOSING.toNanos());
   }

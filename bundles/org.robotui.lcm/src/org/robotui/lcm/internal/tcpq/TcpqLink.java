@@ -1,6 +1,5 @@
 package org.robotui.lcm.internal.tcpq;
 
-import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -14,7 +13,8 @@ import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.internal.client.Inlet;
 import org.robotui.lcm.internal.client.Link;
-import org.robotui.lcm.internal.io.PeerText;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.DeadlineInput;
 
 /** A connection to a server of messages. */
 final class TcpqLink implements Link {
@@ -23,6 +23,7 @@ final class TcpqLink implements Link {
 
   private final Socket socket;
   private final String server;
+  private final DeadlineInput timed;
   private final DataInputStream in;
   private final OutputStream out;
   private final int maxMessageBytes;
@@ -31,7 +32,8 @@ final class TcpqLink implements Link {
   private TcpqLink(Socket socket, String server, int maxMessageBytes, Inlet inlet) throws IOException {
     this.socket = socket;
     this.server = server;
-    this.in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), BUFFER));
+    this.timed = new DeadlineInput(socket, BUFFER);
+    this.in = new DataInputStream(timed);
     this.out = socket.getOutputStream();
     this.maxMessageBytes = maxMessageBytes;
     this.inlet = inlet;
@@ -40,10 +42,10 @@ final class TcpqLink implements Link {
   /** Greets the server, which must answer in time. */
   static TcpqLink greet(Socket socket, String server, LcmOptions options, Inlet inlet) throws IOException {
     TcpqLink link = new TcpqLink(socket, server, options.maxMessageBytes(), inlet);
-    socket.setSoTimeout((int) Math.max(1, options.connectTime().toMillis()));
+    link.timed.within(options.connectTime());
     link.send(Frames.greeting(Frames.CLIENT));
     Frames.expectGreeting(link.in, Frames.SERVER);
-    socket.setSoTimeout(0);
+    link.timed.withoutDeadline();
     return link;
   }
 

@@ -11,7 +11,7 @@ import java.time.Duration;
 import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.internal.client.Inlet;
 import org.robotui.lcm.internal.client.Link;
-import org.robotui.lcm.internal.io.Workers;
+import org.robotui.net.thread.Workers;
 
 /** The sockets of one multicast group: one that receives, and one that sends, whose port tells this sender from all others. */
 final class UdpmLink implements Link {

@@ -1,7 +1,6 @@
 package org.robotui.player.internal.client;
 
 import java.io.IOException;
-import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -11,12 +10,13 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
+import org.robotui.net.call.Backoff;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.log.LogThrottle;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.thread.Workers;
 import org.robotui.player.client.ClientOptions;
 import org.robotui.player.client.LinkState;
-import org.robotui.player.client.Outcome;
-import org.robotui.player.internal.io.Backoff;
-import org.robotui.player.internal.io.Seldom;
-import org.robotui.player.internal.io.Workers;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.wire.DeviceAddress;
 import org.robotui.player.wire.DeviceId;
@@ -33,8 +33,7 @@ public final class ClientRuntime {
   private static final Duration LAST_WORDS = Duration.ofMillis(250);
   private static final Duration END = Duration.ofSeconds(2);
 
-  private final String host;
-  private final int port;
+  private final HostPort server;
   private final Layouts layouts;
   private final ClientOptions options;
   private final Workers workers;
@@ -42,7 +41,7 @@ public final class ClientRuntime {
   private final CountDownLatch closing = new CountDownLatch(1);
   private final LongAdder overflows = new LongAdder();
   private final LongAdder unexpected = new LongAdder();
-  private final Seldom failures = new Seldom();
+  private final LogThrottle failures = new LogThrottle();
   private volatile Optional<Connection> current = Optional.empty();
   private volatile Optional<Connection> attempt = Optional.empty();
   private volatile List<DeviceAddress> listed = List.of();
@@ -50,8 +49,7 @@ public final class ClientRuntime {
 
   /** Begins to connect at once. */
   public ClientRuntime(String host, int port, Layouts layouts, ClientOptions options) {
-    this.host = host;
-    this.port = port;
+    this.server = new HostPort(host, port);
     this.layouts = layouts;
     this.options = options;
     this.workers = new Workers(options.threads());
@@ -60,7 +58,7 @@ public final class ClientRuntime {
 
   /** The server as people write it. */
   public String peer() {
-    return host + ":" + port;
+    return server.toString();
   }
 
   public Layouts layouts() {
@@ -139,7 +137,7 @@ public final class ClientRuntime {
       if (isClosing()) {
         return "closed";
       }
-      connection.connect(new InetSocketAddress(host, port));
+      connection.connect(server);
       listed = new Handshake(layouts, options).shake(connection);
       begin(connection);
       backoff.reset();
@@ -175,7 +173,7 @@ public final class ClientRuntime {
       return;
     }
     Duration wait = backoff.next();
-    if (failures.again()) {
+    if (failures.admit()) {
       LOG.info("{} ({} failures so far)", reason, failures.count());
     }
     devices.values().forEach(device -> device.lost(reason));

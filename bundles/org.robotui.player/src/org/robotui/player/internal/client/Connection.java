@@ -4,16 +4,16 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
-import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.socket.Sockets;
 import org.robotui.player.client.ClientOptions;
-import org.robotui.player.client.Outcome;
-import org.robotui.player.internal.io.Sockets;
-import org.robotui.player.internal.io.TimedStream;
 import org.robotui.player.wire.DeviceAddress;
 import org.robotui.player.wire.DeviceId;
 import org.robotui.player.wire.Framing;
@@ -34,6 +34,7 @@ final class Connection implements Closeable {
     void unexpected(PlayerMessage message);
   }
 
+  private static final int BUFFER = 1 << 16;
   private static final long NEVER = Duration.ofDays(1).toNanos();
 
   private final String peer;
@@ -43,7 +44,7 @@ final class Connection implements Closeable {
   private final Requests requests;
   private final AtomicLong sequence = new AtomicLong();
   private final Optional<Fetcher> fetcher;
-  private TimedStream in;
+  private DeadlineInput in;
   private int host;
   private int robot;
   private String version = "";
@@ -59,16 +60,14 @@ final class Connection implements Closeable {
   }
 
   /** Reaches the server and reads its greeting. */
-  void connect(InetSocketAddress address) throws IOException, PlayerException {
-    if (address.isUnresolved()) {
-      throw new UnknownHostException("the host name cannot be resolved");
-    }
-    Sockets.entrustLittle(socket);
+  void connect(HostPort server) throws IOException, PlayerException {
+    InetSocketAddress address = server.resolve();
+    Sockets.minimizeSendBuffer(socket);
     socket.connect(address, (int) Math.max(1, options.handshake().toMillis()));
     Sockets.prepare(socket);
     host = DeviceAddress.host(address.getAddress().getAddress());
     robot = address.getPort();
-    in = new TimedStream(socket, options.messageTime());
+    in = new DeadlineInput(socket, BUFFER);
     in.within(options.handshake());
     version = Framing.readBanner(in);
   }
@@ -98,7 +97,7 @@ final class Connection implements Closeable {
   /** Receives until the connection ends, which is always an exception. */
   void receive(Sink sink) throws IOException, PlayerException {
     while (true) {
-      in.nextMessage();
+      in.nextMessage(options.messageTime());
       PlayerMessage message = Framing.read(in);
       switch (message.type()) {
         case DATA -> sink.data(message);
@@ -161,7 +160,7 @@ final class Connection implements Closeable {
   @Override
   public void close() {
     out.finish();
-    Sockets.quietly(socket);
+    Sockets.closeQuietly(socket);
   }
 
   private PlayerMessage numbered(PlayerMessage message) {

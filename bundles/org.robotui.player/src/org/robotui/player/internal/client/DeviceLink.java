@@ -6,11 +6,11 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.log.LogThrottle;
 import org.robotui.player.client.DeviceListener;
 import org.robotui.player.client.DeviceState;
-import org.robotui.player.client.Outcome;
 import org.robotui.player.client.Subscription;
-import org.robotui.player.internal.io.Seldom;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.wire.DeviceAddress;
 import org.robotui.player.wire.DeviceId;
@@ -32,7 +32,7 @@ public final class DeviceLink {
   private final ClientRuntime client;
   private final String name;
   private final List<DeviceListener> listeners = new CopyOnWriteArrayList<>();
-  private final Seldom failures = new Seldom();
+  private final LogThrottle failures = new LogThrottle();
   private Optional<Connection> openedOn = Optional.empty();
   private volatile DeviceState state = new DeviceState.Unused();
 
@@ -206,7 +206,7 @@ public final class DeviceLink {
     try {
       call.accept(listener);
     } catch (RuntimeException e) {
-      if (failures.again()) {
+      if (failures.admit()) {
         LOG.error("{} at {}: a listener failed ({} so far)", name, client.peer(), failures.count(), e);
       }
     }

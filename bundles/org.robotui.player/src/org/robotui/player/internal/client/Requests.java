@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
-import org.robotui.player.client.Outcome;
+import org.robotui.net.call.Outcome;
 import org.robotui.player.wire.DeviceAddress;
 import org.robotui.player.wire.DeviceId;
 import org.robotui.player.wire.MessageType;

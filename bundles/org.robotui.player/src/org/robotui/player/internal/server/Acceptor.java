@@ -3,16 +3,14 @@ package org.robotui.player.internal.server;
 import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.locks.LockSupport;
-import org.robotui.player.internal.io.Seldom;
-import org.robotui.player.internal.io.Sockets;
-import org.robotui.player.internal.io.Workers;
+import org.robotui.net.log.LogThrottle;
+import org.robotui.net.socket.Sockets;
+import org.robotui.net.socket.TcpListener;
+import org.robotui.net.thread.Workers;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.server.ServerOptions;
 import org.robotui.player.wire.PlayerException;
@@ -24,17 +22,14 @@ public final class Acceptor implements Closeable {
 
   private static final Logger LOG = LoggerFactory.getLogger(Acceptor.class);
   private static final Duration END = Duration.ofSeconds(2);
-  private static final int BACKLOG = 64;
-  private static final long PAUSE = 50_000_000;
 
   private final Layouts layouts;
   private final Registry registry;
   private final ServerOptions options;
   private final Workers workers;
-  private final ServerSocket server = new ServerSocket();
+  private final TcpListener listener;
   private final Set<Session> sessions = ConcurrentHashMap.newKeySet();
-  private final Seldom refused = new Seldom();
-  private volatile boolean closed;
+  private final LogThrottle refused = new LogThrottle();
 
   /** Listens at once. */
   public Acceptor(Layouts layouts, Registry registry, ServerOptions options) throws IOException {
@@ -42,38 +37,20 @@ public final class Acceptor implements Closeable {
     this.registry = registry;
     this.options = options;
     this.workers = new Workers(options.threads());
-    try {
-      server.setReuseAddress(true);
-      server.bind(new InetSocketAddress(options.bind(), options.port()), BACKLOG);
-    } catch (IOException e) {
-      server.close();
-      throw new IOException("cannot listen on " + options.bind().getHostAddress() + ":" + options.port() + ": " + e.getMessage(), e);
-    }
-    workers.start("player server " + port(), this::accept);
+    this.listener = TcpListener.bind(options.bind(), options.port());
+    String name = "player server " + port();
+    workers.start(name, () -> listener.acceptAll(name, this::begin));
   }
 
   /** Where it listens. */
   public int port() {
-    return server.getLocalPort();
-  }
-
-  private void accept() {
-    while (!closed) {
-      try {
-        begin(server.accept());
-      } catch (IOException e) {
-        if (!closed) {
-          LOG.warn("accepting a connection failed: {}", e.getMessage());
-          LockSupport.parkNanos(PAUSE);
-        }
-      }
-    }
+    return listener.port();
   }
 
   private void begin(Socket socket) throws IOException {
     if (sessions.size() >= options.maxClients()) {
       complain(socket, "there are " + options.maxClients() + " clients already");
-      Sockets.quietly(socket);
+      Sockets.closeQuietly(socket);
       return;
     }
     Sockets.prepare(socket);
@@ -81,7 +58,7 @@ public final class Acceptor implements Closeable {
     sessions.add(session);
     workers.start("player to " + socket.getRemoteSocketAddress(), () -> send(session));
     workers.start("player from " + socket.getRemoteSocketAddress(), () -> receive(session, socket));
-    if (closed) {
+    if (listener.isClosed()) {
       session.close();
     }
   }
@@ -113,15 +90,14 @@ public final class Acceptor implements Closeable {
   }
 
   private void complain(Socket socket, String reason) {
-    if (refused.again()) {
+    if (refused.admit()) {
       LOG.warn("client {} refused: {} ({} so far)", socket.getRemoteSocketAddress(), reason, refused.count());
     }
   }
 
   @Override
   public void close() {
-    closed = true;
-    Sockets.quietly(server);
+    listener.close();
     sessions.forEach(Session::close);
     workers.join(System.nanoTime() + END.toNanos());
   }

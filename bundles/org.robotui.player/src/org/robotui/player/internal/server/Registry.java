@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.robotui.player.internal.io.Seldom;
+import org.robotui.net.log.LogThrottle;
 import org.robotui.player.server.Answer;
 import org.robotui.player.server.DeviceHandler;
 import org.robotui.player.wire.DeviceId;
@@ -25,7 +25,7 @@ public final class Registry {
 
   private final Map<DeviceId, Entry> devices =
       new ConcurrentSkipListMap<>(Comparator.comparingInt(DeviceId::interfaceCode).thenComparingInt(DeviceId::index));
-  private final Seldom failures = new Seldom();
+  private final LogThrottle failures = new LogThrottle();
 
   /** Adds a device that is not there yet. */
   public void add(DeviceId id, String driver, DeviceHandler handler) {
@@ -107,7 +107,7 @@ public final class Registry {
   }
 
   private void failed(DeviceId id, RuntimeException e) {
-    if (failures.again()) {
+    if (failures.admit()) {
       LOG.error("the handler of {} failed ({} so far)", id, failures.count(), e);
     }
   }

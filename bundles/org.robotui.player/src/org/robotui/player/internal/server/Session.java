@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.util.Optional;
-import org.robotui.player.internal.io.Sockets;
-import org.robotui.player.internal.io.TimedStream;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.Sockets;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.server.Answer;
 import org.robotui.player.server.ServerOptions;
@@ -19,6 +19,7 @@ import org.robotui.player.wire.PlayerMessage;
 /** One client of a server. */
 final class Session {
 
+  private static final int BUFFER = 1 << 16;
   private static final int END_OF_ROUND = 1;
   private static final int OVERFLOW = 2;
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0).asReadOnlyBuffer();
@@ -52,9 +53,9 @@ final class Session {
 
   /** Reads until the client goes, which is always an exception. */
   void receive() throws IOException, PlayerException {
-    TimedStream in = new TimedStream(socket, options.messageTime());
+    DeadlineInput in = new DeadlineInput(socket, BUFFER);
     while (true) {
-      in.nextMessage();
+      in.nextMessage(options.messageTime());
       PlayerMessage message = Framing.read(in);
       switch (message.type()) {
         case REQUEST -> request(message);
@@ -130,7 +131,7 @@ final class Session {
   /** Lets everything go that the client had open. */
   void close() {
     out.close();
-    Sockets.quietly(socket);
+    Sockets.closeQuietly(socket);
     registry.closeAll(this);
   }
 }

@@ -3,7 +3,7 @@ package org.robotui.ros.internal.master;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
-import org.robotui.ros.internal.io.Workers;
+import org.robotui.net.thread.Workers;
 
 /** Runs tasks in turn, on a bounded number of threads that end when there is nothing to do. */
 final class Lane {

@@ -7,10 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.thread.Workers;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
-import org.robotui.ros.internal.io.Workers;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
@@ -44,7 +44,7 @@ final class Notifier {
 
   private final Lane provenLane;
   private final Lane otherLane;
-  private final Closeables open = new Closeables();
+  private final CloseableSet open = new CloseableSet();
   private final Map<String, Map<String, Message>> waiting = new HashMap<>();
   private final Map<String, Boolean> proven = new LinkedHashMap<>(16, 0.75f, true) {
     private static final long serialVersionUID = 1L;

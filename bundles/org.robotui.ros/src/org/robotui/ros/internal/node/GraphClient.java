@@ -2,17 +2,17 @@ package org.robotui.ros.internal.node;
 
 import java.io.IOException;
 import java.util.List;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.HostPort;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.MasterGraph;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
 
 /** Asks the master about the graph. */
-record GraphClient(NodeContext context, RosApi master, Closeables sockets) implements MasterGraph {
+record GraphClient(NodeContext context, RosApi master, CloseableSet sockets) implements MasterGraph {
 
   @Override
   public Outcome<List<TopicInfo>> publishedTopics() {

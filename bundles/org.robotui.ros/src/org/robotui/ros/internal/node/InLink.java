@@ -10,21 +10,21 @@ import java.util.List;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.robotui.net.call.Backoff;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.socket.Sockets;
 import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.LinkState;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.Reception;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
-import org.robotui.ros.internal.io.PeerText;
-import org.robotui.ros.internal.tcpros.Backoff;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
 import org.robotui.ros.internal.tcpros.ReadPacing;
-import org.robotui.ros.internal.tcpros.Sockets;
-import org.robotui.ros.internal.tcpros.TimedStream;
 import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageInfo;
 
@@ -36,7 +36,7 @@ final class InLink<T> {
   private final NodeContext context;
   private final Subscription<T> subscription;
   private final String publisherUri;
-  private final Closeables open = new Closeables();
+  private final CloseableSet open = new CloseableSet();
   /** Ends a pause early. */
   private final Semaphore nudges = new Semaphore(0);
   private final Traffic got = new Traffic();
@@ -178,7 +178,7 @@ final class InLink<T> {
   }
 
   private void converse(Socket socket) throws IOException, MessageException {
-    TimedStream stream = new TimedStream(socket);
+    DeadlineInput stream = new DeadlineInput(socket, 0);
     stream.within(context.handshake());
     socket.getOutputStream().write(subscription.request().encode());
     FrameReader in = new FrameReader(stream, BUFFER);

@@ -9,11 +9,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
-import org.robotui.ros.Outcome;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.thread.Uninterruptibles;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
-import org.robotui.ros.internal.io.Uninterrupted;
 
 /** Tells the master once, beside everything else, that it may forget all of a node. Safe for all threads. */
 final class Leaving {
@@ -29,7 +29,7 @@ final class Leaving {
   /** How much the master may know yet. */
   private final AtomicInteger known = new AtomicInteger();
   private final CountDownLatch told = new CountDownLatch(1);
-  private final Closeables clients = new Closeables();
+  private final CloseableSet clients = new CloseableSet();
   private volatile boolean over;
 
   Leaving(NodeContext context, Registrar registrar, HostPort master) {
@@ -114,6 +114,6 @@ final class Leaving {
   }
 
   private static void await(CountDownLatch latch) {
-    Uninterrupted.until(System.nanoTime() + FOR_MASTER.toNanos(), nanos -> latch.await(nanos, TimeUnit.NANOSECONDS));
+    Uninterruptibles.await(System.nanoTime() + FOR_MASTER.toNanos(), nanos -> latch.await(nanos, TimeUnit.NANOSECONDS));
   }
 }

@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
-import org.robotui.ros.Outcome;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.HostPort;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.HostPort;
 
 /**
  * A node that was written down. Its registrations are removed in its own name and only where the master has them at its

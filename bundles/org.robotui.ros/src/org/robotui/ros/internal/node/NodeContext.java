@@ -1,13 +1,13 @@
 package org.robotui.ros.internal.node;
 
 import java.time.Duration;
+import org.robotui.net.call.Backoff;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.thread.Workers;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.NodeOptions;
-import org.robotui.ros.internal.io.PeerText;
-import org.robotui.ros.internal.io.Workers;
-import org.robotui.ros.internal.tcpros.Backoff;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -2,9 +2,9 @@ package org.robotui.ros.internal.node;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NameResolver;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.ParameterListener;
 import org.robotui.ros.Parameters;
 import org.robotui.ros.XmlRpcValue;

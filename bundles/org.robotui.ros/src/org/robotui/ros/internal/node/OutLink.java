@@ -5,10 +5,10 @@ import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import org.robotui.net.socket.Sockets;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.LinkState;
-import org.robotui.ros.internal.io.Closeables;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.FrameWriter;
 import org.robotui.ros.internal.tcpros.OutQueue;
@@ -71,7 +71,7 @@ record OutLink(NodeContext context, GraphName topic, String subscriber, MessageI
 
   void close() {
     queue.close();
-    Closeables.quietly(socket);
+    Sockets.closeQuietly(socket);
   }
 
   private void report(LinkState state) {

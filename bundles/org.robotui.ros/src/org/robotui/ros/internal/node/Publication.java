@@ -13,17 +13,17 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.Sockets;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
-import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.OutQueue;
 import org.robotui.ros.internal.tcpros.ProtocolException;
-import org.robotui.ros.internal.tcpros.Sockets;
 import org.robotui.ros.message.MessageCodec;
 import org.robotui.ros.message.MessageInfo;
 import org.robotui.ros.message.MessageWriter;
@@ -100,7 +100,7 @@ final class Publication<T> implements Publisher<T> {
     socket.getOutputStream().write(reply().encode());
     OutQueue queue = new OutQueue(options.queueMessages(), options.queueBytes(), dropped);
     if (options.prompt()) {
-      Sockets.entrustLittle(socket);
+      Sockets.minimizeSendBuffer(socket);
     }
     OutLink link = new OutLink(context, topic, subscriber, theirs, socket, queue, new Traffic());
     add(link);

@@ -2,8 +2,8 @@ package org.robotui.ros.internal.node;
 
 import java.util.List;
 import java.util.Optional;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.xmlrpc.MethodCall;

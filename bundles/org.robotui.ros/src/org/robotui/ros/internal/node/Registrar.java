@@ -10,13 +10,13 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import org.robotui.net.call.Backoff;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.thread.Uninterruptibles;
 import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.LinkState;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Uninterrupted;
-import org.robotui.ros.internal.tcpros.Backoff;
 import org.robotui.ros.message.MessageInfo;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -125,7 +125,7 @@ final class Registrar {
 
   /** Waits until nothing is registered any more, after it was closed; answers whether that is so. */
   boolean awaitEnd(Duration patience) {
-    Uninterrupted.until(System.nanoTime() + patience.toNanos(), nanos -> ended.await(nanos, TimeUnit.NANOSECONDS));
+    Uninterruptibles.await(System.nanoTime() + patience.toNanos(), nanos -> ended.await(nanos, TimeUnit.NANOSECONDS));
     return ended.getCount() == 0;
   }
 

@@ -9,10 +9,10 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.CloseableSet;
 import org.robotui.ros.GraphName;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.ServiceClient;
-import org.robotui.ros.internal.io.Closeables;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageInfo;
@@ -27,7 +27,7 @@ final class ServiceCaller<Q, R> implements ServiceClient<Q, R>, Closeable {
   private final GraphName service;
   private final ServiceCodec<Q, R> codec;
   private final boolean persistent;
-  private final Closeables sockets = new Closeables();
+  private final CloseableSet sockets = new CloseableSet();
   private final ReentrantLock calling = new ReentrantLock();
   private Optional<ServiceLink> kept = Optional.empty();
 

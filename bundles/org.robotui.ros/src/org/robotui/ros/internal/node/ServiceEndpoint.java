@@ -6,14 +6,14 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.CloseableSet;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.ServiceException;
 import org.robotui.ros.ServiceHandler;
 import org.robotui.ros.ServiceServer;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.PeerText;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
 import org.robotui.ros.message.MessageException;
@@ -33,7 +33,7 @@ final class ServiceEndpoint<Q, R> implements ServiceServer {
   private final ServiceCodec<Q, R> codec;
   private final ServiceHandler<Q, R> handler;
   private final Consumer<ServiceEndpoint<?, ?>> onClose;
-  private final Closeables sockets = new Closeables();
+  private final CloseableSet sockets = new CloseableSet();
 
   ServiceEndpoint(NodeContext context, GraphName name, ServiceCodec<Q, R> codec, ServiceHandler<Q, R> handler, Consumer<ServiceEndpoint<?, ?>> onClose) {
     this.context = context;

@@ -3,17 +3,17 @@ package org.robotui.ros.internal.node;
 import java.io.IOException;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.HostPort;
 import org.robotui.ros.GraphName;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.ServiceIdentity;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
 
 /** Finds servers of services by the master and asks them who they are. */
-record ServiceFinder(NodeContext context, RosApi master, Closeables sockets) {
+record ServiceFinder(NodeContext context, RosApi master, CloseableSet sockets) {
 
   HostPort find(GraphName service, Deadline deadline) throws IOException {
     Outcome<XmlRpcValue> outcome = master.call(deadline.left(), "lookupService", XmlRpcValue.of(context.name().text()),

@@ -6,15 +6,15 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import org.robotui.ros.Outcome;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
-import org.robotui.ros.internal.io.PeerText;
+import org.robotui.net.call.Outcome;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.socket.Sockets;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
-import org.robotui.ros.internal.tcpros.Sockets;
-import org.robotui.ros.internal.tcpros.TimedStream;
 
 /** One connection to a service server. For one thread at a time; closing it from another one ends a call. */
 final class ServiceLink implements Closeable {
@@ -23,13 +23,13 @@ final class ServiceLink implements Closeable {
 
   private final NodeContext context;
   private final Socket socket;
-  private final Closeables owner;
-  private TimedStream stream;
+  private final CloseableSet owner;
+  private DeadlineInput stream;
   private FrameReader in;
   private ConnectionHeader header;
   private long lastUsed;
 
-  ServiceLink(NodeContext context, Closeables owner) throws IOException {
+  ServiceLink(NodeContext context, CloseableSet owner) throws IOException {
     this.context = context;
     this.socket = context.options().sockets().createSocket();
     this.owner = owner;
@@ -42,7 +42,7 @@ final class ServiceLink implements Closeable {
     }
     server.connect(socket, shorter(deadline.left(), context.handshake()));
     Sockets.prepare(socket);
-    stream = new TimedStream(socket);
+    stream = new DeadlineInput(socket, 0);
     in = new FrameReader(stream, 8 * 1024);
     stream.within(shorter(deadline.left(), context.handshake()));
     socket.getOutputStream().write(request.encode());

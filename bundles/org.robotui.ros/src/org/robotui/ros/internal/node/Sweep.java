@@ -10,8 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.Leftovers;
-import org.robotui.ros.Outcome;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

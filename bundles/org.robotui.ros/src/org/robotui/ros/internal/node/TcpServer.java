@@ -3,18 +3,16 @@ package org.robotui.ros.internal.node;
 import java.io.EOFException;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
-import java.util.concurrent.locks.LockSupport;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.PeerText;
-import org.robotui.ros.internal.io.Seldom;
+import org.robotui.net.log.LogThrottle;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.Sockets;
+import org.robotui.net.socket.TcpListener;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
-import org.robotui.ros.internal.tcpros.Sockets;
-import org.robotui.ros.internal.tcpros.TimedStream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -33,53 +31,35 @@ final class TcpServer {
   }
 
   /** An accepted connection whose header was read. */
-  record Connection(Socket socket, TimedStream stream, FrameReader in, ConnectionHeader header) { }
+  record Connection(Socket socket, DeadlineInput stream, FrameReader in, ConnectionHeader header) { }
 
   private final NodeContext context;
   private final Dispatch dispatch;
-  private final ServerSocket server = new ServerSocket();
-  private final Closeables sockets = new Closeables();
-  private final Seldom tooMany = new Seldom();
-  private final Seldom refused = new Seldom();
+  private final TcpListener listener;
+  private final CloseableSet sockets = new CloseableSet();
+  private final LogThrottle tooMany = new LogThrottle();
+  private final LogThrottle refused = new LogThrottle();
 
   TcpServer(NodeContext context, InetAddress bind, Dispatch dispatch) throws IOException {
     this.context = context;
     this.dispatch = dispatch;
-    try {
-      server.bind(new InetSocketAddress(bind, 0), 128);
-    } catch (IOException e) {
-      server.close();
-      throw e;
-    }
+    this.listener = TcpListener.bind(bind, 0);
   }
 
   void start() {
-    context.start("tcpros", this::accept);
+    context.start("tcpros", () -> listener.acceptAll(context.name().text(), this::handle));
   }
 
   int port() {
-    return server.getLocalPort();
-  }
-
-  private void accept() {
-    while (!server.isClosed()) {
-      try {
-        handle(server.accept());
-      } catch (IOException e) {
-        if (!server.isClosed()) {
-          LOG.warn("{}: accepting a connection failed: {}", context.name(), e.getMessage());
-          LockSupport.parkNanos(50_000_000);
-        }
-      }
-    }
+    return listener.port();
   }
 
   private void handle(Socket socket) {
     if (sockets.size() >= MAX_CONNECTIONS) {
-      if (tooMany.again()) {
+      if (tooMany.admit()) {
         LOG.warn("{}: more than {} connections, {} refused so far", context.name(), MAX_CONNECTIONS, tooMany.count());
       }
-      Closeables.quietly(socket);
+      Sockets.closeQuietly(socket);
     } else if (sockets.add(socket)) {
       context.start("in " + socket.getRemoteSocketAddress(), () -> serve(socket));
     }
@@ -88,14 +68,14 @@ final class TcpServer {
   private void serve(Socket socket) {
     try {
       Sockets.prepare(socket);
-      TimedStream stream = new TimedStream(socket);
+      DeadlineInput stream = new DeadlineInput(socket, 0);
       stream.within(context.handshake());
       FrameReader in = new FrameReader(stream, BUFFER);
       ConnectionHeader header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
       stream.withoutDeadline();
       dispatch.serve(new Connection(socket, stream, in, header));
     } catch (ProtocolException e) {
-      if (refused.again()) {
+      if (refused.admit()) {
         LOG.warn("{}: connection from {} refused: {} ({} so far)", context.name(), socket.getRemoteSocketAddress(),
             PeerText.brief(e.getMessage()), refused.count());
       }
@@ -118,7 +98,7 @@ final class TcpServer {
   }
 
   void close() {
-    Closeables.quietly(server);
+    listener.close();
     sockets.close();
   }
 }

@@ -2,6 +2,7 @@ package org.robotui.ros.internal.xmlrpc;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Locale;
@@ -14,7 +15,7 @@ record HttpHead(String firstLine, Map<String, String> fields) {
   private static final int MAX_HEAD = 16 * 1024;
 
   /** Reads up to the empty line; throws an {@link EOFException} if the peer closed before the first byte. */
-  static HttpHead read(TimedInput in) throws IOException {
+  static HttpHead read(InputStream in) throws IOException {
     StringBuilder head = new StringBuilder();
     while (!endsWithEmptyLine(head)) {
       int next = in.read();

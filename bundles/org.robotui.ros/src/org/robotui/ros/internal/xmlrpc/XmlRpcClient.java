@@ -11,9 +11,10 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.HostPort;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.HostPort;
 
 /**
  * Calls one XML-RPC server. Any thread may call; each call has a connection of its own while it runs, and leaves it
@@ -23,10 +24,10 @@ public final class XmlRpcClient implements Closeable {
 
   private final HostPort target;
   private final XmlRpcLimits limits;
-  private final Closeables connections = new Closeables();
+  private final CloseableSet connections = new CloseableSet();
   private final Deque<Connection> idle = new ConcurrentLinkedDeque<>();
 
-  private record Connection(Socket socket, TimedInput in) implements Closeable {
+  private record Connection(Socket socket, DeadlineInput in) implements Closeable {
 
     @Override
     public void close() throws IOException {
@@ -84,7 +85,7 @@ public final class XmlRpcClient implements Closeable {
     try {
       socket.setTcpNoDelay(true);
       target.connect(socket, timeout.compareTo(limits.connect()) < 0 ? timeout : limits.connect());
-      return new Connection(socket, new TimedInput(socket));
+      return new Connection(socket, new DeadlineInput(socket, XmlRpcServer.BUFFER));
     } catch (IOException e) {
       connections.close(socket);
       throw e;
@@ -97,7 +98,7 @@ public final class XmlRpcClient implements Closeable {
       connection.in().within(timeout);
       send(body, connection.socket());
       HttpHead head = HttpHead.read(connection.in());
-      byte[] answer = connection.in().readFully(head.contentLength(limits.maxBody()), bytes -> { });
+      byte[] answer = Body.read(connection.in(), head.contentLength(limits.maxBody()), bytes -> { });
       requireOk(head);
       done = head.keepsAlive();
       return answer;

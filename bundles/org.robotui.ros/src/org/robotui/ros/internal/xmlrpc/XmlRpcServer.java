@@ -4,56 +4,51 @@ import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import org.robotui.ros.internal.io.Closeables;
-import org.robotui.ros.internal.io.PeerText;
-import org.robotui.ros.internal.io.Seldom;
-import org.robotui.ros.internal.io.Workers;
+import org.robotui.net.log.LogThrottle;
+import org.robotui.net.log.PeerText;
+import org.robotui.net.socket.CloseableSet;
+import org.robotui.net.socket.DeadlineInput;
+import org.robotui.net.socket.Sockets;
+import org.robotui.net.socket.TcpListener;
+import org.robotui.net.thread.Workers;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** An HTTP server that answers XML-RPC calls, with one thread a connection and connections kept alive. */
 public final class XmlRpcServer implements Closeable {
 
+  static final int BUFFER = 8 * 1024;
   private static final Logger LOG = LoggerFactory.getLogger(XmlRpcServer.class);
 
-  private final ServerSocket server;
+  private final TcpListener listener;
   private final XmlRpcLimits limits;
   private final Workers workers;
   private final String name;
   private final BodyBudget budget;
-  private final Closeables connections = new Closeables();
-  private final Seldom refused = new Seldom();
-  private final Seldom malformed = new Seldom();
-  private final Seldom crowded = new Seldom();
+  private final CloseableSet connections = new CloseableSet();
+  private final LogThrottle refused = new LogThrottle();
+  private final LogThrottle malformed = new LogThrottle();
+  private final LogThrottle crowded = new LogThrottle();
 
   public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name) throws IOException {
     this.limits = limits;
     budget = new BodyBudget(limits.maxBodies());
     this.workers = workers;
     this.name = name;
-    server = new ServerSocket();
-    server.setReuseAddress(true);
-    try {
-      server.bind(new InetSocketAddress(bind, port), 128);
-    } catch (IOException e) {
-      server.close();
-      throw new IOException("cannot listen on " + bind.getHostAddress() + ":" + port + ": " + e.getMessage(), e);
-    }
+    listener = TcpListener.bind(bind, port);
   }
 
   /** Starts accepting; apart from construction, so that the handler may know the port. */
   public void start(XmlRpcHandler handler) {
-    workers.start(name + " http", () -> accept(handler));
+    workers.start(name + " http", () -> listener.acceptAll(name, socket -> serve(socket, handler)));
   }
 
   public int port() {
-    return server.getLocalPort();
+    return listener.port();
   }
 
   /** How much the large bodies take that are read or answered now. */
@@ -61,30 +56,12 @@ public final class XmlRpcServer implements Closeable {
     return budget.taken();
   }
 
-  private void accept(XmlRpcHandler handler) {
-    while (!server.isClosed()) {
-      try {
-        serve(server.accept(), handler);
-      } catch (IOException e) {
-        if (!server.isClosed()) {
-          LOG.warn("{}: accepting a connection failed: {}", name, e.getMessage());
-          pause();
-        }
-      }
-    }
-  }
-
-  /** Keeps a lack of file descriptors from becoming a busy loop. */
-  private static void pause() {
-    java.util.concurrent.locks.LockSupport.parkNanos(50_000_000);
-  }
-
   private void serve(Socket socket, XmlRpcHandler handler) {
     if (connections.size() >= limits.maxConnections()) {
-      if (refused.again()) {
+      if (refused.admit()) {
         LOG.warn("{}: more than {} connections, {} refused so far", name, limits.maxConnections(), refused.count());
       }
-      Closeables.quietly(socket);
+      Sockets.closeQuietly(socket);
     } else if (connections.add(socket)) {
       workers.start(name + " http " + socket.getRemoteSocketAddress(), () -> converse(socket, handler));
     }
@@ -93,11 +70,10 @@ public final class XmlRpcServer implements Closeable {
   private void converse(Socket socket, XmlRpcHandler handler) {
     try {
       socket.setTcpNoDelay(true);
-      TimedInput in = new TimedInput(socket);
+      DeadlineInput in = new DeadlineInput(socket, BUFFER);
       boolean goOn = true;
-      while (goOn && !server.isClosed()) {
-        in.awaitData(limits.idle());
-        in.within(limits.message());
+      while (goOn && !listener.isClosed()) {
+        in.nextMessage(limits.idle(), limits.message());
         goOn = answerOne(in, socket, handler);
       }
     } catch (XmlRpcException e) {
@@ -113,21 +89,21 @@ public final class XmlRpcServer implements Closeable {
     }
   }
 
-  private boolean answerOne(TimedInput in, Socket socket, XmlRpcHandler handler) throws IOException {
+  private boolean answerOne(DeadlineInput in, Socket socket, XmlRpcHandler handler) throws IOException {
     HttpHead head = HttpHead.read(in);
     if (!head.firstLine().startsWith("POST ")) {
       reply(socket, "405 Method Not Allowed", new byte[0], false);
       return false;
     }
     try (BodyBudget.Share share = budget.share()) {
-      byte[] body = in.readFully(head.contentLength(limits.maxBody()), share::grow);
+      byte[] body = Body.read(in, head.contentLength(limits.maxBody()), share::grow);
       reply(socket, "200 OK", answer(XmlRpcReader.call(body), handler), head.keepsAlive());
     }
     return head.keepsAlive();
   }
 
-  private void refuse(Socket socket, String status, IOException problem, Seldom alike) {
-    if (alike.again()) {
+  private void refuse(Socket socket, String status, IOException problem, LogThrottle alike) {
+    if (alike.admit()) {
       LOG.warn("{}: refused a request from {}: {} ({} so far)", name, socket.getRemoteSocketAddress(),
           PeerText.brief(problem.getMessage()), alike.count());
     }
@@ -159,7 +135,7 @@ public final class XmlRpcServer implements Closeable {
 
   @Override
   public void close() {
-    Closeables.quietly(server);
+    listener.close();
     connections.close();
   }
 }

@@ -15,11 +15,11 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.net.socket.HostPort;
+import org.robotui.net.thread.Workers;
 import org.robotui.ros.Eventually;
 import org.robotui.ros.TestThreads;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.internal.io.HostPort;
-import org.robotui.ros.internal.io.Workers;
 
 class XmlRpcServerTest {
 

@@ -1,6 +1,6 @@
 package org.robotui.sim.internal.ros;
 
-import org.robotui.ros.Outcome;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.Parameters;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.sim.internal.robot.DriveLimits;

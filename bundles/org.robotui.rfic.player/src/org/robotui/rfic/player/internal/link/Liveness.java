@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.link.Pulse;
-import org.robotui.player.client.Outcome;
+import org.robotui.net.call.Outcome;
 import org.robotui.player.client.PlayerClient;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.layout.Empty;

@@ -1,7 +1,7 @@
 package org.robotui.rfic.ros.internal.call;
 
 import org.robotui.api.port.CallException;
-import org.robotui.ros.Outcome;
+import org.robotui.net.call.Outcome;
 
 /** Turns what the client library answers into what callers are told. */
 final class Outcomes {

@@ -13,6 +13,7 @@ import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
+import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActions;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
@@ -22,7 +23,6 @@ import org.robotui.rfic.ros.internal.call.RosTunables;
 import org.robotui.rfic.ros.internal.convert.Adapters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
-import org.robotui.ros.Outcome;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.message.MessageRegistry;
 

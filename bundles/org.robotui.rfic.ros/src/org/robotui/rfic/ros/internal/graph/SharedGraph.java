@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.robotui.ros.Outcome;
+import org.robotui.net.call.Outcome;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
