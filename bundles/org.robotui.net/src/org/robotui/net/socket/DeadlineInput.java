@@ -84,6 +84,9 @@ public final class DeadlineInput extends InputStream {
 
   @Override
   public int read(byte[] bytes, int offset, int length) throws IOException {
+    if (length == 0) {
+      return 0; // as asked for at the end of readNBytes: there may be nothing more to wait for
+    }
     int count = length >= buffer.length && begin == end ? receive(bytes, offset, length) : copy(bytes, offset, length);
     if (restNanos != NONE) {
       deadline = System.nanoTime() + restNanos;

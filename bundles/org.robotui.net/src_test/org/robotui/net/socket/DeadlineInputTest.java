@@ -62,6 +62,16 @@ class DeadlineInputTest {
     assertEquals(-1, in.read());
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {0, 16})
+  void whoAsksForSoManyBytesWaitsForNoMore(int buffer) throws IOException {
+    DeadlineInput in = new DeadlineInput(socket, buffer);
+    send(1, 2);
+    in.within(LONG);
+    assertArrayEquals(new byte[] {1, 2}, in.readNBytes(2));
+    assertEquals(0, in.read(new byte[0], 0, 0));
+  }
+
   @Test
   void bytesThatDripDoNotProlongTheTime() throws IOException {
     DeadlineInput in = new DeadlineInput(socket, 0);
