@@ -54,17 +54,22 @@ function(rt_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${folder})
 endfunction()
 
-# rt_plugin(NAME SOURCES ... [TEST ...] [LINKS ...] [FOR_TESTS]): libNAME.so, which robotui-rt-host loads, and a test of it that is built
+# rt_plugin(NAME SOURCES ... [TEST ...] [LINKS ...] [ALSO_NAMED ...] [FOR_TESTS]): libNAME.so, which robotui-rt-host loads, and a test of it that is built
 # from the same sources. It is installed where hosts look for it, unless it is there for tests alone. Its symbols may not be unique in the
 # process: such a library could not be unloaded, and so not reloaded.
 function(rt_plugin name)
-  cmake_parse_arguments(arg "FOR_TESTS" "" "SOURCES;TEST;LINKS" ${ARGN})
+  cmake_parse_arguments(arg "FOR_TESTS" "" "SOURCES;TEST;LINKS;ALSO_NAMED" ${ARGN})
   add_library(${name} MODULE ${arg_SOURCES})
   target_compile_options(${name} PRIVATE -fno-gnu-unique -fvisibility=hidden)
   target_link_libraries(${name} PRIVATE rt_options rt::plugin ${arg_LINKS})
   if(NOT arg_FOR_TESTS)
     install(TARGETS ${name} LIBRARY DESTINATION ${RT_INSTALL_LIBRARIES})
   endif()
+  foreach(other ${arg_ALSO_NAMED})
+    file(MAKE_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+    file(CREATE_LINK lib${name}.so ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/lib${other}.so SYMBOLIC)
+    install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/lib${other}.so DESTINATION ${RT_INSTALL_LIBRARIES})
+  endforeach()
   if(BUILD_TESTING AND arg_TEST)
     rt_test(${name}_test SOURCES ${arg_TEST} ${arg_SOURCES} LINKS rt::testing rt::malloc_counter ${arg_LINKS})
   endif()

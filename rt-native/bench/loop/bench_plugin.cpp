@@ -16,9 +16,10 @@ class BenchPlugin final : public ControlPlugin {
     return true;
   }
 
-  void control_loop(double /*time*/, double /*period*/) override {
+  RtStatus control_loop(double /*time*/, double /*period*/) override {
     robot_->getJointPosition(positions_);
     for (Joint* joint : own_) joint->setPositionReference(positions_[joint->index()]);
+    return RtStatus::ok();
   }
 
  private:

@@ -22,7 +22,7 @@ using namespace robotui::rt;
 class InProcess {
  public:
   explicit InProcess(const std::filesystem::path& file) : config_(config::load(file, {})), plan_(config::plan(config_, {.enabled = false})) {
-    around_ = {robot_, config_.model_type, host::pluginFolders(file), &directory_, master_.get(), &log_, host::PluginKind::kControl};
+    environment_ = {robot_, config_.model_type, host::pluginFolders(file), &directory_, master_.get(), &log_, host::PluginKind::kControl};
     inbox_.offer(0, hal::CommandInbox::HostView::open(host_.shareReadOnly()));
     hardware_.open(*robot_, config_.hal, period());
     hardware_.run(load());
@@ -48,7 +48,7 @@ class InProcess {
     bench::Plugins plugins;
     link::BoardWriter board(*board_);
     for (std::uint32_t i = 0; i < plan_.plugins.size(); ++i) {
-      auto plugin = std::make_unique<host::HostedPlugin>(i, plan_.plugins[i].plugin, static_cast<double>(period()) * 1e-9, around_, hardware_.frame());
+      auto plugin = std::make_unique<host::HostedPlugin>(i, plan_.plugins[i].plugin, static_cast<double>(period()) * 1e-9, environment_, hardware_.frame());
       for (std::uint32_t j = 0; j < joints(); ++j) {
         const auto& claims = plugin->claims();
         if (std::find(claims.begin(), claims.end(), robot_->joints[j].name) != claims.end()) board.grant(j, static_cast<std::uint16_t>(i));
@@ -69,7 +69,7 @@ class InProcess {
   std::unique_ptr<ChannelSegment> channels_ = std::make_unique<ChannelSegment>();
   ChannelDirectory directory_{*channels_, {channels_.get()}};
   LogQueue log_;
-  host::PluginSurroundings around_;
+  host::PluginEnvironment environment_;
   hal::Waiting waiting_;
   hal::CommandInbox inbox_{hal::commandPlan(plan_, config_.hal.period), joints(), static_cast<std::uint32_t>(config_.hal.misses_before_safe), waiting_};
   hal::NoTorque torque_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robotui/rt/link/layout.h"
+#include "robotui/rt/link/words.h"
 
 namespace robotui::rt::config {
 namespace {
@@ -56,10 +57,8 @@ void giveThread(PluginConfig& plugin, const RtConfig& config) {
   for (const auto& thread : config.threads) names.push_back(thread.name);
   if (plugin.thread.empty()) plugin.thread = names.front();
   if (std::find(names.begin(), names.end(), plugin.thread) != names.end()) return;
-  std::string there;
-  for (const auto& name : names) there += (there.empty() ? "" : ", ") + name;
   throw ConfigError(plugin.place, "the plugin '" + plugin.name + "' is to run in the thread '" + plugin.thread + "', which is not in xbotcore_threads; there are " +
-                                      there + didYouMean(plugin.thread, names));
+                                      link::listed(names) + didYouMean(plugin.thread, names));
 }
 
 void mustBeUnique(const RtConfig& config) {

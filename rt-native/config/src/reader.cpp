@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "robotui/rt/link/words.h"
+
 namespace robotui::rt::config {
 namespace {
 
@@ -37,12 +39,6 @@ std::optional<Number> parse(const YAML::Node& node) {
 }
 
 std::vector<std::string> strings(std::initializer_list<std::string_view> words) { return {words.begin(), words.end()}; }
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
 
 }  // namespace
 
@@ -102,7 +98,7 @@ void Reader::knows(std::initializer_list<std::string_view> keys, std::vector<std
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string meant = didYouMean(key, known);
     if (!meant.empty()) value.fail("is not a key" + meant);
-    const ConfigError line(value.place(), value.path() + " is not known and has no effect; known are " + listed(known));
+    const ConfigError line(value.place(), value.path() + " is not known and has no effect; known are " + link::listed(known));
     warnings.emplace_back(line.what());
   }
 }
@@ -112,7 +108,7 @@ void Reader::knowsOnly(std::initializer_list<std::string_view> keys) const {
   for (const auto& [key, value] : entries()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string meant = didYouMean(key, known);
-    value.fail("is not a key" + (meant.empty() ? "; known are " + listed(known) : meant));
+    value.fail("is not a key" + (meant.empty() ? "; known are " + link::listed(known) : meant));
   }
 }
 
@@ -157,7 +153,7 @@ std::string Reader::oneOf(std::initializer_list<std::string_view> words) const {
   const auto known = strings(words);
   std::string word = text();
   if (std::find(known.begin(), known.end(), word) == known.end()) {
-    fail("is '" + word + "'; expected one of " + listed(known) + didYouMean(word, known));
+    fail("is '" + word + "'; expected one of " + link::listed(known) + didYouMean(word, known));
   }
   return word;
 }

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "robotui/rt/host/hosted_plugin.h"
+#include "robotui/rt/link/words.h"
 
 namespace robotui::rt::host {
 namespace {
@@ -20,11 +21,7 @@ std::vector<std::string> list(const YAML::Node& params, const char* key) {
 
 template <typename Items>
 std::string namesOf(const Items& items) {
-  std::string all;
-  for (const auto& item : items) {
-    all += (all.empty() ? "" : ", ") + item.name;
-  }
-  return all.empty() ? "none" : all;
+  return link::listed(items, [](const auto& item) { return item.name; }, "none");
 }
 
 void addChain(const std::string& name, const config::RobotDescription& robot, std::set<std::string>& wanted) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <sstream>
 
 #include "robotui/rt/link/board.h"
+#include "robotui/rt/link/words.h"
 
 namespace robotui::rt::host {
 namespace {
@@ -14,23 +14,7 @@ using link::PluginState;
 constexpr std::chrono::milliseconds kPollPeriod{5};
 constexpr std::size_t kFixedDescriptors = 4;  // state, board, master, its own
 
-// "a b c": the first word, and the rest behind the space.
-std::pair<std::string_view, std::string_view> split(std::string_view words) {
-  const std::size_t space = words.find(' ');
-  return space == std::string_view::npos ? std::pair{words, std::string_view()} : std::pair{words.substr(0, space), words.substr(space + 1)};
-}
-
 PluginKind pluginKind(config::HostKind kind) { return kind == config::HostKind::kIo ? PluginKind::kIo : PluginKind::kControl; }
-
-bool contains(std::string_view words, const std::string& word) {
-  std::istringstream in{std::string(words)};
-  for (std::string one; in >> one;) {
-    if (one == word) {
-      return true;
-    }
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -77,13 +61,13 @@ void Host::readPlan() {
   config::RtConfig config = config::load(options_.config, options_.overrides);
   plan_ = config::plan(config, options_.communication);
   checkBoard(plan_);
-  around_.robot = std::make_shared<const config::RobotDescription>(std::move(config.robot));
-  around_.model_type = config.model_type;
-  around_.folders = pluginFolders(options_.config);
-  around_.channels = directory_.get();
-  around_.master = master_.get();
-  around_.log = &log_;
-  around_.kind = pluginKind(plan_.hosts[options_.host].kind);
+  environment_.robot = std::make_shared<const config::RobotDescription>(std::move(config.robot));
+  environment_.model_type = config.model_type;
+  environment_.folders = pluginFolders(options_.config);
+  environment_.channels = directory_.get();
+  environment_.master = master_.get();
+  environment_.log = &log_;
+  environment_.kind = pluginKind(plan_.hosts[options_.host].kind);
 }
 
 // The supervisor read the file before: who edits it meanwhile may change parameters, but not who runs what.
@@ -124,7 +108,7 @@ void Host::loadAll(std::string_view skipped) {
     hosted.index = i;
     hosted.thread = planned.thread;
     own_->plugins[i].thread = planned.thread;
-    if (contains(skipped, hosted.name)) {
+    if (link::containsWord(skipped, hosted.name)) {
       fail(hosted, "The plugin " + hosted.name + " is not loaded, because it ended its process again and again while it was made ready.");
     } else {
       load(hosted);
@@ -139,13 +123,13 @@ void Host::load(Hosted& hosted) {
   PluginThread& thread = *threads_[hosted.thread];
   try {
     hosted.plugin = std::make_unique<HostedPlugin>(hosted.index, plan_.plugins[hosted.index].plugin,
-                                                   static_cast<double>(thread.plan().period_ns) * 1e-9, around_, snapshot_);
+                                                   static_cast<double>(thread.plan().period_ns) * 1e-9, environment_, snapshot_);
   } catch (const std::exception& e) {
     fail(hosted, e.what());
     return;
   }
   hosted.told = PluginState::kStopped;
-  std::string words = "loaded " + hosted.name;
+  std::string words = "loaded " + hosted.name + " " + std::string(link::nameOf(hosted.plugin->role()));
   for (const std::string& joint : hosted.plugin->claims()) {
     words += " " + joint;
   }
@@ -201,8 +185,8 @@ void Host::want(Hosted& hosted, bool running) {
 }
 
 void Host::command(std::string_view words) {
-  const auto [id, behind] = split(words);
-  const auto [name, order] = split(behind);
+  const auto [id, behind] = link::splitWord(words);
+  const auto [name, order] = link::splitWord(behind);
   Hosted* hosted = find(name);
   const auto number = static_cast<std::uint32_t>(std::strtoul(std::string(id).c_str(), nullptr, 10));
   if (hosted == nullptr || hosted->plugin == nullptr || !hosted->plugin->order(number, order)) {
@@ -273,7 +257,7 @@ void Host::pollState(Hosted& hosted) {
   while (hosted.plugin->takeAnswer(answer)) {
     tell("answer " + std::to_string(answer.id) + (answer.understood ? " ok" : " refused"));
   }
-  Words<link::kTextLength - 1> status;
+  HostedPlugin::Line status;
   while (hosted.plugin->takeStatus(status)) {
     tell("status " + hosted.name + " " + std::string(status.view()));
   }

@@ -11,58 +11,64 @@ std::string sentence(const std::string& name, const std::string& what) { return 
 
 }  // namespace
 
-class HostedPlugin::Ready final : public Setup {
+class HostedPlugin::MakingReady final : public Setup {
  public:
-  Ready(HostedPlugin& plugin, const config::PluginConfig& config, double period, const PluginSurroundings& around)
+  MakingReady(HostedPlugin& plugin, const config::PluginConfig& config, double period, const PluginEnvironment& environment)
       : plugin_(plugin), params_(config.params.IsDefined() && config.params.IsMap() ? config.params : YAML::Node(YAML::NodeType::Map)),
-        period_(period), around_(around) {}
+        period_(period), environment_(environment) {}
 
   const std::string& name() const override { return plugin_.name_; }
   const YAML::Node& params() const override { return params_; }
   double period() const override { return period_; }
   RobotInterface& robot() override { return plugin_.robot_; }
   RtLog& log() override { return plugin_.log_; }
-  ChannelDirectory& channels() override { return *around_.channels; }
-  std::unique_ptr<ModelInterface> createModel() override { return ModelInterface::create(around_.model_type, around_.robot); }
-  const link::MasterSegment& master() override { return *around_.master; }
+  ChannelDirectory& channels() override { return *environment_.channels; }
+  std::unique_ptr<ModelInterface> createModel() override { return ModelInterface::create(environment_.model_type, environment_.robot); }
+  const link::MasterSegment& master() override { return *environment_.master; }
   void claim(const std::vector<std::string>& joints) override {
     YAML::Node wish;
     std::vector<std::string> all = plugin_.claims_;
     all.insert(all.end(), joints.begin(), joints.end());
     wish["joints"] = all;
-    plugin_.claims_ = claimedJoints(wish, *around_.robot);
+    plugin_.claims_ = claimedJoints(wish, *environment_.robot);
+    has_claimed_ = true;
   }
   void fail(const std::string& why) override { why_ = why; }
   const std::string& why() const noexcept { return why_; }
+  bool hasClaimed() const noexcept { return has_claimed_; }
 
  private:
   HostedPlugin& plugin_;
   YAML::Node params_;
   double period_;
-  const PluginSurroundings& around_;
+  const PluginEnvironment& environment_;
   std::string why_ = "its init_control_plugin returned false without a reason";
+  bool has_claimed_ = false;
 };
 
-HostedPlugin::HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period, const PluginSurroundings& around,
+HostedPlugin::HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period, const PluginEnvironment& environment,
                            const link::FrameData& frame)
-    : name_(config.name), index_(index), log_(*around.log, index), robot_(around.robot, frame),
-      claims_(around.kind == PluginKind::kIo ? std::vector<std::string>() : claimedJoints(config.params, *around.robot)),
-      library_(config.type, around.folders), plugin_(library_.create(around.kind)) {
-  init(config, period, around);
+    : name_(config.name), index_(index), log_(*environment.log, index), robot_(environment.robot, frame),
+      claims_(environment.kind == PluginKind::kIo ? std::vector<std::string>() : claimedJoints(config.params, *environment.robot)),
+      library_(config.type, environment.folders), plugin_(library_.create(environment.kind)) {
+  init(config, period, environment);
 }
 
 HostedPlugin::~HostedPlugin() { retire(); }
 
 bool HostedPlugin::retire() noexcept {
   if (plugin_ != nullptr) {
-    guarded("close", [&] { plugin_->close(); });
+    succeeds("close", [&] {
+      plugin_->close();
+      return RtStatus::ok();
+    });
     plugin_.reset();
   }
   return library_.unload();
 }
 
-void HostedPlugin::init(const config::PluginConfig& config, double period, const PluginSurroundings& around) {
-  Ready ready(*this, config, period, around);
+void HostedPlugin::init(const config::PluginConfig& config, double period, const PluginEnvironment& environment) {
+  MakingReady ready(*this, config, period, environment);
   bool made = false;
   try {
     made = plugin_->init_control_plugin(ready);
@@ -74,6 +80,15 @@ void HostedPlugin::init(const config::PluginConfig& config, double period, const
   if (!made) {
     throw PluginError(sentence(name_, ready.why()));
   }
+  settleRole(ready.hasClaimed());
+}
+
+// The `joints` and `chains` of an observer say what it looks at.
+void HostedPlugin::settleRole(bool has_claimed) {
+  role_ = plugin_->role();
+  if (role_ != PluginRole::kObserver) return;
+  if (has_claimed) throw PluginError(sentence(name_, "it is an observer and claims joints; one that commands joints has another role()"));
+  claims_.clear();
 }
 
 bool HostedPlugin::order(std::uint32_t id, std::string_view words) noexcept {
@@ -88,7 +103,7 @@ bool HostedPlugin::cycle(double time, double period) noexcept {
   robot_.sense();
   startOrStop(time);
   if (state() == PluginState::kRunning) {
-    guarded("control_loop", [&] { plugin_->control_loop(time, period); });
+    succeeds("control_loop", [&] { return plugin_->control_loop(time, period); });
   }
   robot_.move();
   obey();
@@ -102,29 +117,39 @@ void HostedPlugin::idle(double time) noexcept {
   }
 }
 
-// An exception ends the plugin, not its host: what it throws for is its own matter.
+// A failure ends the plugin, not its host. An exception is one, too, though it should not be thrown here.
 template <typename Step>
-bool HostedPlugin::guarded(const char* what, Step&& step) noexcept {
+bool HostedPlugin::succeeds(const char* what, Step&& step) noexcept {
   try {
-    step();
-    return true;
+    const RtStatus status = step();
+    if (status.isOk()) return true;
+    fail({what, " of the plugin ", name_, " failed: ", status.text()});
   } catch (const std::exception& e) {
-    failure_.assign(std::string(what) + " of the plugin " + name_ + " threw: " + e.what());
+    fail({what, " of the plugin ", name_, " threw: ", e.what()});
   } catch (...) {
-    failure_.assign(std::string(what) + " of the plugin " + name_ + " threw something that is no std::exception");
+    fail({what, " of the plugin ", name_, " threw something that is no std::exception"});
   }
+  return false;
+}
+
+void HostedPlugin::fail(std::initializer_list<std::string_view> parts) noexcept {
+  failure_.assign({});
+  for (const std::string_view part : parts) failure_.append(part);
   robot_.beginCycle();
   state_.store(PluginState::kFailed, std::memory_order_release);
-  return false;
 }
 
 void HostedPlugin::startOrStop(double time) noexcept {
   const bool wanted = wanted_.load(std::memory_order_acquire);
   const PluginState now = state();
-  if (wanted && now == PluginState::kStopped && guarded("on_start", [&] { plugin_->on_start(time); })) {
+  if (wanted && now == PluginState::kStopped && succeeds("on_start", [&] { return plugin_->on_start(time); })) {
     state_.store(PluginState::kRunning, std::memory_order_release);
   }
-  if (!wanted && now == PluginState::kRunning && guarded("on_stop", [&] { plugin_->on_stop(time); })) {
+  const auto stop = [&] {
+    plugin_->on_stop(time);
+    return RtStatus::ok();
+  };
+  if (!wanted && now == PluginState::kRunning && succeeds("on_stop", stop)) {
     state_.store(PluginState::kStopped, std::memory_order_release);
   }
 }
@@ -134,7 +159,10 @@ void HostedPlugin::obey() noexcept {
   while (orders_.pop(order)) {
     Answer answer{order.id, false};
     if (state() != PluginState::kFailed) {
-      guarded("on_command", [&] { answer.understood = plugin_->on_command(order.words.view()); });
+      succeeds("on_command", [&] {
+        answer.understood = plugin_->on_command(order.words.view());
+        return RtStatus::ok();
+      });
     }
     answers_.push(answer);
   }
@@ -145,9 +173,9 @@ void HostedPlugin::report() noexcept {
   if (status.substr(0, link::kTextLength - 1) == reported_.view()) {
     return;
   }
-  Words<link::kTextLength - 1> words;
-  words.assign(status);
-  if (statuses_.push(words)) {
+  Line line;
+  line.assign(status);
+  if (statuses_.push(line)) {
     reported_.assign(status);
   }
 }

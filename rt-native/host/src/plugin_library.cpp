@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "robotui/rt/link/words.h"
 #include "robotui/rt/plugin/io_plugin.h"
 
 namespace robotui::rt::host {
@@ -17,7 +18,11 @@ class IoAdapter final : public ControlPlugin {
  public:
   explicit IoAdapter(std::unique_ptr<IoPlugin> plugin) : plugin_(std::move(plugin)) {}
   bool init_control_plugin(Setup& setup) override { return plugin_->init(setup); }
-  void control_loop(double time, double period) override { plugin_->run(time, period); }
+  PluginRole role() const noexcept override { return PluginRole::kObserver; }
+  RtStatus control_loop(double time, double period) override {
+    plugin_->run(time, period);
+    return RtStatus::ok();
+  }
   bool on_command(std::string_view words) override { return plugin_->on_command(words); }
   std::string_view status() const noexcept override { return plugin_->status(); }
   void close() override { plugin_->close(); }
@@ -26,23 +31,18 @@ class IoAdapter final : public ControlPlugin {
   std::unique_ptr<IoPlugin> plugin_;
 };
 
-// Old names of plugins that users have in their configurations.
-std::string libraryOf(const std::string& type) { return type == "HomingExample" ? "Homing" : type; }
-
 fs::path findLibrary(const std::string& type, const std::vector<fs::path>& folders) {
-  const std::string name = "lib" + libraryOf(type) + ".so";
+  const std::string name = "lib" + type + ".so";
   if (type.empty() || type.find('/') != std::string::npos) {
     throw PluginError("'" + type + "' is no name of a plugin: write the name of its class.");
   }
-  std::string places;
   for (const fs::path& folder : folders) {
     std::error_code ignored;
     if (fs::exists(folder / name, ignored)) {
       return folder / name;
     }
-    places += (places.empty() ? "" : ", ") + folder.string();
   }
-  throw PluginError("There is no " + name + " in " + places + ". Build it, or name its folder in ROBOTUI_RT_PLUGINS.");
+  throw PluginError("There is no " + name + " in " + link::listed(folders, [](const fs::path& folder) { return folder.string(); }) + ". Build it, or name its folder in ROBOTUI_RT_PLUGINS.");
 }
 
 fs::path executableFolder() {
@@ -78,12 +78,13 @@ std::unique_ptr<Made> make(void* factory, const fs::path& file) {
 }  // namespace
 
 PluginLibrary::PluginLibrary(const std::string& type, const std::vector<fs::path>& folders)
-    : type_(type), file_(findLibrary(type, folders)), handle_(dlopen(file_.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    : type_(type), file_(findLibrary(type, folders)), handle_(dlopen(file_.c_str(), RTLD_LAZY | RTLD_LOCAL)) {
   if (handle_ == nullptr) {
     throw PluginError(file_.string() + " cannot be loaded: " + dlerror());
   }
   try {
     checkAbi();
+    bind();
   } catch (...) {
     dlclose(handle_);
     throw;
@@ -106,6 +107,24 @@ void PluginLibrary::checkAbi() const {
          << ": build it again.";
     throw PluginError(what.str());
   }
+  void* facts = symbol("robotui_rt_plugin_facts");
+  if (facts == nullptr) {
+    throw PluginError(file_.string() + " does not say what it was built with: end its source with ROBOTUI_RT_PLUGIN(" + type_ + ").");
+  }
+  const std::string difference = link::abiDifference(file_.string(), reinterpret_cast<const link::AbiFact* (*)()>(facts)(), kPluginFacts);
+  if (!difference.empty()) {
+    throw PluginError(difference);
+  }
+}
+
+// All that it calls must be there before it runs. Not before it was checked: a library that was built another way lacks what it asks for, and
+// the reason says more than the name of a symbol.
+void PluginLibrary::bind() const {
+  void* const again = dlopen(file_.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (again == nullptr) {
+    throw PluginError(file_.string() + " cannot be loaded: " + dlerror());
+  }
+  dlclose(again);
 }
 
 std::unique_ptr<ControlPlugin> PluginLibrary::create(PluginKind kind) const {

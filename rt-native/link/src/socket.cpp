@@ -48,12 +48,12 @@ bool waitFor(int fd, short events, int timeout_ms) noexcept {
 }
 
 // Room for the descriptors of one packet.
-union Control {
+union DescriptorMessage {
   cmsghdr align;
   std::array<char, CMSG_SPACE(sizeof(int) * kMaxDescriptors)> bytes;
 };
 
-void attachDescriptors(msghdr& message, Control& control, std::span<const int> descriptors) noexcept {
+void attachDescriptors(msghdr& message, DescriptorMessage& control, std::span<const int> descriptors) noexcept {
   message.msg_control = control.bytes.data();
   message.msg_controllen = CMSG_SPACE(descriptors.size_bytes());
   cmsghdr* const header = CMSG_FIRSTHDR(&message);
@@ -124,7 +124,7 @@ Socket Socket::accept(Milliseconds timeout) const {
 bool Socket::send(std::string_view text, std::span<const int> descriptors) const noexcept {
   if (text.size() > kMaxPacket || descriptors.size() > kMaxDescriptors) return false;
   iovec part{const_cast<char*>(text.data()), text.size()};
-  Control control{};
+  DescriptorMessage control{};
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;
@@ -142,7 +142,7 @@ Received Socket::receive(Packet& into, Milliseconds timeout) const {
   if (!waitFor(get(), POLLIN, static_cast<int>(timeout.count()))) return Received::kTimeout;
   into.text.resize(kMaxPacket);
   iovec part{into.text.data(), into.text.size()};
-  Control control{};
+  DescriptorMessage control{};
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;

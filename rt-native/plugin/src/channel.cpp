@@ -1,5 +1,7 @@
 #include "robotui/rt/plugin/channel.h"
 
+#include <algorithm>
+
 #include "robotui/rt/link/board.h"
 
 // Thread sanitizer does not model fences. It need not here: all accesses around them are atomic.
@@ -26,8 +28,19 @@ bool placeOf(const ChannelSlot& slot, std::uint64_t number, std::size_t size, st
   return true;
 }
 
-bool isNamed(const ChannelSlot& slot, std::string_view name) {
+bool isNamed(const ChannelSlot& slot, std::string_view name) noexcept {
   return slot.id.load(std::memory_order_acquire) != 0 && link::view(slot.name) == name;
+}
+
+void mustFit(std::string_view what, std::string_view name) {
+  if (name.empty() || name.size() >= link::kNameLength) {
+    throw std::runtime_error("The name of the " + std::string(what) + " '" + std::string(name) + "' must have 1 to " +
+                             std::to_string(link::kNameLength - 1) + " bytes.");
+  }
+}
+
+std::string wordsOf(std::string_view schema, std::uint32_t version, std::size_t size) {
+  return std::string(schema) + " version " + std::to_string(version) + " (" + std::to_string(size) + " bytes)";
 }
 
 }  // namespace
@@ -81,35 +94,31 @@ Fetch fetch(const ChannelSlot& slot, std::uint64_t number, void* value, std::siz
 
 ChannelDirectory::ChannelDirectory(ChannelSegment& own, std::vector<const ChannelSegment*> all) : own_(&own), all_(std::move(all)) {}
 
-ChannelSlot& ChannelDirectory::open(std::string_view name, std::uint64_t type, std::size_t size, std::uint32_t depth) {
-  const std::string quoted = "'" + std::string(name) + "'";
-  if (name.empty() || name.size() >= link::kNameLength) {
-    throw std::runtime_error("The name of the channel " + quoted + " must have 1 to " + std::to_string(link::kNameLength - 1) + " bytes.");
+ChannelSlot& ChannelDirectory::open(const ChannelFacts& channel, std::uint32_t depth) {
+  mustFit("channel", channel.name);
+  mustFit("schema", channel.schema.name);
+  const std::string quoted = "'" + std::string(channel.name) + "'";
+  const std::size_t words = wordsOf(channel.size) + 1;
+  if (depth == 0 || words * depth > kChannelWords) {
+    throw std::runtime_error("The channel " + quoted + " cannot keep " + std::to_string(depth) + " values of " + std::to_string(channel.size) +
+                             " bytes: there is room for " + std::to_string(kChannelWords / words) + ".");
   }
-  if (depth == 0 || (wordsOf(size) + 1) * depth > kChannelWords) {
-    throw std::runtime_error("The channel " + quoted + " cannot keep " + std::to_string(depth) + " values of " + std::to_string(size) +
-                             " bytes: there is room for " + std::to_string(kChannelWords / (wordsOf(size) + 1)) + ".");
+  if (find(channel.name) != nullptr) {
+    throw std::runtime_error("The channel " + quoted + " has a writer already, and can have only one.");
   }
-  ChannelSlot* free = nullptr;
-  for (const ChannelSegment* segment : all_) {
-    for (const ChannelSlot& slot : segment->slots) {
-      if (isNamed(slot, name)) {
-        throw std::runtime_error("The channel " + quoted + " has a writer already, and can have only one.");
-      }
-    }
-  }
-  for (ChannelSlot& slot : own_->slots) {
-    free = free == nullptr && slot.id.load(std::memory_order_relaxed) == 0 ? &slot : free;
-  }
-  if (free == nullptr) {
+  const auto free = std::find_if(own_->slots.begin(), own_->slots.end(),
+                                 [](const ChannelSlot& slot) { return slot.id.load(std::memory_order_relaxed) == 0; });
+  if (free == own_->slots.end()) {
     throw std::runtime_error("The channel " + quoted + " finds no room: one process can have " + std::to_string(kMaxChannels) + ".");
   }
-  free->name.fill(0);
-  std::memcpy(free->name.data(), name.data(), name.size());
-  free->words.store(static_cast<std::uint32_t>(wordsOf(size) + 1), std::memory_order_relaxed);
+  link::assign(free->name, channel.name);
+  link::assign(free->schema, channel.schema.name);
+  free->version.store(channel.schema.version, std::memory_order_relaxed);
+  free->size.store(static_cast<std::uint32_t>(channel.size), std::memory_order_relaxed);
+  free->words.store(static_cast<std::uint32_t>(words), std::memory_order_relaxed);
   free->depth.store(depth, std::memory_order_relaxed);
   free->written.store(0, std::memory_order_relaxed);
-  free->id.store(detail::hash(name, type), std::memory_order_release);
+  free->id.store(channel.id(), std::memory_order_release);
   return *free;
 }
 
@@ -124,6 +133,22 @@ const ChannelSlot* ChannelDirectory::find(std::uint64_t id) const noexcept {
     }
   }
   return nullptr;
+}
+
+const ChannelSlot* ChannelDirectory::find(std::string_view name) const noexcept {
+  for (const ChannelSegment* segment : all_) {
+    const auto found = std::find_if(segment->slots.begin(), segment->slots.end(), [&](const ChannelSlot& slot) { return isNamed(slot, name); });
+    if (found != segment->slots.end()) return &*found;
+  }
+  return nullptr;
+}
+
+std::string ChannelDirectory::objection(const ChannelFacts& reader) const {
+  const ChannelSlot* const slot = find(reader.name);
+  if (slot == nullptr || slot->id.load(std::memory_order_acquire) == reader.id()) return {};
+  const std::string written = wordsOf(link::view(slot->schema), slot->version.load(std::memory_order_relaxed), slot->size.load(std::memory_order_relaxed));
+  return "The channel '" + std::string(reader.name) + "' carries " + written + ", and is read here as " +
+         wordsOf(reader.schema.name, reader.schema.version, reader.size) + ": build its writer and its readers from the same definition.";
 }
 
 }  // namespace robotui::rt

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "chosen_joints.h"
+#include "held_position.h"
 #include "numbers.h"
 
 namespace robotui::rt::plugins {
@@ -22,8 +23,8 @@ Eigen::Matrix3d rotation(double roll, double pitch, double yaw) noexcept {
 
 // The rotation vector from one orientation to another, in the axes of the base.
 Eigen::Vector3d turn(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) noexcept {
-  const Eigen::AngleAxisd way(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
-  return way.angle() * way.axis();
+  const Eigen::AngleAxisd between(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
+  return between.angle() * between.axis();
 }
 
 Eigen::Matrix<double, 6, 1> difference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) noexcept {
@@ -75,16 +76,14 @@ bool CartesianMotion::findChain(Setup& setup) {
   return true;
 }
 
-// From the references on, where there are some: the joints do not jump.
-void CartesianMotion::on_start(double /*time*/) {
+RtStatus CartesianMotion::on_start(double /*time*/) noexcept {
   for (Moved& moved : joints_) {
-    const bool is_held = (moved.joint->state().mode & link::kPosition) != 0 && std::isfinite(moved.joint->getPositionReference());
-    const double position = is_held ? moved.joint->getPositionReference() : moved.joint->getJointPosition();
-    moved.position = std::clamp(position, moved.joint->description().lower, moved.joint->description().upper);
+    moved.position = std::clamp(heldPosition(*moved.joint), moved.joint->description().lower, moved.joint->description().upper);
   }
   updateModel();
   target_ = path_ = at_ = tip();
   if (!first_pose_.empty()) setTarget(first_pose_.data(), static_cast<int>(first_pose_.size()));
+  return RtStatus::ok();
 }
 
 void CartesianMotion::updateModel() noexcept {
@@ -162,7 +161,7 @@ void CartesianMotion::integrate(double period) noexcept {
   }
 }
 
-void CartesianMotion::control_loop(double /*time*/, double period) {
+RtStatus CartesianMotion::control_loop(double /*time*/, double period) noexcept {
   const Vector6 along = advance(period);
   const Vector6 twist = along + kGain * difference(at_, path_);
   Eigen::Isometry3d base;
@@ -183,9 +182,10 @@ void CartesianMotion::control_loop(double /*time*/, double period) {
   at_ = tip();
   const bool there = difference(at_, target_).cwiseAbs().maxCoeff() < kThere;
   status_ = there ? "at the target" : held ? "a joint is at its limit" : "moving";
+  return RtStatus::ok();
 }
 
-void CartesianMotion::on_stop(double /*time*/) { status_ = "stopped"; }
+void CartesianMotion::on_stop(double /*time*/) noexcept { status_ = "stopped"; }
 
 bool CartesianMotion::setTarget(const double* numbers, int count) noexcept {
   if (count != 3 && count != 6) return false;

@@ -15,13 +15,17 @@ bool GravityCompensation::init_control_plugin(Setup& setup) {
   return true;
 }
 
-void GravityCompensation::on_start(double /*time*/) { status_ = "floating"; }
-
-void GravityCompensation::control_loop(double /*time*/, double /*period*/) {
-  const Eigen::VectorXd& weight = gravity_->update(*robot_);
-  for (Joint* joint : joints_) joint->setEffortReference(weight[joint->index()] - damping_ * joint->getJointVelocity());
+RtStatus GravityCompensation::on_start(double /*time*/) noexcept {
+  status_ = "floating";
+  return RtStatus::ok();
 }
 
-void GravityCompensation::on_stop(double /*time*/) { status_ = "stopped"; }
+RtStatus GravityCompensation::control_loop(double /*time*/, double /*period*/) noexcept {
+  const Eigen::VectorXd& weight = gravity_->update(*robot_);
+  for (Joint* joint : joints_) joint->setEffortReference(weight[joint->index()] - damping_ * joint->getJointVelocity());
+  return RtStatus::ok();
+}
+
+void GravityCompensation::on_stop(double /*time*/) noexcept { status_ = "stopped"; }
 
 }  // namespace robotui::rt::plugins

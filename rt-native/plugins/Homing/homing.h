@@ -14,18 +14,18 @@ namespace robotui::rt::plugins {
 class Homing final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;
-  void on_start(double time) override;
-  void control_loop(double time, double period) override;
+  RtStatus on_start(double time) noexcept override;
+  RtStatus control_loop(double time, double period) noexcept override;
   std::string_view status() const noexcept override { return status_; }
 
  private:
-  struct Way {
+  struct Move {
     Joint* joint;
     double from;
     double to;
   };
 
-  std::vector<Way> ways_;
+  std::vector<Move> moves_;
   double speed_ = 0.3;
   double least_seconds_ = 0;
   double seconds_ = 0;

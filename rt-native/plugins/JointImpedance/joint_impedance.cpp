@@ -37,10 +37,11 @@ bool JointImpedance::init_control_plugin(Setup& setup) {
 }
 
 // Damping comes at once, stiffness slowly: the robot settles instead of jumping.
-void JointImpedance::on_start(double /*time*/) {
+RtStatus JointImpedance::on_start(double /*time*/) noexcept {
   for (Spring& spring : springs_) spring.rest = spring.joint->getJointPosition();
   stiffness_ = ramp_ > 0 ? 0 : stiffness_goal_;
   damping_ = damping_goal_;
+  return RtStatus::ok();
 }
 
 double JointImpedance::approach(double value, double goal, double most, double period) const noexcept {
@@ -48,7 +49,7 @@ double JointImpedance::approach(double value, double goal, double most, double p
   return std::clamp(goal, value - step, value + step);
 }
 
-void JointImpedance::control_loop(double /*time*/, double period) {
+RtStatus JointImpedance::control_loop(double /*time*/, double period) noexcept {
   stiffness_ = approach(stiffness_, stiffness_goal_, std::max(stiffness_goal_, stiffness_), period);
   damping_ = approach(damping_, damping_goal_, std::max(damping_goal_, damping_), period);
   const Eigen::VectorXd* weight = gravity_ ? &gravity_->update(*robot_) : nullptr;
@@ -59,9 +60,10 @@ void JointImpedance::control_loop(double /*time*/, double period) {
     if (weight != nullptr) spring.joint->setEffortReference((*weight)[spring.joint->index()]);
   }
   status_ = stiffness_ == stiffness_goal_ ? "holding" : "changing its stiffness";
+  return RtStatus::ok();
 }
 
-void JointImpedance::on_stop(double /*time*/) { status_ = "stopped"; }
+void JointImpedance::on_stop(double /*time*/) noexcept { status_ = "stopped"; }
 
 bool JointImpedance::on_command(std::string_view words) {
   return setFrom(words, "stiffness ", kMostStiffness, stiffness_goal_) || setFrom(words, "damping ", kMostDamping, damping_goal_);

@@ -15,9 +15,9 @@ namespace robotui::rt::plugins {
 class JointImpedance final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;
-  void on_start(double time) override;
-  void control_loop(double time, double period) override;
-  void on_stop(double time) override;
+  RtStatus on_start(double time) noexcept override;
+  RtStatus control_loop(double time, double period) noexcept override;
+  void on_stop(double time) noexcept override;
   bool on_command(std::string_view words) override;
   std::string_view status() const noexcept override { return status_; }
 

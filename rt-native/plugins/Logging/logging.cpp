@@ -52,15 +52,16 @@ bool Logging::init_control_plugin(Setup& setup) {
   return true;
 }
 
-void Logging::on_start(double /*time*/) {
+RtStatus Logging::on_start(double /*time*/) noexcept {
   cycles_ = 0;
   session_.fetch_add(1, std::memory_order_release);
   say(true);
+  return RtStatus::ok();
 }
 
-void Logging::control_loop(double time, double /*period*/) {
+RtStatus Logging::control_loop(double time, double /*period*/) noexcept {
   if (cycles_++ % every_ != 0) {
-    return;
+    return RtStatus::ok();
   }
   const std::uint64_t in = in_.load(std::memory_order_relaxed);
   if (in - out_.load(std::memory_order_acquire) >= kSamples) {
@@ -80,9 +81,10 @@ void Logging::control_loop(double time, double /*period*/) {
   if (cycles_ % 512 == 1) {
     say(true);
   }
+  return RtStatus::ok();
 }
 
-void Logging::on_stop(double /*time*/) {
+void Logging::on_stop(double /*time*/) noexcept {
   session_.fetch_add(1, std::memory_order_release);
   say(false);
 }

@@ -22,10 +22,11 @@ class Logging final : public ControlPlugin {
   static constexpr std::size_t kSamples = 4096;  // four seconds of a 1 kHz loop
 
   ~Logging() override { close(); }
+  PluginRole role() const noexcept override { return PluginRole::kObserver; }
   bool init_control_plugin(Setup& setup) override;
-  void on_start(double time) override;
-  void control_loop(double time, double period) override;
-  void on_stop(double time) override;
+  RtStatus on_start(double time) noexcept override;
+  RtStatus control_loop(double time, double period) noexcept override;
+  void on_stop(double time) noexcept override;
   std::string_view status() const noexcept override { return {status_.data(), status_length_}; }
   void close() override;
 

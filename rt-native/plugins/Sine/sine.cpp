@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "chosen_joints.h"
+
 namespace robotui::rt::plugins {
 namespace {
 
@@ -23,32 +25,15 @@ bool Sine::init_control_plugin(Setup& setup) {
     setup.fail("`amplitude` must not be negative, and `frequency` above 0 and up to 5 Hz.");
     return false;
   }
-  const auto& robot = setup.robot().description();
-  std::vector<std::string> names;
-  for (const auto& name : params["joints"]) {
-    names.push_back(name.as<std::string>());
+  const auto joints = chosenJoints(config::Reader(params, {}, setup.name()), setup.robot());
+  for (Joint* joint : joints) {
+    swings_.push_back({joint, 0, 0});
   }
-  for (const auto& chosen : params["chains"]) {
-    for (const auto& chain : robot.chains) {
-      if (chain.name == chosen.as<std::string>()) {
-        names.insert(names.end(), chain.joints.begin(), chain.joints.end());
-      }
-    }
-  }
-  for (const auto& joint : robot.joints) {
-    if (names.empty() || std::find(names.begin(), names.end(), joint.name) != names.end()) {
-      swings_.push_back({setup.robot().findJoint(joint.name), 0, 0});
-    }
-  }
-  std::vector<std::string> claimed;
-  for (const Swing& swing : swings_) {
-    claimed.push_back(swing.joint->name());
-  }
-  setup.claim(claimed);
+  setup.claim(namesOf(joints));
   return true;
 }
 
-void Sine::on_start(double /*time*/) {
+RtStatus Sine::on_start(double /*time*/) noexcept {
   phase_ = 0;
   grown_ = 0;
   for (Swing& swing : swings_) {
@@ -56,6 +41,7 @@ void Sine::on_start(double /*time*/) {
     swing.centre = std::clamp(swing.joint->getJointPosition(), limits.lower, limits.upper);
     limit(swing);
   }
+  return RtStatus::ok();
 }
 
 // A joint at its limit does not swing: there is no room on one side.
@@ -66,13 +52,14 @@ void Sine::limit(Swing& swing) const noexcept {
   swing.amplitude = std::max(0.0, std::min({amplitude_, room, quick}));
 }
 
-void Sine::control_loop(double /*time*/, double period) {
+RtStatus Sine::control_loop(double /*time*/, double period) noexcept {
   phase_ = std::fmod(phase_ + 2 * std::numbers::pi * frequency_ * period, 2 * std::numbers::pi);
   grown_ = std::min(1.0, grown_ + period / kGrowSeconds);
   const double now = grown_ * std::sin(phase_);
   for (const Swing& swing : swings_) {
     swing.joint->setPositionReference(swing.centre + swing.amplitude * now);
   }
+  return RtStatus::ok();
 }
 
 bool Sine::on_command(std::string_view words) {

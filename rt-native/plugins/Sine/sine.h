@@ -12,8 +12,8 @@ namespace robotui::rt::plugins {
 class Sine final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;
-  void on_start(double time) override;
-  void control_loop(double time, double period) override;
+  RtStatus on_start(double time) noexcept override;
+  RtStatus control_loop(double time, double period) noexcept override;
   bool on_command(std::string_view words) override;
 
  private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chosen_joints.h"
+#include "held_position.h"
 #include "robotui/rt/link/clock.h"
 
 namespace robotui::rt::plugins {
@@ -26,49 +28,27 @@ void apply(Joint& joint, const link::JointCommand& command) noexcept {
   if ((command.mode & link::kDamping) != 0) joint.setDamping(command.damping);
 }
 
-bool chosen(const YAML::Node& params, const config::RobotDescription& robot, const std::string& joint) {
-  bool any = false;
-  for (const auto& name : params["joints"]) {
-    any = true;
-    if (name.as<std::string>() == joint) return true;
-  }
-  for (const auto& name : params["chains"]) {
-    any = true;
-    for (const auto& chain : robot.chains) {
-      const bool is_in = std::find(chain.joints.begin(), chain.joints.end(), joint) != chain.joints.end();
-      if (chain.name == name.as<std::string>() && is_in) return true;
-    }
-  }
-  return !any;
-}
-
 }  // namespace
 
 bool XBotCommunicationPlugin::init_control_plugin(Setup& setup) {
-  RobotInterface& robot = setup.robot();
-  std::vector<std::string> names;
-  for (int i = 0; i < robot.getJointNum(); ++i) {
-    if (chosen(setup.params(), robot.description(), robot.joint(i).name())) {
-      joints_.push_back({&robot.joint(i), 0, 0, 0});
-      names.push_back(robot.joint(i).name());
-    }
+  const auto joints = chosenJoints(config::Reader(setup.params(), {}, setup.name()), setup.robot());
+  for (Joint* joint : joints) {
+    joints_.push_back({joint, 0, 0, 0});
   }
-  setup.claim(names);
-  reader_ = std::make_unique<link::MasterReader>(setup.master(), static_cast<std::uint32_t>(robot.getJointNum()));
+  setup.claim(namesOf(joints));
+  reader_ = std::make_unique<link::MasterReader>(setup.master(), static_cast<std::uint32_t>(setup.robot().getJointNum()));
   return true;
 }
 
 // What the master said before it was given the robot does not count.
-void XBotCommunicationPlugin::on_start(double time) {
+RtStatus XBotCommunicationPlugin::on_start(double time) noexcept {
   readMaster(time);
   master_ = {};
   for (Held& held : joints_) {
-    const double reference = held.joint->getPositionReference();
-    const bool is_held = (held.joint->state().mode & link::kPosition) != 0 && std::isfinite(reference);
-    held.position = is_held ? reference : held.joint->getJointPosition();
-    held.target = held.position;
+    held.position = held.target = heldPosition(*held.joint);
   }
   status_ = "waiting for references";
+  return RtStatus::ok();
 }
 
 bool XBotCommunicationPlugin::readMaster(double time) noexcept {
@@ -102,7 +82,7 @@ void XBotCommunicationPlugin::approach(Held& held, double period) noexcept {
   held.position = std::clamp(wanted, limits.lower, limits.upper);
 }
 
-void XBotCommunicationPlugin::control_loop(double time, double period) {
+RtStatus XBotCommunicationPlugin::control_loop(double time, double period) noexcept {
   const bool valid = readMaster(time);
   status_ = valid ? "following the master" : "waiting for references";
   for (Held& held : joints_) {
@@ -115,6 +95,7 @@ void XBotCommunicationPlugin::control_loop(double time, double period) {
       approach(held, period);
     }
   }
+  return RtStatus::ok();
 }
 
 }  // namespace robotui::rt::plugins

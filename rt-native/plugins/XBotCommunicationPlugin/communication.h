@@ -13,9 +13,10 @@ namespace robotui::rt::plugins {
 // next in even steps, no faster than the joint may. A joint for which there is no reference, or none any more, holds the last one.
 class XBotCommunicationPlugin final : public ControlPlugin {
  public:
+  PluginRole role() const noexcept override { return PluginRole::kMaster; }
   bool init_control_plugin(Setup& setup) override;
-  void on_start(double time) override;
-  void control_loop(double time, double period) override;
+  RtStatus on_start(double time) noexcept override;
+  RtStatus control_loop(double time, double period) noexcept override;
   std::string_view status() const noexcept override { return status_; }
 
  private:

@@ -5,6 +5,7 @@
 
 #include "joint_vectors.h"
 #include "kdl_model.h"
+#include "robotui/rt/link/words.h"
 #ifdef RT_HAVE_MUJOCO
 #include "mujoco_model.h"
 #endif
@@ -28,10 +29,8 @@ void copyState(const Joint& from, link::JointState& to) noexcept {
 }
 
 [[noreturn]] void refuse(std::string_view type) {
-  std::string there;
-  for (const auto& name : ModelInterface::types()) there += (there.empty() ? "" : ", ") + name;
   const std::string hint = type == "MUJOCO" ? "; MuJoCo was not found when this was built" : "";
-  throw std::runtime_error("there is no model of the type '" + std::string(type) + "'; there are " + there + hint);
+  throw std::runtime_error("there is no model of the type '" + std::string(type) + "'; there are " + link::listed(ModelInterface::types()) + hint);
 }
 
 }  // namespace

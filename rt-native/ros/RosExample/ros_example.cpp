@@ -45,19 +45,21 @@ bool RosExample::hold(const std_srvs::SetBool::Request& request, std_srvs::SetBo
   return true;
 }
 
-void RosExample::on_start(double /*time*/) {
+RtStatus RosExample::on_start(double /*time*/) {
   centre_ = joint_->getJointPosition();
   phase_ = 0;
   offset_ = 0;
+  return RtStatus::ok();
 }
 
-void RosExample::control_loop(double /*time*/, double period) {
+RtStatus RosExample::control_loop(double /*time*/, double period) {
   node_->spin();
   if (!held_) phase_ = std::fmod(phase_ + 2 * std::numbers::pi * frequency_ * period, 2 * std::numbers::pi);
   joint_->setPositionReference(centre_ + offset_ + amplitude_ * std::sin(phase_));
   std_msgs::Float64 message;
   message.data = joint_->getJointPosition();
   positions_.publish(message);
+  return RtStatus::ok();
 }
 
 }  // namespace robotui::rt::plugins

@@ -15,8 +15,8 @@ namespace robotui::rt::plugins {
 class RosExample final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;
-  void on_start(double time) override;
-  void control_loop(double time, double period) override;
+  RtStatus on_start(double time) override;
+  RtStatus control_loop(double time, double period) override;
   std::string_view status() const noexcept override { return held_ ? "holding" : "swinging"; }
   void close() override { node_.reset(); }
 

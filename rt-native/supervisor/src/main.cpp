@@ -23,23 +23,23 @@ int work(const Options& options) {
   const config::RtConfig config = config::load(options.config, options.overrides);
   const config::Plan plan = config::plan(config, options.communication);
   const std::string name = options.name.empty() ? config.robot.name : options.name;
-  Desk desk(link::socketPath(name));
-  Journal journal(journalFile(name), options.verbose);
+  ControlServer server(link::socketPath(name));
+  LogFile log(logFilePath(name), options.verbose);
   for (const std::string& warning : config.warnings) {
-    journal.warn(warning);
+    log.warn(warning);
   }
   const std::string lack = options.nrt ? std::string() : lackOfRights(highestPriority(config));
   if (!lack.empty() && !options.allow_non_rt) {
-    journal.error(lack);
+    log.error(lack);
     return 3;
   }
   if (options.nrt) {
-    journal.warn("This is not real time, as it was asked for (--nrt): cycles will come late.");
+    log.warn("This is not real time, as it was asked for (--nrt): cycles will come late.");
   } else if (!lack.empty()) {
-    journal.warn("This process may not run in real time and goes on without (--allow-non-rt): cycles will come late.");
+    log.warn("This process may not run in real time and goes on without (--allow-non-rt): cycles will come late.");
   }
-  Supervisor supervisor(options, config, plan, lack.empty() && !options.nrt, desk, journal);
-  journal.info("The robot " + name + " listens at " + desk.path().string() + ".");
+  Supervisor supervisor(options, config, plan, lack.empty() && !options.nrt, server, log);
+  log.info("The robot " + name + " listens at " + server.path().string() + ".");
   return supervisor.run();
 }
 

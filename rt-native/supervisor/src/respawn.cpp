@@ -2,7 +2,7 @@
 
 namespace robotui::rt::supervisor {
 
-void RespawnPolicy::died(std::int64_t now_ns) {
+void RespawnPolicy::ended(std::int64_t now_ns) {
   while (!deaths_.empty() && now_ns - deaths_.front() > kWindowNs) {
     deaths_.pop_front();
   }

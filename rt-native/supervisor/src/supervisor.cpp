@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include "robotui/rt/link/clock.h"
+#include "robotui/rt/supervisor/shutdown.h"
 
 namespace robotui::rt::supervisor {
 namespace {
@@ -13,30 +14,30 @@ constexpr std::int64_t kHalPatience = 5 * link::kSecond;
 
 }  // namespace
 
-Supervisor::Supervisor(const Options& options, const config::RtConfig& config, const config::Plan& plan, bool real_time, Desk& desk,
-                       Journal& journal)
-    : options_(options), config_(config), plan_(plan), desk_(desk), journal_(journal), board_(config, plan, real_time),
-      roster_(config, plan, board_), master_(static_cast<std::uint32_t>(config.robot.joints.size()), config.master),
-      pending_([this](std::uint64_t client, const std::string& text) { reply(client, text); }),
-      ros_(config.master == "ROS" && options.communication.enabled) {
-  for (std::uint32_t i = 0; i < plan.hosts.size(); ++i) {
-    hosts_.push_back(std::make_unique<HostKeeper>(i, plan.hosts[i]));
-  }
-}
+Supervisor::Supervisor(const Options& options, const config::RtConfig& config, const config::Plan& plan, bool real_time, ControlServer& server,
+                       LogFile& log)
+    : server_(server), log_(log), board_(config, plan, real_time), registry_(config, plan, board_),
+      master_(static_cast<std::uint32_t>(config.robot.joints.size()), config.master), ros_process_(config.master == "ROS" && options.communication.enabled),
+      replies_(board_, server), pending_([this](std::uint64_t client, const std::string& text) { replies_.reply(client, text); }),
+      events_(registry_, pending_, log), hosts_(options, plan, {hal_process_, board_, master_, ros_process_}, events_, replies_, log),
+      hal_(options, config, hal_process_, board_, hosts_, replies_, log), ros_(options, ros_process_, hosts_, log),
+      plugin_requests_(registry_, hosts_, pending_, board_, replies_), robot_requests_(config.robot, hal_process_, hosts_, board_, replies_),
+      master_requests_(master_, options.communication.enabled, replies_, log),
+      requests_(plugin_requests_, robot_requests_, master_requests_, replies_, log) {}
 
 // Whatever goes wrong here, the HAL is told to end: it must not be killed with the robot in motion.
 int Supervisor::run() {
-  if (const std::string lack = ros_.lack(); !lack.empty()) {
-    journal_.warn(lack);
+  if (const std::string lack = ros_process_.lack(); !lack.empty()) {
+    log_.warn(lack);
   }
   try {
-    spawnHal();
+    hal_.spawn();
     while (!ending_) {
       waitForSomething();
       turn();
     }
   } catch (const std::exception& e) {
-    journal_.error(std::string("robotui-rt cannot go on: ") + e.what());
+    log_.error(std::string("robotui-rt cannot go on: ") + e.what());
     exit_code_ = 1;
   }
   end();
@@ -45,87 +46,65 @@ int Supervisor::run() {
 
 void Supervisor::waitForSomething() {
   std::vector<pollfd> polled{{signals_.get(), POLLIN, 0}};
-  if (hal_.child().isAlive()) {
-    polled.push_back({hal_.child().socket().get(), POLLIN, 0});
-  }
-  for (const auto& host : hosts_) {
-    if (host->child().isAlive()) {
-      polled.push_back({host->child().socket().get(), POLLIN, 0});
+  std::vector<Child*> children = hosts_.running();
+  children.insert(children.end(), {&hal_process_.child(), &ros_process_.child()});
+  for (Child* child : children) {
+    if (child->isAlive()) {
+      polled.push_back({child->socket().get(), POLLIN, 0});
     }
   }
-  if (ros_.child().isAlive()) {
-    polled.push_back({ros_.child().socket().get(), POLLIN, 0});
-  }
   if (serving_) {
-    desk_.addTo(polled);
+    server_.addTo(polled);
   }
   ::poll(polled.data(), polled.size(), kTurnMs);
 }
 
 void Supervisor::turn() {
   ending_ = signals_.take() || ending_;
-  hearHal();
-  reapHal();
-  for (std::uint32_t i = 0; i < hosts_.size(); ++i) {
-    hearHost(i);
-    reapHost(i);
+  if (!hal_.turn(serving_)) {
+    exit_code_ = 1;
+    ending_ = true;
   }
+  hosts_.turn();
+  serving_ = serving_ || hosts_.areSettled();
   const std::int64_t now = link::now();
-  respawn(now);
-  watch(now);
-  keepRos(now);
-  if (serving_) {
-    desk_.serve([this](std::uint64_t client, const link::Packet& packet) { serve(client, packet); },
-                [this](std::uint64_t client) {
-                  master_.forget(client);
-                  pending_.forget(client);
-                });
+  if (!ending_) {
+    hal_.respawn(now);
+    hosts_.respawn(now);
   }
-  pending_.expire(now);
-  if (master_.expire(now)) {
-    journal_.warn("The master sent no references any more: it is none now.");
+  hal_.watch(now);
+  hosts_.watch(now);
+  if (!ending_) {
+    ros_.turn(now, serving_);
   }
+  serveClients(now);
   board_.publish();
+}
+
+void Supervisor::serveClients(std::int64_t now_ns) {
+  if (serving_) {
+    server_.serve([this](std::uint64_t client, const link::Packet& packet) { requests_.serve(client, packet); },
+                  [this](std::uint64_t client) {
+                    master_.forget(client);
+                    pending_.forget(client);
+                  });
+  }
+  pending_.expire(now_ns);
+  if (master_.expire(now_ns)) {
+    log_.warn("The master sent no references any more: it is none now.");
+  }
 }
 
 // First the plugins, while the HAL still holds the robot; then the HAL, which makes it safe before it goes.
 void Supervisor::end() {
-  journal_.info("robotui-rt ends.");
-  std::vector<Child*> children;
-  for (const auto& host : hosts_) {
-    if (host->child().isAlive()) {
-      host->child().socket().send("end");
-      children.push_back(&host->child());
-    }
+  log_.info("robotui-rt ends.");
+  std::vector<Child*> clients_of_hal = hosts_.running();
+  if (ros_process_.child().isAlive()) {
+    clients_of_hal.push_back(&ros_process_.child());
   }
-  if (ros_.child().isAlive()) {
-    ros_.child().socket().send("end");
-    children.push_back(&ros_.child());
-  }
-  awaitEnd(kHostPatience, children);
-  if (hal_.child().isAlive()) {
-    hal_.child().socket().send("end");
-    awaitEnd(kHalPatience, {&hal_.child()});
-  }
-}
-
-void Supervisor::awaitEnd(std::int64_t patience_ns, const std::vector<Child*>& children) {
-  const std::int64_t until = link::now() + patience_ns;
-  for (bool impatient = false; !impatient && link::now() < until;) {
-    bool alive = false;
-    for (Child* child : children) {
-      child->end();
-      alive = alive || child->isAlive();
-    }
-    if (!alive) {
-      return;
-    }
-    pollfd polled{signals_.get(), POLLIN, 0};
-    ::poll(&polled, 1, kTurnMs);
-    impatient = signals_.take();  // asked to end a second time
-  }
-  for (Child* child : children) {
-    child->kill();
+  endProcesses(clients_of_hal, kHostPatience, signals_);
+  if (hal_process_.child().isAlive()) {
+    endProcesses({&hal_process_.child()}, kHalPatience, signals_);
   }
 }
 

@@ -23,7 +23,7 @@ class PluginThreadTest : public ::testing::Test {
     writer_ = std::make_unique<link::StateWriter>(*state_, link::Counts{kJoints, 0, 0});
     state_->loop.period_ns = link::kMillisecond;
     board_writer_ = std::make_unique<link::BoardWriter>(*board_);
-    around_ = {robot_, "KDL", {RT_PLUGINS}, &directory_, master_.get(), &log_, PluginKind::kControl};
+    environment_ = {robot_, "KDL", {RT_PLUGINS}, &directory_, master_.get(), &log_, PluginKind::kControl};
   }
 
   std::unique_ptr<PluginThread> makeThread(std::int64_t period_ns = link::kMillisecond) {
@@ -34,7 +34,7 @@ class PluginThreadTest : public ::testing::Test {
 
   std::unique_ptr<HostedPlugin> makePlugin(std::uint32_t index, const std::string& params) {
     config::PluginConfig config{"plugin" + std::to_string(index), "Naughty", "test", YAML::Load(params), {}};
-    return std::make_unique<HostedPlugin>(index, config, 0.001, around_, snapshot_);
+    return std::make_unique<HostedPlugin>(index, config, 0.001, environment_, snapshot_);
   }
 
   static void attach(PluginThread& thread, HostedPlugin& plugin) {
@@ -78,7 +78,7 @@ class PluginThreadTest : public ::testing::Test {
   std::unique_ptr<ChannelSegment> channels_ = std::make_unique<ChannelSegment>();
   ChannelDirectory directory_{*channels_, {channels_.get()}};
   LogQueue log_;
-  PluginSurroundings around_;
+  PluginEnvironment environment_;
   link::FrameData snapshot_{};
   std::unique_ptr<link::StateWriter> writer_;
   std::unique_ptr<link::BoardWriter> board_writer_;
@@ -131,6 +131,53 @@ TEST_F(PluginThreadTest, LosesOnlyThePluginThatThrows) {
   thread->detach(*good);
 }
 
+TEST_F(PluginThreadTest, FailsAPluginWhoseLoopSaysSo) {
+  const auto plugin = makePlugin(0, "{joints: [j1]}");
+  const auto thread = makeThread();
+  attach(*thread, *plugin);
+  board_writer_->grant(0, 0);
+  plugin->want(true);
+  ASSERT_TRUE(cycleUntil([&] { return commands().joints[0].mode != 0; }));
+  plugin->order(1, "fail");
+  ASSERT_TRUE(cycleUntil([&] { return plugin->state() == PluginState::kFailed; }));
+  EXPECT_EQ(plugin->failure(), "control_loop of the plugin plugin0 failed: it was told to fail");
+  EXPECT_TRUE(cycleUntil([&] { return commands().joints[0].mode == 0; }));
+  thread->detach(*plugin);
+}
+
+// Its life with commands, a status line that changes, and a failure: nothing of it asks the heap. A throw would, and is counted, too.
+TEST_F(PluginThreadTest, AsksNothingOfTheHeapInItsCycles) {
+  const auto plugin = makePlugin(0, "{joints: [j1]}");
+  const auto thread = makeThread();
+  attach(*thread, *plugin);
+  board_writer_->grant(0, 0);
+  plugin->want(true);
+  ASSERT_TRUE(cycleUntil([&] { return commands().joints[0].mode != 0; }));
+  plugin->order(1, "nonsense");
+  HostedPlugin::Answer answer{};
+  ASSERT_TRUE(cycleUntil([&] { return plugin->takeAnswer(answer); }));
+  plugin->want(false);
+  ASSERT_TRUE(cycleUntil([&] { return plugin->state() == PluginState::kStopped; }));
+  plugin->want(true);
+  plugin->order(2, "fail");
+  ASSERT_TRUE(cycleUntil([&] { return plugin->state() == PluginState::kFailed; }));
+  thread->stop();
+  EXPECT_EQ(link::relaxedLoad(host_->thread_statistics[0].allocations), 0u);
+  thread->detach(*plugin);
+}
+
+TEST_F(PluginThreadTest, CountsWhatAThrowAsksOfTheHeap) {
+  const auto plugin = makePlugin(0, "{}");
+  const auto thread = makeThread();
+  attach(*thread, *plugin);
+  plugin->want(true);
+  plugin->order(1, "throw");
+  ASSERT_TRUE(cycleUntil([&] { return plugin->state() == PluginState::kFailed; }));
+  thread->stop();
+  EXPECT_GT(link::relaxedLoad(host_->thread_statistics[0].allocations), 0u);
+  thread->detach(*plugin);
+}
+
 TEST_F(PluginThreadTest, AnswersCommandsAndTellsTheStatus) {
   const auto plugin = makePlugin(0, "{}");
   const auto thread = makeThread();
@@ -140,7 +187,7 @@ TEST_F(PluginThreadTest, AnswersCommandsAndTellsTheStatus) {
   ASSERT_TRUE(cycleUntil([&] { return plugin->takeAnswer(answer); }));
   EXPECT_EQ(answer.id, 7u);
   EXPECT_FALSE(answer.understood);
-  Words<link::kTextLength - 1> status;
+  HostedPlugin::Line status;
   while (plugin->takeStatus(status)) {
   }
   EXPECT_EQ(status.view(), "told");
@@ -170,6 +217,13 @@ TEST_F(PluginThreadTest, LetsGoOfAPluginWhileItCycles) {
   SUCCEED();
 }
 
+TEST_F(PluginThreadTest, KnowsAPluginByTheRoleThatItDeclares) {
+  EXPECT_EQ(makePlugin(0, "{joints: [j1]}")->role(), PluginRole::kControl);
+  const auto observer = makePlugin(0, "{observer: true, joints: [j1]}");
+  EXPECT_EQ(observer->role(), PluginRole::kObserver);
+  EXPECT_TRUE(observer->claims().empty());
+}
+
 TEST_F(PluginThreadTest, SaysWhyAPluginIsNotMadeReady) {
   const auto why = [&](const std::string& params) {
     try {
@@ -181,6 +235,8 @@ TEST_F(PluginThreadTest, SaysWhyAPluginIsNotMadeReady) {
   };
   EXPECT_EQ(why("{init: throw}"), "The plugin plugin0 cannot be made ready: it was told to throw");
   EXPECT_EQ(why("{init: refuse}"), "The plugin plugin0 cannot be made ready: it was told to refuse");
+  EXPECT_EQ(why("{observer: true, init: claim}"),
+            "The plugin plugin0 cannot be made ready: it is an observer and claims joints; one that commands joints has another role()");
   EXPECT_NE(why("{joints: [j9]}").find("no joint 'j9'"), std::string::npos);
 }
 

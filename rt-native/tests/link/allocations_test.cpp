@@ -1,6 +1,7 @@
 #include "robotui/rt/link/allocations.h"
 
 #include <memory>
+#include <stdexcept>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,12 @@ TEST(Allocations, are_counted_in_the_thread_and_scope_that_asks) {
     kept() = std::make_unique<int>(2);
   }
   EXPECT_EQ(allocationCount().calls, before + 2);  // one more, and the old one less
+  try {
+    const CountAllocations count;
+    throw std::runtime_error("what is thrown lies in the heap");
+  } catch (const std::runtime_error&) {
+    EXPECT_GT(allocationCount().calls, before + 2);
+  }
   {
     const CountAllocations count;
     std::jthread([] { EXPECT_FALSE(allocationCount().counting); });

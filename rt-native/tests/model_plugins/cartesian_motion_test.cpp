@@ -11,7 +11,7 @@ struct Cartesian : testing::Test {
   std::unique_ptr<ModelInterface> model = setup.createModel();
   void SetUp() override {
     ASSERT_TRUE(plugin.init_control_plugin(setup));
-    plugin.on_start(0);
+    EXPECT_TRUE(plugin.on_start(0).isOk());
   }
   Eigen::Isometry3d tip() {
     Eigen::Isometry3d pose;
@@ -60,7 +60,7 @@ TEST_F(Cartesian, StaysWithinPositionsAndVelocitiesWhereTheTargetIsOutOfReach) {
   std::vector<double> last(7);
   for (int i = 0; i < 7; ++i) last[static_cast<std::size_t>(i)] = setup.robot().joint(i).getJointPosition();
   for (int cycle = 0; cycle < 8000; ++cycle) {
-    plugin.control_loop(0, 0.001);
+    EXPECT_TRUE(plugin.control_loop(0, 0.001).isOk());
     setup.robot().follow();
     for (int i = 0; i < 7; ++i) {
       const auto& joint = setup.robot().joint(i);
@@ -96,7 +96,7 @@ TEST(CartesianMotion, TheFrameIsThatOfTheChainsBase) {
   setup.robot().state("torso_yaw").link_position = 1;  // what turns the base of the chain does not matter
   CartesianMotion plugin;
   ASSERT_TRUE(plugin.init_control_plugin(setup));
-  plugin.on_start(0);
+  EXPECT_TRUE(plugin.on_start(0).isOk());
   const auto model = setup.createModel();
   const auto in_chest = [&] {
     Eigen::Isometry3d chest;

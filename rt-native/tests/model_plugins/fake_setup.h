@@ -67,17 +67,19 @@ class FakeSetup final : public Setup {
   FakeLog log_;
 };
 
-// Cycles of a millisecond; none may allocate.
+// Cycles of a millisecond; none may allocate or fail.
 inline void run(ControlPlugin& plugin, FakeSetup& setup, int cycles) {
   const auto before = link::allocationCount().calls;
+  int failures = 0;
   {
     const link::CountAllocations counting;
     for (int i = 0; i < cycles; ++i) {
-      plugin.control_loop(0.001 * i, 0.001);
+      failures += plugin.control_loop(0.001 * i, 0.001).isOk() ? 0 : 1;
       setup.robot().follow();
     }
   }
   EXPECT_EQ(link::allocationCount().calls, before) << "allocations in the cycle";
+  EXPECT_EQ(failures, 0);
 }
 
 }  // namespace robotui::rt::plugins

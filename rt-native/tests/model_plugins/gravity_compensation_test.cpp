@@ -10,7 +10,7 @@ TEST(GravityCompensation, SendsTheWeightOfTheModelAndNothingElse) {
   GravityCompensation plugin;
   ASSERT_TRUE(plugin.init_control_plugin(setup));
   EXPECT_EQ(setup.claimed.size(), 7U);
-  plugin.on_start(0);
+  EXPECT_TRUE(plugin.on_start(0).isOk());
   run(plugin, setup, 50);
   const auto model = setup.createModel();
   model->syncFrom(setup.robot());

@@ -10,7 +10,7 @@ struct Impedance : testing::Test {
   JointImpedance plugin;
   void SetUp() override {
     ASSERT_TRUE(plugin.init_control_plugin(setup));
-    plugin.on_start(0);
+    EXPECT_TRUE(plugin.on_start(0).isOk());
   }
   const link::JointCommand& elbow() { return setup.robot().findJoint("elbow_pitch")->command(); }
 };
@@ -52,7 +52,7 @@ TEST(JointImpedance, TheModelCanCarryTheWeight) {
   FakeSetup setup(robotNamed("arm"), "{gravity: true, ramp: 0}");
   JointImpedance plugin;
   ASSERT_TRUE(plugin.init_control_plugin(setup));
-  plugin.on_start(0);
+  EXPECT_TRUE(plugin.on_start(0).isOk());
   run(plugin, setup, 5);
   EXPECT_EQ(setup.robot().joint(1).command().mode, link::kPosition | link::kEffort | link::kImpedance);
   const auto model = setup.createModel();

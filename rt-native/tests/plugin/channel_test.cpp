@@ -6,10 +6,13 @@
 #include <functional>
 #include <thread>
 
+#include "robotui/rt/link/allocations.h"
+
 namespace robotui::rt {
 namespace {
 
 struct Sample {
+  static constexpr Schema kSchema{"test/sample", 1};
   std::uint64_t number;
   std::uint64_t twice;
   std::uint32_t odd_size;
@@ -81,16 +84,83 @@ TEST_F(ChannelTest, IsFreeAgainWhenItsWriterIsGoneAndFindsTheNextOne) {
   EXPECT_EQ(got.number, 9u);
 }
 
-TEST_F(ChannelTest, IsNotFoundUnderAnotherType) {
+// The same bytes, said to mean something else.
+struct NewSample : Sample {
+  static constexpr Schema kSchema{"test/sample", 2};
+};
+
+TEST_F(ChannelTest, RefusesAReaderOfAnotherSchemaAndNamesBoth) {
   ChannelWriter<Sample> writer(in_a_, "samples");
-  ChannelReader<double> reader(in_b_, "samples");
-  writer.write({1, 2, 3});
-  double got = 0;
-  EXPECT_FALSE(reader.latest(got));
+  EXPECT_EQ(refusal([&] { ChannelReader<NewSample>(in_b_, "samples"); }),
+            "The channel 'samples' carries test/sample version 1 (24 bytes), and is read here as test/sample version 2 (24 bytes): build its writer "
+            "and its readers from the same definition.");
+  EXPECT_NE(refusal([&] { ChannelReader<double>(in_b_, "samples"); }).find("read here as float64 version 1 (8 bytes)"), std::string::npos);
 }
 
+TEST_F(ChannelTest, ReadsNothingOfAWriterOfAnotherSchemaThatComesLaterAndSaysSo) {
+  ChannelReader<double> reader(in_b_, "samples");
+  EXPECT_EQ(reader.state(), ChannelState::kNoWriter);
+  double got = 0;
+  {
+    ChannelWriter<Sample> writer(in_a_, "samples");
+    writer.write({1, 2, 3});
+    EXPECT_FALSE(reader.latest(got));
+    EXPECT_EQ(reader.state(), ChannelState::kOtherSchema);
+    EXPECT_NE(reader.objection().find("carries test/sample version 1"), std::string::npos);
+    ChannelReader<double> patient(in_b_, "samples", OtherSchema::kAwait);
+    EXPECT_EQ(patient.state(), ChannelState::kOtherSchema);
+  }
+  ChannelWriter<double> writer(in_a_, "samples");
+  writer.write(1.5);
+  EXPECT_EQ(reader.state(), ChannelState::kConnected);
+  EXPECT_EQ(reader.objection(), "");
+  ASSERT_TRUE(reader.latest(got));
+  EXPECT_DOUBLE_EQ(got, 1.5);
+}
+
+// Whatever its name in C++ and whoever compiled it.
+struct SameBytes {
+  static constexpr Schema kSchema{"test/sample", 1};
+  std::uint64_t a;
+  std::uint64_t b;
+  std::uint32_t c;
+};
+
+TEST_F(ChannelTest, KnowsATypeByItsSchemaAlone) {
+  ChannelWriter<Sample> writer(in_a_, "samples");
+  writer.write({4, 8, 5});
+  ChannelReader<SameBytes> reader(in_b_, "samples");
+  SameBytes got{};
+  ASSERT_TRUE(reader.latest(got));
+  EXPECT_EQ(got.b, 8u);
+}
+
+TEST_F(ChannelTest, AsksNothingOfTheHeapInACycle) {
+  ChannelWriter<Sample> writer(in_a_, "samples");
+  ChannelReader<Sample> reader(in_b_, "samples");
+  ChannelReader<double> nobody(in_b_, "nobody");
+  Sample got{};
+  double none = 0;
+  const std::uint64_t before = link::allocationCount().calls;
+  {
+    const link::CountAllocations counting;
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      writer.write({i, 2 * i, 0});
+      reader.next(got);
+      reader.latest(got);
+      nobody.latest(none);
+      nobody.state();
+    }
+  }
+  EXPECT_EQ(link::allocationCount().calls, before);
+}
+
+struct Large {
+  static constexpr Schema kSchema{"test/large", 1};
+  std::array<char, 9000> bytes;
+};
+
 TEST_F(ChannelTest, RefusesWhatDoesNotFitWithASentence) {
-  using Large = std::array<char, 9000>;
   EXPECT_NE(refusal([&] { ChannelWriter<Large>(in_a_, "large", 1); }).find("there is room for 0"), std::string::npos);
   EXPECT_NE(refusal([&] { ChannelWriter<int>(in_a_, std::string(80, 'x')); }).find("1 to 63 bytes"), std::string::npos);
   std::vector<ChannelWriter<int>> all;

@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "robotui/rt/link/allocations.h"
+
 namespace robotui::rt {
 namespace {
 
@@ -21,6 +23,17 @@ TEST(LogQueue, KeepsTheLinesInOrderWithTheirSource) {
   ASSERT_TRUE(queue.pop(line));
   EXPECT_EQ(line.level, LogLevel::kError);
   EXPECT_FALSE(queue.pop(line));
+}
+
+TEST(LogQueue, AsksNothingOfTheHeapInACycle) {
+  LogQueue queue;
+  TaggedLog log(queue, 7);
+  const std::uint64_t before = link::allocationCount().calls;
+  {
+    const link::CountAllocations counting;
+    for (std::size_t i = 0; i < 2 * LogQueue::kLines; ++i) log.warn("a line that may find no room");
+  }
+  EXPECT_EQ(link::allocationCount().calls, before);
 }
 
 TEST(LogQueue, CutsALongLine) {

@@ -150,6 +150,16 @@ TEST(Processes, AThrowingPluginFailsAloneAndCanBeReloaded) {
   expectOk(robot.ask("switch bad 1"));
 }
 
+TEST(Processes, APluginWhoseLoopSaysThatItFailedFailsAlone) {
+  RunningRobot robot(kTwoHosts);
+  expectOk(robot.ask("switch bad 1"));
+  robot.ask("command bad fail");
+  ASSERT_TRUE(eventually([&] { return robot.stateOf("bad") == PluginState::kFailed; }));
+  EXPECT_EQ(robot.errorOf("bad"), "control_loop of the plugin bad failed: it was told to fail");
+  EXPECT_EQ(robot.board()->host[0].respawns, 0u);
+  expectOk(robot.ask("reload bad"));
+}
+
 TEST(Processes, WhoScribblesOverItsSegmentHarmsNobodyElse) {
   RunningRobot robot(kTwoHosts);
   expectOk(robot.ask("switch bad 1"));

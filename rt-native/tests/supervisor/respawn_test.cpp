@@ -9,11 +9,11 @@ constexpr std::int64_t kMs = 1'000'000;
 
 TEST(RespawnPolicy, StartsAtOnceAfterOneDeathAndLaterEachTime) {
   RespawnPolicy policy;
-  policy.died(1000 * kMs);
+  policy.ended(1000 * kMs);
   EXPECT_EQ(policy.startAt(), 1000 * kMs);
-  policy.died(1010 * kMs);
+  policy.ended(1010 * kMs);
   EXPECT_EQ(policy.startAt(), 1110 * kMs);
-  policy.died(1200 * kMs);
+  policy.ended(1200 * kMs);
   EXPECT_EQ(policy.startAt(), 1400 * kMs);
   EXPECT_FALSE(policy.isGivenUp());
 }
@@ -21,7 +21,7 @@ TEST(RespawnPolicy, StartsAtOnceAfterOneDeathAndLaterEachTime) {
 TEST(RespawnPolicy, GivesUpAfterFiveDeathsInTenSeconds) {
   RespawnPolicy policy;
   for (int i = 0; i < 5; ++i) {
-    policy.died(i * 1000 * kMs);
+    policy.ended(i * 1000 * kMs);
   }
   EXPECT_TRUE(policy.isGivenUp());
   policy.reset();
@@ -31,7 +31,7 @@ TEST(RespawnPolicy, GivesUpAfterFiveDeathsInTenSeconds) {
 TEST(RespawnPolicy, ForgetsDeathsOfLongAgo) {
   RespawnPolicy policy;
   for (int i = 0; i < 20; ++i) {
-    policy.died(i * 11000 * kMs);
+    policy.ended(i * 11000 * kMs);
     EXPECT_EQ(policy.startAt(), i * 11000 * kMs);
   }
   EXPECT_FALSE(policy.isGivenUp());

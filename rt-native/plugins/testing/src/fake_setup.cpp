@@ -20,7 +20,7 @@ void PluginBench::cycles(int count) {
   for (int i = 0; i < count; ++i) {
     const link::CountAllocations counting;
     setup_.fake().sense();
-    plugin_.control_loop(time_, setup_.period());
+    note(plugin_.control_loop(time_, setup_.period()));
     setup_.fake().move();
     time_ += setup_.period();
   }

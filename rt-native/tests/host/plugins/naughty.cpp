@@ -14,18 +14,25 @@ using namespace robotui::rt;
 
 class Naughty final : public ControlPlugin {
  public:
+  PluginRole role() const noexcept override { return is_observer_ ? PluginRole::kObserver : PluginRole::kControl; }
   bool init_control_plugin(Setup& setup) override {
     const auto at_init = setup.params()["init"].as<std::string>("");
+    is_observer_ = setup.params()["observer"].as<bool>(false);
+    if (at_init == "claim") setup.claim({"j1"});
     if (at_init == "throw") throw std::runtime_error("it was told to throw");
     if (at_init == "crash") crash();
     if (at_init == "refuse") setup.fail("it was told to refuse");
     for (const auto& name : setup.params()["joints"]) joint_ = setup.robot().findJoint(name.as<std::string>());
     return at_init != "refuse";
   }
-  void on_start(double /*time*/) override { held_ = joint_ == nullptr ? 0 : joint_->getJointPosition(); }
-  void control_loop(double /*time*/, double /*period*/) override {
+  RtStatus on_start(double /*time*/) override {
+    held_ = joint_ == nullptr ? 0 : joint_->getJointPosition();
+    return RtStatus::ok();
+  }
+  RtStatus control_loop(double /*time*/, double /*period*/) override {
     if (joint_ != nullptr) joint_->setPositionReference(held_);
     misbehave();
+    return todo_ == "fail" ? RtStatus::failed("it was told to ", todo_) : RtStatus::ok();
   }
   bool on_command(std::string_view words) override {
     todo_ = words;
@@ -62,6 +69,7 @@ class Naughty final : public ControlPlugin {
     while (todo_ == "spin") spun_ = spun_ + 1;
   }
 
+  bool is_observer_ = false;
   Joint* joint_ = nullptr;
   double held_ = 0;
   std::string todo_;

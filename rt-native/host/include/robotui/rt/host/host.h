@@ -75,7 +75,7 @@ class Host {
   LogQueue log_;
   config::Plan plan_;
   link::FrameData snapshot_{};
-  PluginSurroundings around_;
+  PluginEnvironment environment_;
   std::vector<Hosted> plugins_;
   std::vector<std::unique_ptr<PluginThread>> threads_;  // behind the plugins: they end first
 };

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,14 +12,15 @@
 
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/host/link_robot.h"
-#include "robotui/rt/host/mailbox.h"
 #include "robotui/rt/host/plugin_library.h"
+#include "robotui/rt/host/spsc_queue.h"
+#include "robotui/rt/link/fixed_text.h"
 #include "robotui/rt/plugin/log_queue.h"
 
 namespace robotui::rt::host {
 
 // What all plugins of a host share. Outlives them.
-struct PluginSurroundings {
+struct PluginEnvironment {
   std::shared_ptr<const config::RobotDescription> robot;
   std::string model_type;
   std::vector<std::filesystem::path> folders;
@@ -30,9 +32,10 @@ struct PluginSurroundings {
 
 class HostedPlugin {
  public:
+  using Line = link::FixedText<link::kTextLength - 1>;
   struct Order {
     std::uint32_t id;
-    Words<496> words;
+    link::FixedText<496> words;
   };
   struct Answer {
     std::uint32_t id;
@@ -40,7 +43,7 @@ class HostedPlugin {
   };
 
   // Loads and initialises; throws PluginError with a sentence. `index` is that on the board, `frame` what it senses meanwhile.
-  HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period, const PluginSurroundings& around,
+  HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period, const PluginEnvironment& environment,
                const link::FrameData& frame);
   ~HostedPlugin();  // the thread must have let go
   HostedPlugin(const HostedPlugin&) = delete;
@@ -51,12 +54,13 @@ class HostedPlugin {
   const std::string& name() const noexcept { return name_; }
   std::uint32_t index() const noexcept { return index_; }
   const std::vector<std::string>& claims() const noexcept { return claims_; }
+  PluginRole role() const noexcept { return role_; }
   // Closes and unloads, once the thread has let go. False where the library stays in memory, so that a changed one would not be seen.
   bool retire() noexcept;
   void want(bool running) noexcept { wanted_.store(running, std::memory_order_release); }
   bool order(std::uint32_t id, std::string_view words) noexcept;
   bool takeAnswer(Answer& answer) noexcept { return answers_.pop(answer); }
-  bool takeStatus(Words<link::kTextLength - 1>& status) noexcept { return statuses_.pop(status); }
+  bool takeStatus(Line& status) noexcept { return statuses_.pop(status); }
   link::PluginState state() const noexcept { return state_.load(std::memory_order_acquire); }
   std::string failure() const { return std::string(failure_.view()); }  // once the state is kFailed
 
@@ -67,10 +71,12 @@ class HostedPlugin {
   std::span<const link::JointCommand> outgoing() const noexcept { return robot_.outgoing(); }
 
  private:
-  class Ready;
+  class MakingReady;
   template <typename Step>
-  bool guarded(const char* what, Step&& step) noexcept;
-  void init(const config::PluginConfig& config, double period, const PluginSurroundings& around);
+  bool succeeds(const char* what, Step&& step) noexcept;
+  void fail(std::initializer_list<std::string_view> parts) noexcept;
+  void settleRole(bool has_claimed);
+  void init(const config::PluginConfig& config, double period, const PluginEnvironment& environment);
   void startOrStop(double time) noexcept;
   void obey() noexcept;
   void report() noexcept;
@@ -82,14 +88,15 @@ class HostedPlugin {
   std::vector<std::string> claims_;
   PluginLibrary library_;
   std::unique_ptr<ControlPlugin> plugin_;
+  PluginRole role_ = PluginRole::kControl;
 
   std::atomic<bool> wanted_{false};
   std::atomic<link::PluginState> state_{link::PluginState::kStopped};
-  Words<link::kTextLength - 1> failure_;
-  Words<link::kTextLength - 1> reported_;
-  Mailbox<Order, 16> orders_;
-  Mailbox<Answer, 16> answers_;
-  Mailbox<Words<link::kTextLength - 1>, 4> statuses_;
+  Line failure_;
+  Line reported_;
+  SpscQueue<Order, 16> orders_;
+  SpscQueue<Answer, 16> answers_;
+  SpscQueue<Line, 4> statuses_;
 };
 
 // `joints` and `chains` of a plugin's parameters as names of joints, each once, in the robot's order. Throws PluginError.

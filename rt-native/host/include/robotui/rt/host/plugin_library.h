@@ -37,6 +37,7 @@ class PluginLibrary {
  private:
   void* symbol(const char* name) const;
   void checkAbi() const;
+  void bind() const;
 
   std::string type_;
   std::filesystem::path file_;

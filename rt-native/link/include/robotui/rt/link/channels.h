@@ -15,11 +15,14 @@ inline constexpr std::uint32_t kChannelWords = 1024;  // 8 KiB: a value and its 
 
 // A place for one channel. `id` is written last and cleared first: 0 is free.
 struct ChannelSlot {
-  std::atomic<std::uint64_t> id;       // of name and type
+  std::atomic<std::uint64_t> id;       // of name, schema and size
   std::atomic<std::uint64_t> written;  // values so far
   std::atomic<std::uint32_t> words;    // of one value and its sequence
   std::atomic<std::uint32_t> depth;    // values that are kept
+  std::atomic<std::uint32_t> size;     // of one value, bytes
+  std::atomic<std::uint32_t> version;  // of its schema
   Name name;
+  Name schema;
   std::array<std::atomic<std::uint64_t>, kChannelWords> data;
 };
 

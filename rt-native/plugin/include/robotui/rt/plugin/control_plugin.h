@@ -9,15 +9,17 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "robotui/rt/link/plugin_role.h"
+#include "robotui/rt/plugin/abi.h"
 #include "robotui/rt/plugin/channel.h"
 #include "robotui/rt/plugin/rt_log.h"
+#include "robotui/rt/plugin/rt_status.h"
 #include "robotui/rt/robot/model_interface.h"
 #include "robotui/rt/robot/xbot_interface.h"
 
 namespace robotui::rt {
 
-// Another number means another layout of what follows: a library of another one is refused, with both numbers.
-inline constexpr std::uint32_t kPluginAbi = 1;
+using link::PluginRole;
 
 // What a plugin is given when it is made ready. Not to be used in the control loop.
 class Setup {
@@ -43,13 +45,18 @@ class ControlPlugin {
  public:
   virtual ~ControlPlugin() = default;
 
+  // What it is there for; asked once it has been made ready. An observer may claim no joints.
+  virtual PluginRole role() const noexcept { return PluginRole::kControl; }
+
   // Not real time: may block, allocate, throw (its message is shown). False where it cannot work, after setup.fail(why).
   virtual bool init_control_plugin(Setup& setup) = 0;
 
   // All three in the real-time thread of the plugin. Times are seconds of the control's clock. The host calls robot.sense() before
-  // and robot.move() after; they must not allocate, block or throw.
-  virtual void on_start(double /*time*/) {}
-  virtual void control_loop(double time, double period) = 0;
+  // and robot.move() after; they must not allocate, block or throw. Where on_start or control_loop returns that it failed, the plugin is
+  // stopped, its joints become safe, and the text is shown; it can be reloaded. One that throws all the same is treated alike, but what it
+  // throws costs memory of the heap, and so time.
+  virtual RtStatus on_start(double /*time*/) { return RtStatus::ok(); }
+  virtual RtStatus control_loop(double time, double period) = 0;
   virtual void on_stop(double /*time*/) {}
 
   // A word from the user (<PLUGIN>_cmd), in the real-time thread between two loops; false where it is not understood.
@@ -64,10 +71,17 @@ class ControlPlugin {
 
 }  // namespace robotui::rt
 
-#define ROBOTUI_RT_PLUGIN(Class)                                                                                        \
+// What every library of a plugin exports, whatever kind it is.
+#define ROBOTUI_RT_PLUGIN_ABI                                                                                           \
   extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_plugin_abi() {                             \
     return robotui::rt::kPluginAbi;                                                                                     \
   }                                                                                                                     \
+  extern "C" __attribute__((visibility("default"))) const robotui::rt::link::AbiFact* robotui_rt_plugin_facts() {       \
+    return robotui::rt::kPluginFacts;                                                                                   \
+  }
+
+#define ROBOTUI_RT_PLUGIN(Class)                                                                                        \
+  ROBOTUI_RT_PLUGIN_ABI                                                                                                 \
   extern "C" __attribute__((visibility("default"))) robotui::rt::ControlPlugin* robotui_rt_plugin_create() {            \
     return new Class();                                                                                                 \
   }

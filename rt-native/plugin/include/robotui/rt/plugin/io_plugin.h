@@ -32,9 +32,7 @@ class IoPlugin {
 }  // namespace robotui::rt
 
 #define ROBOTUI_RT_IO_PLUGIN(Class)                                                                                     \
-  extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_plugin_abi() {                             \
-    return robotui::rt::kPluginAbi;                                                                                     \
-  }                                                                                                                     \
+  ROBOTUI_RT_PLUGIN_ABI                                                                                                 \
   extern "C" __attribute__((visibility("default"))) robotui::rt::IoPlugin* robotui_rt_io_plugin_create() {              \
     return new Class();                                                                                                 \
   }

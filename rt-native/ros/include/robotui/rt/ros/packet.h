@@ -19,6 +19,7 @@ inline constexpr std::size_t kMostPorts = 24;  // of one plugin
 // A value of a channel: as many as fit are kept.
 template <std::size_t Bytes>
 struct Packet {
+  static constexpr Schema kSchema{"robotui/ros/packet", 1};
   static constexpr std::size_t kRoom = Bytes - 16;
   static constexpr std::uint32_t kDepth = static_cast<std::uint32_t>(kChannelWords / (Bytes / 8 + 1));
   std::uint32_t size;    // of data, bytes; more than kRoom is not valid
@@ -86,11 +87,14 @@ class PacketWriter {
   LargePacket large_packet_{};
 };
 
+// A port that was small and is large now may still have its old writer for a moment.
 class PacketReader {
  public:
   PacketReader() = default;
   PacketReader(const ChannelDirectory& directory, const std::string& name, bool large)
-      : is_large_(large), small_(directory, name), large_(directory, name) {}
+      : is_large_(large),
+        small_(large ? ChannelReader<SmallPacket>() : ChannelReader<SmallPacket>(directory, name, OtherSchema::kAwait)),
+        large_(large ? ChannelReader<LargePacket>(directory, name, OtherSchema::kAwait) : ChannelReader<LargePacket>()) {}
 
   // The next one, valid until the next call; false where there is none.
   bool next() noexcept { return is_large_ ? large_.next(large_packet_) : small_.next(small_packet_); }

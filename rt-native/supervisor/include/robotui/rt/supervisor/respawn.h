@@ -13,7 +13,7 @@ class RespawnPolicy {
   static constexpr std::int64_t kFirstDelayNs = 100'000'000;
 
   // The first death is followed by a start at once, each further one of the window by twice the delay.
-  void died(std::int64_t now_ns);
+  void ended(std::int64_t now_ns);
 
   bool isGivenUp() const noexcept { return given_up_; }
   std::int64_t startAt() const noexcept { return start_at_ns_; }

@@ -65,20 +65,28 @@ class PluginBench {
   PluginBench(ControlPlugin& plugin, FakeSetup& setup) : plugin_(plugin), setup_(setup) {}
 
   bool init() { return plugin_.init_control_plugin(setup_); }
-  void start() { plugin_.on_start(time_); }
+  void start() { note(plugin_.on_start(time_)); }
   void cycles(int count);
   void run(double seconds) { cycles(static_cast<int>(seconds / setup_.period())); }
   void stop() { plugin_.on_stop(time_); }
   void close() { plugin_.close(); }
   double time() const noexcept { return time_; }
 
-  // What the cycles asked of the heap; only counted in programs that link rt::malloc_counter, and not under sanitizers.
+  // What on_start or control_loop said last when it failed; empty where none did.
+  std::string_view failure() const noexcept { return failure_.view(); }
+
+  // What the cycles asked of the heap; only counted in programs that link rt::malloc_counter.
   std::uint64_t allocations() const noexcept { return allocations_; }
 
  private:
+  void note(const RtStatus& status) noexcept {
+    if (!status.isOk()) failure_.assign(status.text());
+  }
+
   ControlPlugin& plugin_;
   FakeSetup& setup_;
   double time_ = 100;
+  link::FixedText<RtStatus::kTextLength> failure_;
   std::uint64_t allocations_ = 0;
 };
 

@@ -1,0 +1,44 @@
+// The HAL: started with the memory of the hosts, listened to, watched, and started again when it died.
+#pragma once
+
+#include <cstdint>
+
+#include "robotui/rt/config/config.h"
+#include "robotui/rt/supervisor/client_replies.h"
+#include "robotui/rt/supervisor/hal_process.h"
+#include "robotui/rt/supervisor/host_supervisor.h"
+#include "robotui/rt/supervisor/log_file.h"
+#include "robotui/rt/supervisor/options.h"
+
+namespace robotui::rt::supervisor {
+
+class HalSupervisor {
+ public:
+  HalSupervisor(const Options& options, const config::RtConfig& config, HalProcess& hal, BoardPublisher& board, HostSupervisor& hosts,
+                ClientReplies& replies, LogFile& log)
+      : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), replies_(replies), log_(log) {}
+
+  // Throws std::runtime_error.
+  void spawn();
+
+  // What it said, and whether it died. False where there is no robot any more: it died again and again, or before it opened the robot while
+  // nobody was served yet (`serving`).
+  bool turn(bool serving);
+
+  void respawn(std::int64_t now_ns);
+  void watch(std::int64_t now_ns) { hal_.watch(now_ns); }
+
+ private:
+  void receive();
+  bool ended(const std::string& how, bool serving);
+
+  const Options& options_;
+  const config::RtConfig& config_;
+  HalProcess& hal_;
+  BoardPublisher& board_;
+  HostSupervisor& hosts_;
+  ClientReplies& replies_;
+  LogFile& log_;
+};
+
+}  // namespace robotui::rt::supervisor

@@ -1,0 +1,38 @@
+// What clients ask of plugins: start, stop, reload, a word, the status.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "robotui/rt/supervisor/client_replies.h"
+#include "robotui/rt/supervisor/host_supervisor.h"
+#include "robotui/rt/supervisor/pending_requests.h"
+#include "robotui/rt/supervisor/plugin_registry.h"
+
+namespace robotui::rt::supervisor {
+
+class PluginRequests {
+ public:
+  PluginRequests(PluginRegistry& registry, HostSupervisor& hosts, PendingRequests& pending, BoardPublisher& board, ClientReplies& replies)
+      : registry_(registry), hosts_(hosts), pending_(pending), board_(board), replies_(replies) {}
+
+  // `words` are those behind the verb. What the host has yet to do is answered later.
+  void switchPlugin(std::uint64_t client, std::string_view words);
+  void reload(std::uint64_t client, std::string_view words);
+  void command(std::uint64_t client, std::string_view words);
+  void status(std::uint64_t client, std::string_view words);
+
+ private:
+  void start(std::uint64_t client, std::uint32_t plugin);
+  void stop(std::uint64_t client, std::uint32_t plugin);
+  HostProcess& hostOf(std::uint32_t plugin) { return hosts_[registry_.host(plugin)]; }
+
+  PluginRegistry& registry_;
+  HostSupervisor& hosts_;
+  PendingRequests& pending_;
+  BoardPublisher& board_;
+  ClientReplies& replies_;
+  std::uint32_t next_command_ = 1;
+};
+
+}  // namespace robotui::rt::supervisor

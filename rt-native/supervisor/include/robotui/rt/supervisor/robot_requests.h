@@ -1,0 +1,33 @@
+// What clients ask about the robot as a whole: its memory, and the texts that describe it.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "robotui/rt/config/config.h"
+#include "robotui/rt/supervisor/client_replies.h"
+#include "robotui/rt/supervisor/hal_process.h"
+#include "robotui/rt/supervisor/host_supervisor.h"
+
+namespace robotui::rt::supervisor {
+
+class RobotRequests {
+ public:
+  RobotRequests(const config::RobotDescription& robot, const HalProcess& hal, const HostSupervisor& hosts, const BoardPublisher& board,
+                ClientReplies& replies)
+      : robot_(robot), hal_(hal), hosts_(hosts), board_(board), replies_(replies) {}
+
+  void attach(std::uint64_t client);
+
+  // A text of the robot in pieces, as packets are small: "urdf OFFSET" is answered by "ok NEXT PIECE", where NEXT is 0 at the end.
+  void describe(std::uint64_t client, std::string_view words);
+
+ private:
+  const config::RobotDescription& robot_;
+  const HalProcess& hal_;
+  const HostSupervisor& hosts_;
+  const BoardPublisher& board_;
+  ClientReplies& replies_;
+};
+
+}  // namespace robotui::rt::supervisor

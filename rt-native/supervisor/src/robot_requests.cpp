@@ -1,0 +1,46 @@
+#include "robotui/rt/supervisor/robot_requests.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "numbers.h"
+#include "quoted.h"
+#include "robotui/rt/link/words.h"
+
+namespace robotui::rt::supervisor {
+namespace {
+
+constexpr std::size_t kDescriptionPiece = std::size_t{32} * 1024;
+
+}  // namespace
+
+void RobotRequests::attach(std::uint64_t client) {
+  if (!hal_.isOpen()) {
+    replies_.answer(client, "The HAL is not there now: it is being started again.");
+    return;
+  }
+  std::vector<link::Descriptor> shared;
+  shared.push_back(hal_.state().shareReadOnly());
+  shared.push_back(board_.share());
+  for (link::Descriptor& segment : hosts_.shareSegments()) {
+    shared.push_back(std::move(segment));
+  }
+  replies_.reply(client, "attached " + std::to_string(hosts_.size()), numbersOf(shared));
+}
+
+void RobotRequests::describe(std::uint64_t client, std::string_view words) {
+  const auto [which, from] = link::splitWord(words);
+  std::size_t offset = 0;
+  const auto [end, error] = std::from_chars(from.data(), from.data() + from.size(), offset);
+  if ((which != "urdf" && which != "srdf") || error != std::errc() || end != from.data() + from.size()) {
+    replies_.answer(client, "describe needs urdf or srdf and an offset, not " + quoted(words) + ".");
+    return;
+  }
+  const std::string& text = which == "urdf" ? robot_.urdf : robot_.srdf;
+  offset = std::min(offset, text.size());
+  std::size_t stop = std::min(offset + kDescriptionPiece, text.size());
+  while (stop < text.size() && stop > offset && (static_cast<unsigned char>(text[stop]) & 0xC0U) == 0x80U) --stop;  // characters stay whole
+  replies_.reply(client, "ok " + std::to_string(stop < text.size() ? stop : 0) + " " + text.substr(offset, stop - offset));
+}
+
+}  // namespace robotui::rt::supervisor
