@@ -31,7 +31,14 @@ TEST(Library, a_hal_of_the_user_is_loaded) {
 
 TEST(Library, one_for_another_interface_is_refused_with_both_numbers) {
   const std::string error = errorOf(OTHER_HAL);
-  EXPECT_NE(error.find("interface 99, this program has 1"), std::string::npos) << error;
+  EXPECT_NE(error.find("interface 99, this program has 2"), std::string::npos) << error;
+}
+
+TEST(Library, one_that_was_built_another_way_is_refused_with_both_ways) {
+  const std::string error = errorOf(STRANGE_HAL);
+  EXPECT_NE(error.find("libstrange_hal.so does not fit this program: it was built with _GLIBCXX_USE_CXX11_ABI 0, and this program with "
+                       "_GLIBCXX_USE_CXX11_ABI 1. Build it again with the same _GLIBCXX_USE_CXX11_ABI."),
+            std::string::npos) << error;
 }
 
 TEST(Library, that_is_not_there_or_no_hal_is_an_error_with_its_name) {

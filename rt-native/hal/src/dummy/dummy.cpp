@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robotui/rt/config/reader.h"
+#include "robotui/rt/link/words.h"
 
 namespace robotui::rt::hal {
 
@@ -23,9 +24,8 @@ double positionIn(const std::vector<config::Posture>& postures, const std::strin
 void checkPosture(const std::vector<config::Posture>& postures, const std::string& posture, const config::Place& place) {
   const bool there = std::any_of(postures.begin(), postures.end(), [&](const config::Posture& each) { return each.name == posture; });
   if (there || posture.empty()) return;
-  std::string known;
-  for (const config::Posture& each : postures) known += (known.empty() ? "" : ", ") + each.name;
-  throw config::ConfigError(place, "The SRDF has no posture '" + posture + "'; it has: " + (known.empty() ? "none" : known) + ".");
+  const std::string known = link::listed(postures, &config::Posture::name, "none");
+  throw config::ConfigError(place, "The SRDF has no posture '" + posture + "'; it has: " + known + ".");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "robotui/rt/config/config.h"
+#include "robotui/rt/link/abi.h"
 #include "robotui/rt/link/layout.h"
 
 namespace robotui::rt::hal {
@@ -50,14 +51,27 @@ class Hal {
   virtual void close() noexcept = 0;
 };
 
-// What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
-inline constexpr std::uint32_t kHalAbi = 1;
+// What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration. A library of another
+// number, or that was built another way, is refused.
+inline constexpr std::uint32_t kHalAbi = 2;
+
+// Of this source file: internal linkage, so that no other file's list takes its place.
+constexpr link::AbiFact kHalFacts[] = {
+    ROBOTUI_RT_TOOLCHAIN_FACTS,
+    ROBOTUI_RT_SIZE_OF(link::JointState),
+    ROBOTUI_RT_SIZE_OF(config::RobotDescription),
+    ROBOTUI_RT_SIZE_OF(config::HalConfig),
+    {},
+};
 
 }  // namespace robotui::rt::hal
 
 #define ROBOTUI_RT_HAL(Class)                                                                              \
   extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_hal_abi() {                   \
     return robotui::rt::hal::kHalAbi;                                                                      \
+  }                                                                                                        \
+  extern "C" __attribute__((visibility("default"))) const robotui::rt::link::AbiFact* robotui_rt_hal_facts() { \
+    return robotui::rt::hal::kHalFacts;                                                                    \
   }                                                                                                        \
   extern "C" __attribute__((visibility("default"))) robotui::rt::hal::Hal* robotui_rt_hal_create() {       \
     return new Class();                                                                                    \
