@@ -1,5 +1,5 @@
 # ROS 1, where it is wanted: the target rt::ros_libraries, and rt_ros_messages() for messages that no package of the system has.
-set(RT_ROS AUTO CACHE STRING "the ROS face: ON, OFF, or AUTO (where ROS 1 is found)")
+set(RT_ROS AUTO CACHE STRING "the process that shows the robot in ROS: ON, OFF, or AUTO (where ROS 1 is found)")
 set(RT_ROS_PACKAGES "libroscpp-dev libstd-srvs-dev libsensor-msgs-dev libgeometry-msgs-dev libtf2-msgs-dev python3-gencpp python3-genpy")
 set(RT_ROS_DEFINITIONS ${CMAKE_CURRENT_LIST_DIR}/../../bundles/org.robotui.ros/src/org/robotui/ros/message/definitions)
 
@@ -15,9 +15,9 @@ if(RT_ROS)
     set(RT_ROS_FOUND TRUE)
     message(STATUS "ROS: roscpp ${ROSCPP_roscpp_VERSION}")
   elseif(RT_ROS STREQUAL "AUTO")
-    message(STATUS "ROS: not found, so there is no ROS face and no robotui/rt/ros (install ${RT_ROS_PACKAGES})")
+    message(STATUS "ROS: not found, so there is no robotui-rt-ros and no robotui/rt/ros (install ${RT_ROS_PACKAGES})")
   else()
-    message(FATAL_ERROR "The ROS face is wanted (RT_ROS=${RT_ROS}) but ROS 1 was not found: install ${RT_ROS_PACKAGES}")
+    message(FATAL_ERROR "robotui-rt-ros is wanted (RT_ROS=${RT_ROS}) but ROS 1 was not found: install ${RT_ROS_PACKAGES}")
   endif()
 endif()
 

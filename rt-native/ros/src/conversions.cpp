@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 std::uint16_t degrees(float temperature) {
@@ -122,4 +122,4 @@ std::string readCommand(const Columns& columns, std::span<const std::string> nam
   return {};
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -14,7 +14,7 @@
 #include "message_shape.h"
 #include "robotui/rt/link/layout.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 // A name of a plugin or sensor as a part of a ROS name: what may not stand there becomes '_'.
 std::string rosName(std::string_view name);
@@ -32,4 +32,4 @@ void fill(geometry_msgs::WrenchStamped& message, const link::ForceTorqueState& s
 // it says nothing.
 std::string readCommand(const Columns& columns, std::span<const std::string> names, std::vector<link::JointCommand>& commands);
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <iostream>
 
-#include "face.h"
+#include "robot_topics.h"
 #include "master_watch.h"
 #include "plugin_ports.h"
 #include "robotui/rt/link/clock.h"
@@ -17,7 +17,7 @@ namespace {
 
 namespace config = robotui::rt::config;
 namespace link = robotui::rt::link;
-using namespace robotui::rt::ros_face;
+using namespace robotui::rt::ros_bridge;
 
 constexpr std::uint32_t kServiceThreads = 4;
 constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // ROS believes the length that a message says of itself
@@ -83,9 +83,9 @@ bool awaitMaster(Supervision& supervision) {
   return true;
 }
 
-class Node {
+class BridgeProcess {
  public:
-  Node(const Options& options, Supervision& supervision)
+  BridgeProcess(const Options& options, Supervision& supervision)
       : config_(config::load(options.config, options.overrides)), plan_(config::plan(config_, options.communication)), transforms_(config_.robot),
         supervision_(supervision), period_ns_(std::chrono::nanoseconds(options.communication.period).count()),
         name_(options.name.empty() ? config_.robot.name : options.name), robot_(name_, config_.robot.joints.size()), requests_(name_),
@@ -102,7 +102,7 @@ class Node {
       ros::getGlobalCallbackQueue()->callAvailable();
       ports_->turn();
       if (link::now() >= publish_at) {
-        face_->publish();
+        topics_->publish();
         publish_at = std::max(publish_at + period_ns_, link::now());
       }
       next = std::max(next + std::min(period_ns_, kPortsEvery), link::now());
@@ -114,12 +114,12 @@ class Node {
  private:
   // Says all to the master, also again.
   void offer() {
-    const Say say = [this](const char* level, const std::string& line) { supervision_.say(level, "ROS: " + line); };
+    const LogFunction log = [this](const char* level, const std::string& line) { supervision_.say(level, "ROS: " + line); };
     ports_.reset();
-    face_.reset();
-    face_ = std::make_unique<Face>(config_, plan_, transforms_, robot_, requests_, services_, say);
-    ports_ = std::make_unique<PluginPorts>(supervision_.own(), supervision_.hosts(), plan_, services_, say);
-    say("info", "registered with the master at " + ros::master::getURI() + ".");
+    topics_.reset();
+    topics_ = std::make_unique<RobotTopics>(config_, plan_, transforms_, robot_, requests_, services_, log);
+    ports_ = std::make_unique<PluginPorts>(supervision_.own(), supervision_.hosts(), plan_, services_, log);
+    log("info", "registered with the master at " + ros::master::getURI() + ".");
   }
 
   config::RtConfig config_;
@@ -132,7 +132,7 @@ class Node {
   Requests requests_;
   ros::CallbackQueue services_;
   ros::AsyncSpinner spinner_;
-  std::unique_ptr<Face> face_;
+  std::unique_ptr<RobotTopics> topics_;
   std::unique_ptr<PluginPorts> ports_;
 };
 
@@ -147,7 +147,7 @@ int work(int argc, char** argv) {
   if (!awaitMaster(supervision)) return 0;
   ros::start();
   try {
-    Node(options, supervision).run();
+    BridgeProcess(options, supervision).run();
   } catch (const std::exception& e) {
     supervision.say("error", std::string("ROS: ") + e.what());
     ros::shutdown();

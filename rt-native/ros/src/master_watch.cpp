@@ -6,7 +6,7 @@
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::chrono::milliseconds kStep{100};
@@ -35,4 +35,4 @@ void MasterWatch::watch() {
   }
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 class MasterWatch {
  public:
@@ -21,7 +21,7 @@ class MasterWatch {
 
   std::atomic<bool> forgotten_{false};
   std::atomic<bool> going_{true};
-  std::thread thread_;  // a master that hangs must not stop the face
+  std::thread thread_;  // a master that hangs must not stop the topics of the robot
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cstring>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::size_t kLongest = 256 * 1024;  // of a definition
@@ -189,4 +189,4 @@ Columns MessageShape::read(std::span<const std::uint8_t> bytes) const {
   return columns;
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

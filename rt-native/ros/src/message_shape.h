@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 class ShapeError : public std::runtime_error {
  public:
@@ -56,4 +56,4 @@ class MessageShape {
   std::vector<Type> types_;  // 0 is the message
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

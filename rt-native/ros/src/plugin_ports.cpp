@@ -3,7 +3,7 @@
 #include "conversions.h"
 #include "robotui/rt/link/clock.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::int64_t kLookEvery = 100 * link::kMillisecond;
@@ -21,8 +21,8 @@ std::string PortPlace::topic(const std::string& name) const {
   return "/xbotcore/" + rosName(plugin) + (name.empty() ? "" : "/" + name);
 }
 
-PluginPorts::PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, Say say)
-    : channels_(directoryOf(own, std::move(hosts))), queue_(queue), say_(std::move(say)) {
+PluginPorts::PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, LogFunction log)
+    : channels_(directoryOf(own, std::move(hosts))), queue_(queue), log_(std::move(log)) {
   for (const auto& each : plan.plugins) plugins_[each.plugin.name];
 }
 
@@ -50,8 +50,8 @@ void PluginPorts::look() {
 
 bool PluginPorts::look(const std::string& plugin, std::vector<Place>& places, std::size_t index) {
   if (index == places.size()) {
-    Reader reader(*channels_, ros::announcementName(plugin, index));
-    if (!reader.isConnected()) return false;
+    Reader reader(*channels_, ros::announcementName(plugin, index), OtherSchema::kAwait);
+    if (!reader.isConnected()) return refuse(reader.objection());
     places.push_back({std::move(reader), 0, nullptr});
   }
   Place& place = places[index];
@@ -60,22 +60,29 @@ bool PluginPorts::look(const std::string& plugin, std::vector<Place>& places, st
     const ros::Announcement announcement = ros::readAnnouncement(packet_->bytes());
     if (announcement.generation != place.generation) offer(plugin, place, index, announcement);
   } catch (const std::exception& e) {
-    if (place.generation != 1) say_("warn", "the plugin " + plugin + " announced something that is no topic: " + e.what());
+    if (place.generation != 1) log_("warn", "the plugin " + plugin + " announced something that is no topic: " + e.what());
     place.generation = 1;
     place.port.reset();
   }
   return true;
 }
 
+// Says an objection once, not at every look.
+bool PluginPorts::refuse(const std::string& objection) {
+  if (!objection.empty() && objection != refused_) log_("warn", objection);
+  if (!objection.empty()) refused_ = objection;
+  return false;
+}
+
 void PluginPorts::offer(const std::string& plugin, Place& place, std::size_t index, const ros::Announcement& announcement) {
   place.port.reset();
   place.generation = announcement.generation;
-  const PortPlace where{*channels_, plugin, index, queue_, say_};
+  const PortPlace where{*channels_, plugin, index, queue_, log_};
   try {
     place.port = makePort(announcement, where);
   } catch (const std::exception& e) {
-    say_("error", "the plugin " + plugin + " cannot have " + where.topic(announcement.name) + ": " + e.what());
+    log_("error", "the plugin " + plugin + " cannot have " + where.topic(announcement.name) + ": " + e.what());
   }
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -9,12 +9,11 @@
 
 #include <ros/callback_queue.h>
 
+#include "log_function.h"
 #include "robotui/rt/config/plan.h"
 #include "robotui/rt/ros/announcement.h"
 
-namespace robotui::rt::ros_face {
-
-using Say = std::function<void(const char* level, const std::string& line)>;
+namespace robotui::rt::ros_bridge {
 
 // One topic, service or set of parameters of one plugin.
 class Port {
@@ -29,7 +28,7 @@ struct PortPlace {
   std::string plugin;
   std::size_t index;
   ::ros::CallbackQueue& queue;  // served by threads of their own
-  const Say& say;
+  const LogFunction& log;
   std::string inName() const { return ros::channelName(plugin, index, true); }
   std::string outName() const { return ros::channelName(plugin, index, false); }
   std::string topic(const std::string& name) const;
@@ -41,7 +40,7 @@ std::unique_ptr<Port> makePort(const ros::Announcement& announcement, const Port
 class PluginPorts {
  public:
   // Without an own segment (nobody started us) there are none.
-  PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, Say say);
+  PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, LogFunction log);
 
   void turn();
 
@@ -54,14 +53,16 @@ class PluginPorts {
   };
   void look();
   bool look(const std::string& plugin, std::vector<Place>& places, std::size_t index);
+  bool refuse(const std::string& objection);
   void offer(const std::string& plugin, Place& place, std::size_t index, const ros::Announcement& announcement);
 
   std::unique_ptr<ChannelDirectory> channels_;
   std::map<std::string, std::vector<Place>> plugins_;
   ::ros::CallbackQueue& queue_;
-  Say say_;
+  LogFunction log_;
   std::unique_ptr<ros::AnnouncedPacket> packet_ = std::make_unique<ros::AnnouncedPacket>();
+  std::string refused_;
   std::int64_t looked_ns_ = 0;
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

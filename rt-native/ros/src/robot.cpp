@@ -2,7 +2,7 @@
 
 #include "robotui/rt/link/clock.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::chrono::milliseconds kReply{500};
@@ -68,4 +68,4 @@ link::Reply Requests::ask(const std::string& words) {
   }
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

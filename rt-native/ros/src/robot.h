@@ -12,7 +12,7 @@
 #include "robotui/rt/link/client.h"
 #include "robotui/rt/link/state.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 // States and references: for one thread.
 class Robot {
@@ -55,4 +55,4 @@ class Requests {
   std::unique_ptr<link::Client> client_;
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -1,12 +1,12 @@
 // Services whose callback runs in the control loop of a plugin.
 #include <ros/ros.h>
 
-#include "answers.h"
+#include "pending_calls.h"
 #include "message_shape.h"
 #include "ports.h"
 #include "raw_message.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{2000};
@@ -21,7 +21,7 @@ RawMessage failure(const std::string& text) {
   return message;
 }
 
-using Handle = std::function<Answer(std::span<const std::uint8_t>)>;
+using Handle = std::function<CallAnswer(std::span<const std::uint8_t>)>;
 
 class RawHelper final : public ::ros::ServiceCallbackHelper {
  public:
@@ -29,7 +29,7 @@ class RawHelper final : public ::ros::ServiceCallbackHelper {
   bool call(::ros::ServiceCallbackHelperCallParams& params) override {
     const auto& request = params.request;
     const auto skipped = static_cast<std::size_t>(request.message_start - request.buf.get());
-    const Answer answer = handle_({request.message_start, request.num_bytes - skipped});
+    const CallAnswer answer = handle_({request.message_start, request.num_bytes - skipped});
     params.response = ::ros::serialization::serializeServiceResponse(
         answer.succeeded, answer.succeeded ? RawMessage{answer.bytes} : failure({answer.bytes.begin(), answer.bytes.end()}));
     return answer.succeeded;
@@ -39,7 +39,7 @@ class RawHelper final : public ::ros::ServiceCallbackHelper {
   Handle handle_;
 };
 
-Answer refusal(const std::string& text) { return {false, {text.begin(), text.end()}}; }
+CallAnswer refusal(const std::string& text) { return {false, {text.begin(), text.end()}}; }
 
 class ServePort final : public Port {
  public:
@@ -61,13 +61,13 @@ class ServePort final : public Port {
   void turn() override {
     while (reader_.next()) {
       const bool succeeded = (reader_.flags() & ros::kSucceeded) != 0;
-      answers_.settle(reader_.number(), succeeded ? Answer{true, {reader_.bytes().begin(), reader_.bytes().end()}}
+      answers_.settle(reader_.number(), succeeded ? CallAnswer{true, {reader_.bytes().begin(), reader_.bytes().end()}}
                                                   : refusal("the plugin " + plugin_ + " refused it"));
     }
   }
 
  private:
-  Answer call(std::span<const std::uint8_t> request) {
+  CallAnswer call(std::span<const std::uint8_t> request) {
     if (request.size() > writer_.room() || !shape_.fits(request)) return refusal("the request is too long for a plugin");
     const std::uint32_t number = answers_.expect();
     {
@@ -81,7 +81,7 @@ class ServePort final : public Port {
   MessageShape shape_;
   std::uint64_t generation_;
   std::string plugin_;
-  Answers answers_;
+  PendingCalls answers_;
   std::mutex writing_;
   ros::PacketReader reader_;
   ros::PacketWriter writer_;
@@ -93,4 +93,4 @@ class ServePort final : public Port {
 
 std::unique_ptr<Port> makeServePort(const ros::Announcement& port, const PortPlace& place) { return std::make_unique<ServePort>(port, place); }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

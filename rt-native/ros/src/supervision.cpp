@@ -5,7 +5,7 @@
 
 #include "robotui/rt/link/clock.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::chrono::milliseconds kBegin{5000};
@@ -53,4 +53,4 @@ bool Supervision::goesOn() {
   return received == link::Received::kTimeout || (received == link::Received::kPacket && packet.verb() != "end");
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

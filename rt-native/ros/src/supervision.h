@@ -8,7 +8,7 @@
 #include "robotui/rt/link/channels.h"
 #include "robotui/rt/link/socket.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 class Supervision {
  public:
@@ -30,4 +30,4 @@ class Supervision {
   std::int64_t alive_ns_ = 0;
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

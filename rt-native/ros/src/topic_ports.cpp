@@ -5,7 +5,7 @@
 #include "ports.h"
 #include "raw_message.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::uint32_t kQueue = 20;
@@ -34,7 +34,7 @@ class PublishPort final : public Port {
 class SubscribePort final : public Port {
  public:
   SubscribePort(const ros::Announcement& port, const PortPlace& place)
-      : shape_(MessageShape::parse(port.definition)), generation_(port.generation), topic_(place.topic(port.name)), say_(place.say),
+      : shape_(MessageShape::parse(port.definition)), generation_(port.generation), topic_(place.topic(port.name)), log_(place.log),
         writer_(place.channels, place.inName(), port.large) {
     ::ros::SubscribeOptions options(topic_, kQueue, port.md5, port.type);
     options.helper = boost::make_shared<::ros::SubscriptionCallbackHelperT<const RawMessage::ConstPtr&>>(
@@ -51,7 +51,7 @@ class SubscribePort final : public Port {
       writer_.write(message.bytes, 0, generation_);
     } else if (!complained_) {
       complained_ = true;
-      say_("warn", "a message of " + topic_ + " with " + std::to_string(message.bytes.size()) + " bytes is not handed to its plugin, which takes whole ones of up to " +
+      log_("warn", "a message of " + topic_ + " with " + std::to_string(message.bytes.size()) + " bytes is not handed to its plugin, which takes whole ones of up to " +
                        std::to_string(writer_.room()) + "; of others that come nothing more is said.");
     }
   }
@@ -59,7 +59,7 @@ class SubscribePort final : public Port {
   MessageShape shape_;
   std::uint64_t generation_;
   std::string topic_;
-  Say say_;
+  LogFunction log_;
   bool complained_ = false;
   ros::PacketWriter writer_;
   ::ros::NodeHandle node_;
@@ -82,4 +82,4 @@ std::unique_ptr<Port> makePort(const ros::Announcement& port, const PortPlace& p
   throw std::runtime_error("it is of a kind that is not known");
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

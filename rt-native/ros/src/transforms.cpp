@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <urdf_parser/urdf_parser.h>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 bool isFixed(const urdf::Joint& joint) { return joint.type == urdf::Joint::FIXED; }
@@ -79,4 +79,4 @@ std::vector<geometry_msgs::TransformStamped> Transforms::moving(std::span<const 
   return result;
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -16,7 +16,7 @@ class Joint;
 class ModelInterface;
 }  // namespace urdf
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 class Transforms {
  public:
@@ -43,4 +43,4 @@ class Transforms {
   std::vector<geometry_msgs::TransformStamped> fixed_;
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

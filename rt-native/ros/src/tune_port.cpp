@@ -2,11 +2,11 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/ros.h>
 
-#include "answers.h"
+#include "pending_calls.h"
 #include "ports.h"
 #include "tuning.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{2000};
@@ -60,7 +60,7 @@ class TunePort final : public Port {
   std::uint64_t generation_;
   std::mutex mutex_;
   std::vector<double> values_;
-  Answers answers_;
+  PendingCalls answers_;
   ros::PacketReader reader_;
   ros::PacketWriter writer_;
   ::ros::NodeHandle node_;
@@ -73,4 +73,4 @@ class TunePort final : public Port {
 
 std::unique_ptr<Port> makeTunePort(const ros::Announcement& port, const PortPlace& place) { return std::make_unique<TunePort>(port, place); }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 using ros::TunableEntry;
@@ -77,4 +77,4 @@ void merge(const dynamic_reconfigure::Config& wanted, const std::vector<TunableE
   take(wanted.doubles, entries, values);
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -8,7 +8,7 @@
 
 #include "robotui/rt/ros/announcement.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
 // `values` are in the order of `entries`.
 dynamic_reconfigure::Config configOf(const std::vector<ros::TunableEntry>& entries, const std::vector<double>& values);
@@ -17,4 +17,4 @@ dynamic_reconfigure::ConfigDescription descriptionOf(const std::vector<ros::Tuna
 // Changes what of `values` is named in `wanted`, within the limits.
 void merge(const dynamic_reconfigure::Config& wanted, const std::vector<ros::TunableEntry>& entries, std::vector<double>& values);
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 const std::vector<std::string> kNames{"a", "b", "c"};
@@ -72,4 +72,4 @@ TEST(Conversions, ACommandThatIsNoneSaysWhy) {
 TEST(Conversions, NamesOfRosHaveLettersDigitsAndUnderscores) { EXPECT_EQ(rosName("left-arm.1"), "left_arm_1"); }
 
 }  // namespace
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -8,7 +8,7 @@
 #include <tf2_msgs/TFMessage.h>
 #include <xbot_msgs/JointCommand.h>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 template <typename Message>
@@ -92,4 +92,4 @@ TEST(MessageShape, PassesConstantsAndCommentsOver) {
 }
 
 }  // namespace
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr const char* kUrdf = R"(<robot name="r"><link name="base"/><link name="arm"/><link name="slide"/><link name="tool"/><link name="finger"/>
@@ -56,4 +56,4 @@ TEST(Transforms, AUrdfThatCannotBeReadIsSaid) {
 }
 
 }  // namespace
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

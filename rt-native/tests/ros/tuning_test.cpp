@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 const std::vector<ros::TunableEntry> kEntries{{"on", "", ros::TunableType::kBool, 1, 0, 1},
@@ -43,4 +43,4 @@ TEST(Tuning, OnlyWhatIsNamedChangesAndStaysWithinItsLimits) {
 }
 
 }  // namespace
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

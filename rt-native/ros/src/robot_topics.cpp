@@ -1,4 +1,4 @@
-#include "face.h"
+#include "robot_topics.h"
 
 #include <std_srvs/SetBool.h>
 #include <xbot_msgs/PluginCommand.h>
@@ -7,7 +7,7 @@
 #include "conversions.h"
 #include "robotui/rt/link/clock.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 constexpr std::uint32_t kQueue = 10;
@@ -25,9 +25,9 @@ ros::Time stampOf(std::int64_t sensed_ns) {
 
 }  // namespace
 
-Face::Face(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot, Requests& requests,
-           ros::CallbackQueue& services, Say say)
-    : transforms_(transforms), robot_(robot), requests_(requests), say_(std::move(say)), shows_references_(config.enable_ref_read) {
+RobotTopics::RobotTopics(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot, Requests& requests,
+           ros::CallbackQueue& services, LogFunction log)
+    : transforms_(transforms), robot_(robot), requests_(requests), log_(std::move(log)), shows_references_(config.enable_ref_read) {
   services_.setCallbackQueue(&services);
   node_.setParam("robot_description", config.robot.urdf);
   for (const auto& joint : config.robot.joints) names_.push_back(joint.name);
@@ -37,7 +37,7 @@ Face::Face(const config::RtConfig& config, const config::Plan& plan, const Trans
   takeCommands();
 }
 
-void Face::offerState() {
+void RobotTopics::offerState() {
   states_ = node_.advertise<xbot_msgs::JointState>("joint_states", kQueue);
   moving_ = node_.advertise<tf2_msgs::TFMessage>("/tf", kQueue);
   if (transforms_.fixed().empty()) return;
@@ -48,7 +48,7 @@ void Face::offerState() {
   fixed_.publish(message);
 }
 
-void Face::offerSensors(const config::RtConfig& config) {
+void RobotTopics::offerSensors(const config::RtConfig& config) {
   for (const auto& sensor : config.robot.imus) {
     imus_.push_back({node_.advertise<sensor_msgs::Imu>("imu/" + rosName(sensor.name), kQueue), {}});
     imus_.back().message.header.frame_id = sensor.link;
@@ -59,7 +59,7 @@ void Face::offerSensors(const config::RtConfig& config) {
   }
 }
 
-void Face::offerPlugin(const std::string& name) {
+void RobotTopics::offerPlugin(const std::string& name) {
   const std::string topic = rosName(name);
   verbs_.push_back(services_.advertiseService<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(
       topic + "_switch", [this, name](std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
@@ -72,7 +72,7 @@ void Face::offerPlugin(const std::string& name) {
       topic + "_cmd", [this, name](xbot_msgs::PluginCommand::Request& request, xbot_msgs::PluginCommand::Response& response) {
         const link::Reply reply = requests_.ask("command " + name + " " + request.cmd.substr(0, link::kTextLength));
         response.success = reply.ok;
-        if (!reply.ok) say_("warn", name + "_cmd was refused: " + reply.text);
+        if (!reply.ok) log_("warn", name + "_cmd was refused: " + reply.text);
         return true;
       }));
   verbs_.push_back(services_.advertiseService<xbot_msgs::PluginStatus::Request, xbot_msgs::PluginStatus::Response>(
@@ -83,7 +83,7 @@ void Face::offerPlugin(const std::string& name) {
 }
 
 // Versions of xbot_msgs differ in their fields: every one is taken, and read by the definition that its publisher sends along.
-void Face::takeCommands() {
+void RobotTopics::takeCommands() {
   ros::SubscribeOptions options("command", 1, "*", kCommandType);
   using Event = ros::MessageEvent<RawMessage const>;
   options.helper = boost::make_shared<ros::SubscriptionCallbackHelperT<const Event&>>([this](const Event& event) { command(event); });
@@ -91,7 +91,7 @@ void Face::takeCommands() {
   commands_ = node_.subscribe(options);
 }
 
-void Face::command(const ros::MessageEvent<RawMessage const>& event) {
+void RobotTopics::command(const ros::MessageEvent<RawMessage const>& event) {
   try {
     const auto& header = event.getConnectionHeader();
     const auto type = header.find("type");
@@ -109,14 +109,14 @@ void Face::command(const ros::MessageEvent<RawMessage const>& event) {
   }
 }
 
-void Face::complain(const std::string& line) {
+void RobotTopics::complain(const std::string& line) {
   const std::int64_t now = link::now();
   if (now - complained_ns_ < kComplaintEvery) return;
   complained_ns_ = now;
-  say_("warn", line);
+  log_("warn", line);
 }
 
-void Face::publish() {
+void RobotTopics::publish() {
   if (!robot_.sense()) return;
   const ros::Time stamp = stampOf(robot_.frame().sensed_ns);
   fill(state_, names_, robot_.joints());
@@ -127,7 +127,7 @@ void Face::publish() {
   publishTransforms(stamp);
 }
 
-void Face::publishSensors(const ros::Time& stamp) {
+void RobotTopics::publishSensors(const ros::Time& stamp) {
   for (std::size_t i = 0; i < imus_.size(); ++i) {
     fill(imus_[i].message, robot_.frame().imus[i]);
     imus_[i].message.header.stamp = stamp;
@@ -140,7 +140,7 @@ void Face::publishSensors(const ros::Time& stamp) {
   }
 }
 
-void Face::publishTransforms(const ros::Time& stamp) {
+void RobotTopics::publishTransforms(const ros::Time& stamp) {
   const std::int64_t now = link::now();
   if (now - transforms_ns_ < kTransformsEvery) return;
   transforms_ns_ = now;
@@ -150,4 +150,4 @@ void Face::publishTransforms(const ros::Time& stamp) {
   moving_.publish(message);
 }
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

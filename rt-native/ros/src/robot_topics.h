@@ -13,20 +13,19 @@
 #include <tf2_msgs/TFMessage.h>
 #include <xbot_msgs/JointState.h>
 
+#include "log_function.h"
 #include "raw_message.h"
 #include "robot.h"
 #include "robotui/rt/config/plan.h"
 #include "transforms.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
-using Say = std::function<void(const char* level, const std::string& line)>;
-
-class Face {
+class RobotTopics {
  public:
   // Services wait in `services` for threads of their own: an answer of the robot may take a while.
-  Face(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot, Requests& requests,
-       ros::CallbackQueue& services, Say say);
+  RobotTopics(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot, Requests& requests,
+       ros::CallbackQueue& services, LogFunction log);
 
   // Publishes the newest state of the robot.
   void publish();
@@ -53,7 +52,7 @@ class Face {
   const Transforms& transforms_;
   Robot& robot_;
   Requests& requests_;
-  Say say_;
+  LogFunction log_;
   std::vector<std::string> names_;
   ros::NodeHandle node_{"/xbotcore"};
   ros::NodeHandle services_{"/xbotcore"};
@@ -71,4 +70,4 @@ class Face {
   std::int64_t complained_ns_ = 0;
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -12,14 +12,14 @@
 
 #include "robotui/rt/link/clock.h"
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 
-struct Answer {
+struct CallAnswer {
   bool succeeded;
   std::vector<std::uint8_t> bytes;
 };
 
-class Answers {
+class PendingCalls {
  public:
   // Numbers of an earlier process do not come again soon.
   std::uint32_t expect() {
@@ -28,16 +28,16 @@ class Answers {
     return number_;
   }
 
-  std::optional<Answer> await(std::uint32_t number, std::chrono::milliseconds patience) {
+  std::optional<CallAnswer> await(std::uint32_t number, std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     came_.wait_for(lock, patience, [&] { return waiting_[number].has_value(); });
-    std::optional<Answer> answer = std::move(waiting_[number]);
+    std::optional<CallAnswer> answer = std::move(waiting_[number]);
     waiting_.erase(number);
     return answer;
   }
 
   // Of a call that nobody waits for it is nothing.
-  void settle(std::uint32_t number, Answer answer) {
+  void settle(std::uint32_t number, CallAnswer answer) {
     const std::scoped_lock lock(mutex_);
     const auto found = waiting_.find(number);
     if (found == waiting_.end()) return;
@@ -48,8 +48,8 @@ class Answers {
  private:
   std::mutex mutex_;
   std::condition_variable came_;
-  std::map<std::uint32_t, std::optional<Answer>> waiting_;
+  std::map<std::uint32_t, std::optional<CallAnswer>> waiting_;
   std::uint32_t number_ = static_cast<std::uint32_t>(link::now() / link::kMillisecond);
 };
 
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge

@@ -1,16 +1,16 @@
-#include "answers.h"
+#include "pending_calls.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-namespace robotui::rt::ros_face {
+namespace robotui::rt::ros_bridge {
 namespace {
 
 using std::chrono::milliseconds;
 
-TEST(Answers, GoToWhoAsked) {
-  Answers answers;
+TEST(PendingCalls, GoToWhoAsked) {
+  PendingCalls answers;
   const auto first = answers.expect();
   const auto second = answers.expect();
   std::thread other([&] {
@@ -25,8 +25,8 @@ TEST(Answers, GoToWhoAsked) {
   other.join();
 }
 
-TEST(Answers, ThatComeTooLateAreNothing) {
-  Answers answers;
+TEST(PendingCalls, ThatComeTooLateAreNothing) {
+  PendingCalls answers;
   const auto number = answers.expect();
   EXPECT_FALSE(answers.await(number, milliseconds(1)));
   answers.settle(number, {true, {}});
@@ -34,4 +34,4 @@ TEST(Answers, ThatComeTooLateAreNothing) {
 }
 
 }  // namespace
-}  // namespace robotui::rt::ros_face
+}  // namespace robotui::rt::ros_bridge
