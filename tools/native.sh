@@ -89,6 +89,7 @@ test_native() {
   mkdir -p "$NATIVE/target"
   [[ $part == all ]] || clear_reports         # else Maven's runner has done so
   [[ -z ${native_builder:-} ]] || wait "$native_builder" || true       # what failed is tried, and told, again below
+  native_format
   native_suite asan ''
   native_suite tsan '^(link|plugin|host|ros)$' rt_thread_tests
   native_suite release ''
@@ -111,6 +112,12 @@ begin_native() {
 }
 
 end_native() { [[ -z ${native_builder:-} ]] || kill -- "-$native_builder" 2>/dev/null || true; }
+
+# Seconds. Without clang-format it is a skipped test, and that is said.
+native_format() {
+  need_packages "Looking at the layout of the C++ sources" clang-format || true
+  python3 "$NATIVE/tests/format.py" "$NATIVE/target/TEST-native-format.xml" >&2 || broken="${broken:+$broken and }clang-format"
+}
 
 # PRESET FILTER [TARGET...]: a test that fails is counted from its report, one that cannot run at all is said.
 native_suite() {
@@ -161,8 +168,9 @@ test_lint() {
   need_packages "Looking at the real-time side" clang-tidy "${NATIVE_ROS_PACKAGES[@]}" || exit 1
   need_native
   clear_reports
+  native_format
   say "Looking at the real-time side with clang-tidy"
-  python3 "$NATIVE/tests/lint.py" "$NATIVE_BUILD" "$NATIVE/target/TEST-native-lint.xml" >&2 || broken="clang-tidy"
+  python3 "$NATIVE/tests/lint.py" "$NATIVE_BUILD" "$NATIVE/target/TEST-native-lint.xml" >&2 || broken="${broken:+$broken and }clang-tidy"
 }
 
 # ---- ./robotui new ------------------------------------------------------------------------------------------------------

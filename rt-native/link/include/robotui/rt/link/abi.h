@@ -52,6 +52,7 @@ std::string abiDifference(const std::string& library, const AbiFact* has, const 
 #define ROBOTUI_RT_SIZE_OF(Type)                                                                                        \
   robotui::rt::link::AbiFact { "sizeof(" #Type ")", "", sizeof(Type), " bytes", "with the headers of this program." }
 
+// clang-format off
 // What the compiler was told in the source file that these words stand in: a list that must not be shared between source files.
 #define ROBOTUI_RT_TOOLCHAIN_FACTS                                                                                        \
   robotui::rt::link::AbiFact{"compiler", ROBOTUI_RT_COMPILER, "", "with the compiler of this program."},                  \
@@ -61,3 +62,4 @@ std::string abiDifference(const std::string& library, const AbiFact* has, const 
       robotui::rt::link::AbiFact{"_GLIBCXX_USE_CXX11_ABI", "", ROBOTUI_RT_STRING_ABI, "",                                 \
                                  "with the same _GLIBCXX_USE_CXX11_ABI."},                                                \
       robotui::rt::link::AbiFact{"_GLIBCXX_DEBUG", "", ROBOTUI_RT_DEBUG_CONTAINERS, "", "with the same _GLIBCXX_DEBUG."}
+// clang-format on

@@ -53,7 +53,8 @@ struct Header {
 using Name = std::array<char, kNameLength>;  // UTF-8, zero terminated
 using Text = std::array<char, kTextLength>;
 
-// Bucket i counts values in [lower(i), lower(i+1)), four buckets of one width an octave from 64 ns: lower(i) = (4 + i % 4) << (4 + i / 4).
+// Bucket i counts values in [lower(i), lower(i+1)), four buckets of one width an octave from 64 ns:
+//   lower(i) = (4 + i % 4) << (4 + i / 4)
 // The first bucket has all below, too, the last one all above. One writer; readers may see a count that is one behind.
 struct Histogram {
   std::uint64_t count;
@@ -61,7 +62,7 @@ struct Histogram {
   std::array<std::uint32_t, kBuckets> buckets;
 };
 
-// ---- state: the HAL writes, all read ---------------------------------------------------------------------------------
+// ---- state: the HAL writes, all read --------------------------------------------------------------------------------
 
 struct JointState {
   double link_position;
@@ -137,7 +138,7 @@ struct StateSegment {
   std::array<StateFrame, kFrames> frames;
 };
 
-// ---- host: one plugin host writes, the HAL and all others read ----------------------------------------------------------
+// ---- host: one plugin host writes, the HAL and all others read ------------------------------------------------------
 
 struct JointCommand {
   double position;
@@ -166,7 +167,7 @@ struct ThreadStatistics {
   std::int64_t period_ns;
   std::int32_t priority;       // SCHED_FIFO; 0 is not real time
   std::int32_t core;           // -1 is any
-  std::atomic<std::uint32_t> inside;  // plugin whose code runs just now, or kNobody: whom to name when the host is killed
+  std::atomic<std::uint32_t> inside;  // plugin whose code runs just now, or kNobody: to be named when the host is killed
   std::uint32_t padding;
   std::uint64_t cycles;
   std::uint64_t overruns;
@@ -176,7 +177,15 @@ struct ThreadStatistics {
   Histogram busy;
 };
 
-enum class PluginState : std::uint32_t { kAbsent = 0, kLoaded = 1, kStopped = 2, kStarting = 3, kRunning = 4, kStopping = 5, kFailed = 6 };
+enum class PluginState : std::uint32_t {
+  kAbsent = 0,
+  kLoaded = 1,
+  kStopped = 2,
+  kStarting = 3,
+  kRunning = 4,
+  kStopping = 5,
+  kFailed = 6
+};
 
 struct PluginStatistics {
   std::atomic<std::uint32_t> state;  // of PluginState, as the host sees it
@@ -195,7 +204,7 @@ struct HostSegment {
   std::array<PluginStatistics, kMaxPlugins> plugins;  // by index on the board; others are kAbsent
 };
 
-// ---- master: the communication handler writes what the master framework wants, the communication plugin reads -----------------
+// ---- master: the communication handler writes what the master framework wants, the communication plugin reads -------
 
 struct MasterData {
   std::int64_t valid_until_ns;  // afterwards the joints hold
@@ -208,7 +217,7 @@ struct MasterSegment {
   MasterData data;
 };
 
-// ---- board: the supervisor writes, all read -----------------------------------------------------------------------------
+// ---- board: the supervisor writes, all read -------------------------------------------------------------------------
 
 struct JointEntry {
   Name name;
