@@ -26,7 +26,7 @@ is_product_fresh() {
 # What the build itself brings into lib/ says nothing of the sources.
 source_stamp() {
   (cd "$ROOT" && find .mvn pom.xml "${PRODUCT_TOOLS[@]}" releng bundles features product rt-native/link rt-native/jni -type f \
-      ! -path 'bundles/*/lib/*' ! -path '*/target/*' ! -path '*/bin/*' ! -path '*/src_test/*' ! -name '.polyglot.*' -printf '%p %s %T@\n' \
+      ! -path 'bundles/*/lib/*' ! -path '*/target/*' ! -path '*/bin/*' ! -path '*/src_test/*' ! -name '.polyglot.*' ! -name '*.launch' -printf '%p %s %T@\n' \
     | LC_ALL=C sort | sha256sum)
 }
 

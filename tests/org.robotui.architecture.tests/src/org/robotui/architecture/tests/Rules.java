@@ -8,7 +8,7 @@ final class Rules {
   static final List<Rule> ALL = List.of(
       new LayerRule(), new BuildOrderRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(), new NamingRule(),
       new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
-      new ForbiddenTextRule());
+      new ForbiddenTextRule(), new IdeRule());
 
   private Rules() {
   }

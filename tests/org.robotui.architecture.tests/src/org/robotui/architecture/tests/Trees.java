@@ -35,4 +35,16 @@ final class Trees {
       throw new UncheckedIOException(e);
     }
   }
+
+  /** The folders in a folder; none if there is no such folder. */
+  static List<Path> folders(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> children = Files.list(folder)) {
+      return children.filter(Files::isDirectory).sorted().toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 }
