@@ -3,7 +3,7 @@
 
 readonly WINDOW_PACKAGES=("libgtk-3-0t64|libgtk-3-0" fonts-dejavu-core adwaita-icon-theme)
 readonly BUILD_PACKAGES=(maven)
-readonly DISPLAY_PACKAGES=(xvfb libgl1 libgl1-mesa-dri openbox dbus-x11 xdotool imagemagick x11-utils)
+readonly DISPLAY_PACKAGES=(xvfb xauth libgl1 libgl1-mesa-dri openbox dbus-x11 xdotool imagemagick x11-utils)
 readonly PEER_PACKAGES=(
   python3-pytest python3-pytest-rerunfailures python3-yaml python3-numpy
   python3-roslaunch python3-rostopic python3-rosbag python3-rosservice python3-rosnode python3-rosparam
@@ -11,6 +11,7 @@ readonly PEER_PACKAGES=(
   python3-actionlib python3-dynamic-reconfigure python3-move-base-msgs
   libroscpp-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libnav-msgs-dev libtf2-msgs-dev g++ pkg-config
   liblcm-bin liblcm-dev liblcm-java
+  iproute2 procps
 )
 readonly SCENE_BENCH_PACKAGES=(rviz ros-robot-state-publisher libvisualization-msgs-dev python3-xlib)
 readonly RT_BENCH_PACKAGES=(rt-tests stress-ng libbenchmark-dev)
