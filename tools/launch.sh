@@ -1,7 +1,8 @@
 # Starting the product of a folder: with its Java, in a workspace of its own, and again where it asks for that.
-# ROBOTUI_VMARGS are further arguments of the virtual machine.
+# ROBOTUI_MEMORY is how much memory robots and views may take, ROBOTUI_VMARGS are further arguments of the virtual machine.
 
 readonly RESTART=23              # the exit code with which the workbench asks for it
+readonly LEAST_MEMORY=512 USUAL_MEMORY=2048   # MB
 
 # launch FOLDER ARGUMENT...: does not come back; what the application answers is the exit code.
 launch() {
@@ -34,10 +35,42 @@ take_workspace() {
   chmod 600 "$workspace"/robotui.log*
 }
 
+# How much memory, in MB, Java may take for what robots send and views keep: what the user says, else a quarter of what the machine has,
+# between the bounds above (docs/adr/0101).
+memory_bound() {
+  local there bound
+  there=$(machine_memory)
+  if [[ -z ${ROBOTUI_MEMORY:-} ]]; then
+    bound=$((there / 4))
+    bound=$((bound > USUAL_MEMORY ? USUAL_MEMORY : bound))
+    printf '%s' $((bound < LEAST_MEMORY ? LEAST_MEMORY : bound))
+    return
+  fi
+  require_memory ROBOTUI_MEMORY "$ROBOTUI_MEMORY"
+  bound=${ROBOTUI_MEMORY%?}
+  [[ $ROBOTUI_MEMORY == *[mM] ]] || bound=$((bound * 1024))
+  [[ $bound -ge 128 ]] || fail "ROBOTUI_MEMORY is $ROBOTUI_MEMORY, and RobotUI does not start with less than 128m"
+  [[ $bound -lt $there ]] || fail "ROBOTUI_MEMORY is $ROBOTUI_MEMORY, and this machine has only $there MB"
+  printf '%s' "$bound"
+}
+
+# In MB: the machine's, or what a container or service may take of it.
+machine_memory() {
+  local all limit
+  all=$(awk '/^MemTotal:/ { print int($2 / 1024) }' /proc/meminfo)
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null) || limit=max
+  if [[ $limit =~ ^[0-9]+$ && $((limit >> 20)) -lt $all ]]; then
+    all=$((limit >> 20))
+  fi
+  printf '%s' "$all"
+}
+
 vm_arguments() {
-  local home=$1 line in_vm=
+  local home=$1 line in_vm= memory
   shift
+  memory=$(memory_bound) || exit $?
   vm=(
+    -Xmx"${memory}m"
     -Declipse.startTime="$(date +%s%3N)"
     -Drobotui.home="$home"
     -Drobotui.state="$STATE"

@@ -32,6 +32,7 @@ parse_run_options() {
       --stay) stay=yes ;;
       --watch) watch=yes ;;
       --show) [[ -n ${2:-} ]] || usage_error "--show needs the name of a robot UI"; text_options+=(-show "$2"); shift ;;
+      --memory) require_memory "$1" "${2:-}"; export ROBOTUI_MEMORY=$2; shift ;;
       --for) require_seconds "$1" "${2:-}"; options+=(-for "$2"); shift ;;
       --after) require_seconds "$1" "${2:-}"; window_options+=(-after "$2"); shift ;;
       --measure)

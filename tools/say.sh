@@ -17,3 +17,8 @@ usage_error() {
 require_seconds() {
   [[ ${2:-} =~ ^[0-9]+(\.[0-9]+)?$ ]] || usage_error "$1 needs a number of seconds, not '${2:-}'"
 }
+
+# A size of memory as Java reads it, such as 4g or 1500m.
+require_memory() {
+  [[ ${2:-} =~ ^[1-9][0-9]{0,5}[gGmM]$ ]] || usage_error "$1 needs a size such as 4g or 1500m, not '${2:-}'"
+}

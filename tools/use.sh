@@ -12,6 +12,8 @@ help_use() {
       --after SECONDS           ... this long after the start
       --theme light|dark        how the window looks
       --measure FILE            write every second how long the start and the display took
+      --memory SIZE             how much memory robots and views may take, such as 4g (usually a quarter of the machine's, 2g at most);
+                                the environment's ROBOTUI_MEMORY says the same
       --stay                    leave the simulated robot running at the end
   ./robotui stop                stop the robots of all running workbenches of this user, also where a window hangs; says what was stopped.
                                 0: all stopped, 1: one does not answer, 4: none runs. A stop stays until it is released in a window

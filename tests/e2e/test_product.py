@@ -169,6 +169,40 @@ def test_a_full_disk_is_said_in_a_sentence(tmp_path):
     assert "\tat " not in fine.stderr + fine.stdout
 
 
+# ---- memory -------------------------------------------------------------------------------------------------------------
+
+
+def bound(machine, **variables):
+    return shell("say", "launch", then=f"machine_memory() {{ echo {machine}; }}; memory_bound", **variables)
+
+
+@pytest.mark.parametrize(("machine", "usual"), [(1000, 512), (4000, 1000), (64000, 2048)])
+def test_the_bound_of_memory_is_a_quarter_of_the_machine_between_two_bounds(machine, usual):
+    assert bound(machine, without=("ROBOTUI_MEMORY",)).stdout == str(usual)
+
+
+@pytest.mark.parametrize(("said", "megabytes"), [("4g", 4096), ("1500m", 1500), ("3G", 3072)])
+def test_the_user_sets_another_bound_of_memory(said, megabytes):
+    assert bound(64000, ROBOTUI_MEMORY=said).stdout == str(megabytes)
+
+
+@pytest.mark.parametrize("said", ["much", "4", "-1g", "0m", "64m", "99g"])
+def test_a_bound_of_memory_that_cannot_be_is_refused_in_a_sentence(said):
+    refused = bound(64000, ROBOTUI_MEMORY=said)
+
+    assert refused.returncode != 0
+    assert f"{said}" in refused.stderr and "ROBOTUI_MEMORY" in refused.stderr
+
+
+def test_it_runs_with_that_bound_and_the_log_says_so(product, state):
+    for options, variables in ((("--memory", "300m"), {}), ((), {"ROBOTUI_MEMORY": "300m"})):
+        run(product / "robotui", "run", "player", "--text", "--for", "2", *options, XDG_STATE_HOME=str(state), PLAYER_HOST="127.0.0.1",
+            PLAYER_PORT="1", **variables)
+
+    (log,) = state.glob("robotui/workspace-*/robotui.log")
+    assert len(re.findall(r", 300 MB for Java", log.read_text(encoding="utf-8"))) == 2
+
+
 # ---- what it keeps ------------------------------------------------------------------------------------------------------
 
 

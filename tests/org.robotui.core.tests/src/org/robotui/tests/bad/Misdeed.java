@@ -1,5 +1,8 @@
 package org.robotui.tests.bad;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.locks.LockSupport;
@@ -127,6 +130,22 @@ enum Misdeed {
         } catch (OutOfMemoryError e) {
           LockSupport.parkNanos(STEP_NANOS);
         }
+      }
+    }
+  },
+  /** Nearly all memory there is, held for ever. */
+  HOARD_MOST {
+    @Override
+    void commit() {
+      MemoryPoolMXBean old = ManagementFactory.getMemoryPoolMXBeans().stream()
+          .filter(pool -> pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported()).findFirst().orElseThrow();
+      List<byte[]> hoard = new ArrayList<>();
+      while (!isOver()) {
+        if (old.getUsage().getUsed() < 0.87 * old.getUsage().getMax()) {
+          hoard.add(new byte[CHUNK]);
+        }
+        System.gc();
+        LockSupport.parkNanos(STEP_NANOS);
       }
     }
   };

@@ -13,7 +13,16 @@ public final class Thrown {
     String described = described(thrown);
     String text = described.length() > LONGEST ? described.substring(0, LONGEST) + "..." : described;
     // The thread that finds no memory left need not be the one that took it.
-    return thrown instanceof OutOfMemoryError ? text + ", which another may have used up," : text;
+    return thrown instanceof OutOfMemoryError ? text + ", which another may have used up" + howToGetMore(text) + "," : text;
+  }
+
+  /** Threads and memory beside the heap have other bounds. */
+  private static String howToGetMore(String text) {
+    if (!text.contains("heap space")) {
+      return "";
+    }
+    long bound = HeapBound.bytes();
+    return " (RobotUI may take " + HeapBound.megabytes(bound) + " MB; " + HeapBound.remedy(bound) + " gives it more)";
   }
 
   private static String described(Throwable thrown) {

@@ -7,20 +7,26 @@ import java.lang.management.MemoryUsage;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.robotui.core.internal.fence.HeapBound;
 import org.robotui.core.internal.watch.Watch.Watched;
 
 /**
- * Looks for a heap that is full even after a collection. Then each thread may fail or stand still at any time, also those that
- * stop a robot: so all robots are stopped while that can still be done. Nobody can say who took the memory.
+ * Looks how full the heap is even after a collection. Where it soon will not be enough, that is said. Where it is full, each thread may
+ * fail or stand still at any time, also those that stop a robot: so all robots are stopped while that can still be done. Nobody can
+ * say who took the memory.
  */
 public final class MemoryWatch implements Watched {
   private static final double FULL = 0.95;
+  private static final double NEARLY_FULL = 0.8;
+  /** Below this there is room again. Between the two nothing is said: what wavers around one bound would be said for ever. */
+  private static final double ROOMY = 0.7;
 
   private final Supplier<List<MemoryUsage>> afterCollection;
   private final Runnable stopAll;
   private final Consumer<String> alert;
   private boolean stopped; // both only on the watch's thread
   private boolean told;
+  private boolean warned;
 
   /**
    * A watch.
@@ -45,29 +51,50 @@ public final class MemoryWatch implements Watched {
   @Override
   public void check(long now) {
     List<MemoryUsage> usages = afterCollection.get();
-    if (usages.stream().noneMatch(MemoryWatch::isFull)) {
-      stopped = false;
-      told = false;
+    if (holdsMoreThan(FULL, usages)) {
+      stop(usages);
       return;
     }
+    stopped = false;
+    told = false;
+    if (!holdsMoreThan(ROOMY, usages)) {
+      warned = false;
+    } else if (!warned && holdsMoreThan(NEARLY_FULL, usages)) {
+      alert.accept("RobotUI holds " + share(NEARLY_FULL, usages) + " MB of memory, and stops all robots when they are used up: " + remedy());
+      warned = true;
+    }
+  }
+
+  private void stop(List<MemoryUsage> usages) {
     if (!stopped) {
       stopAll.run(); // first of all: saying so needs memory
       stopped = true;
     }
     if (!told) {
-      report(usages); // where there is none it throws, and is tried again
+      // Where there is none it throws, and is tried again.
+      alert.accept("the memory is used up (" + share(FULL, usages) + " MB): all robots are stopped; " + remedy());
       told = true;
+      warned = true;
     }
   }
 
-  private static boolean isFull(MemoryUsage usage) {
-    return usage.getMax() > 0 && usage.getUsed() > FULL * usage.getMax();
+  private static boolean holdsMoreThan(double share, List<MemoryUsage> usages) {
+    return usages.stream().anyMatch(usage -> isAbove(share, usage));
   }
 
-  private void report(List<MemoryUsage> usages) {
-    long used = usages.stream().filter(MemoryWatch::isFull).mapToLong(MemoryUsage::getUsed).sum();
-    long max = usages.stream().filter(MemoryWatch::isFull).mapToLong(MemoryUsage::getMax).sum();
-    alert.accept("the memory is used up (" + used / 1_000_000 + " of " + max / 1_000_000
-        + " MB): all robots are stopped; close views, or start again with more");
+  private static boolean isAbove(double share, MemoryUsage usage) {
+    return usage.getMax() > 0 && usage.getUsed() > share * usage.getMax();
+  }
+
+  /** How much of how much. */
+  private static String share(double least, List<MemoryUsage> usages) {
+    List<MemoryUsage> meant = usages.stream().filter(usage -> isAbove(least, usage)).toList();
+    long used = meant.stream().mapToLong(MemoryUsage::getUsed).sum();
+    long max = meant.stream().mapToLong(MemoryUsage::getMax).sum();
+    return HeapBound.megabytes(used) + " of " + HeapBound.megabytes(max);
+  }
+
+  private static String remedy() {
+    return "close views or robots, or start it with more, as by " + HeapBound.remedy(HeapBound.bytes());
   }
 }

@@ -27,9 +27,16 @@ class ThrownTest {
   }
 
   @Test
-  void whoFindsNoMemoryIsNotAccusedOfHavingTakenIt() {
-    assertEquals("java.lang.OutOfMemoryError: Java heap space, which another may have used up,",
-        Thrown.text(new OutOfMemoryError("Java heap space")));
+  void whoFindsNoMemoryIsNotAccusedOfHavingTakenItAndTheUserReadsHowToGetMore() {
+    String text = Thrown.text(new OutOfMemoryError("Java heap space"));
+    assertTrue(text.matches("java.lang.OutOfMemoryError: Java heap space, which another may have used up "
+        + "\\(RobotUI may take \\d+ MB; ROBOTUI_MEMORY=\\d+[gm] gives it more\\),"), text);
+  }
+
+  @Test
+  void aLackOfThreadsIsNoLackOfHeap() {
+    assertEquals("java.lang.OutOfMemoryError: unable to create native thread, which another may have used up,",
+        Thrown.text(new OutOfMemoryError("unable to create native thread")));
   }
 
   @Test

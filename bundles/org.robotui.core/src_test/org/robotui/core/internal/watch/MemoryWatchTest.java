@@ -9,9 +9,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import org.robotui.core.internal.fence.HeapBound;
 
 class MemoryWatchTest {
-  private static final long MAX = 100_000_000;
+  private static final long MAX = 100 << 20;
+
+  private static final String REMEDY =
+      "close views or robots, or start it with more, as by " + HeapBound.remedy(Runtime.getRuntime().maxMemory());
 
   private final List<String> happened = new ArrayList<>();
   private long used;
@@ -27,14 +31,32 @@ class MemoryWatchTest {
   void aFullHeapStopsAllRobotsOnceAndSaysSo() {
     use(MAX * 96 / 100);
     use(MAX);
-    assertEquals(List.of("stop", "the memory is used up (96 of 100 MB): all robots are stopped; close views, or start again "
-        + "with more"), happened);
+    assertEquals(List.of("stop", "the memory is used up (96 of 100 MB): all robots are stopped; " + REMEDY), happened);
   }
 
   @Test
-  void aBusyHeapIsNotFull() {
-    use(MAX * 94 / 100);
+  void aHeapThatIsNearlyFullIsToldOnceAndStopsNobody() {
+    use(MAX * 79 / 100);
     assertEquals(List.of(), happened);
+    use(MAX * 81 / 100);
+    use(MAX * 75 / 100);
+    use(MAX * 94 / 100);
+    assertEquals(List.of("RobotUI holds 81 of 100 MB of memory, and stops all robots when they are used up: " + REMEDY), happened);
+  }
+
+  @Test
+  void aHeapThatFillsAgainIsToldAgain() {
+    use(MAX * 81 / 100);
+    use(MAX * 69 / 100);
+    use(MAX * 81 / 100);
+    assertEquals(2, happened.size(), happened.toString());
+  }
+
+  @Test
+  void afterAStopNothingLessIsSaidUntilThereIsRoom() {
+    use(MAX);
+    use(MAX * 81 / 100);
+    assertEquals(2, happened.size(), happened.toString());
   }
 
   @Test
