@@ -67,6 +67,11 @@ final class Canvas {
     }
   }
 
+  /** Whether the processor has painted all that is seen, so that the picture needs nothing of OpenGL. */
+  boolean hasPainted(Order order) {
+    return order.translucent().isEmpty() && painted.containsAll(order.opaque());
+  }
+
   /** Draws colours: translucent things over the opaque ones, without hiding each other. */
   void draw(Order order) {
     gl.glDisable(GL.GL_BLEND);

@@ -42,6 +42,16 @@ final class Pixels {
     smooth.orElse(plain).bind();
   }
 
+  /** Whether the processor has painted anything. */
+  boolean isPainted() {
+    return splats.filter(Splats::used).isPresent();
+  }
+
+  /** Hands out what the processor has painted, where that is the whole picture: it need not go to OpenGL and back. */
+  void copy(int[] rgb) {
+    splats.ifPresent(written -> written.values(rgb));
+  }
+
   /** Begins the picture with the splats, where there are some. */
   boolean beginWithSplats(Gpu gpu) {
     Optional<Splats> written = splats.filter(Splats::used);

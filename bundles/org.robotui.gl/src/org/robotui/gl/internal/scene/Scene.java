@@ -68,19 +68,31 @@ final class Scene {
     if (givenUp.getAsBoolean()) {
       return new Rendered.Skipped();
     }
+    boolean painted = target.isPainted() && canvas.hasPainted(order);
+    if (!painted) {
+      drawRest(canvas, order, target, request);
+    }
+    if (givenUp.getAsBoolean()) {
+      return new Rendered.Skipped();
+    }
+    int[] rgb = shelf.take(request.width() * request.height());
+    if (painted) {
+      target.copy(rgb);
+    } else {
+      target.read(gpu, request.width(), request.height(), rgb);
+    }
+    gpu.check("drawing");
+    return new Rendered.Picture(request.width(), request.height(), rgb, figures(start, pass), problems);
+  }
+
+  /** Draws by OpenGL what the processor has not painted, over what it has. */
+  private void drawRest(Canvas canvas, Order order, Pixels target, RenderRequest request) {
     if (target.beginWithSplats(gpu)) {
       canvas.keepAlpha();
     } else {
       canvas.clear(request.background());
     }
     canvas.draw(order);
-    if (givenUp.getAsBoolean()) {
-      return new Rendered.Skipped();
-    }
-    int[] rgb = shelf.take(request.width() * request.height());
-    target.read(gpu, request.width(), request.height(), rgb);
-    gpu.check("drawing");
-    return new Rendered.Picture(request.width(), request.height(), rgb, figures(start, pass), problems);
   }
 
   /** Finds what lies under a pixel. */

@@ -135,6 +135,17 @@ public final class Splats {
   }
 
   /**
+   * Hands out all values, row by row.
+   *
+   * @param into as many as there are pixels, at least
+   */
+  public void values(int[] into) {
+    for (int i = 0; i < cells.length; i++) {
+      into[i] = (int) cells[i];
+    }
+  }
+
+  /**
    * Hands out depths.
    *
    * @param first pixel, counted by rows

@@ -28,7 +28,9 @@ import org.robotui.gl.render.Rendered.Picture;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Describer;
 import org.robotui.gl.shape.Label;
+import org.robotui.gl.shape.LineSet;
 import org.robotui.gl.shape.Material;
+import org.robotui.gl.shape.Meshes;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.PointSet.Unit;
 import org.robotui.gl.shape.PointSet;
@@ -141,10 +143,19 @@ class PictureTest {
     }
   }
 
-  /** The first pictures are drawn by OpenGL, later ones are painted by the processor where OpenGL is software. */
   @Test
   void aBodyLooksTheSameHoweverOftenItIsDrawn() throws Exception {
-    Part body = part("ball", ball(), Material.lit(Rgba.WHITE));
+    assertLooksTheSame(part("ball", ball(), Material.lit(Rgba.WHITE)));
+  }
+
+  @Test
+  void aBoxOfLargeTrianglesLooksTheSameHoweverOftenItIsDrawn() throws Exception {
+    RigidTransform turned = new RigidTransform(Vector3.ZERO, Quaternion.fromRollPitchYaw(0.3, 0.4, 0.5));
+    assertLooksTheSame(new Part("box", Meshes.cube(), turned, Material.lit(Rgba.of(RED)), Describer.of("")));
+  }
+
+  /** The first pictures are drawn by OpenGL, later ones are painted by the processor where OpenGL is software. */
+  private void assertLooksTheSame(Part body) throws Exception {
     Picture first = stage.picture(request(body));
     Picture last = first;
     for (int i = 0; i < 5; i++) {
@@ -157,6 +168,21 @@ class PictureTest {
       }
     }
     assertTrue(sum < 4 * colored(first), "mean difference " + (double) sum / colored(first));
+  }
+
+  /** Where nothing is left for OpenGL, the picture does not pass through it. */
+  @Test
+  void whatTheProcessorPaintsAloneIsThePictureThatItHasBesideOpenGl() throws Exception {
+    Part cloud = flat("p", points(7, 0, 0, 0, 1, 0.2f, -0.3f, 2, -0.4f, 0.1f), RED);
+    Part inTheCorner = flat("l", LineSet.of(LineSet.Kind.SEGMENTS, 1, 0, 0.49f, 0.49f, 0, 0.48f, 0.49f), GREEN);
+    Picture alone = stage.picture(request(cloud));
+    Picture beside = stage.picture(request(cloud, inTheCorner));
+    assertTrue(colored(beside) > colored(alone));
+    for (int row = 10; row < Stage.SIDE; row++) {
+      for (int column = 0; column < Stage.SIDE; column++) {
+        assertEquals(at(beside, column, row), at(alone, column, row), column + ", " + row);
+      }
+    }
   }
 
   @Test
