@@ -7,7 +7,12 @@ final class FacetBuffers {
   static final int Y = 1;
   static final int DEPTH = 2;
 
+  /** Bits of a row in the cell of a place, below those of its column: pictures have at most as many rows. */
+  static final int ROW_BITS = 16;
+  static final int ROW = (1 << ROW_BITS) - 1;
+
   private float[] pixels = {};
+  private int[] cells = {};
   private byte[] facing = {};
   private byte[] away = {};
 
@@ -15,6 +20,7 @@ final class FacetBuffers {
   void fit(int places, int normals) {
     if (pixels.length < STRIDE * places) {
       pixels = new float[STRIDE * places];
+      cells = new int[places];
     }
     if (facing.length < normals) {
       facing = new byte[normals];
@@ -25,6 +31,14 @@ final class FacetBuffers {
   /** Of each place the pixels from the left, the rows from the top, and the depth as OpenGL keeps it: what is needed together lies together. */
   float[] pixels() {
     return pixels;
+  }
+
+  /**
+   * Of each place the first column and row whose middles are not before it, cut at the edges of the picture. A triangle whose corners have one column,
+   * or one row, covers no middle of a pixel: of small ones that is the most.
+   */
+  int[] cells() {
+    return cells;
   }
 
   /** The shade of a direction that faces the eye. */
@@ -50,6 +64,8 @@ final class FacetBuffers {
       float near = 1 / (m[3] * px[i] + m[7] * py[i] + m[11] * pz[i] + m[15]);
       pixels[STRIDE * i] = ((m[0] * px[i] + m[4] * py[i] + m[8] * pz[i] + m[12]) * near + 1) * halfWidth;
       pixels[STRIDE * i + Y] = ((m[1] * px[i] + m[5] * py[i] + m[9] * pz[i] + m[13]) * near + 1) * halfHeight;
+      int column = Math.clamp(Splats.firstPixel(pixels[STRIDE * i]), 0, width);
+      cells[i] = column << ROW_BITS | Math.clamp(Splats.firstPixel(pixels[STRIDE * i + Y]), 0, height);
       pixels[STRIDE * i + DEPTH] = middle + half * (m[2] * px[i] + m[6] * py[i] + m[10] * pz[i] + m[14]) * near;
     }
   }

@@ -1,6 +1,8 @@
 package org.robotui.gl.internal.splat;
 
 import static org.robotui.gl.internal.splat.FacetBuffers.DEPTH;
+import static org.robotui.gl.internal.splat.FacetBuffers.ROW;
+import static org.robotui.gl.internal.splat.FacetBuffers.ROW_BITS;
 import static org.robotui.gl.internal.splat.FacetBuffers.STRIDE;
 import static org.robotui.gl.internal.splat.FacetBuffers.Y;
 import static org.robotui.gl.internal.splat.Facets.CORNERS;
@@ -56,22 +58,35 @@ public final class FacetPainter {
 
   private void paint(int triangle) {
     int at = CORNERS * triangle;
+    int[] cells = buffers.cells();
+    int a = facets.placesOf()[at];
+    int b = facets.placesOf()[at + 1];
+    int c = facets.placesOf()[at + 2];
+    int apart = cells[a] ^ cells[b] | cells[a] ^ cells[c];
+    if ((apart & ROW) != 0 && apart >>> ROW_BITS != 0) {
+      paint(triangle, STRIDE * a, STRIDE * b, STRIDE * c, cells[a], cells[b], cells[c]);
+    }
+  }
+
+  private void paint(int triangle, int a, int b, int c, int cellA, int cellB, int cellC) {
     float[] p = buffers.pixels();
-    int a = STRIDE * facets.placesOf()[at];
-    int b = STRIDE * facets.placesOf()[at + 1];
-    int c = STRIDE * facets.placesOf()[at + 2];
     float area = (p[b] - p[a]) * (p[c + Y] - p[a + Y]) - (p[c] - p[a]) * (p[b + Y] - p[a + Y]);
     // Rows go down: what is counterclockwise to the eye has an area below 0. What is no number is left out as well.
     if (area < 0 || area > 0 && !brush.hideBacks()) {
-      int left = Math.max(0, Splats.firstPixel(Math.min(p[a], Math.min(p[b], p[c]))));
-      int right = Math.min(splats.width(), Splats.firstPixel(Math.max(p[a], Math.max(p[b], p[c]))));
-      int top = Math.max(0, Splats.firstPixel(Math.min(p[a + Y], Math.min(p[b + Y], p[c + Y]))));
-      int bottom = Math.min(splats.height(), Splats.firstPixel(Math.max(p[a + Y], Math.max(p[b + Y], p[c + Y]))));
-      if (left < right && top < bottom) {
+      int left = Math.min(cellA, Math.min(cellB, cellC)) >>> ROW_BITS;
+      int right = Math.max(cellA, Math.max(cellB, cellC)) >>> ROW_BITS;
+      int top = Math.min(cellA & ROW, Math.min(cellB & ROW, cellC & ROW));
+      int bottom = Math.max(cellA & ROW, Math.max(cellB & ROW, cellC & ROW));
+      if ((right - left) * (bottom - top) > 1 || !isHidden(top * splats.width() + left, p[a + DEPTH], p[b + DEPTH], p[c + DEPTH])) {
         byte[] lights = area < 0 == facets.isOutward(triangle) ? buffers.facing() : buffers.away();
         fill(triangle, lights, a, b, c, 1 / area, left, top, right, bottom);
       }
     }
+  }
+
+  /** Whether three depths lie behind what is seen at a pixel: of the triangles that are as small as one, most do. */
+  private boolean isHidden(int pixel, float a, float b, float c) {
+    return Splats.cell(Math.max(0, Math.min(a, Math.min(b, c))), 0) > splats.cells()[pixel];
   }
 
   /** Fills the pixels whose middle lies in it: its three weights there are not negative. */

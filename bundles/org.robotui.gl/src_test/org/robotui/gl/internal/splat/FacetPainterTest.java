@@ -58,6 +58,25 @@ class FacetPainterTest {
   }
 
   @Test
+  void aTriangleThatCoversNoMiddleOfAPixelIsNotSeen() {
+    paint(square(0.5f, 0.11f, 0.14f), RED, false);
+    for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
+      assertEquals(Splats.NOTHING, splats.depth(pixel), "pixel " + pixel);
+    }
+    paint(square(0.5f, 0.11f, 0.16f), RED, false);
+    assertEquals(RED, at(8, 8));
+  }
+
+  @Test
+  void aTriangleOfOnePixelHidesAndIsHidden() {
+    paint(square(0.5f, 0.11f, 0.16f), RED, false);
+    paint(square(0.7f, 0.11f, 0.16f), GREEN, false);
+    assertEquals(RED, at(8, 8));
+    paint(square(0.3f, 0.11f, 0.16f), GREEN, false);
+    assertEquals(GREEN, at(8, 8));
+  }
+
+  @Test
   void whatReachesOverTheEdgeIsCutThere() {
     paint(square(0.5f, -50, 50), RED, false);
     assertEquals(RED, at(0, 0));
