@@ -2,6 +2,7 @@ package org.robotui.gl.internal.draw;
 
 import com.jogamp.opengl.GL3;
 import java.util.Optional;
+import java.util.concurrent.ExecutorService;
 import java.util.function.BooleanSupplier;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.internal.gpu.Gpu;
@@ -20,6 +21,7 @@ public final class Pass {
   private final Camera camera;
   private final Programs programs;
   private final GlyphTexture glyphs;
+  private final ExecutorService workers;
   private final Rgba background;
   private final Optional<Splats> splats;
   private final boolean picking;
@@ -47,6 +49,7 @@ public final class Pass {
     this.camera = camera;
     this.programs = tools.programs();
     this.glyphs = tools.glyphs();
+    this.workers = tools.background();
     this.background = background;
     this.splats = splats;
     this.picking = picking;
@@ -69,6 +72,11 @@ public final class Pass {
 
   GlyphTexture glyphs() {
     return glyphs;
+  }
+
+  /** Where is done what takes long. */
+  ExecutorService workers() {
+    return workers;
   }
 
   Rgba background() {

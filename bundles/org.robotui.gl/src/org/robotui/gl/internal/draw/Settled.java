@@ -16,17 +16,23 @@ final class Settled {
   private static final int CORNERS = 3;
   /** Pixels of a triangle, as a mean. What is larger is lit pixel by pixel by OpenGL, which is as quick with it. */
   private static final double LARGE = 250;
+  /** The same of triangles that have one light all over. */
+  private static final double LARGE_FLAT = 20_000;
 
   private final TriangleMesh mesh;
   private final Levels levels;
   private final double openness;
+  private final double large;
+  private final Reductions reductions;
   private final Map<Level, Optional<Facets>> facets = new HashMap<>();
 
   /** Takes some milliseconds for a hundred thousand triangles. */
   Settled(TriangleMesh mesh) {
     this.mesh = mesh;
     levels = Levels.of(mesh);
+    reductions = new Reductions(mesh, levels);
     openness = Solid.openness(mesh);
+    large = Flatness.isFlat(mesh) ? LARGE_FLAT : LARGE;
   }
 
   /** The indices of all levels, one after the other. */
@@ -56,7 +62,8 @@ final class Settled {
     if (isLarge(level, pass.metresPerPixel(look, mesh.bounds())) || mesh.bounds().filter(box -> Clip.holds(look.clipFromShape(), box)).isEmpty()) {
       return false;
     }
-    Optional<Facets> painted = facets.computeIfAbsent(level, l -> Facets.of(mesh, indices(l)));
+    Optional<Facets> painted = reductions.within(pass.fineness().pixels() * pass.metresPerPixel(look, mesh.bounds()), pass.workers())
+        .or(() -> facets.computeIfAbsent(level, l -> Facets.of(mesh, indices(l))));
     painted.ifPresent(some -> {
       new FacetPainter(splats, brush(pass, look), some).paint(pass.givenUp());
       pass.tally().triangles(some.count(), leftOut(pass, look, level));
@@ -64,9 +71,14 @@ final class Settled {
     return painted.isPresent();
   }
 
+  /** It is drawn no more. */
+  void close() {
+    reductions.close();
+  }
+
   private boolean isLarge(Level level, double metresPerPixel) {
     double edge = mesh.bounds().map(box -> 2 * box.radius()).orElse(0.0) / metresPerPixel;
-    return !(edge * edge < LARGE * level.count() / CORNERS);
+    return !(edge * edge < large * level.count() / CORNERS);
   }
 
   private IntBuffer indices(Level level) {

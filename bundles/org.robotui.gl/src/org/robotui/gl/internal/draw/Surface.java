@@ -44,7 +44,7 @@ final class Surface {
       return 0;
     }
     mesh = wanted;
-    settled = Optional.empty();
+    unsettle();
     pictures = 0;
     array.bind();
     long sent = corners.fill(mesh.xyz(), mesh.rgba()) + indices.fill(mesh.triangles());
@@ -95,18 +95,16 @@ final class Surface {
 
   /** Writes it into the splats of a picture, where the processor is quicker with it; answers whether it did. */
   boolean paint(Pass pass, Look look) {
-    boolean plain = !pass.picking() && !translucent() && look.color().alpha() == 1 && !isTextured(look);
-    return plain && mayBeCoarser(pass) && pass.splats().flatMap(splats -> settled.map(form -> form.paint(pass, look, splats))).orElse(false);
+    boolean plain = !pass.picking() && !pass.fineness().isExact() && !translucent() && look.color().alpha() == 1 && !isTextured(look);
+    return plain && pass.splats().flatMap(splats -> settled.map(form -> form.paint(pass, look, splats))).orElse(false);
   }
 
   /** As fine as is seen. */
   void draw(Pass pass, Look look) {
-    if (mayBeCoarser(pass)) {
+    if (!pass.fineness().isExact()) {
       settle();
-      settled.ifPresentOrElse(form -> draw(pass, look, form), () -> drawAll(pass));
-    } else {
-      drawAll(pass);
     }
+    settled.filter(form -> mayBeCoarser(pass)).ifPresentOrElse(form -> draw(pass, look, form), () -> drawAll(pass));
   }
 
   private boolean mayBeCoarser(Pass pass) {
@@ -156,7 +154,13 @@ final class Surface {
     return corners.bytes() + indices.bytes() + normals.map(GpuBuffer::bytes).orElse(0L) + uv.map(GpuBuffer::bytes).orElse(0L);
   }
 
+  private void unsettle() {
+    settled.ifPresent(Settled::close);
+    settled = Optional.empty();
+  }
+
   void delete() {
+    unsettle();
     array.delete();
     corners.delete();
     indices.delete();

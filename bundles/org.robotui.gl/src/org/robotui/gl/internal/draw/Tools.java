@@ -1,5 +1,9 @@
 package org.robotui.gl.internal.draw;
 
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import org.robotui.gl.internal.gpu.Gpu;
 import org.robotui.gl.internal.text.GlyphTexture;
 
@@ -8,8 +12,11 @@ import org.robotui.gl.internal.text.GlyphTexture;
  *
  * @param programs the shaders
  * @param glyphs of labels
+ * @param background where meshes are reduced
  */
-public record Tools(Programs programs, GlyphTexture glyphs) {
+public record Tools(Programs programs, GlyphTexture glyphs, ExecutorService background) {
+  private static final long IDLE_SECONDS = 5;
+
   /**
    * Makes them; each comes to the graphics card when it is first needed.
    *
@@ -17,11 +24,20 @@ public record Tools(Programs programs, GlyphTexture glyphs) {
    * @return the tools
    */
   public static Tools of(Gpu gpu) {
-    return new Tools(new Programs(gpu), new GlyphTexture(gpu));
+    return new Tools(new Programs(gpu), new GlyphTexture(gpu), worker());
+  }
+
+  /** One thread, which is there while it has something to do. */
+  private static ExecutorService worker() {
+    ThreadPoolExecutor made = new ThreadPoolExecutor(1, 1, IDLE_SECONDS, TimeUnit.SECONDS, new LinkedBlockingQueue<>(),
+        task -> Thread.ofPlatform().name("Mesh reduction").daemon().priority(Thread.MIN_PRIORITY).unstarted(task));
+    made.allowCoreThreadTimeOut(true);
+    return made;
   }
 
   /** Frees them. */
   public void delete() {
+    background.shutdownNow();
     programs.delete();
     glyphs.delete();
   }
