@@ -6,12 +6,6 @@ import org.robotui.ros.msgs.dynamic_reconfigure.ReconfigureRequest;
 import org.robotui.ros.msgs.dynamic_reconfigure.ReconfigureResponse;
 import org.robotui.ros.msgs.nav_msgs.GetMapRequest;
 import org.robotui.ros.msgs.nav_msgs.GetMapResponse;
-import org.robotui.ros.msgs.roscpp.GetLoggersRequest;
-import org.robotui.ros.msgs.roscpp.GetLoggersResponse;
-import org.robotui.ros.msgs.roscpp.SetLoggerLevelRequest;
-import org.robotui.ros.msgs.roscpp.SetLoggerLevelResponse;
-import org.robotui.ros.msgs.sensor_msgs.SetCameraInfoRequest;
-import org.robotui.ros.msgs.sensor_msgs.SetCameraInfoResponse;
 import org.robotui.ros.msgs.std_srvs.EmptyRequest;
 import org.robotui.ros.msgs.std_srvs.EmptyResponse;
 import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
@@ -34,16 +28,6 @@ public final class StandardServices {
   /** The current map. */
   public static final ServiceCodec<GetMapRequest, GetMapResponse> GET_MAP =
       RecordCodec.service("nav_msgs/GetMap", GetMapRequest.CODEC, GetMapResponse.CODEC);
-  /** Stores a calibration in a camera. */
-  public static final ServiceCodec<SetCameraInfoRequest, SetCameraInfoResponse> SET_CAMERA_INFO = RecordCodec.service(
-      "sensor_msgs/SetCameraInfo", SetCameraInfoRequest.CODEC, SetCameraInfoResponse.CODEC);
-  /** The loggers of a node. */
-  public static final ServiceCodec<GetLoggersRequest, GetLoggersResponse> GET_LOGGERS =
-      RecordCodec.service("roscpp/GetLoggers", GetLoggersRequest.CODEC, GetLoggersResponse.CODEC);
-  /** Sets the level of a node's logger. */
-  public static final ServiceCodec<SetLoggerLevelRequest, SetLoggerLevelResponse> SET_LOGGER_LEVEL =
-      RecordCodec.service(
-          "roscpp/SetLoggerLevel", SetLoggerLevelRequest.CODEC, SetLoggerLevelResponse.CODEC);
   /** Changes parameters of a running node. */
   public static final ServiceCodec<ReconfigureRequest, ReconfigureResponse> RECONFIGURE = RecordCodec.service(
       "dynamic_reconfigure/Reconfigure", ReconfigureRequest.CODEC, ReconfigureResponse.CODEC);

@@ -23,7 +23,7 @@ import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageSchema;
 import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.RosValue;
-import org.robotui.ros.msgs.StandardCodecs;
+import org.robotui.ros.message.ShippedRecords;
 import org.robotui.testkit.Effort;
 
 /** Damaged bytes and definitions lead to the declared exceptions only, quickly and without large allocations. */
@@ -43,7 +43,7 @@ class MutatedMessagesTest {
     for (BagReader.Recorded each : oneOfEachType(bag)) {
       DynamicCodec dynamic =
           new DynamicCodec(MessageSchema.parse(each.info().type(), each.info().definition()));
-      Optional<RecordCodec<?>> compiled = StandardCodecs.forType(each.info().type());
+      Optional<RecordCodec<?>> compiled = ShippedRecords.codec(each.info().type());
       int refused = 0;
       for (Effort effort = Effort.of(ROUNDS, LONG); effort.goesOn();) {
         byte[] damaged = damage(each.bytes());

@@ -20,7 +20,7 @@ import org.robotui.ros.message.MessageRegistry;
 import org.robotui.ros.message.MessageWriter;
 import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.RosValue;
-import org.robotui.ros.msgs.StandardCodecs;
+import org.robotui.ros.message.ShippedRecords;
 import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
 import org.robotui.ros.msgs.nav_msgs.Odometry;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
@@ -39,12 +39,12 @@ class RecordedMessagesTest {
     return messages.stream().filter(m -> m.topic().equals(topic)).toList();
   }
 
-  private Map<String, Integer> decodeAll(Path bag) throws MessageException {
+  private Map<String, Integer> decodeAll(Path bag) throws MessageException, java.io.IOException {
     Map<String, Integer> counts = new TreeMap<>();
     for (BagReader.Recorded each : BagReader.read(bag)) {
       DynamicMessage dynamic = any.decode(each.bytes().duplicate(), each.info());
       assertEquals(each.info().type(), dynamic.type());
-      Optional<RecordCodec<?>> compiled = StandardCodecs.forType(each.info().type());
+      Optional<RecordCodec<?>> compiled = ShippedRecords.codec(each.info().type());
       if (compiled.isPresent() && !OLDER.equals(each.info().md5())) {
         assertEquals(each.info().md5(), compiled.get().info().md5());
         assertArrayEquals(array(each.bytes()), reencode(compiled.get(), each.bytes()));

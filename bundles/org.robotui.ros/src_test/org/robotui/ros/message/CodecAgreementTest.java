@@ -6,14 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.robotui.ros.msgs.StandardCodecs;
-import org.robotui.ros.msgs.StandardServices;
 
 /** Compiled codecs and the codec that works from the definition agree on every byte. */
 class CodecAgreementTest {
@@ -21,13 +18,7 @@ class CodecAgreementTest {
   private static final int ROUNDS = 20;
 
   static Stream<RecordCodec<?>> codecs() throws Exception {
-    Stream<RecordCodec<?>> messages = WellKnownSumsTest.vectors("md5_messages.txt").keySet().stream()
-        .map(StandardCodecs::forType).flatMap(Optional::stream);
-    Stream<RecordCodec<?>> services = Stream.of(StandardServices.EMPTY, StandardServices.SET_BOOL,
-        StandardServices.TRIGGER, StandardServices.GET_MAP, StandardServices.SET_CAMERA_INFO,
-        StandardServices.GET_LOGGERS, StandardServices.SET_LOGGER_LEVEL, StandardServices.RECONFIGURE)
-        .flatMap(s -> Stream.of((RecordCodec<?>) s.request(), (RecordCodec<?>) s.response()));
-    return Stream.concat(messages, services);
+    return ShippedRecords.codecs().values().stream();
   }
 
   @ParameterizedTest

@@ -157,7 +157,7 @@ class InteroperationTest {
     List<String> reasons = new CopyOnWriteArrayList<>();
     world.roscpp("talker", "cplusplus", "/chatter");
     world.node("listener", event -> reasons.add(event.toString())).subscriber("chatter",
-        org.robotui.ros.msgs.std_msgs.StdInt32.CODEC, SubscriberOptions.standard(), (number, reception) -> { });
+        org.robotui.ros.msgs.std_msgs.StdFloat64.CODEC, SubscriberOptions.standard(), (number, reception) -> { });
     Eventually.await(() -> "a refusal among " + reasons, () -> reasons.stream().anyMatch(reason ->
         reason.contains("Failed") && reason.contains("/chatter") && reason.contains("std_msgs/Int32") && reason.contains("std_msgs/String")));
   }
