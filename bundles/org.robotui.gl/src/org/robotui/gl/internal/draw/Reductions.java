@@ -20,6 +20,8 @@ final class Reductions {
   private static final double TOLERANCE = 0.5;
   /** Across a mesh: one that is nearer reaches far beyond the picture, and is drawn as it is. */
   private static final double MOST_PIXELS = 4096;
+  /** Triangles that take less time than it would take to think about them. */
+  private static final int FEW = 300;
 
   private final TriangleMesh mesh;
   private final Levels levels;
@@ -30,7 +32,7 @@ final class Reductions {
   Reductions(TriangleMesh mesh, Levels levels) {
     this.mesh = mesh;
     this.levels = levels;
-    finest = mesh.bounds().map(box -> 2 * box.radius() / MOST_PIXELS).orElse(Double.POSITIVE_INFINITY);
+    finest = mesh.bounds().filter(box -> mesh.elements() >= FEW).map(box -> 2 * box.radius() / MOST_PIXELS).orElse(Double.POSITIVE_INFINITY);
   }
 
   /**
@@ -38,7 +40,7 @@ final class Reductions {
    *
    * @param metres what is not seen
    * @param background where it is made
-   * @return none while it is being made, and from very near
+   * @return none while it is being made, from very near, and of a mesh that has few triangles anyway
    */
   Optional<Facets> within(double metres, ExecutorService background) {
     int octave = Math.getExponent(metres);

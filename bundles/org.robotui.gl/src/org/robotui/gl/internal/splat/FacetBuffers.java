@@ -14,17 +14,21 @@ final class FacetBuffers {
   private float[] pixels = {};
   private int[] cells = {};
   private byte[] facing = {};
-  private byte[] away = {};
+  private byte[] opposite = {};
+  private int[] away = {};
 
   /** Makes room. */
-  void fit(int places, int normals) {
+  void fit(int places, int normals, int triangles) {
     if (pixels.length < STRIDE * places) {
       pixels = new float[STRIDE * places];
       cells = new int[places];
     }
+    if (away.length < triangles) {
+      away = new int[triangles];
+    }
     if (facing.length < normals) {
       facing = new byte[normals];
-      away = new byte[normals];
+      opposite = new byte[normals];
     }
   }
 
@@ -47,7 +51,12 @@ final class FacetBuffers {
   }
 
   /** The shade of the opposite direction. */
-  byte[] away() {
+  byte[] opposite() {
+    return opposite;
+  }
+
+  /** Triangles that face away, to be painted after the others. */
+  int[] away() {
     return away;
   }
 

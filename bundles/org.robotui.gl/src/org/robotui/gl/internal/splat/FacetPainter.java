@@ -15,6 +15,8 @@ import java.util.function.BooleanSupplier;
  */
 public final class FacetPainter {
   private static final int PIECE = 1 << 14;
+  /** Pixels. */
+  private static final int FEW = 16;
   /** Two triangles with one edge leave no pixel between them, whatever rounding does. */
   private static final float OUTSIDE = -1e-4f;
 
@@ -35,7 +37,7 @@ public final class FacetPainter {
     this.splats = splats;
     this.brush = brush;
     this.facets = facets;
-    buffers = splats.buffers(facets.placeCount(), facets.normalCount());
+    buffers = splats.buffers(facets);
     shades = brush.shades(facets.palette());
   }
 
@@ -47,46 +49,84 @@ public final class FacetPainter {
   public void paint(BooleanSupplier givenUp) {
     splats.use();
     buffers.project(facets, brush, splats.width(), splats.height());
-    brush.lights(facets, buffers.facing(), buffers.away());
+    brush.lights(facets, buffers.facing(), buffers.opposite());
+    int away = 0;
     for (int first = 0; first < facets.count() && !givenUp.getAsBoolean(); first += PIECE) {
       int end = Math.min(facets.count(), first + PIECE);
       for (int triangle = first; triangle < end; triangle++) {
-        paint(triangle);
+        if (covers(triangle) && !paintFacing(triangle) && !brush.hideBacks()) {
+          buffers.away()[away++] = triangle;
+        }
       }
     }
+    for (int i = 0; i < away && !givenUp.getAsBoolean(); i++) {
+      paint(buffers.away()[i]);
+    }
+  }
+
+  /** Whether a triangle may cover the middle of a pixel. */
+  private boolean covers(int triangle) {
+    int at = CORNERS * triangle;
+    int[] cells = buffers.cells();
+    int a = cells[facets.placesOf()[at]];
+    int apart = a ^ cells[facets.placesOf()[at + 1]] | a ^ cells[facets.placesOf()[at + 2]];
+    return (apart & ROW) != 0 && apart >>> ROW_BITS != 0;
+  }
+
+  /** Paints a triangle that faces the eye; answers false for another one, which is likely to be hidden by those. */
+  private boolean paintFacing(int triangle) {
+    boolean facing = area(triangle) < 0;
+    if (facing) {
+      paint(triangle);
+    }
+    return facing;
+  }
+
+  /** Twice as many square pixels as it covers. Rows go down: what is counterclockwise to the eye has an area below 0. */
+  private float area(int triangle) {
+    int at = CORNERS * triangle;
+    float[] p = buffers.pixels();
+    int a = STRIDE * facets.placesOf()[at];
+    int b = STRIDE * facets.placesOf()[at + 1];
+    int c = STRIDE * facets.placesOf()[at + 2];
+    return (p[b] - p[a]) * (p[c + Y] - p[a + Y]) - (p[c] - p[a]) * (p[b + Y] - p[a + Y]);
   }
 
   private void paint(int triangle) {
+    float area = area(triangle);
     int at = CORNERS * triangle;
-    int[] cells = buffers.cells();
     int a = facets.placesOf()[at];
     int b = facets.placesOf()[at + 1];
     int c = facets.placesOf()[at + 2];
-    int apart = cells[a] ^ cells[b] | cells[a] ^ cells[c];
-    if ((apart & ROW) != 0 && apart >>> ROW_BITS != 0) {
-      paint(triangle, STRIDE * a, STRIDE * b, STRIDE * c, cells[a], cells[b], cells[c]);
+    int cellA = buffers.cells()[a];
+    int cellB = buffers.cells()[b];
+    int cellC = buffers.cells()[c];
+    int left = Math.min(cellA, Math.min(cellB, cellC)) >>> ROW_BITS;
+    int right = Math.max(cellA, Math.max(cellB, cellC)) >>> ROW_BITS;
+    int top = Math.min(cellA & ROW, Math.min(cellB & ROW, cellC & ROW));
+    int bottom = Math.max(cellA & ROW, Math.max(cellB & ROW, cellC & ROW));
+    // What is no number has no area, and is left out as well.
+    if ((area < 0 || area > 0) && !isHidden(nearest(STRIDE * a, STRIDE * b, STRIDE * c), left, top, right, bottom)) {
+      byte[] lights = area < 0 == facets.isOutward(triangle) ? buffers.facing() : buffers.opposite();
+      fill(triangle, lights, STRIDE * a, STRIDE * b, STRIDE * c, 1 / area, left, top, right, bottom);
     }
   }
 
-  private void paint(int triangle, int a, int b, int c, int cellA, int cellB, int cellC) {
+  private float nearest(int a, int b, int c) {
     float[] p = buffers.pixels();
-    float area = (p[b] - p[a]) * (p[c + Y] - p[a + Y]) - (p[c] - p[a]) * (p[b + Y] - p[a + Y]);
-    // Rows go down: what is counterclockwise to the eye has an area below 0. What is no number is left out as well.
-    if (area < 0 || area > 0 && !brush.hideBacks()) {
-      int left = Math.min(cellA, Math.min(cellB, cellC)) >>> ROW_BITS;
-      int right = Math.max(cellA, Math.max(cellB, cellC)) >>> ROW_BITS;
-      int top = Math.min(cellA & ROW, Math.min(cellB & ROW, cellC & ROW));
-      int bottom = Math.max(cellA & ROW, Math.max(cellB & ROW, cellC & ROW));
-      if ((right - left) * (bottom - top) > 1 || !isHidden(top * splats.width() + left, p[a + DEPTH], p[b + DEPTH], p[c + DEPTH])) {
-        byte[] lights = area < 0 == facets.isOutward(triangle) ? buffers.facing() : buffers.away();
-        fill(triangle, lights, a, b, c, 1 / area, left, top, right, bottom);
+    return Math.max(0, Math.min(p[a + DEPTH], Math.min(p[b + DEPTH], p[c + DEPTH])));
+  }
+
+  /** Whether a depth lies behind all that is seen in some pixels, where these are few: then it is quicker to look than to compute the triangle. */
+  private boolean isHidden(float nearest, int left, int top, int right, int bottom) {
+    boolean hidden = (right - left) * (bottom - top) <= FEW;
+    long cell = Splats.cell(nearest, 0);
+    for (int row = top; row < bottom && hidden; row++) {
+      for (int column = left; column < right && hidden; column++) {
+        hidden = cell > splats.cells()[row * splats.width() + column];
       }
     }
-  }
-
-  /** Whether three depths lie behind what is seen at a pixel: of the triangles that are as small as one, most do. */
-  private boolean isHidden(int pixel, float a, float b, float c) {
-    return Splats.cell(Math.max(0, Math.min(a, Math.min(b, c))), 0) > splats.cells()[pixel];
+    return hidden;
   }
 
   /** Fills the pixels whose middle lies in it: its three weights there are not negative. */

@@ -72,8 +72,8 @@ public final class Splats {
   }
 
   /** Room for what is computed of a mesh; its next user overwrites it. */
-  FacetBuffers buffers(int places, int normals) {
-    buffers.fit(places, normals);
+  FacetBuffers buffers(Facets facets) {
+    buffers.fit(facets.placeCount(), facets.normalCount(), facets.count());
     return buffers;
   }
 
