@@ -1,4 +1,5 @@
-// Where a joint is held: from there a plugin goes on when it starts, and the joint does not jump, even where it does not quite follow.
+// Where a joint is held: from there a plugin goes on when it starts, and the joint does not jump, even where it does
+// not quite follow.
 #pragma once
 
 #include <cmath>

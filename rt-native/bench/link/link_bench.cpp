@@ -1,4 +1,5 @@
-// What writing and reading the link costs, by number of joints. All is in the caches here: in a cycle of a millisecond it costs more.
+// What writing and reading the link costs, by number of joints. All is in the caches here: in a cycle of a millisecond
+// it costs more.
 #include <benchmark/benchmark.h>
 
 #include <memory>

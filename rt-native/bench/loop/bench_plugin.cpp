@@ -1,5 +1,5 @@
-// A plugin that does what each does and nothing more: it looks at all joints and commands its own. What is measured with it is the frame
-// around plugins; what their laws cost is theirs.
+// A plugin that does what each does and nothing more: it looks at all joints and commands its own. What is measured
+// with it is the frame around plugins; what their laws cost is theirs.
 #include <vector>
 
 #include "robotui/rt/plugin/control_plugin.h"

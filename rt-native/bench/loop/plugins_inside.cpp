@@ -7,7 +7,8 @@
 
 namespace robotui::rt::bench {
 
-void PluginsInside::open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) {
+void PluginsInside::open(const config::RobotDescription& robot, const config::HalConfig& config,
+                         std::int64_t period_ns) {
   period_s_ = static_cast<double>(period_ns) * 1e-9;
   hardware_->open(robot, config, period_ns);
 }

@@ -1,5 +1,5 @@
-// Plugins in the HAL's own thread, one behind the other, as the paper has them: for comparison alone, since a plugin that crashes or
-// spins then takes the HAL with it.
+// Plugins in the HAL's own thread, one behind the other, as the paper has them: for comparison alone, since a plugin
+// that crashes or spins then takes the HAL with it.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,12 @@ namespace robotui::rt::bench {
 
 using Plugins = std::vector<std::unique_ptr<host::HostedPlugin>>;
 
-// A hardware that runs the plugins as soon as it has sensed. Their commands lie in the slot before the cycle looks for them.
+// A hardware that runs the plugins as soon as it has sensed. Their commands lie in the slot before the cycle looks for
+// them.
 class PluginsInside final : public hal::Hal {
  public:
-  PluginsInside(std::unique_ptr<hal::Hal> hardware, const link::BoardSegment& board, link::HostSegment& host, std::uint32_t joints)
+  PluginsInside(std::unique_ptr<hal::Hal> hardware, const link::BoardSegment& board, link::HostSegment& host,
+                std::uint32_t joints)
       : hardware_(std::move(hardware)), board_(board), slot_(host, 0, joints) {}
 
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;

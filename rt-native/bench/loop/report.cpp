@@ -19,13 +19,16 @@ std::string member(const char* name, Number value) {
 
 }  // namespace
 
-std::string json(const link::Histogram& late, const link::Histogram& early) { return list(link::difference(late, early).buckets); }
+std::string json(const link::Histogram& late, const link::Histogram& early) {
+  return list(link::difference(late, early).buckets);
+}
 
 std::string json(std::span<const std::int64_t> numbers) { return list(numbers); }
 
 std::string members(const link::LoopStatistics& late, const link::LoopStatistics& early) {
   return member("priority", late.priority) + member("core", late.core) + member("cycles", late.cycles - early.cycles) +
-         member("overruns", late.overruns - early.overruns) + member("missed", late.missed_commands - early.missed_commands) +
+         member("overruns", late.overruns - early.overruns) +
+         member("missed", late.missed_commands - early.missed_commands) +
          "\"wake_up\": " + json(late.wake_up, early.wake_up) + ", \"busy\": " + json(late.busy, early.busy);
 }
 

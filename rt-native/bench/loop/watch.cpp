@@ -56,7 +56,9 @@ void eachThread(const link::Attachment& at, Visit&& visit) {
 
 struct Snapshot {
   explicit Snapshot(const link::Attachment& at) : loop(link::relaxedCopy(at.state->loop)) {
-    eachThread(at, [this](const link::HostSegment& host, std::uint32_t i) { busy.push_back(link::relaxedCopy(host.thread_statistics[i].busy)); });
+    eachThread(at, [this](const link::HostSegment& host, std::uint32_t i) {
+      busy.push_back(link::relaxedCopy(host.thread_statistics[i].busy));
+    });
   }
   link::LoopStatistics loop;
   std::vector<link::Histogram> busy;  // of the plugin threads
@@ -79,7 +81,8 @@ class Sensed {
  public:
   explicit Sensed(const link::StateSegment& state) : reader_(state) {}
   void update() {
-    while (reader_.next(*frame_) == link::Read::kNew) times_[frame_->cycle % times_.size()] = {frame_->cycle, frame_->sensed_ns};
+    while (reader_.next(*frame_) == link::Read::kNew)
+      times_[frame_->cycle % times_.size()] = {frame_->cycle, frame_->sensed_ns};
   }
   // 0 where that is not known.
   std::int64_t at(std::uint64_t cycle) const {
@@ -106,7 +109,8 @@ std::string answers(link::Client& client, std::chrono::duration<double> time) {
   eachThread(at, [&](const link::HostSegment& host, std::uint32_t i) { slots.emplace_back(host, i, joints); });
   std::vector<link::CommandData> commands(slots.size());
   std::vector<std::int64_t> slowest;
-  for (const auto until = steady_clock::now() + time; steady_clock::now() < until; std::this_thread::sleep_for(kSample)) {
+  for (const auto until = steady_clock::now() + time; steady_clock::now() < until;
+       std::this_thread::sleep_for(kSample)) {
     bool together = !slots.empty();
     for (std::size_t i = 0; i < slots.size(); ++i) {
       together = slots[i].read(commands[i]) == link::Read::kNew && together && commands[i].cycle == commands[0].cycle;

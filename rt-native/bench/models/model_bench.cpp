@@ -1,4 +1,5 @@
-// What one call of each model costs, for robots of ours and, where ROBOTUI_SHARED is set, real ones. CPU time, in microseconds.
+// What one call of each model costs, for robots of ours and, where ROBOTUI_SHARED is set, real ones. CPU time, in
+// microseconds.
 #include <benchmark/benchmark.h>
 
 #include "robots.h"
@@ -9,8 +10,9 @@ namespace {
 
 struct Call {
   explicit Call(ModelInterface& of)
-      : model(of), tau(Eigen::VectorXd::Zero(of.getDofs())), qddot(Eigen::VectorXd::Ones(of.getDofs())), m(of.getDofs(), of.getDofs()),
-        jacobian(6, of.getDofs()), tip(of.findLink(of.description().chains.front().tip_link)) {
+      : model(of), tau(Eigen::VectorXd::Zero(of.getDofs())), qddot(Eigen::VectorXd::Ones(of.getDofs())),
+        m(of.getDofs(), of.getDofs()), jacobian(6, of.getDofs()),
+        tip(of.findLink(of.description().chains.front().tip_link)) {
     model.setJointPosition(Eigen::VectorXd::LinSpaced(model.getJointNum(), -0.5, 0.5));
     model.setJointVelocity(Eigen::VectorXd::LinSpaced(model.getJointNum(), 0.5, -0.5));
     model.update();

@@ -8,7 +8,8 @@ namespace robotui::rt::config {
 HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std::string>& warnings);
 
 // `xbotcore_threads`; without it one thread of the HAL's period, named as XBot users know it.
-std::vector<ThreadConfig> readThreads(const Reader& top, const HalConfig& hal, const Overrides& overrides, std::vector<std::string>& warnings);
+std::vector<ThreadConfig> readThreads(const Reader& top, const HalConfig& hal, const Overrides& overrides,
+                                      std::vector<std::string>& warnings);
 
 // `xbotcore_plugins`, `XBotRTPlugins` and `NRTPlugins` into the lists of `into`, whose threads are known.
 void readPlugins(const Reader& top, RtConfig& into);

@@ -14,6 +14,7 @@ std::string describePlace(const Place& place) {
 
 }  // namespace
 
-ConfigError::ConfigError(const Place& place, const std::string& what) : std::runtime_error(describePlace(place) + what) {}
+ConfigError::ConfigError(const Place& place, const std::string& what)
+    : std::runtime_error(describePlace(place) + what) {}
 
 }  // namespace robotui::rt::config

@@ -20,7 +20,8 @@ void readType(const Reader& block, HalConfig& hal) {
   }
   hal.lib_name = block.textOr("lib_name", "");
   if (const auto type = block.find("type")) hal.type = type->oneOf({"dummy", "mujoco", "udp", "ethercat", "library"});
-  if (hal.type == "library" && hal.lib_file.empty()) block.fail("has the type library, but no 'lib_file'; write lib_file: libMyHal.so");
+  if (hal.type == "library" && hal.lib_file.empty())
+    block.fail("has the type library, but no 'lib_file'; write lib_file: libMyHal.so");
 }
 
 void readSafety(const Reader& block, HalConfig& hal) {
@@ -33,7 +34,8 @@ void readSafety(const Reader& block, HalConfig& hal) {
 }
 
 void readScheduling(const Reader& block, HalConfig& hal) {
-  hal.period = std::chrono::microseconds(block.wholeOr("period_us", hal.period.count(), kShortest.count(), kLongest.count()));
+  hal.period =
+      std::chrono::microseconds(block.wholeOr("period_us", hal.period.count(), kShortest.count(), kLongest.count()));
   hal.priority = static_cast<int>(block.wholeOr("prio", hal.priority, 2, 98));
   hal.core = readCore(block);
   hal.wake_latency_us = static_cast<int>(block.wholeOr("cpu_dma_latency_us", hal.wake_latency_us, -1, 1'000'000));
@@ -42,7 +44,9 @@ void readScheduling(const Reader& block, HalConfig& hal) {
 void warnOfOldNames(const Reader& block, std::vector<std::string>& warnings) {
   for (const char* key : {"IJoint", "IEndEffectors", "ISensors"}) {
     if (const auto old = block.find(key)) {
-      warnings.emplace_back(ConfigError(old->place(), old->path() + " has no effect: a HAL here is one library for joints and sensors").what());
+      warnings.emplace_back(
+          ConfigError(old->place(), old->path() + " has no effect: a HAL here is one library for joints and sensors")
+              .what());
     }
   }
 }
@@ -55,7 +59,8 @@ void applyOverrides(const Overrides& overrides, HalConfig& hal) {
   }
   if (!overrides.period) return;
   if (*overrides.period < kShortest || *overrides.period > kLongest) {
-    throw ConfigError({}, "--period " + std::to_string(overrides.period->count()) + ": expected microseconds from 100 to 1000000");
+    throw ConfigError(
+        {}, "--period " + std::to_string(overrides.period->count()) + ": expected microseconds from 100 to 1000000");
   }
   hal.period = *overrides.period;
 }
@@ -67,8 +72,10 @@ HalConfig readHal(const Reader& top, const Overrides& overrides, std::vector<std
   hal.params = YAML::Node(YAML::NodeType::Map);
   hal.place = top.place();
   if (const auto block = top.find("HALInterface")) {
-    block->knows({"type", "lib_file", "lib_name", "IJoint", "IEndEffectors", "ISensors", "misses_before_safe", "deadline", "safe_law",
-                  "safe_damping", "period_us", "prio", "core_id", "cpu_dma_latency_us", "params"}, warnings);
+    block->knows(
+        {"type", "lib_file", "lib_name", "IJoint", "IEndEffectors", "ISensors", "misses_before_safe", "deadline",
+         "safe_law", "safe_damping", "period_us", "prio", "core_id", "cpu_dma_latency_us", "params"},
+        warnings);
     hal.place = block->place();
     readType(*block, hal);
     readSafety(*block, hal);

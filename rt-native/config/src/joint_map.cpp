@@ -25,9 +25,11 @@ int idOf(const std::string& key, const Reader& value) {
 void mustBeCommandable(const UrdfJoint& joint, const Reader& value) {
   const std::string where = joint.place.file.string() + ":" + std::to_string(joint.place.line);
   const std::string the = "is '" + joint.name + "', ";
-  if (joint.type == "fixed") value.fail(the + "which is fixed in the URDF (" + where + "): it cannot be moved; take it out of the map");
+  if (joint.type == "fixed")
+    value.fail(the + "which is fixed in the URDF (" + where + "): it cannot be moved; take it out of the map");
   if (joint.type == "floating" || joint.type == "planar") {
-    value.fail(the + "which is " + joint.type + " in the URDF (" + where + "); expected revolute, continuous or prismatic");
+    value.fail(the + "which is " + joint.type + " in the URDF (" + where +
+               "); expected revolute, continuous or prismatic");
   }
   if (!joint.mimics.empty()) {
     value.fail(the + "which follows '" + joint.mimics + "' in the URDF (" + where + "); take it out of the map");
@@ -37,12 +39,17 @@ void mustBeCommandable(const UrdfJoint& joint, const Reader& value) {
 void mustHaveLimits(const UrdfJoint& joint) {
   const std::string the = "the joint '" + joint.name + "' ";
   if (!joint.has_limit || joint.velocity <= 0 || joint.effort <= 0) {
-    throw ConfigError(joint.place, the + "is in the joint map but has no limits of velocity and effort above zero; write <limit lower=\"-1\" "
-                                        "upper=\"1\" velocity=\"2\" effort=\"50\"/>");
+    throw ConfigError(
+        joint.place,
+        the +
+            "is in the joint map but has no limits of velocity and effort above zero; write <limit lower=\"-1\" "
+            "upper=\"1\" velocity=\"2\" effort=\"50\"/>");
   }
   if (joint.type != "continuous" && (!joint.has_range || joint.lower >= joint.upper)) {
-    throw ConfigError(joint.place, the + "has no range: its lower limit must be below its upper one; write <limit lower=\"-1\" upper=\"1\" .../>, or "
-                                        "type=\"continuous\" where it has no end");
+    throw ConfigError(joint.place, the +
+                                       "has no range: its lower limit must be below its upper one; write <limit "
+                                       "lower=\"-1\" upper=\"1\" .../>, or "
+                                       "type=\"continuous\" where it has no end");
   }
 }
 
@@ -59,8 +66,10 @@ JointDescription describeJoint(int id, const UrdfJoint& joint) {
 
 void mustBeNew(const std::vector<JointDescription>& joints, int id, const std::string& name, const Reader& value) {
   for (const auto& joint : joints) {
-    if (joint.id == id) value.fail("has the id " + std::to_string(id) + ", which '" + joint.name + "' has already; ids must be unique");
-    if (joint.name == name) value.fail("is '" + name + "', which has the id " + std::to_string(joint.id) + " already; remove one of them");
+    if (joint.id == id)
+      value.fail("has the id " + std::to_string(id) + ", which '" + joint.name + "' has already; ids must be unique");
+    if (joint.name == name)
+      value.fail("is '" + name + "', which has the id " + std::to_string(joint.id) + " already; remove one of them");
   }
 }
 
@@ -83,7 +92,8 @@ std::vector<JointDescription> readJointMap(const std::filesystem::path& file, co
     joints.push_back(describeJoint(id, *joint));
   }
   if (joints.empty()) top.fail("joint_map is empty; write joint_map: {1: name_of_a_joint, 2: ...}");
-  if (joints.size() > link::kMaxJoints) top.fail("joint_map has more than " + std::to_string(link::kMaxJoints) + " joints");
+  if (joints.size() > link::kMaxJoints)
+    top.fail("joint_map has more than " + std::to_string(link::kMaxJoints) + " joints");
   std::sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return joints;
 }

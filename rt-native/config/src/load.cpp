@@ -10,11 +10,15 @@ void warn(const Reader& at, const std::string& what, std::vector<std::string>& w
 }
 
 // A block or key by its name, or by the older one, which is taken with a warning.
-std::optional<Reader> findEither(const Reader& in, std::string_view name, std::string_view older, std::vector<std::string>& warnings) {
+std::optional<Reader> findEither(const Reader& in, std::string_view name, std::string_view older,
+                                 std::vector<std::string>& warnings) {
   const auto found = in.find(name);
   const auto old = in.find(older);
-  if (old) warn(*old, found ? "is the older name of '" + std::string(name) + "', which is there, too: it has no effect"
-                            : "is an older name; write '" + std::string(name) + "'", warnings);
+  if (old)
+    warn(*old,
+         found ? "is the older name of '" + std::string(name) + "', which is there, too: it has no effect"
+               : "is an older name; write '" + std::string(name) + "'",
+         warnings);
   return found ? found : old;
 }
 
@@ -24,7 +28,8 @@ RobotFile fileOf(const Reader& value) {
   return {path.is_absolute() ? path : (folder / path).lexically_normal(), value.place()};
 }
 
-constexpr const char* kInterfaceExample = "XBotInterface: {urdf_path: robot.urdf, srdf_path: robot.srdf, joint_map_path: joint_map.yaml}";
+constexpr const char* kInterfaceExample =
+    "XBotInterface: {urdf_path: robot.urdf, srdf_path: robot.srdf, joint_map_path: joint_map.yaml}";
 
 RobotFiles readFiles(const Reader& top, std::vector<std::string>& warnings) {
   const auto block = findEither(top, "XBotInterface", "x_bot_interface", warnings);
@@ -62,14 +67,16 @@ void readMaster(const Reader& top, RtConfig& config) {
   const auto block = top.find("MasterCommunicationInterface");
   if (!block) return;
   block->knows({"framework_name", "enable_ref_read"}, config.warnings);
-  if (const auto name = block->find("framework_name")) config.master = name->text() == "ros" ? "ROS" : name->oneOf({"ROS", "robotui"});
+  if (const auto name = block->find("framework_name"))
+    config.master = name->text() == "ros" ? "ROS" : name->oneOf({"ROS", "robotui"});
   config.enable_ref_read = block->flagOr("enable_ref_read", config.enable_ref_read);
 }
 
 void readOthers(const Reader& top, RtConfig& config) {
   if (const auto name = top.find("RobotName")) config.robot.name = name->text();
   if (const auto block = top.find("RobotInterface")) block->knows({"framework_name"}, config.warnings);
-  if (const auto block = top.find("SimulationOptions")) warn(*block, "has no effect: the simulation's settings are HALInterface.params", config.warnings);
+  if (const auto block = top.find("SimulationOptions"))
+    warn(*block, "has no effect: the simulation's settings are HALInterface.params", config.warnings);
 }
 
 }  // namespace
@@ -78,8 +85,10 @@ RtConfig load(const std::filesystem::path& file, const Overrides& overrides) {
   RtConfig config;
   config.file = std::filesystem::absolute(file);
   const Reader top = readYamlFile(config.file, {}, "the configuration");
-  top.knows({"XBotInterface", "x_bot_interface", "RobotInterface", "ModelInterface", "MasterCommunicationInterface", "XBotRTPlugins", "NRTPlugins",
-             "HALInterface", "RobotName", "SimulationOptions", "xbotcore_threads", "xbotcore_plugins"}, config.warnings);
+  top.knows({"XBotInterface", "x_bot_interface", "RobotInterface", "ModelInterface", "MasterCommunicationInterface",
+             "XBotRTPlugins", "NRTPlugins", "HALInterface", "RobotName", "SimulationOptions", "xbotcore_threads",
+             "xbotcore_plugins"},
+            config.warnings);
   const RobotFiles files = readFiles(top, config.warnings);
   config.robot = describe(files, readModel(top, config), config.warnings);
   readMaster(top, config);

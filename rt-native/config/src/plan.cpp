@@ -11,12 +11,14 @@ constexpr const char* kOrdinaryName = "nrt";
 constexpr const char* kIoName = "io";
 
 HostPlan& hostNamed(Plan& plan, const std::string& name, HostKind kind) {
-  const auto found = std::find_if(plan.hosts.begin(), plan.hosts.end(), [&](const HostPlan& host) { return host.name == name; });
+  const auto found =
+      std::find_if(plan.hosts.begin(), plan.hosts.end(), [&](const HostPlan& host) { return host.name == name; });
   return found != plan.hosts.end() ? *found : plan.hosts.emplace_back(HostPlan{name, kind, {}});
 }
 
 std::uint32_t threadIn(HostPlan& host, const ThreadConfig& thread) {
-  const auto found = std::find_if(host.threads.begin(), host.threads.end(), [&](const ThreadConfig& t) { return t.name == thread.name; });
+  const auto found = std::find_if(host.threads.begin(), host.threads.end(),
+                                  [&](const ThreadConfig& t) { return t.name == thread.name; });
   if (found != host.threads.end()) {
     return static_cast<std::uint32_t>(found - host.threads.begin());
   }
@@ -25,7 +27,8 @@ std::uint32_t threadIn(HostPlan& host, const ThreadConfig& thread) {
 }
 
 const ThreadConfig& threadOf(const RtConfig& config, const PluginConfig& plugin) {
-  return *std::find_if(config.threads.begin(), config.threads.end(), [&](const ThreadConfig& t) { return t.name == plugin.thread; });
+  return *std::find_if(config.threads.begin(), config.threads.end(),
+                       [&](const ThreadConfig& t) { return t.name == plugin.thread; });
 }
 
 ThreadConfig asOrdinary(ThreadConfig thread) {
@@ -38,7 +41,8 @@ void add(Plan& plan, const PluginConfig& plugin, const std::string& host, HostKi
   HostPlan& in = hostNamed(plan, host, kind);
   if (in.kind != kind) {
     throw ConfigError(thread.place, "the host '" + host + "' is the name of the process of " +
-                                        (kind == HostKind::kIo ? "io_plugins" : "NRTPlugins") + "; choose another one for the threads");
+                                        (kind == HostKind::kIo ? "io_plugins" : "NRTPlugins") +
+                                        "; choose another one for the threads");
   }
   const std::uint32_t index = threadIn(in, thread);
   plan.plugins.push_back({plugin, static_cast<std::uint32_t>(&in - plan.hosts.data()), index});
@@ -47,7 +51,8 @@ void add(Plan& plan, const PluginConfig& plugin, const std::string& host, HostKi
 void checkRoom(const Plan& plan, const RtConfig& config) {
   const auto check = [&](std::size_t there, std::size_t room, const std::string& of) {
     if (there > room) {
-      throw ConfigError(Place{config.file, 0, 0}, "there are " + std::to_string(there) + " " + of + ", and room for " + std::to_string(room));
+      throw ConfigError(Place{config.file, 0, 0},
+                        "there are " + std::to_string(there) + " " + of + ", and room for " + std::to_string(room));
     }
   };
   check(plan.plugins.size(), link::kMaxPlugins, "plugins");

@@ -9,7 +9,8 @@ namespace robotui::rt::config {
 namespace {
 
 void mustBeWord(const Reader& at, const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
+  const bool plain = std::all_of(word.begin(), word.end(),
+                                 [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
   if (!plain || word.empty() || word.size() >= link::kNameLength) {
     at.fail("is '" + word.substr(0, 80) + "'; expected at most 63 letters, digits, '_' and '-'");
   }
@@ -57,17 +58,20 @@ void giveThread(PluginConfig& plugin, const RtConfig& config) {
   for (const auto& thread : config.threads) names.push_back(thread.name);
   if (plugin.thread.empty()) plugin.thread = names.front();
   if (std::find(names.begin(), names.end(), plugin.thread) != names.end()) return;
-  throw ConfigError(plugin.place, "the plugin '" + plugin.name + "' is to run in the thread '" + plugin.thread + "', which is not in xbotcore_threads; there are " +
-                                      link::listed(names) + didYouMean(plugin.thread, names));
+  throw ConfigError(plugin.place, "the plugin '" + plugin.name + "' is to run in the thread '" + plugin.thread +
+                                      "', which is not in xbotcore_threads; there are " + link::listed(names) +
+                                      didYouMean(plugin.thread, names));
 }
 
 void mustBeUnique(const RtConfig& config) {
   std::vector<const PluginConfig*> all;
   for (const auto* list : {&config.plugins, &config.io_plugins, &config.nrt_plugins}) {
     for (const auto& plugin : *list) {
-      const auto twin = std::find_if(all.begin(), all.end(), [&](const auto* other) { return other->name == plugin.name; });
+      const auto twin =
+          std::find_if(all.begin(), all.end(), [&](const auto* other) { return other->name == plugin.name; });
       if (twin != all.end()) {
-        throw ConfigError(plugin.place, "the plugin '" + plugin.name + "' is there already in line " + std::to_string((*twin)->place.line) + "; names must be unique");
+        throw ConfigError(plugin.place, "the plugin '" + plugin.name + "' is there already in line " +
+                                            std::to_string((*twin)->place.line) + "; names must be unique");
       }
       all.push_back(&plugin);
     }

@@ -62,7 +62,9 @@ Place Reader::place() const {
   return {file_, mark.line + 1, mark.column + 1};
 }
 
-void Reader::fail(const std::string& what) const { throw ConfigError(place(), path_.empty() ? what : path_ + " " + what); }
+void Reader::fail(const std::string& what) const {
+  throw ConfigError(place(), path_.empty() ? what : path_ + " " + what);
+}
 
 std::optional<Reader> Reader::find(std::string_view key) const {
   if (node_.IsNull()) return {};
@@ -77,8 +79,8 @@ std::optional<Reader> Reader::find(std::string_view key) const {
 
 Reader Reader::at(std::string_view key, std::string_view example) const {
   if (auto found = find(key); found && !found->node().IsNull()) return *found;
-  fail((path_.empty() ? "the key '" : "has no '") + std::string(key) + (path_.empty() ? "' is missing" : "'") + "; write: " +
-       std::string(example));
+  fail((path_.empty() ? "the key '" : "has no '") + std::string(key) + (path_.empty() ? "' is missing" : "'") +
+       "; write: " + std::string(example));
 }
 
 std::vector<std::pair<std::string, Reader>> Reader::entries() const {
@@ -98,7 +100,8 @@ void Reader::knows(std::initializer_list<std::string_view> keys, std::vector<std
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string meant = didYouMean(key, known);
     if (!meant.empty()) value.fail("is not a key" + meant);
-    const ConfigError line(value.place(), value.path() + " is not known and has no effect; known are " + link::listed(known));
+    const ConfigError line(value.place(),
+                           value.path() + " is not known and has no effect; known are " + link::listed(known));
     warnings.emplace_back(line.what());
   }
 }
@@ -129,7 +132,8 @@ std::string Reader::text() const {
 
 bool Reader::flag() const {
   bool value = false;
-  if (!node_.IsScalar() || !YAML::convert<bool>::decode(node_, value)) fail("is " + kindOf(node_) + "; expected true or false");
+  if (!node_.IsScalar() || !YAML::convert<bool>::decode(node_, value))
+    fail("is " + kindOf(node_) + "; expected true or false");
   return value;
 }
 

@@ -19,7 +19,8 @@ class Groups {
       : xml_(xml), urdf_(urdf), robot_(robot), warnings_(warnings) {
     for (const auto& joint : robot.joints) commanded_.insert(joint.name);
     for (const Element* group : xml.children(xml.root(), "group")) {
-      if (!groups_.emplace(xml.attribute(*group, "name"), group).second) xml.fail(*group, "is there twice; names must be unique");
+      if (!groups_.emplace(xml.attribute(*group, "name"), group).second)
+        xml.fail(*group, "is there twice; names must be unique");
     }
   }
 
@@ -27,7 +28,8 @@ class Groups {
     readChains();
     readImus();
     readForceTorques();
-    for (const Element* state : xml_.children(xml_.root(), "group_state")) robot_.postures.push_back(readPosture(*state));
+    for (const Element* state : xml_.children(xml_.root(), "group_state"))
+      robot_.postures.push_back(readPosture(*state));
   }
 
  private:
@@ -41,7 +43,8 @@ class Groups {
     for (const Element* member : xml_.children(*list->second, "group")) {
       const std::string name = xml_.attribute(*member, "name");
       const auto group = groups_.find(name);
-      if (group == groups_.end()) xml_.fail(*member, "is in the group 'chains', but there is no group of that name" + didYouMean(name, names()));
+      if (group == groups_.end())
+        xml_.fail(*member, "is in the group 'chains', but there is no group of that name" + didYouMean(name, names()));
       addChain(*group->second, true);
     }
   }
@@ -54,8 +57,10 @@ class Groups {
     for (const UrdfJoint* joint : path) {
       if (commanded_.contains(joint->name)) chain.joints.push_back(joint->name);
     }
-    if (!chain.joints.empty()) robot_.chains.push_back(chain);
-    else if (asked) warn(group, "has no joint of the joint map and is no chain");
+    if (!chain.joints.empty())
+      robot_.chains.push_back(chain);
+    else if (asked)
+      warn(group, "has no joint of the joint map and is no chain");
   }
 
   std::vector<const UrdfJoint*> pathOf(const Element& group, ChainDescription& chain, bool asked) {
@@ -63,7 +68,9 @@ class Groups {
       chain.base_link = link(**ends, xml_.attribute(**ends, "base_link"));
       chain.tip_link = link(**ends, xml_.attribute(**ends, "tip_link"));
       auto path = urdf_.path(chain.base_link, chain.tip_link);
-      if (path.empty()) xml_.fail(group, "goes from '" + chain.base_link + "' to '" + chain.tip_link + "', but the first does not carry the second");
+      if (path.empty())
+        xml_.fail(group, "goes from '" + chain.base_link + "' to '" + chain.tip_link +
+                             "', but the first does not carry the second");
       return path;
     }
     return pathOfMembers(group, chain, asked);
@@ -72,17 +79,24 @@ class Groups {
   std::vector<const UrdfJoint*> pathOfMembers(const Element& group, ChainDescription& chain, bool asked) {
     const auto members = membersOf(group);
     if (members.empty()) return {};
-    const auto deepest = *std::max_element(members.begin(), members.end(), [this](auto* a, auto* b) { return depth(*a) < depth(*b); });
-    const auto highest = *std::min_element(members.begin(), members.end(), [this](auto* a, auto* b) { return depth(*a) < depth(*b); });
+    const auto deepest =
+        *std::max_element(members.begin(), members.end(), [this](auto* a, auto* b) { return depth(*a) < depth(*b); });
+    const auto highest =
+        *std::min_element(members.begin(), members.end(), [this](auto* a, auto* b) { return depth(*a) < depth(*b); });
     chain.base_link = highest->parent;
     chain.tip_link = deepest->child;
     const auto path = urdf_.path(chain.base_link, chain.tip_link);
-    const bool one_path = std::all_of(members.begin(), members.end(), [&](auto* m) { return std::find(path.begin(), path.end(), m) != path.end(); });
-    if (!one_path && asked) xml_.fail(group, "is in the group 'chains', but its joints do not lie one behind the other; write <chain base_link=\"...\" tip_link=\"...\"/>");
+    const bool one_path = std::all_of(members.begin(), members.end(),
+                                      [&](auto* m) { return std::find(path.begin(), path.end(), m) != path.end(); });
+    if (!one_path && asked)
+      xml_.fail(group,
+                "is in the group 'chains', but its joints do not lie one behind the other; write <chain "
+                "base_link=\"...\" tip_link=\"...\"/>");
     return one_path ? inOrder(path, members) : std::vector<const UrdfJoint*>{};
   }
 
-  static std::vector<const UrdfJoint*> inOrder(std::vector<const UrdfJoint*> path, const std::vector<const UrdfJoint*>& members) {
+  static std::vector<const UrdfJoint*> inOrder(std::vector<const UrdfJoint*> path,
+                                               const std::vector<const UrdfJoint*>& members) {
     std::erase_if(path, [&](auto* joint) { return std::find(members.begin(), members.end(), joint) == members.end(); });
     return path;
   }
@@ -107,7 +121,8 @@ class Groups {
     for (const Element* element : xml_.children(*group->second, "joint")) {
       robot_.imus.push_back({jointOf(*element).child, jointOf(*element).child});
     }
-    if (robot_.imus.size() > link::kMaxImus) xml_.fail(*group->second, "has more than " + std::to_string(link::kMaxImus) + " sensors");
+    if (robot_.imus.size() > link::kMaxImus)
+      xml_.fail(*group->second, "has more than " + std::to_string(link::kMaxImus) + " sensors");
   }
 
   void readForceTorques() {
@@ -131,7 +146,8 @@ class Groups {
     for (const Element* element : xml_.children(state, "joint")) {
       const std::string& name = jointOf(*element).name;
       const double value = xml_.number(*element, "value");
-      const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(), [&](const auto& j) { return j.name == name; });
+      const auto joint =
+          std::find_if(robot_.joints.begin(), robot_.joints.end(), [&](const auto& j) { return j.name == name; });
       if (joint == robot_.joints.end()) continue;  // a gripper that others move, a fixed joint
       if (value < joint->lower || value > joint->upper) {
         warn(*element, "is beyond the limits of the joint in the posture '" + posture.name + "'");
@@ -149,7 +165,9 @@ class Groups {
   }
 
   std::string link(const Element& element, const std::string& name) {
-    if (!urdf_.hasLink(name)) xml_.fail(element, "names the link '" + name + "', which is not in the URDF" + didYouMean(name, urdf_.linkNames()));
+    if (!urdf_.hasLink(name))
+      xml_.fail(element,
+                "names the link '" + name + "', which is not in the URDF" + didYouMean(name, urdf_.linkNames()));
     return name;
   }
 

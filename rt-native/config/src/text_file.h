@@ -12,6 +12,7 @@ inline constexpr std::size_t kLargestYaml = std::size_t{1} << 20;
 inline constexpr std::size_t kLargestXml = std::size_t{16} << 20;
 
 // `wanted` says where the file was asked for; `what` names it, such as "the URDF".
-std::string readTextFile(const std::filesystem::path& file, const Place& wanted, const std::string& what, std::size_t largest);
+std::string readTextFile(const std::filesystem::path& file, const Place& wanted, const std::string& what,
+                         std::size_t largest);
 
 }  // namespace robotui::rt::config

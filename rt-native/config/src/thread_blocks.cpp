@@ -22,17 +22,20 @@ std::chrono::microseconds readPeriod(const Reader& block, std::chrono::microseco
 }
 
 // With --period all threads that went with the HAL go on with it.
-std::chrono::microseconds follow(std::chrono::microseconds period, const HalConfig& hal, std::chrono::microseconds written) {
+std::chrono::microseconds follow(std::chrono::microseconds period, const HalConfig& hal,
+                                 std::chrono::microseconds written) {
   return period == written ? hal.period : period;
 }
 
 void mustBeMultiple(const ThreadConfig& thread, const HalConfig& hal) {
   if (thread.period % hal.period == std::chrono::microseconds(0)) return;
-  throw ConfigError(thread.place, "the thread '" + thread.name + "' has a period of " + std::to_string(thread.period.count()) +
-                                      " us, which is no multiple of the HAL's, " + std::to_string(hal.period.count()) + " us");
+  throw ConfigError(thread.place,
+                    "the thread '" + thread.name + "' has a period of " + std::to_string(thread.period.count()) +
+                        " us, which is no multiple of the HAL's, " + std::to_string(hal.period.count()) + " us");
 }
 
-ThreadConfig readThread(const std::string& name, const Reader& block, std::chrono::microseconds written, std::vector<std::string>& warnings) {
+ThreadConfig readThread(const std::string& name, const Reader& block, std::chrono::microseconds written,
+                        std::vector<std::string>& warnings) {
   block.knows({"sched", "prio", "period", "core_id", "host"}, warnings);
   ThreadConfig thread;
   thread.name = name;

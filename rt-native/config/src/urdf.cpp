@@ -64,14 +64,16 @@ Urdf::Urdf(const std::filesystem::path& file, const std::string& text) {
   const XmlFile xml(file, text);
   name_ = xml.attribute(xml.root(), "name");
   for (const Element* link : xml.children(xml.root(), "link")) {
-    if (!links_.emplace(xml.attribute(*link, "name"), xml.place(*link)).second) xml.fail(*link, "is there twice; names must be unique");
+    if (!links_.emplace(xml.attribute(*link, "name"), xml.place(*link)).second)
+      xml.fail(*link, "is there twice; names must be unique");
     checkInertia(xml, *link);
   }
   if (links_.size() > kMostLinks) xml.fail(xml.root(), "has more than " + std::to_string(kMostLinks) + " links");
   for (const Element* element : xml.children(xml.root(), "joint")) {
     UrdfJoint joint = readJoint(xml, *element);
     for (const auto& link : {joint.parent, joint.child}) {
-      if (!hasLink(link)) xml.fail(*element, "joins the link '" + link + "', which is not there" + didYouMean(link, linkNames()));
+      if (!hasLink(link))
+        xml.fail(*element, "joins the link '" + link + "', which is not there" + didYouMean(link, linkNames()));
     }
     if (!above_.emplace(joint.child, joint.name).second) {
       xml.fail(*element, "is the second joint above the link '" + joint.child + "'; a link has one parent");
@@ -91,7 +93,8 @@ void Urdf::mustBeTree(const Place& whole) const {
     }
   }
   if (roots.size() > 1) {
-    throw ConfigError(whole, "has several links that nothing carries, such as '" + roots[0] + "' and '" + roots[1] + "'; join them to one tree");
+    throw ConfigError(whole, "has several links that nothing carries, such as '" + roots[0] + "' and '" + roots[1] +
+                                 "'; join them to one tree");
   }
   if (roots.empty()) throw ConfigError(whole, "has no <link>");
 }

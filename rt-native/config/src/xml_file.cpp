@@ -12,7 +12,8 @@ void mustHaveNoEntities(const std::filesystem::path& file, const std::string& te
   const auto at = std::min(text.find("<!DOCTYPE"), text.find("<!ENTITY"));
   if (at == std::string::npos) return;
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-  throw ConfigError({file, static_cast<int>(line), 0}, "has a document type or entities of its own, which are not read; remove them");
+  throw ConfigError({file, static_cast<int>(line), 0},
+                    "has a document type or entities of its own, which are not read; remove them");
 }
 
 }  // namespace
@@ -24,7 +25,8 @@ XmlFile::XmlFile(std::filesystem::path file, const std::string& text) : file_(st
   }
   const Element* root = document_.RootElement();
   if (root == nullptr || std::string_view(root->Name()) != "robot") {
-    throw ConfigError({file_, root == nullptr ? 0 : root->GetLineNum(), 0}, "does not describe a robot; expected <robot name=\"...\"> at the top");
+    throw ConfigError({file_, root == nullptr ? 0 : root->GetLineNum(), 0},
+                      "does not describe a robot; expected <robot name=\"...\"> at the top");
   }
 }
 

@@ -16,7 +16,8 @@ using Element = tinyxml2::XMLElement;
 
 class XmlFile {
  public:
-  // Parses the text of the file. Throws ConfigError where it is no XML, has entities of its own, or another root than <robot>.
+  // Parses the text of the file. Throws ConfigError where it is no XML, has entities of its own, or another root than
+  // <robot>.
   XmlFile(std::filesystem::path file, const std::string& text);
 
   const Element& root() const noexcept { return *document_.RootElement(); }

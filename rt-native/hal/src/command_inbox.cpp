@@ -19,8 +19,8 @@ bool Waiting::isOver(std::int64_t deadline_ns) const noexcept { return link::now
 bool Waiting::await(const link::SlotReader& slot, std::int64_t deadline_ns) noexcept { return slot.wait(deadline_ns); }
 
 CommandInbox::CommandInbox(CommandPlan plan, std::uint32_t joints, std::uint32_t misses_before_safe, Waiting& waiting)
-    : waiting_(&waiting), joints_(joints), misses_before_safe_(misses_before_safe), start_cycles_(plan.start_cycles), threads_(plan.threads.size()),
-      thread_of_plugin_(std::move(plan.thread_of_plugin)) {
+    : waiting_(&waiting), joints_(joints), misses_before_safe_(misses_before_safe), start_cycles_(plan.start_cycles),
+      threads_(plan.threads.size()), thread_of_plugin_(std::move(plan.thread_of_plugin)) {
   for (std::size_t i = 0; i < threads_.size(); ++i) threads_[i].plan = plan.threads[i];
 }
 
@@ -30,8 +30,8 @@ CommandInbox::~CommandInbox() {
   }
 }
 
-// The real-time thread takes over nothing before its last one was taken away, so one place is enough: emptied before, for the thread to go on,
-// and behind, for what it retired in between.
+// The real-time thread takes over nothing before its last one was taken away, so one place is enough: emptied before,
+// for the thread to go on, and behind, for what it retired in between.
 void CommandInbox::offer(std::uint32_t host, HostView segment) {
   if (host >= link::kMaxHosts) return;
   delete retired_[host].exchange(nullptr, std::memory_order_acq_rel);
@@ -78,7 +78,8 @@ void CommandInbox::forgive(std::uint16_t plugin) noexcept {
 }
 
 link::SlotReader* CommandInbox::readerOf(const Thread& thread) noexcept {
-  if (thread.plan.host >= link::kMaxHosts || !hosts_[thread.plan.host] || thread.plan.thread >= link::kMaxThreads) return nullptr;
+  if (thread.plan.host >= link::kMaxHosts || !hosts_[thread.plan.host] || thread.plan.thread >= link::kMaxThreads)
+    return nullptr;
   return &hosts_[thread.plan.host]->readers[thread.plan.thread];
 }
 
@@ -109,8 +110,9 @@ bool CommandInbox::isStarting(Thread& thread, std::uint64_t cycle) const noexcep
   return thread.starting;
 }
 
-// A slower thread has its whole period: whether it answered is asked when the next one begins, but for the period in which it was first asked,
-// since that may have begun before. An answer that comes late is obeyed while it is no older than the misses that are allowed.
+// A slower thread has its whole period: whether it answered is asked when the next one begins, but for the period in
+// which it was first asked, since that may have begun before. An answer that comes late is obeyed while it is no older
+// than the misses that are allowed.
 void CommandInbox::judge(Thread& thread, std::uint64_t cycle) noexcept {
   if (thread.since == 0) thread.since = cycle;
   if (isStarting(thread, cycle)) return;

@@ -73,8 +73,8 @@ class CommandInbox {
     std::uint64_t since = 0;     // the first cycle in which its commands counted, without a break
     std::uint32_t misses = 0;    // periods in turn for which no answer came in time
     bool wanted = false;
-    bool heard = false;          // an answer came in this cycle
-    bool starting = false;       // granted, and not heard since
+    bool heard = false;     // an answer came in this cycle
+    bool starting = false;  // granted, and not heard since
   };
 
   Thread* threadOf(std::uint16_t plugin) noexcept;

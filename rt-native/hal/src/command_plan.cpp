@@ -21,7 +21,8 @@ CommandPlan commandPlan(const config::Plan& plan, std::chrono::nanoseconds perio
     }
   }
   result.start_cycles = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kToStart / period));
-  for (const config::PluginPlan& plugin : plan.plugins) result.thread_of_plugin.push_back(first[plugin.host] + plugin.thread);
+  for (const config::PluginPlan& plugin : plan.plugins)
+    result.thread_of_plugin.push_back(first[plugin.host] + plugin.thread);
   return result;
 }
 

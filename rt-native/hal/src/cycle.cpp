@@ -17,9 +17,10 @@ link::Counts countsOf(const config::RobotDescription& robot) noexcept {
 
 }  // namespace
 
-Cycle::Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal, const link::BoardSegment& board, CommandInbox& inbox,
-             SafeTorque& torque, link::StateSegment& state)
-    : settings_(settings), hal_(&hal), board_(board), inbox_(&inbox), torque_(&torque), writer_(state, countsOf(robot)) {
+Cycle::Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal,
+             const link::BoardSegment& board, CommandInbox& inbox, SafeTorque& torque, link::StateSegment& state)
+    : settings_(settings), hal_(&hal), board_(board), inbox_(&inbox), torque_(&torque),
+      writer_(state, countsOf(robot)) {
   const link::Counts counts = countsOf(robot);
   measured_ = {std::span(frame_.joints).first(counts.joints), std::span(frame_.imus).first(counts.imus),
                std::span(frame_.force_torques).first(counts.force_torques)};
@@ -36,7 +37,8 @@ void Cycle::run(std::uint64_t cycle, std::int64_t start_ns) noexcept {
   sense();
   assign();
   publish(cycle);
-  inbox_->collect(cycle, start_ns + static_cast<std::int64_t>(settings_.deadline * static_cast<double>(settings_.period_ns)));
+  inbox_->collect(cycle,
+                  start_ns + static_cast<std::int64_t>(settings_.deadline * static_cast<double>(settings_.period_ns)));
   link::relaxedStore(writer_.loop().missed_commands, inbox_->missed());
   apply();
   if (sensed_) move();
@@ -45,8 +47,8 @@ void Cycle::run(std::uint64_t cycle, std::int64_t start_ns) noexcept {
 // Whoever measures: no plugin gets what is no number.
 bool Cycle::areNumbers() noexcept {
   return std::all_of(measured_.joints.begin(), measured_.joints.end(), [](const link::JointState& joint) {
-    return std::isfinite(joint.link_position) && std::isfinite(joint.motor_position) && std::isfinite(joint.link_velocity) &&
-           std::isfinite(joint.motor_velocity) && std::isfinite(joint.effort);
+    return std::isfinite(joint.link_position) && std::isfinite(joint.motor_position) &&
+           std::isfinite(joint.link_velocity) && std::isfinite(joint.motor_velocity) && std::isfinite(joint.effort);
   });
 }
 
@@ -137,9 +139,9 @@ void Cycle::holdRest() noexcept {
   for (std::uint32_t j = 0; j < joints_.size(); ++j) {
     JointControl& control = joints_[j];
     if (held_[j]) {
-      const link::Control why = control.isSafe()                          ? link::Control::kSafe
+      const link::Control why = control.isSafe()                   ? link::Control::kSafe
                                 : control.owner() == link::kNobody ? link::Control::kFree
-                                                                          : link::Control::kHolding;
+                                                                   : link::Control::kHolding;
       control.hold(why, control.holdsByEffort() ? safeEffort(j) : 0);
     }
     at_rest = at_rest && control.isAtRest();
@@ -148,7 +150,8 @@ void Cycle::holdRest() noexcept {
 }
 
 void Cycle::move() noexcept {
-  std::transform(joints_.begin(), joints_.end(), references_.begin(), [](const JointControl& joint) { return joint.reference(); });
+  std::transform(joints_.begin(), joints_.end(), references_.begin(),
+                 [](const JointControl& joint) { return joint.reference(); });
   if (hal_->move(references_) != Status::kOk) link::relaxedAdd<std::uint64_t>(writer_.loop().move_failures, 1);
 }
 

@@ -17,18 +17,19 @@ namespace robotui::rt::hal {
 
 struct CycleSettings {
   std::int64_t period_ns = 1'000'000;
-  double deadline = 0.8;               // fraction of the period
-  double safe_damping = 5;             // N m s/rad
+  double deadline = 0.8;    // fraction of the period
+  double safe_damping = 5;  // N m s/rad
   std::uint32_t misses_before_safe = 2;
 };
 
 class Cycle {
  public:
   // All that is given lives as long as the cycle.
-  Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal, const link::BoardSegment& board, CommandInbox& inbox,
-        SafeTorque& torque, link::StateSegment& state);
+  Cycle(const config::RobotDescription& robot, const CycleSettings& settings, Hal& hal, const link::BoardSegment& board,
+        CommandInbox& inbox, SafeTorque& torque, link::StateSegment& state);
 
-  // Its cycle numbers rise by one from 1; `start_ns` is the point of the grid from which the deadline counts. Real time.
+  // Its cycle numbers rise by one from 1; `start_ns` is the point of the grid from which the deadline counts. Real
+  // time.
   void run(std::uint64_t cycle, std::int64_t start_ns) noexcept;
 
   // From any thread: nobody commands any more, all joints become safe.
@@ -64,9 +65,9 @@ class Cycle {
   std::vector<Reference> references_;
   std::vector<double> torques_;
   std::vector<bool> held_;
-  std::uint32_t silent_ = 0;   // cycles in turn without measurements
-  bool sensed_ = false;        // ever
-  bool away_ = false;          // the hardware was silent so long that all joints were made safe
+  std::uint32_t silent_ = 0;  // cycles in turn without measurements
+  bool sensed_ = false;       // ever
+  bool away_ = false;         // the hardware was silent so long that all joints were made safe
   std::atomic<bool> ending_{false};
   std::atomic<bool> at_rest_{false};
 };

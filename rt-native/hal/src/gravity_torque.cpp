@@ -10,13 +10,12 @@ namespace {
 class GravityTorque : public SafeTorque {
  public:
   GravityTorque(const std::shared_ptr<const config::RobotDescription>& robot, const std::string& model_type)
-      : model_(ModelInterface::create(model_type, robot)),
-        base_(*model_),
-        position_(Eigen::VectorXd::Zero(model_->getJointNum())),
-        torque_(Eigen::VectorXd::Zero(model_->getDofs())) {}
+      : model_(ModelInterface::create(model_type, robot)), base_(*model_),
+        position_(Eigen::VectorXd::Zero(model_->getJointNum())), torque_(Eigen::VectorXd::Zero(model_->getDofs())) {}
 
   void compute(const Measurements& measured, std::span<double> effort) noexcept override {
-    for (Eigen::Index j = 0; j < position_.size(); ++j) position_[j] = measured.joints[static_cast<std::size_t>(j)].link_position;
+    for (Eigen::Index j = 0; j < position_.size(); ++j)
+      position_[j] = measured.joints[static_cast<std::size_t>(j)].link_position;
     model_->setJointPosition(position_);
     if (base_.index() >= 0) turnBase(measured.imus[static_cast<std::size_t>(base_.index())]);
     model_->update();
@@ -39,7 +38,8 @@ class GravityTorque : public SafeTorque {
 
 }  // namespace
 
-std::unique_ptr<SafeTorque> makeGravityTorque(const std::shared_ptr<const config::RobotDescription>& robot, const std::string& model_type) {
+std::unique_ptr<SafeTorque> makeGravityTorque(const std::shared_ptr<const config::RobotDescription>& robot,
+                                              const std::string& model_type) {
   return std::make_unique<GravityTorque>(robot, model_type);
 }
 

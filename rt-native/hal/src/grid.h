@@ -10,7 +10,8 @@ class Grid {
   // The first point is one period from now.
   explicit Grid(std::int64_t period_ns) noexcept;
 
-  // Sleeps until the next point that is not past, and says when that was to be. Points that passed before are skipped and counted.
+  // Sleeps until the next point that is not past, and says when that was to be. Points that passed before are skipped
+  // and counted.
   std::int64_t next() noexcept;
 
   std::uint64_t skipped() const noexcept { return skipped_; }

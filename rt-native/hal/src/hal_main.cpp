@@ -23,10 +23,14 @@ struct Arguments {
 };
 
 Arguments parse(int argc, char** argv) {
-  const option known[] = {{"config", required_argument, nullptr, 'C'},    {"control", required_argument, nullptr, 'f'},
-                          {"dummy", no_argument, nullptr, 'D'},           {"period", required_argument, nullptr, 'p'},
-                          {"ch-period", required_argument, nullptr, 'c'}, {"no-ch", no_argument, nullptr, 'n'},
-                          {"allow-non-rt", no_argument, nullptr, 'r'},    {"nrt", no_argument, nullptr, 'o'},
+  const option known[] = {{"config", required_argument, nullptr, 'C'},
+                          {"control", required_argument, nullptr, 'f'},
+                          {"dummy", no_argument, nullptr, 'D'},
+                          {"period", required_argument, nullptr, 'p'},
+                          {"ch-period", required_argument, nullptr, 'c'},
+                          {"no-ch", no_argument, nullptr, 'n'},
+                          {"allow-non-rt", no_argument, nullptr, 'r'},
+                          {"nrt", no_argument, nullptr, 'o'},
                           {nullptr, 0, nullptr, 0}};
   Arguments arguments;
   hal::ProcessOptions& options = arguments.options;
@@ -46,7 +50,8 @@ Arguments parse(int argc, char** argv) {
   return arguments;
 }
 
-// A loop that computes for half a second without a pause is ended by the kernel: nothing below its priority would run any more.
+// A loop that computes for half a second without a pause is ended by the kernel: nothing below its priority would run
+// any more.
 void limitProcessor() {
   constexpr rlim_t kSoft = 500'000;  // microseconds
   const rlimit limit{kSoft, 2 * kSoft};

@@ -34,7 +34,8 @@ bool JointControl::command(const link::JointCommand& command) noexcept {
   }
   Reference wanted = reference_;
   const std::uint8_t leading = command.mode & kLeading;
-  wanted.mode = static_cast<std::uint8_t>((leading != 0 ? leading : reference_.mode & kLeading) | ((command.mode | reference_.mode) & link::kImpedance));
+  wanted.mode = static_cast<std::uint8_t>((leading != 0 ? leading : reference_.mode & kLeading) |
+                                          ((command.mode | reference_.mode) & link::kImpedance));
   if ((command.mode & link::kPosition) != 0) wanted.position = command.position;
   if ((command.mode & link::kVelocity) != 0) wanted.velocity = command.velocity;
   if ((command.mode & link::kEffort) != 0) wanted.effort = command.effort;

@@ -10,7 +10,8 @@ class JointControl {
  public:
   JointControl(const config::JointDescription& joint, double period_s) noexcept : limits_(joint, period_s) {}
 
-  // The position reference is what is measured, from which all goes on: at the first sense, and after the hardware was away.
+  // The position reference is what is measured, from which all goes on: at the first sense, and after the hardware was
+  // away.
   void anchor(const link::JointState& measured) noexcept;
 
   // Once a cycle, before anything below. True where it was granted anew: that ends its safe state.
@@ -22,7 +23,8 @@ class JointControl {
   bool isSafe() const noexcept { return safe_; }
   std::uint16_t owner() const noexcept { return owner_; }
 
-  // What its plugin wants in this cycle: false where that is nothing, or no command that may be obeyed, and the joint is to hold.
+  // What its plugin wants in this cycle: false where that is nothing, or no command that may be obeyed, and the joint
+  // is to hold.
   bool command(const link::JointCommand& command) noexcept;
 
   // Whether hold() needs the effort of the safe law.

@@ -28,17 +28,15 @@ bool cut(double& value, double lower, double upper) noexcept {
 bool isSound(const link::JointCommand& command) noexcept {
   const std::uint8_t mode = command.mode;
   return (mode & ~kKnownModes) == 0 && (!has(mode, link::kPosition) || std::isfinite(command.position)) &&
-         (!has(mode, link::kVelocity) || std::isfinite(command.velocity)) && (!has(mode, link::kEffort) || std::isfinite(command.effort)) &&
-         (!has(mode, link::kStiffness) || isGain(command.stiffness)) && (!has(mode, link::kDamping) || isGain(command.damping));
+         (!has(mode, link::kVelocity) || std::isfinite(command.velocity)) &&
+         (!has(mode, link::kEffort) || std::isfinite(command.effort)) &&
+         (!has(mode, link::kStiffness) || isGain(command.stiffness)) &&
+         (!has(mode, link::kDamping) || isGain(command.damping));
 }
 
 Limits::Limits(const config::JointDescription& joint, double period_s) noexcept
-    : lower_(joint.lower),
-      upper_(joint.upper),
-      velocity_(joint.velocity),
-      effort_(joint.effort),
-      position_step_(joint.velocity * period_s),
-      velocity_step_(joint.velocity * period_s / kTimeToFullVelocity) {}
+    : lower_(joint.lower), upper_(joint.upper), velocity_(joint.velocity), effort_(joint.effort),
+      position_step_(joint.velocity * period_s), velocity_step_(joint.velocity * period_s / kTimeToFullVelocity) {}
 
 // The step comes last: a joint that stands outside its limits goes in slowly. Infinite limits cut nothing.
 bool Limits::apply(Reference& wanted, const Reference& last) const noexcept {

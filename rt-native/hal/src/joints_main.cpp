@@ -19,7 +19,8 @@ volatile std::sig_atomic_t ended = 0;
 
 constexpr const char* kUsage =
     "robotui-rt-joints -C CONFIG [--address IP] [--port PORT] [--watchdog-ms MS] [--posture NAME]\n"
-    "Simulates the joint controller of the robot that CONFIG describes, for a HAL of type udp, at the port where that looks for it.\n";
+    "Simulates the joint controller of the robot that CONFIG describes, for a HAL of type udp, at the port where that "
+    "looks for it.\n";
 
 struct Arguments {
   std::string config;
@@ -28,9 +29,10 @@ struct Arguments {
 };
 
 Arguments parse(int argc, char** argv) {
-  const option known[] = {{"config", required_argument, nullptr, 'C'},      {"address", required_argument, nullptr, 'a'},
-                          {"port", required_argument, nullptr, 'p'},        {"posture", required_argument, nullptr, 'o'},
-                          {"watchdog-ms", required_argument, nullptr, 'w'}, {nullptr, 0, nullptr, 0}};
+  const option known[] = {
+      {"config", required_argument, nullptr, 'C'},      {"address", required_argument, nullptr, 'a'},
+      {"port", required_argument, nullptr, 'p'},        {"posture", required_argument, nullptr, 'o'},
+      {"watchdog-ms", required_argument, nullptr, 'w'}, {nullptr, 0, nullptr, 0}};
   Arguments arguments;
   for (int key; (key = ::getopt_long(argc, argv, "C:", known, nullptr)) != -1;) {
     switch (key) {

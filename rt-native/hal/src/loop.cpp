@@ -89,7 +89,8 @@ void Loop::cycle() noexcept {
     once(number, grid.next());
     link::relaxedStore(statistics.overruns, grid.skipped());
     if (number == 1) faults_before = pageFaults();
-    if (number % kFaultsEvery == 0) link::relaxedStore(statistics.page_faults, static_cast<std::uint64_t>(pageFaults() - faults_before));
+    if (number % kFaultsEvery == 0)
+      link::relaxedStore(statistics.page_faults, static_cast<std::uint64_t>(pageFaults() - faults_before));
   }
 }
 

@@ -26,8 +26,8 @@ class Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  // Returns once the thread is set up. Throws std::runtime_error with the reason and the remedy where the system refuses real time and that is
-  // not allowed; what it refused otherwise is returned.
+  // Returns once the thread is set up. Throws std::runtime_error with the reason and the remedy where the system
+  // refuses real time and that is not allowed; what it refused otherwise is returned.
   std::vector<std::string> start();
 
   // Makes all joints safe and ends when nothing moves any more, after a second at the latest.

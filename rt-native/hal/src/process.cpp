@@ -42,8 +42,9 @@ Process::Process(const ProcessOptions& options, link::Packet begin) {
   const config::RtConfig config = config::load(options.config, options.overrides);
   board_ = link::Segment<const link::BoardSegment>::open(std::move(begin.descriptors.front()));
   const CycleSettings settings = cycleSettings(config.hal);
-  inbox_ = std::make_unique<CommandInbox>(commandPlan(config::plan(config, options.communication), std::chrono::nanoseconds(settings.period_ns)),
-                                          static_cast<std::uint32_t>(config.robot.joints.size()), settings.misses_before_safe, waiting_);
+  inbox_ = std::make_unique<CommandInbox>(
+      commandPlan(config::plan(config, options.communication), std::chrono::nanoseconds(settings.period_ns)),
+      static_cast<std::uint32_t>(config.robot.joints.size()), settings.misses_before_safe, waiting_);
   hosts(begin);
   torque_ = torqueOf(config, warnings_);
   hal_ = create(config.hal);
@@ -90,7 +91,8 @@ void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ende
     const link::Received received = supervisor.receive(packet, kLook);
     if (received == link::Received::kTimeout) continue;
     if (received == link::Received::kClosed || packet.verb() == "end") break;
-    if (packet.verb() != "host" || !replaceHost(packet)) supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
+    if (packet.verb() != "host" || !replaceHost(packet))
+      supervisor.send("log warn The HAL does not understand '" + packet.text + "'.");
   }
   loop_->stop();
 }

@@ -21,7 +21,8 @@ constexpr std::size_t kStack = 256 * 1024;
 constexpr std::size_t kPage = 4096;
 
 constexpr const char* kRemedy =
-    " Give the user 'rtprio 99' and 'memlock unlimited' in /etc/security/limits.conf and log in again, or the program CAP_SYS_NICE and "
+    " Give the user 'rtprio 99' and 'memlock unlimited' in /etc/security/limits.conf and log in again, or the program "
+    "CAP_SYS_NICE and "
     "CAP_IPC_LOCK (setcap cap_sys_nice,cap_ipc_lock+ep), or start with --allow-non-rt.";
 
 bool isRealTimeOff() {
@@ -46,8 +47,10 @@ Refusal scheduleFifo(int priority) {
   parameters.sched_priority = priority;
   const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
   if (error == 0) return std::nullopt;
-  const std::string what = "The loop cannot run with SCHED_FIFO and priority " + std::to_string(priority) + ": " + std::strerror(error) + ".";
-  if (isRealTimeOff()) return what + " The kernel gives no time to real time: sysctl kernel.sched_rt_runtime_us=950000.";
+  const std::string what = "The loop cannot run with SCHED_FIFO and priority " + std::to_string(priority) + ": " +
+                           std::strerror(error) + ".";
+  if (isRealTimeOff())
+    return what + " The kernel gives no time to real time: sysctl kernel.sched_rt_runtime_us=950000.";
   return what + kRemedy;
 }
 
@@ -57,7 +60,8 @@ Refusal pinTo(int core) {
   if (core >= 0 && core < CPU_SETSIZE) CPU_SET(static_cast<std::size_t>(core), &set);
   const int error = ::pthread_setaffinity_np(::pthread_self(), sizeof(set), &set);
   if (error == 0) return std::nullopt;
-  return "The loop cannot be kept on CPU " + std::to_string(core) + ": " + std::strerror(error) + ". Write another core_id, or none.";
+  return "The loop cannot be kept on CPU " + std::to_string(core) + ": " + std::strerror(error) +
+         ". Write another core_id, or none.";
 }
 
 void prepareThread() noexcept {

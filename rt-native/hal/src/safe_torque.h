@@ -23,6 +23,7 @@ class NoTorque : public SafeTorque {
 };
 
 // Carries the robot's own weight. Throws std::runtime_error where the model cannot be made.
-std::unique_ptr<SafeTorque> makeGravityTorque(const std::shared_ptr<const config::RobotDescription>& robot, const std::string& model_type);
+std::unique_ptr<SafeTorque> makeGravityTorque(const std::shared_ptr<const config::RobotDescription>& robot,
+                                              const std::string& model_type);
 
 }  // namespace robotui::rt::hal

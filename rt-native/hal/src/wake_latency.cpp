@@ -12,7 +12,8 @@ namespace robotui::rt::hal {
 namespace {
 
 constexpr const char* kRemedy =
-    " Allow it with a udev rule (KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\"), or bear it with cpu_dma_latency_us: -1.";
+    " Allow it with a udev rule (KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\"), or bear it with "
+    "cpu_dma_latency_us: -1.";
 
 }  // namespace
 
@@ -23,7 +24,8 @@ WakeLatency::WakeLatency(int most_us, const std::filesystem::path& device) {
   if (device_.isOpen() && ::write(device_.get(), &asked, sizeof(asked)) == static_cast<ssize_t>(sizeof(asked))) return;
   const int error = errno;
   if (error == ENOENT) return;
-  refusal_ = "Processors may sleep deeply between two cycles and wake late, since " + device.string() + " is refused: " + std::strerror(error) + "." + kRemedy;
+  refusal_ = "Processors may sleep deeply between two cycles and wake late, since " + device.string() +
+             " is refused: " + std::strerror(error) + "." + kRemedy;
 }
 
 }  // namespace robotui::rt::hal

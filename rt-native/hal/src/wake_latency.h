@@ -8,8 +8,8 @@
 
 namespace robotui::rt::hal {
 
-// Asks the kernel, as long as it lives, for no idle state of a processor from which it wakes later than this: from a deep one it can take
-// longer than all the rest of a wake-up. Takes back by itself, also when the process is killed.
+// Asks the kernel, as long as it lives, for no idle state of a processor from which it wakes later than this: from a
+// deep one it can take longer than all the rest of a wake-up. Takes back by itself, also when the process is killed.
 class WakeLatency {
  public:
   static constexpr const char* kDevice = "/dev/cpu_dma_latency";

@@ -21,11 +21,13 @@ std::vector<std::string> list(const YAML::Node& params, const char* key) {
 
 template <typename Items>
 std::string namesOf(const Items& items) {
-  return link::listed(items, [](const auto& item) { return item.name; }, "none");
+  return link::listed(
+      items, [](const auto& item) { return item.name; }, "none");
 }
 
 void addChain(const std::string& name, const config::RobotDescription& robot, std::set<std::string>& wanted) {
-  const auto chain = std::find_if(robot.chains.begin(), robot.chains.end(), [&](const auto& c) { return c.name == name; });
+  const auto chain =
+      std::find_if(robot.chains.begin(), robot.chains.end(), [&](const auto& c) { return c.name == name; });
   if (chain == robot.chains.end()) {
     throw PluginError("The robot has no chain '" + name + "'. It has: " + namesOf(robot.chains) + ".");
   }

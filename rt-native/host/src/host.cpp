@@ -14,11 +14,14 @@ using link::PluginState;
 constexpr std::chrono::milliseconds kPollPeriod{5};
 constexpr std::size_t kFixedDescriptors = 4;  // state, board, master, its own
 
-PluginKind pluginKind(config::HostKind kind) { return kind == config::HostKind::kIo ? PluginKind::kIo : PluginKind::kControl; }
+PluginKind pluginKind(config::HostKind kind) {
+  return kind == config::HostKind::kIo ? PluginKind::kIo : PluginKind::kControl;
+}
 
 }  // namespace
 
-Host::Host(HostOptions options, link::Socket& supervisor, link::Packet begin) : options_(std::move(options)), supervisor_(supervisor) {
+Host::Host(HostOptions options, link::Socket& supervisor, link::Packet begin)
+    : options_(std::move(options)), supervisor_(supervisor) {
   openLink(begin);
   openChannels(begin);
   readPlan();
@@ -75,10 +78,12 @@ void Host::checkBoard(const config::Plan& plan) const {
   bool same = options_.host < plan.hosts.size() && plan.plugins.size() == data_.plugins;
   for (std::uint32_t i = 0; same && i < data_.plugins; ++i) {
     const auto& there = data_.plugin[i];
-    same = link::view(there.name) == plan.plugins[i].plugin.name && there.host == plan.plugins[i].host && there.thread == plan.plugins[i].thread;
+    same = link::view(there.name) == plan.plugins[i].plugin.name && there.host == plan.plugins[i].host &&
+           there.thread == plan.plugins[i].thread;
   }
   if (!same) {
-    throw std::runtime_error("The plugins or threads in " + options_.config.string() + " have changed since the start: start robotui-rt again.");
+    throw std::runtime_error("The plugins or threads in " + options_.config.string() +
+                             " have changed since the start: start robotui-rt again.");
   }
 }
 
@@ -88,7 +93,11 @@ void Host::makeThreads() {
   for (std::uint32_t i = 0; i < mine.threads.size(); ++i) {
     const config::ThreadConfig& thread = mine.threads[i];
     const bool real_time = data_.real_time != 0 && thread.scheduling == config::Scheduling::kFifo;
-    ThreadPlan plan{thread.name, i, std::chrono::nanoseconds(thread.period).count(), real_time ? thread.priority : 0, thread.core,
+    ThreadPlan plan{thread.name,
+                    i,
+                    std::chrono::nanoseconds(thread.period).count(),
+                    real_time ? thread.priority : 0,
+                    thread.core,
                     mine.kind == config::HostKind::kIo};
     threads_.push_back(std::make_unique<PluginThread>(std::move(plan), *state_, *board_, *own_));
   }
@@ -109,7 +118,8 @@ void Host::loadAll(std::string_view skipped) {
     hosted.thread = planned.thread;
     own_->plugins[i].thread = planned.thread;
     if (link::containsWord(skipped, hosted.name)) {
-      fail(hosted, "The plugin " + hosted.name + " is not loaded, because it ended its process again and again while it was made ready.");
+      fail(hosted, "The plugin " + hosted.name +
+                       " is not loaded, because it ended its process again and again while it was made ready.");
     } else {
       load(hosted);
     }
@@ -122,8 +132,9 @@ void Host::load(Hosted& hosted) {
   link::StateReader(*state_).newest(snapshot_);
   PluginThread& thread = *threads_[hosted.thread];
   try {
-    hosted.plugin = std::make_unique<HostedPlugin>(hosted.index, plan_.plugins[hosted.index].plugin,
-                                                   static_cast<double>(thread.plan().period_ns) * 1e-9, environment_, snapshot_);
+    hosted.plugin =
+        std::make_unique<HostedPlugin>(hosted.index, plan_.plugins[hosted.index].plugin,
+                                       static_cast<double>(thread.plan().period_ns) * 1e-9, environment_, snapshot_);
   } catch (const std::exception& e) {
     fail(hosted, e.what());
     return;
@@ -212,7 +223,8 @@ std::string Host::unloadForReload(Hosted& hosted) {
   hosted.plugin.reset();
   return gone ? std::string()
               : "The library of the plugin " + hosted.name +
-                    " stays in memory, so that a new one would not be seen: build it with -fno-gnu-unique, or end its host to load it anew.";
+                    " stays in memory, so that a new one would not be seen: build it with -fno-gnu-unique, or end its "
+                    "host to load it anew.";
 }
 
 void Host::reload(Hosted& hosted) {
@@ -284,7 +296,8 @@ void Host::fail(Hosted& hosted, const std::string& sentence) {
 void Host::tell(const std::string& words) { supervisor_.send(words); }
 
 Host::Hosted* Host::find(std::string_view name) {
-  const auto found = std::find_if(plugins_.begin(), plugins_.end(), [&](const Hosted& hosted) { return hosted.name == name; });
+  const auto found =
+      std::find_if(plugins_.begin(), plugins_.end(), [&](const Hosted& hosted) { return hosted.name == name; });
   return found == plugins_.end() ? nullptr : &*found;
 }
 

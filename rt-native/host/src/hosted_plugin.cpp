@@ -7,14 +7,18 @@ namespace {
 
 using link::PluginState;
 
-std::string sentence(const std::string& name, const std::string& what) { return "The plugin " + name + " cannot be made ready: " + what; }
+std::string sentence(const std::string& name, const std::string& what) {
+  return "The plugin " + name + " cannot be made ready: " + what;
+}
 
 }  // namespace
 
 class HostedPlugin::MakingReady final : public Setup {
  public:
-  MakingReady(HostedPlugin& plugin, const config::PluginConfig& config, double period, const PluginEnvironment& environment)
-      : plugin_(plugin), params_(config.params.IsDefined() && config.params.IsMap() ? config.params : YAML::Node(YAML::NodeType::Map)),
+  MakingReady(HostedPlugin& plugin, const config::PluginConfig& config, double period,
+              const PluginEnvironment& environment)
+      : plugin_(plugin),
+        params_(config.params.IsDefined() && config.params.IsMap() ? config.params : YAML::Node(YAML::NodeType::Map)),
         period_(period), environment_(environment) {}
 
   const std::string& name() const override { return plugin_.name_; }
@@ -23,7 +27,9 @@ class HostedPlugin::MakingReady final : public Setup {
   RobotInterface& robot() override { return plugin_.robot_; }
   RtLog& log() override { return plugin_.log_; }
   ChannelDirectory& channels() override { return *environment_.channels; }
-  std::unique_ptr<ModelInterface> createModel() override { return ModelInterface::create(environment_.model_type, environment_.robot); }
+  std::unique_ptr<ModelInterface> createModel() override {
+    return ModelInterface::create(environment_.model_type, environment_.robot);
+  }
   const link::MasterSegment& master() override { return *environment_.master; }
   void claim(const std::vector<std::string>& joints) override {
     YAML::Node wish;
@@ -46,10 +52,11 @@ class HostedPlugin::MakingReady final : public Setup {
   bool has_claimed_ = false;
 };
 
-HostedPlugin::HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period, const PluginEnvironment& environment,
-                           const link::FrameData& frame)
+HostedPlugin::HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period,
+                           const PluginEnvironment& environment, const link::FrameData& frame)
     : name_(config.name), index_(index), log_(*environment.log, index), robot_(environment.robot, frame),
-      claims_(environment.kind == PluginKind::kIo ? std::vector<std::string>() : claimedJoints(config.params, *environment.robot)),
+      claims_(environment.kind == PluginKind::kIo ? std::vector<std::string>()
+                                                  : claimedJoints(config.params, *environment.robot)),
       library_(config.type, environment.folders), plugin_(library_.create(environment.kind)) {
   init(config, period, environment);
 }
@@ -87,7 +94,9 @@ void HostedPlugin::init(const config::PluginConfig& config, double period, const
 void HostedPlugin::settleRole(bool has_claimed) {
   role_ = plugin_->role();
   if (role_ != PluginRole::kObserver) return;
-  if (has_claimed) throw PluginError(sentence(name_, "it is an observer and claims joints; one that commands joints has another role()"));
+  if (has_claimed)
+    throw PluginError(
+        sentence(name_, "it is an observer and claims joints; one that commands joints has another role()"));
   claims_.clear();
 }
 

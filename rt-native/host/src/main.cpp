@@ -23,10 +23,10 @@ struct Arguments {
 };
 
 Arguments parse(int argc, char** argv) {
-  const option known[] = {{"config", required_argument, nullptr, 'C'},  {"control", required_argument, nullptr, 'f'},
-                          {"host", required_argument, nullptr, 'h'},    {"dummy", no_argument, nullptr, 'D'},
-                          {"period", required_argument, nullptr, 'p'},  {"ch-period", required_argument, nullptr, 'c'},
-                          {"no-ch", no_argument, nullptr, 'n'},         {nullptr, 0, nullptr, 0}};
+  const option known[] = {{"config", required_argument, nullptr, 'C'}, {"control", required_argument, nullptr, 'f'},
+                          {"host", required_argument, nullptr, 'h'},   {"dummy", no_argument, nullptr, 'D'},
+                          {"period", required_argument, nullptr, 'p'}, {"ch-period", required_argument, nullptr, 'c'},
+                          {"no-ch", no_argument, nullptr, 'n'},        {nullptr, 0, nullptr, 0}};
   Arguments arguments;
   auto& options = arguments.options;
   for (int key = 0; (key = getopt_long(argc, argv, "C:D", known, nullptr)) != -1;) {
@@ -44,7 +44,8 @@ Arguments parse(int argc, char** argv) {
   return arguments;
 }
 
-// A thread that computes this long without a pause is ended by the kernel, with its process: it must not starve the robot's.
+// A thread that computes this long without a pause is ended by the kernel, with its process: it must not starve the
+// robot's.
 void limitProcessor() {
   constexpr rlim_t kSoft = 200'000;  // microseconds
   const rlimit limit{kSoft, 2 * kSoft};

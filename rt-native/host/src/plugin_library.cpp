@@ -42,7 +42,9 @@ fs::path findLibrary(const std::string& type, const std::vector<fs::path>& folde
       return folder / name;
     }
   }
-  throw PluginError("There is no " + name + " in " + link::listed(folders, [](const fs::path& folder) { return folder.string(); }) + ". Build it, or name its folder in ROBOTUI_RT_PLUGINS.");
+  throw PluginError("There is no " + name + " in " +
+                    link::listed(folders, [](const fs::path& folder) { return folder.string(); }) +
+                    ". Build it, or name its folder in ROBOTUI_RT_PLUGINS.");
 }
 
 fs::path executableFolder() {
@@ -103,22 +105,24 @@ void PluginLibrary::checkAbi() const {
   const std::uint32_t has = reinterpret_cast<std::uint32_t (*)()>(abi)();
   if (has != kPluginAbi) {
     std::ostringstream what;
-    what << file_.string() << " was built for version " << has << " of the plugin interface, and this is version " << kPluginAbi
-         << ": build it again.";
+    what << file_.string() << " was built for version " << has << " of the plugin interface, and this is version "
+         << kPluginAbi << ": build it again.";
     throw PluginError(what.str());
   }
   void* facts = symbol("robotui_rt_plugin_facts");
   if (facts == nullptr) {
-    throw PluginError(file_.string() + " does not say what it was built with: end its source with ROBOTUI_RT_PLUGIN(" + type_ + ").");
+    throw PluginError(file_.string() + " does not say what it was built with: end its source with ROBOTUI_RT_PLUGIN(" +
+                      type_ + ").");
   }
-  const std::string difference = link::abiDifference(file_.string(), reinterpret_cast<const link::AbiFact* (*)()>(facts)(), kPluginFacts);
+  const std::string difference =
+      link::abiDifference(file_.string(), reinterpret_cast<const link::AbiFact* (*)()>(facts)(), kPluginFacts);
   if (!difference.empty()) {
     throw PluginError(difference);
   }
 }
 
-// All that it calls must be there before it runs. Not before it was checked: a library that was built another way lacks what it asks for, and
-// the reason says more than the name of a symbol.
+// All that it calls must be there before it runs. Not before it was checked: a library that was built another way lacks
+// what it asks for, and the reason says more than the name of a symbol.
 void PluginLibrary::bind() const {
   void* const again = dlopen(file_.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (again == nullptr) {
@@ -131,10 +135,14 @@ std::unique_ptr<ControlPlugin> PluginLibrary::create(PluginKind kind) const {
   void* control = symbol("robotui_rt_plugin_create");
   void* io = symbol("robotui_rt_io_plugin_create");
   if (kind == PluginKind::kControl && control == nullptr) {
-    throw PluginError(file_.string() + (io != nullptr ? " is an IO plugin: name it under io_plugins." : " exports no robotui_rt_plugin_create: end its source with ROBOTUI_RT_PLUGIN(" + type_ + ")."));
+    throw PluginError(file_.string() +
+                      (io != nullptr ? " is an IO plugin: name it under io_plugins."
+                                     : " exports no robotui_rt_plugin_create: end its source with ROBOTUI_RT_PLUGIN(" +
+                                           type_ + ")."));
   }
   if (kind == PluginKind::kIo && io == nullptr) {
-    throw PluginError(file_.string() + " is no IO plugin: end its source with ROBOTUI_RT_IO_PLUGIN(" + type_ + "), or name it under plugins.");
+    throw PluginError(file_.string() + " is no IO plugin: end its source with ROBOTUI_RT_IO_PLUGIN(" + type_ +
+                      "), or name it under plugins.");
   }
   if (kind == PluginKind::kControl) {
     return make<ControlPlugin>(control, file_);

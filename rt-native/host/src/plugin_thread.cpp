@@ -16,7 +16,7 @@ namespace robotui::rt::host {
 namespace {
 
 constexpr std::int64_t kPatience = 50 * link::kMillisecond;  // then it looks whether it is to end
-constexpr std::uint64_t kFaultsEvery = 128;                   // cycles between two looks at the page faults: a system call
+constexpr std::uint64_t kFaultsEvery = 128;  // cycles between two looks at the page faults: a system call
 
 std::int64_t pageFaults() noexcept {
   rusage usage{};
@@ -26,7 +26,8 @@ std::int64_t pageFaults() noexcept {
 
 }  // namespace
 
-PluginThread::PluginThread(ThreadPlan plan, const link::StateSegment& state, const link::BoardSegment& board, link::HostSegment& host)
+PluginThread::PluginThread(ThreadPlan plan, const link::StateSegment& state, const link::BoardSegment& board,
+                           link::HostSegment& host)
     : plan_(std::move(plan)), state_(state), host_(host), reader_(state), board_(board),
       slot_(host, plan_.index, reader_.counts().joints) {
   auto& mine = statistics();
@@ -65,7 +66,8 @@ void PluginThread::stop() {
 
 void PluginThread::attach(HostedPlugin& plugin) noexcept { plugins_[plugin.index()].store(&plugin); }
 
-// The thread marks itself inside before it looks at the places: who sees it outside afterwards is not seen by it any more.
+// The thread marks itself inside before it looks at the places: who sees it outside afterwards is not seen by it any
+// more.
 void PluginThread::detach(HostedPlugin& plugin) noexcept {
   plugins_[plugin.index()].store(nullptr);
   while (inside_.load()) {
@@ -132,7 +134,8 @@ void PluginThread::idle() noexcept {
     HostedPlugin* plugin = place.load();
     if (plugin != nullptr) {
       plugin->idle(time());
-      host_.plugins[plugin->index()].state.store(static_cast<std::uint32_t>(plugin->state()), std::memory_order_relaxed);
+      host_.plugins[plugin->index()].state.store(static_cast<std::uint32_t>(plugin->state()),
+                                                 std::memory_order_relaxed);
     }
   }
 }
@@ -168,7 +171,8 @@ void PluginThread::collect(const HostedPlugin& plugin) noexcept {
 void PluginThread::account(std::int64_t begun, bool news) noexcept {
   auto& mine = statistics();
   const std::int64_t busy = link::now() - begun;
-  const std::uint64_t skipped = last_cycle_ == 0 || frame_.cycle <= last_cycle_ ? 0 : (frame_.cycle - last_cycle_ - 1) / every_;
+  const std::uint64_t skipped =
+      last_cycle_ == 0 || frame_.cycle <= last_cycle_ ? 0 : (frame_.cycle - last_cycle_ - 1) / every_;
   link::relaxedAdd<std::uint64_t>(mine.overruns, skipped > 0 ? skipped : (busy > plan_.period_ns ? 1 : 0));
   last_cycle_ = frame_.cycle;
   link::record(mine.busy, busy);

@@ -1,5 +1,5 @@
-// The native methods of org.robotui.xbot.internal.NativeLink, which says what they do. Handles are addresses of what is made here;
-// that none is used after its end, or by two threads at once, is the business of the Java side.
+// The native methods of org.robotui.xbot.internal.NativeLink, which says what they do. Handles are addresses of what is
+// made here; that none is used after its end, or by two threads at once, is the business of the Java side.
 #include <jni.h>
 
 #include <string>
@@ -54,15 +54,18 @@ jobject view(JNIEnv* env, const T* segment) {
 
 extern "C" {
 
-JNIEXPORT jlong JNICALL Java_org_robotui_xbot_internal_NativeLink_connect(JNIEnv* env, jclass, jbyteArray robot, jint timeout) {
+JNIEXPORT jlong JNICALL Java_org_robotui_xbot_internal_NativeLink_connect(JNIEnv* env, jclass, jbyteArray robot,
+                                                                          jint timeout) {
   return guarded(env, [&] { return handle(new Client(text(env, robot), milliseconds(timeout))); });
 }
 
-JNIEXPORT jboolean JNICALL Java_org_robotui_xbot_internal_NativeLink_reconnect(JNIEnv* env, jclass, jlong client, jint timeout) {
+JNIEXPORT jboolean JNICALL Java_org_robotui_xbot_internal_NativeLink_reconnect(JNIEnv* env, jclass, jlong client,
+                                                                               jint timeout) {
   return guarded(env, [&] { return static_cast<jboolean>(object<Client>(client).reconnect(milliseconds(timeout))); });
 }
 
-JNIEXPORT jlong JNICALL Java_org_robotui_xbot_internal_NativeLink_attach(JNIEnv* env, jclass, jlong client, jint timeout) {
+JNIEXPORT jlong JNICALL Java_org_robotui_xbot_internal_NativeLink_attach(JNIEnv* env, jclass, jlong client,
+                                                                         jint timeout) {
   return guarded(env, [&] { return handle(new Attachment(object<Client>(client).attach(milliseconds(timeout)))); });
 }
 
@@ -78,24 +81,26 @@ JNIEXPORT jobject JNICALL Java_org_robotui_xbot_internal_NativeLink_board(JNIEnv
   return view(env, object<Attachment>(attachment).board.get());
 }
 
-JNIEXPORT jobject JNICALL Java_org_robotui_xbot_internal_NativeLink_host(JNIEnv* env, jclass, jlong attachment, jint index) {
-  return guarded(env, [&] { return view(env, object<Attachment>(attachment).hosts.at(static_cast<std::size_t>(index)).get()); });
+JNIEXPORT jobject JNICALL Java_org_robotui_xbot_internal_NativeLink_host(JNIEnv* env, jclass, jlong attachment,
+                                                                         jint index) {
+  return guarded(
+      env, [&] { return view(env, object<Attachment>(attachment).hosts.at(static_cast<std::size_t>(index)).get()); });
 }
 
 JNIEXPORT void JNICALL Java_org_robotui_xbot_internal_NativeLink_detach(JNIEnv*, jclass, jlong attachment) {
   delete &object<Attachment>(attachment);
 }
 
-JNIEXPORT jbyteArray JNICALL Java_org_robotui_xbot_internal_NativeLink_request(JNIEnv* env, jclass, jlong client, jbyteArray words,
-                                                                              jint timeout) {
+JNIEXPORT jbyteArray JNICALL Java_org_robotui_xbot_internal_NativeLink_request(JNIEnv* env, jclass, jlong client,
+                                                                               jbyteArray words, jint timeout) {
   return guarded(env, [&] {
     const Reply reply = object<Client>(client).request(text(env, words), milliseconds(timeout));
     return bytes(env, (reply.ok ? "ok " : "error ") + reply.text);
   });
 }
 
-JNIEXPORT jboolean JNICALL Java_org_robotui_xbot_internal_NativeLink_reference(JNIEnv* env, jclass, jlong client, jobject commands,
-                                                                              jint joints) {
+JNIEXPORT jboolean JNICALL Java_org_robotui_xbot_internal_NativeLink_reference(JNIEnv* env, jclass, jlong client,
+                                                                               jobject commands, jint joints) {
   return guarded(env, [&] {
     const auto* first = static_cast<const JointCommand*>(env->GetDirectBufferAddress(commands));
     const jlong room = env->GetDirectBufferCapacity(commands) / static_cast<jlong>(sizeof(JointCommand));
@@ -107,7 +112,8 @@ JNIEXPORT jboolean JNICALL Java_org_robotui_xbot_internal_NativeLink_reference(J
   });
 }
 
-JNIEXPORT jint JNICALL Java_org_robotui_xbot_internal_NativeLink_notice(JNIEnv* env, jclass, jlong client, jint timeout) {
+JNIEXPORT jint JNICALL Java_org_robotui_xbot_internal_NativeLink_notice(JNIEnv* env, jclass, jlong client,
+                                                                        jint timeout) {
   return guarded(env, [&] { return static_cast<jint>(object<Client>(client).notice(milliseconds(timeout))); });
 }
 

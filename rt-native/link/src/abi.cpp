@@ -23,8 +23,8 @@ std::string abiDifference(const std::string& library, const AbiFact* has, const 
     const AbiFact* found = find(has, wanted->name);
     const std::string there = found == nullptr ? "(not said)" : valueOf(*found);
     if (there != valueOf(*wanted)) {
-      return library + " does not fit this program: it was built with " + wanted->name + " " + there + ", and this program with " +
-             wanted->name + " " + valueOf(*wanted) + ". Build it again " + wanted->remedy;
+      return library + " does not fit this program: it was built with " + wanted->name + " " + there +
+             ", and this program with " + wanted->name + " " + valueOf(*wanted) + ". Build it again " + wanted->remedy;
     }
   }
   return {};

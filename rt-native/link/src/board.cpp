@@ -58,14 +58,17 @@ void BoardWriter::grant(std::uint32_t joint, std::uint16_t plugin) noexcept {
   segment_->grants[joint].fetch_add(1, std::memory_order_release);
 }
 
-void BoardWriter::release(std::uint32_t joint) noexcept { segment_->owners[joint].store(kNobody, std::memory_order_release); }
+void BoardWriter::release(std::uint32_t joint) noexcept {
+  segment_->owners[joint].store(kNobody, std::memory_order_release);
+}
 
 Read BoardReader::read(BoardData& into) noexcept {
   const std::uint64_t first = segment_->sequence.load(std::memory_order_acquire);
   if (first == 0) return Read::kNone;
   if (first == last_) return Read::kSame;
   for (int i = 0; i < kReadTries; ++i) {
-    const std::uint64_t read = lockedRead(segment_->sequence, [&]() noexcept { relaxedCopyOut(&into, &segment_->data, sizeof(into)); });
+    const std::uint64_t read =
+        lockedRead(segment_->sequence, [&]() noexcept { relaxedCopyOut(&into, &segment_->data, sizeof(into)); });
     if (read == 0) continue;
     bound(into);
     last_ = read;

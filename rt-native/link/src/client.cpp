@@ -12,7 +12,8 @@ using Clock = std::chrono::steady_clock;
 
 Socket connectTo(const std::string& robot, Socket::Milliseconds timeout) {
   const std::filesystem::path path = socketPath(robot);
-  if (!std::filesystem::exists(path)) throw SocketError("No robot '" + robot + "' runs here: there is no " + path.string() + ".");
+  if (!std::filesystem::exists(path))
+    throw SocketError("No robot '" + robot + "' runs here: there is no " + path.string() + ".");
   Socket socket = Socket::connect(path, timeout);
   if (socket.peer().uid != ::getuid()) throw SocketError("The robot '" + robot + "' was started by another user.");
   return socket;
@@ -20,7 +21,8 @@ Socket connectTo(const std::string& robot, Socket::Milliseconds timeout) {
 
 }  // namespace
 
-Client::Client(std::string robot, Milliseconds timeout) : robot_(std::move(robot)), socket_(connectTo(robot_, timeout)) {}
+Client::Client(std::string robot, Milliseconds timeout)
+    : robot_(std::move(robot)), socket_(connectTo(robot_, timeout)) {}
 
 // Notices may come in front of the reply.
 Received Client::reply(Packet& into, Milliseconds timeout) {
@@ -44,7 +46,8 @@ Reply Client::request(std::string_view words, Milliseconds timeout) {
   if (received == Received::kPacket) return {packet.verb() == "ok", std::string(packet.rest())};
   // A reply that came later would be taken for that of the next request.
   socket_.close();
-  return {false, received == Received::kTimeout ? "The robot '" + robot_ + "' did not answer in time." : "The robot '" + robot_ + "' is gone."};
+  return {false, received == Received::kTimeout ? "The robot '" + robot_ + "' did not answer in time."
+                                                : "The robot '" + robot_ + "' is gone."};
 }
 
 Attachment Client::attach(Milliseconds timeout) {

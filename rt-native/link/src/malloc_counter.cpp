@@ -16,14 +16,15 @@ void note() noexcept {
 #ifdef RT_SANITIZED  // a sanitizer has its own heap, which tells on demand
 
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
-                                                          void (*on_free)(const volatile void*));
+                                                         void (*on_free)(const volatile void*));
 
 namespace {
 
-[[maybe_unused]] const int installed = __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { note(); },
-                                                                                 [](const volatile void* old) {
-                                                                                   if (old != nullptr) note();
-                                                                                 });
+[[maybe_unused]] const int installed =
+    __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { note(); },
+                                              [](const volatile void* old) {
+                                                if (old != nullptr) note();
+                                              });
 
 }  // namespace
 

@@ -35,7 +35,9 @@ const char* nameOf(SegmentKind kind) noexcept {
   throw SegmentError(std::string("The ") + nameOf(kind) + " segment " + what);
 }
 
-[[noreturn]] void failWithErrno(SegmentKind kind, const std::string& what) { fail(kind, what + ": " + std::strerror(errno) + "."); }
+[[noreturn]] void failWithErrno(SegmentKind kind, const std::string& what) {
+  fail(kind, what + ": " + std::strerror(errno) + ".");
+}
 
 // Populated at once, so that no cycle pays for the first touch of a page.
 void* map(const Descriptor& file, std::size_t size, bool writable, SegmentKind kind) {
@@ -62,13 +64,14 @@ void checkHeader(const void* data, SegmentKind kind, std::size_t size) {
   std::memcpy(&header, data, sizeof(header));
   if (header.magic != kMagic) fail(kind, "does not begin with the mark of the link: it is something else.");
   if (header.version != kLayoutVersion) {
-    fail(kind, "has layout version " + std::to_string(header.version) + ", this program knows " + std::to_string(kLayoutVersion) +
-                   ": update the older of both.");
+    fail(kind, "has layout version " + std::to_string(header.version) + ", this program knows " +
+                   std::to_string(kLayoutVersion) + ": update the older of both.");
   }
   if (header.segment != static_cast<std::uint32_t>(kind)) {
     fail(kind, std::string("was expected, but a segment of kind ") + std::to_string(header.segment) + " came.");
   }
-  if (header.size != size) fail(kind, "says that it has " + std::to_string(header.size) + " bytes, not " + std::to_string(size) + ".");
+  if (header.size != size)
+    fail(kind, "says that it has " + std::to_string(header.size) + " bytes, not " + std::to_string(size) + ".");
 }
 
 }  // namespace
@@ -114,7 +117,8 @@ Mapping Mapping::open(Descriptor file, SegmentKind kind, std::size_t size, bool 
 
 void Mapping::sealAgainstWriters() const {
   if (::fcntl(file_.get(), F_ADD_SEALS, F_SEAL_FUTURE_WRITE | F_SEAL_SEAL) != 0) {
-    throw SegmentError(std::string("A segment cannot be sealed against writers: ") + std::strerror(errno) + ". Linux 5.1 is needed.");
+    throw SegmentError(std::string("A segment cannot be sealed against writers: ") + std::strerror(errno) +
+                       ". Linux 5.1 is needed.");
   }
 }
 
@@ -122,7 +126,8 @@ void Mapping::sealAgainstWriters() const {
 Descriptor Mapping::share(bool writable) const {
   const std::string path = "/proc/self/fd/" + std::to_string(file_.get());
   Descriptor descriptor(::open(path.c_str(), (writable ? O_RDWR : O_RDONLY) | O_CLOEXEC));
-  if (!descriptor.isOpen()) throw SegmentError(std::string("A segment cannot be given away: ") + std::strerror(errno) + ".");
+  if (!descriptor.isOpen())
+    throw SegmentError(std::string("A segment cannot be given away: ") + std::strerror(errno) + ".");
   return descriptor;
 }
 

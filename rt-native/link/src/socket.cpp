@@ -28,7 +28,8 @@ Descriptor make() {
 sockaddr_un addressOf(const std::filesystem::path& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  if (path.native().size() >= sizeof(address.sun_path)) throw SocketError("The path " + path.string() + " is too long for a socket.");
+  if (path.native().size() >= sizeof(address.sun_path))
+    throw SocketError("The path " + path.string() + " is too long for a socket.");
   std::memcpy(address.sun_path, path.c_str(), path.native().size());
   return address;
 }
@@ -94,16 +95,19 @@ std::string_view Packet::rest() const noexcept {
 
 std::pair<Socket, Socket> Socket::pair() {
   int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) fail("A pair of control sockets cannot be made");
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+    fail("A pair of control sockets cannot be made");
   return {Socket(Descriptor(ends[0])), Socket(Descriptor(ends[1]))};
 }
 
 Socket Socket::listen(const std::filesystem::path& path) {
   const sockaddr_un address = addressOf(path);
-  if (connectTo(make(), address) == 0) throw SocketError("Another process already listens on " + path.string() + ": end it first.");
+  if (connectTo(make(), address) == 0)
+    throw SocketError("Another process already listens on " + path.string() + ": end it first.");
   if (errno == ECONNREFUSED) ::unlink(path.c_str());
   Descriptor socket = make();
-  if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) fail("Cannot listen on " + path.string());
+  if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
+    fail("Cannot listen on " + path.string());
   if (::listen(socket.get(), 16) != 0) fail("Cannot listen on " + path.string());
   return Socket(std::move(socket));
 }
@@ -111,7 +115,8 @@ Socket Socket::listen(const std::filesystem::path& path) {
 Socket Socket::connect(const std::filesystem::path& path, Milliseconds timeout) {
   Descriptor socket = make();
   const timeval limit{timeout.count() / 1000, static_cast<suseconds_t>(timeout.count() % 1000 * 1000)};
-  ::setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof(limit));  // a full queue of listen() is what blocks here
+  ::setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &limit,
+               sizeof(limit));  // a full queue of listen() is what blocks here
   if (connectTo(socket, addressOf(path)) != 0) fail("Cannot connect to " + path.string());
   return Socket(std::move(socket));
 }
@@ -161,7 +166,8 @@ Received Socket::receive(Packet& into, Milliseconds timeout) const {
 Peer Socket::peer() const {
   ucred credentials{};
   socklen_t size = sizeof(credentials);
-  if (::getsockopt(get(), SOL_SOCKET, SO_PEERCRED, &credentials, &size) != 0) fail("Who is at the other end cannot be told");
+  if (::getsockopt(get(), SOL_SOCKET, SO_PEERCRED, &credentials, &size) != 0)
+    fail("Who is at the other end cannot be told");
   return {credentials.pid, credentials.uid};
 }
 

@@ -31,14 +31,17 @@ std::filesystem::path socketFolder() {
     throw SocketError("The folder " + folder.string() + " cannot be made: " + std::strerror(errno) + ".");
   }
   struct stat status {};
-  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::getuid() || (status.st_mode & 077) != 0) {
-    throw SocketError("The folder " + folder.string() + " must be yours alone (mode 0700): remove it or set XDG_RUNTIME_DIR.");
+  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::getuid() ||
+      (status.st_mode & 077) != 0) {
+    throw SocketError("The folder " + folder.string() +
+                      " must be yours alone (mode 0700): remove it or set XDG_RUNTIME_DIR.");
   }
   return folder;
 }
 
 std::filesystem::path socketPath(std::string_view robot) {
-  if (!isFileName(robot)) throw SocketError("'" + std::string(robot) + "' cannot be the name of a robot: write one without '/'.");
+  if (!isFileName(robot))
+    throw SocketError("'" + std::string(robot) + "' cannot be the name of a robot: write one without '/'.");
   return socketFolder() / (std::string(robot) + ".sock");
 }
 

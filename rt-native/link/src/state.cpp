@@ -32,10 +32,12 @@ void copyOut(FrameData& to, const FrameData& from, const Counts& counts) noexcep
 }  // namespace
 
 Counts bounded(const Counts& counts) noexcept {
-  return {std::min(counts.joints, kMaxJoints), std::min(counts.imus, kMaxImus), std::min(counts.force_torques, kMaxForceTorques)};
+  return {std::min(counts.joints, kMaxJoints), std::min(counts.imus, kMaxImus),
+          std::min(counts.force_torques, kMaxForceTorques)};
 }
 
-StateWriter::StateWriter(StateSegment& segment, const Counts& counts) noexcept : segment_(&segment), counts_(bounded(counts)) {
+StateWriter::StateWriter(StateSegment& segment, const Counts& counts) noexcept
+    : segment_(&segment), counts_(bounded(counts)) {
   relaxedStore(segment.joints, counts_.joints);
   relaxedStore(segment.imus, counts_.imus);
   relaxedStore(segment.force_torques, counts_.force_torques);

@@ -92,7 +92,8 @@ Fetch fetch(const ChannelSlot& slot, std::uint64_t number, void* value, std::siz
 
 }  // namespace detail
 
-ChannelDirectory::ChannelDirectory(ChannelSegment& own, std::vector<const ChannelSegment*> all) : own_(&own), all_(std::move(all)) {}
+ChannelDirectory::ChannelDirectory(ChannelSegment& own, std::vector<const ChannelSegment*> all)
+    : own_(&own), all_(std::move(all)) {}
 
 ChannelSlot& ChannelDirectory::open(const ChannelFacts& channel, std::uint32_t depth) {
   mustFit("channel", channel.name);
@@ -100,8 +101,9 @@ ChannelSlot& ChannelDirectory::open(const ChannelFacts& channel, std::uint32_t d
   const std::string quoted = "'" + std::string(channel.name) + "'";
   const std::size_t words = wordsOf(channel.size) + 1;
   if (depth == 0 || words * depth > kChannelWords) {
-    throw std::runtime_error("The channel " + quoted + " cannot keep " + std::to_string(depth) + " values of " + std::to_string(channel.size) +
-                             " bytes: there is room for " + std::to_string(kChannelWords / words) + ".");
+    throw std::runtime_error("The channel " + quoted + " cannot keep " + std::to_string(depth) + " values of " +
+                             std::to_string(channel.size) + " bytes: there is room for " +
+                             std::to_string(kChannelWords / words) + ".");
   }
   if (find(channel.name) != nullptr) {
     throw std::runtime_error("The channel " + quoted + " has a writer already, and can have only one.");
@@ -109,7 +111,8 @@ ChannelSlot& ChannelDirectory::open(const ChannelFacts& channel, std::uint32_t d
   const auto free = std::find_if(own_->slots.begin(), own_->slots.end(),
                                  [](const ChannelSlot& slot) { return slot.id.load(std::memory_order_relaxed) == 0; });
   if (free == own_->slots.end()) {
-    throw std::runtime_error("The channel " + quoted + " finds no room: one process can have " + std::to_string(kMaxChannels) + ".");
+    throw std::runtime_error("The channel " + quoted + " finds no room: one process can have " +
+                             std::to_string(kMaxChannels) + ".");
   }
   link::assign(free->name, channel.name);
   link::assign(free->schema, channel.schema.name);
@@ -137,7 +140,8 @@ const ChannelSlot* ChannelDirectory::find(std::uint64_t id) const noexcept {
 
 const ChannelSlot* ChannelDirectory::find(std::string_view name) const noexcept {
   for (const ChannelSegment* segment : all_) {
-    const auto found = std::find_if(segment->slots.begin(), segment->slots.end(), [&](const ChannelSlot& slot) { return isNamed(slot, name); });
+    const auto found = std::find_if(segment->slots.begin(), segment->slots.end(),
+                                    [&](const ChannelSlot& slot) { return isNamed(slot, name); });
     if (found != segment->slots.end()) return &*found;
   }
   return nullptr;
@@ -146,9 +150,11 @@ const ChannelSlot* ChannelDirectory::find(std::string_view name) const noexcept 
 std::string ChannelDirectory::objection(const ChannelFacts& reader) const {
   const ChannelSlot* const slot = find(reader.name);
   if (slot == nullptr || slot->id.load(std::memory_order_acquire) == reader.id()) return {};
-  const std::string written = wordsOf(link::view(slot->schema), slot->version.load(std::memory_order_relaxed), slot->size.load(std::memory_order_relaxed));
+  const std::string written = wordsOf(link::view(slot->schema), slot->version.load(std::memory_order_relaxed),
+                                      slot->size.load(std::memory_order_relaxed));
   return "The channel '" + std::string(reader.name) + "' carries " + written + ", and is read here as " +
-         wordsOf(reader.schema.name, reader.schema.version, reader.size) + ": build its writer and its readers from the same definition.";
+         wordsOf(reader.schema.name, reader.schema.version, reader.size) +
+         ": build its writer and its readers from the same definition.";
 }
 
 }  // namespace robotui::rt

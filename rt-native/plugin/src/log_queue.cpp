@@ -16,7 +16,8 @@ LogQueue::LogQueue() : cells_(std::make_unique<std::array<Cell, kLines>>()) {
   }
 }
 
-// Each cell counts its turns: a writer takes the cell whose turn is its ticket, the reader the one whose turn is one further.
+// Each cell counts its turns: a writer takes the cell whose turn is its ticket, the reader the one whose turn is one
+// further.
 bool LogQueue::push(LogLevel level, std::uint32_t source, std::string_view text) noexcept {
   std::uint64_t ticket = head_.load(std::memory_order_relaxed);
   Cell* cell = nullptr;

@@ -10,15 +10,16 @@
 namespace robotui::rt::plugins {
 namespace {
 
-constexpr double kGain = 10;          // 1/s, with which an error of the tip decays
-constexpr double kFarLinear = 0.05;   // m behind the path from which on the path waits for the tip
-constexpr double kFarAngular = 0.2;   // rad
-constexpr double kThere = 1e-3;       // m and rad
+constexpr double kGain = 10;         // 1/s, with which an error of the tip decays
+constexpr double kFarLinear = 0.05;  // m behind the path from which on the path waits for the tip
+constexpr double kFarAngular = 0.2;  // rad
+constexpr double kThere = 1e-3;      // m and rad
 constexpr double kMostMetres = 100;
 
 Eigen::Matrix3d rotation(double roll, double pitch, double yaw) noexcept {
   return (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX())).toRotationMatrix();
+          Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
 }
 
 // The rotation vector from one orientation to another, in the axes of the base.
@@ -44,8 +45,10 @@ bool CartesianMotion::init_control_plugin(Setup& setup) {
   angular_speed_ = params.realOr("angular_speed", angular_speed_, 1e-4, 20);
   damping_ = params.realOr("damping", damping_, 1e-4, 1);
   if (const auto pose = params.find("pose")) {
-    for (const auto& item : pose->items("[0.4, 0, 0.5, 0, 1.57, 0]")) first_pose_.push_back(item.real(-kMostMetres, kMostMetres));
-    if (first_pose_.size() != 3 && first_pose_.size() != 6) pose->fail("has " + std::to_string(first_pose_.size()) + " numbers; expected 3 or 6");
+    for (const auto& item : pose->items("[0.4, 0, 0.5, 0, 1.57, 0]"))
+      first_pose_.push_back(item.real(-kMostMetres, kMostMetres));
+    if (first_pose_.size() != 3 && first_pose_.size() != 6)
+      pose->fail("has " + std::to_string(first_pose_.size()) + " numbers; expected 3 or 6");
   }
   model_ = setup.createModel();
   positions_.setZero(model_->getJointNum());
@@ -78,7 +81,8 @@ bool CartesianMotion::findChain(Setup& setup) {
 
 RtStatus CartesianMotion::on_start(double /*time*/) noexcept {
   for (Moved& moved : joints_) {
-    moved.position = std::clamp(heldPosition(*moved.joint), moved.joint->description().lower, moved.joint->description().upper);
+    moved.position =
+        std::clamp(heldPosition(*moved.joint), moved.joint->description().lower, moved.joint->description().upper);
   }
   updateModel();
   target_ = path_ = at_ = tip();
@@ -106,7 +110,8 @@ CartesianMotion::Vector6 CartesianMotion::advance(double period) noexcept {
   if (behind.head<3>().norm() > kFarLinear || behind.tail<3>().norm() > kFarAngular) return Vector6::Zero();
   const Eigen::Vector3d line = target_.translation() - path_.translation();
   const Eigen::Vector3d rest = turn(path_, target_);
-  const double part = std::min(fraction(line.norm(), linear_speed_ * period), fraction(rest.norm(), angular_speed_ * period));
+  const double part =
+      std::min(fraction(line.norm(), linear_speed_ * period), fraction(rest.norm(), angular_speed_ * period));
   const Eigen::Vector3d angle = part * rest;
   path_.translation() += part * line;
   if (angle.norm() > 0) {
@@ -149,7 +154,8 @@ bool CartesianMotion::holdAtLimits(double period) noexcept {
 
 void CartesianMotion::limitVelocities() noexcept {
   double part = 1;
-  for (const Moved& moved : joints_) part = std::min(part, fraction(std::abs(moved.velocity), moved.joint->description().velocity));
+  for (const Moved& moved : joints_)
+    part = std::min(part, fraction(std::abs(moved.velocity), moved.joint->description().velocity));
   for (Moved& moved : joints_) moved.velocity *= part;
 }
 

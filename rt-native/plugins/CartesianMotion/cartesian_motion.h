@@ -8,9 +8,10 @@
 
 namespace robotui::rt::plugins {
 
-// Parameters: `chain` (needed where the robot has several), `linear_speed` (m/s, default 0.1), `angular_speed` (rad/s, default 0.5), `damping`
-// (of the least squares, default 0.02), `pose` ([x, y, z, roll, pitch, yaw] in m and rad in the frame of the chain's base link, to go to at the start).
-// Commands: `pose X Y Z [ROLL PITCH YAW]`, `move DX DY DZ [DROLL DPITCH DYAW]` from where the tip is to go now, `stop`.
+// Parameters: `chain` (needed where the robot has several), `linear_speed` (m/s, default 0.1), `angular_speed` (rad/s,
+// default 0.5), `damping` (of the least squares, default 0.02), `pose` ([x, y, z, roll, pitch, yaw] in m and rad in the
+// frame of the chain's base link, to go to at the start). Commands: `pose X Y Z [ROLL PITCH YAW]`, `move DX DY DZ
+// [DROLL DPITCH DYAW]` from where the tip is to go now, `stop`.
 class CartesianMotion final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;
@@ -46,8 +47,8 @@ class CartesianMotion final : public ControlPlugin {
   LinkId base_;
   LinkId tip_;
   std::vector<Moved> joints_;
-  Eigen::VectorXd positions_;   // of the model
-  Eigen::MatrixXd jacobian_;    // of the model
+  Eigen::VectorXd positions_;                         // of the model
+  Eigen::MatrixXd jacobian_;                          // of the model
   Eigen::Matrix<double, 6, Eigen::Dynamic> reduced_;  // of the chain, in the axes of its base
   double linear_speed_ = 0.1;
   double angular_speed_ = 0.5;

@@ -21,7 +21,8 @@ bool Homing::init_control_plugin(Setup& setup) {
   speed_ = params["speed"].as<double>(speed_);
   least_seconds_ = params["time"].as<double>(0);
   if (!(speed_ > 0 && speed_ <= 1) || !(least_seconds_ >= 0)) {
-    setup.fail("`speed` must be a fraction of the velocity limits, above 0 and up to 1, and `time` a number of seconds.");
+    setup.fail(
+        "`speed` must be a fraction of the velocity limits, above 0 and up to 1, and `time` a number of seconds.");
     return false;
   }
   const auto wanted = chosenJoints(config::Reader(params, {}, setup.name()), setup.robot());
@@ -37,7 +38,8 @@ bool Homing::init_control_plugin(Setup& setup) {
     }
   }
   if (moves_.empty()) {
-    setup.fail("The SRDF has no group_state '" + posture + "' for these joints: write one, or choose another with `posture`.");
+    setup.fail("The SRDF has no group_state '" + posture +
+               "' for these joints: write one, or choose another with `posture`.");
     return false;
   }
   setup.claim(namesOf(moved));

@@ -9,8 +9,8 @@
 
 namespace robotui::rt::plugins {
 
-// Parameters: `posture` (default home), `joints` or `chains` (default: all joints of the posture), `speed` (fraction of the velocity limits,
-// default 0.3), `time` (seconds; never shorter than the limits allow).
+// Parameters: `posture` (default home), `joints` or `chains` (default: all joints of the posture), `speed` (fraction of
+// the velocity limits, default 0.3), `time` (seconds; never shorter than the limits allow).
 class Homing final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;

@@ -66,7 +66,8 @@ RtStatus JointImpedance::control_loop(double /*time*/, double period) noexcept {
 void JointImpedance::on_stop(double /*time*/) noexcept { status_ = "stopped"; }
 
 bool JointImpedance::on_command(std::string_view words) {
-  return setFrom(words, "stiffness ", kMostStiffness, stiffness_goal_) || setFrom(words, "damping ", kMostDamping, damping_goal_);
+  return setFrom(words, "stiffness ", kMostStiffness, stiffness_goal_) ||
+         setFrom(words, "damping ", kMostDamping, damping_goal_);
 }
 
 }  // namespace robotui::rt::plugins

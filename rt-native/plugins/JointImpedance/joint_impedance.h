@@ -9,9 +9,9 @@
 
 namespace robotui::rt::plugins {
 
-// Parameters: `joints` or `chains` (default: all joints), `stiffness` (N m/rad, default 100), `damping` (N m s/rad, default 10), `ramp`
-// (seconds until the stiffness is whole, default 1), `gravity` (true: the model carries the weight, so that the springs need not).
-// Commands: `stiffness 200`, `damping 5`.
+// Parameters: `joints` or `chains` (default: all joints), `stiffness` (N m/rad, default 100), `damping` (N m s/rad,
+// default 10), `ramp` (seconds until the stiffness is whole, default 1), `gravity` (true: the model carries the weight,
+// so that the springs need not). Commands: `stiffness 200`, `damping 5`.
 class JointImpedance final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;

@@ -9,7 +9,8 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr std::chrono::milliseconds kWritePeriod{20};
-constexpr std::array<const char*, 5> kTitles{"position", "velocity", "effort", "position_reference", "effort_reference"};
+constexpr std::array<const char*, 5> kTitles{"position", "velocity", "effort", "position_reference",
+                                             "effort_reference"};
 
 std::string dateNow() {
   const std::time_t now = std::time(nullptr);
@@ -37,7 +38,8 @@ bool Logging::init_control_plugin(Setup& setup) {
     setup.fail("`every` must be a number of cycles from 1.");
     return false;
   }
-  if (!std::filesystem::is_directory(fixed_file_.empty() ? folder_ : std::filesystem::absolute(fixed_file_).parent_path())) {
+  if (!std::filesystem::is_directory(fixed_file_.empty() ? folder_
+                                                         : std::filesystem::absolute(fixed_file_).parent_path())) {
     setup.fail("The folder of the log does not exist: " + (fixed_file_.empty() ? folder_.string() : fixed_file_) + ".");
     return false;
   }
@@ -129,7 +131,8 @@ void Logging::write() {
 }
 
 Logging::File Logging::openFile() {
-  const std::string path = fixed_file_.empty() ? (folder_ / ("robotui-log-" + name_ + "-" + dateNow() + ".csv")).string() : fixed_file_;
+  const std::string path =
+      fixed_file_.empty() ? (folder_ / ("robotui-log-" + name_ + "-" + dateNow() + ".csv")).string() : fixed_file_;
   File file(std::fopen(path.c_str(), "we"));
   if (file == nullptr) {
     log_->error("The log " + path + " cannot be written: " + std::strerror(errno));

@@ -14,9 +14,10 @@
 
 namespace robotui::rt::plugins {
 
-// Parameters: `file` (default: robotui-log-NAME-DATE.csv in the folder of `folder`, default /tmp), `every` (cycles between samples, default 1),
-// `joints` or `chains` are not claimed: it commands nothing. One line a sample: time, then for each joint position, velocity, effort, and the
-// references of position and effort. A file for each start; its status counts samples and those that were lost since the disk was slow.
+// Parameters: `file` (default: robotui-log-NAME-DATE.csv in the folder of `folder`, default /tmp), `every` (cycles
+// between samples, default 1), `joints` or `chains` are not claimed: it commands nothing. One line a sample: time, then
+// for each joint position, velocity, effort, and the references of position and effort. A file for each start; its
+// status counts samples and those that were lost since the disk was slow.
 class Logging final : public ControlPlugin {
  public:
   static constexpr std::size_t kSamples = 4096;  // four seconds of a 1 kHz loop
@@ -49,12 +50,12 @@ class Logging final : public ControlPlugin {
   std::uint64_t every_ = 1;
   RtLog* log_ = nullptr;
 
-  std::vector<double> ring_;                 // kSamples rows
+  std::vector<double> ring_;  // kSamples rows
   std::size_t width_ = 0;
-  std::atomic<std::uint64_t> in_{0};         // rows written by the loop
-  std::atomic<std::uint64_t> out_{0};        // rows on their way to the file
+  std::atomic<std::uint64_t> in_{0};   // rows written by the loop
+  std::atomic<std::uint64_t> out_{0};  // rows on their way to the file
   std::atomic<std::uint64_t> lost_{0};
-  std::atomic<std::uint32_t> session_{0};    // odd while it runs: a start begins a file
+  std::atomic<std::uint32_t> session_{0};  // odd while it runs: a start begins a file
   std::uint64_t cycles_ = 0;
   std::array<char, 96> status_{};
   std::size_t status_length_ = 0;

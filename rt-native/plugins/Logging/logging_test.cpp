@@ -26,7 +26,8 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
 class LoggingTest : public ::testing::Test {
  protected:
   ~LoggingTest() override { std::filesystem::remove(file_); }
-  const std::filesystem::path file_ = std::filesystem::temp_directory_path() / ("robotui-logging-test-" + std::to_string(::getpid()) + ".csv");
+  const std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() / ("robotui-logging-test-" + std::to_string(::getpid()) + ".csv");
 };
 
 TEST_F(LoggingTest, WritesALineForEachSampleWithoutAllocating) {

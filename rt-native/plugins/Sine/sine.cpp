@@ -11,9 +11,9 @@ namespace robotui::rt::plugins {
 namespace {
 
 constexpr double kGrowSeconds = 2.0;
-constexpr double kMostFrequency = 5.0;   // Hz
-constexpr double kOfTheLimit = 0.8;      // of the velocity
-constexpr double kMargin = 0.01;         // rad or m, from the limits of position
+constexpr double kMostFrequency = 5.0;  // Hz
+constexpr double kOfTheLimit = 0.8;     // of the velocity
+constexpr double kMargin = 0.01;        // rad or m, from the limits of position
 
 }  // namespace
 
@@ -48,7 +48,8 @@ RtStatus Sine::on_start(double /*time*/) noexcept {
 void Sine::limit(Swing& swing) const noexcept {
   const auto& limits = swing.joint->description();
   const double room = std::min(limits.upper - swing.centre, swing.centre - limits.lower) - kMargin;
-  const double quick = limits.velocity > 0 ? kOfTheLimit * limits.velocity / (2 * std::numbers::pi * frequency_) : amplitude_;
+  const double quick =
+      limits.velocity > 0 ? kOfTheLimit * limits.velocity / (2 * std::numbers::pi * frequency_) : amplitude_;
   swing.amplitude = std::max(0.0, std::min({amplitude_, room, quick}));
 }
 

@@ -7,8 +7,9 @@
 
 namespace robotui::rt::plugins {
 
-// Parameters: `joints` or `chains` (default: all), `amplitude` (rad or m, default 0.1), `frequency` (Hz, default 0.2). Kept within the joints'
-// limits of position and velocity. Commands: `amplitude NUMBER`, `frequency NUMBER`; a change fades in.
+// Parameters: `joints` or `chains` (default: all), `amplitude` (rad or m, default 0.1), `frequency` (Hz, default 0.2).
+// Kept within the joints' limits of position and velocity. Commands: `amplitude NUMBER`, `frequency NUMBER`; a change
+// fades in.
 class Sine final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;

@@ -36,7 +36,8 @@ bool XBotCommunicationPlugin::init_control_plugin(Setup& setup) {
     joints_.push_back({joint, 0, 0, 0});
   }
   setup.claim(namesOf(joints));
-  reader_ = std::make_unique<link::MasterReader>(setup.master(), static_cast<std::uint32_t>(setup.robot().getJointNum()));
+  reader_ =
+      std::make_unique<link::MasterReader>(setup.master(), static_cast<std::uint32_t>(setup.robot().getJointNum()));
   return true;
 }
 
@@ -73,7 +74,8 @@ void XBotCommunicationPlugin::aim(double seconds) noexcept {
   }
 }
 
-// What lies beyond the joint's limits is asked for, so that it is cut and counted, but not run after: the way back would be as long.
+// What lies beyond the joint's limits is asked for, so that it is cut and counted, but not run after: the way back
+// would be as long.
 void XBotCommunicationPlugin::approach(Held& held, double period) noexcept {
   const config::JointDescription& limits = held.joint->description();
   const double step = held.speed * period;

@@ -9,8 +9,9 @@
 
 namespace robotui::rt::plugins {
 
-// Commands all joints, or `joints` and `chains` of its parameters. Masters are slower than the control: positions go from one reference to the
-// next in even steps, no faster than the joint may. A joint for which there is no reference, or none any more, holds the last one.
+// Commands all joints, or `joints` and `chains` of its parameters. Masters are slower than the control: positions go
+// from one reference to the next in even steps, no faster than the joint may. A joint for which there is no reference,
+// or none any more, holds the last one.
 class XBotCommunicationPlugin final : public ControlPlugin {
  public:
   PluginRole role() const noexcept override { return PluginRole::kMaster; }

@@ -3,11 +3,14 @@
 namespace robotui::rt {
 namespace {
 
-void add(link::JointCommand& command, std::uint8_t bit) noexcept { command.mode = static_cast<std::uint8_t>(command.mode | bit); }
+void add(link::JointCommand& command, std::uint8_t bit) noexcept {
+  command.mode = static_cast<std::uint8_t>(command.mode | bit);
+}
 
 }  // namespace
 
-Joint::Joint(const config::JointDescription& description, int index, link::JointState& state, link::JointCommand& command)
+Joint::Joint(const config::JointDescription& description, int index, link::JointState& state,
+             link::JointCommand& command)
     : description_(&description), index_(index), state_(&state), command_(&command) {}
 
 const std::string& Joint::name() const noexcept { return description_->name; }

@@ -9,12 +9,14 @@ KDL::Vector toKdl(const Eigen::Vector3d& v) noexcept { return {v.x(), v.y(), v.z
 
 KDL::Frame toKdl(const Eigen::Isometry3d& t) noexcept {
   const auto& r = t.matrix();
-  return {KDL::Rotation(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)), toKdl(Eigen::Vector3d(t.translation()))};
+  return {KDL::Rotation(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)),
+          toKdl(Eigen::Vector3d(t.translation()))};
 }
 
 KDL::RigidBodyInertia toKdl(const RigidBody& b) {
   const auto& i = b.inertia;
-  return KDL::RigidBodyInertia(b.mass, toKdl(b.com), KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)));
+  return KDL::RigidBodyInertia(b.mass, toKdl(b.com),
+                               KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)));
 }
 
 Eigen::Vector3d toEigen(const KDL::Vector& v) noexcept { return {v.x(), v.y(), v.z()}; }
@@ -26,9 +28,10 @@ KdlModel::KdlModel(std::shared_ptr<const config::RobotDescription> robot)
   const RigidTree tree = buildRigidTree(description());
   for (const auto& body : tree.bodies) {
     const KDL::Vector axis = toKdl(body.axis);
-    const KDL::Twist motion = body.prismatic ? KDL::Twist(axis, KDL::Vector::Zero()) : KDL::Twist(KDL::Vector::Zero(), axis);
-    bodies_.push_back({body.parent, body.joint, body.prismatic, toKdl(body.placement), motion, toKdl(body), KDL::Frame::Identity(),
-                       KDL::Frame::Identity(), KDL::Twist::Zero(), 0});
+    const KDL::Twist motion =
+        body.prismatic ? KDL::Twist(axis, KDL::Vector::Zero()) : KDL::Twist(KDL::Vector::Zero(), axis);
+    bodies_.push_back({body.parent, body.joint, body.prismatic, toKdl(body.placement), motion, toKdl(body),
+                       KDL::Frame::Identity(), KDL::Frame::Identity(), KDL::Twist::Zero(), 0});
   }
   scratch_.resize(bodies_.size());
   for (const auto& [name, frame] : tree.links) {
@@ -49,7 +52,8 @@ void KdlModel::setFloatingBase(const Eigen::Isometry3d& world_base, const Eigen:
   if (offset_ == 0) return;
   Body& base = bodies_[0];
   base.in_world = toKdl(world_base);
-  base.velocity = base.in_world.M.Inverse(KDL::Twist(toKdl(Eigen::Vector3d(twist.head<3>())), toKdl(Eigen::Vector3d(twist.tail<3>()))));
+  base.velocity = base.in_world.M.Inverse(
+      KDL::Twist(toKdl(Eigen::Vector3d(twist.head<3>())), toKdl(Eigen::Vector3d(twist.tail<3>()))));
 }
 
 void KdlModel::update() noexcept {
@@ -58,7 +62,8 @@ void KdlModel::update() noexcept {
     const Joint& moved = joint(body.joint);
     const double q = moved.getJointPosition();
     body.rate = moved.getJointVelocity();
-    const KDL::Frame by = body.prismatic ? KDL::Frame(body.motion.vel * q) : KDL::Frame(KDL::Rotation::Rot2(body.motion.rot, q));
+    const KDL::Frame by =
+        body.prismatic ? KDL::Frame(body.motion.vel * q) : KDL::Frame(KDL::Rotation::Rot2(body.motion.rot, q));
     body.in_parent = body.placement * by;
     const Body& parent = bodies_[static_cast<std::size_t>(body.parent)];
     body.in_world = parent.in_world * body.in_parent;
@@ -86,7 +91,8 @@ bool KdlModel::getJacobian(LinkId link, Eigen::Ref<Eigen::MatrixXd> jacobian) co
   if (!isLink(link) || jacobian.rows() != 6 || jacobian.cols() != getDofs()) return false;
   jacobian.setZero();
   const KDL::Vector at = worldOf(link).p;
-  for (int b = links_[static_cast<std::size_t>(link.value)].body; b > 0; b = bodies_[static_cast<std::size_t>(b)].parent) {
+  for (int b = links_[static_cast<std::size_t>(link.value)].body; b > 0;
+       b = bodies_[static_cast<std::size_t>(b)].parent) {
     const Body& body = bodies_[static_cast<std::size_t>(b)];
     const KDL::Twist twist = (body.in_world.M * body.motion).RefPoint(at - body.in_world.p);
     jacobian.col(offset_ + body.joint) << toEigen(twist.vel), toEigen(twist.rot);
@@ -103,15 +109,19 @@ KDL::Twist KdlModel::baseAcceleration(const Eigen::Ref<const Eigen::VectorXd>* q
   const Body& base = bodies_[0];
   KDL::Twist acceleration(-kDown, KDL::Vector::Zero());
   if (offset_ != 0 && qddot != nullptr) {
-    acceleration += KDL::Twist(toKdl(Eigen::Vector3d(qddot->segment<3>(0))), toKdl(Eigen::Vector3d(qddot->segment<3>(3))));
+    acceleration +=
+        KDL::Twist(toKdl(Eigen::Vector3d(qddot->segment<3>(0))), toKdl(Eigen::Vector3d(qddot->segment<3>(3))));
   }
   acceleration = base.in_world.M.Inverse(acceleration);
-  if (moving) acceleration.vel -= base.velocity.rot * base.velocity.vel;  // what is asked is the derivative of the velocity of a point
+  if (moving)
+    acceleration.vel -=
+        base.velocity.rot * base.velocity.vel;  // what is asked is the derivative of the velocity of a point
   return acceleration;
 }
 
 // The recursive Newton-Euler algorithm in the bodies' own frames.
-void KdlModel::recurse(const Eigen::Ref<const Eigen::VectorXd>* qddot, bool moving, Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
+void KdlModel::recurse(const Eigen::Ref<const Eigen::VectorXd>* qddot, bool moving,
+                       Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
   scratch_[0].acceleration = baseAcceleration(qddot, moving);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
@@ -134,7 +144,8 @@ void KdlModel::recurse(const Eigen::Ref<const Eigen::VectorXd>* qddot, bool movi
   tau.head<6>() << toEigen(world.force), toEigen(world.torque);
 }
 
-void KdlModel::putBaseWrench(const KDL::Wrench& in_base, Eigen::Ref<Eigen::MatrixXd> m, Eigen::Index column) const noexcept {
+void KdlModel::putBaseWrench(const KDL::Wrench& in_base, Eigen::Ref<Eigen::MatrixXd> m,
+                             Eigen::Index column) const noexcept {
   const KDL::Wrench world = bodies_[0].in_world.M * in_base;
   m.block<3, 1>(0, column) = toEigen(world.force);
   m.block<3, 1>(3, column) = toEigen(world.torque);
@@ -166,11 +177,14 @@ void KdlModel::getInertiaMatrix(Eigen::Ref<Eigen::MatrixXd> m) const noexcept {
   }
 }
 
-void KdlModel::computeGravityCompensation(Eigen::Ref<Eigen::VectorXd> tau) const noexcept { recurse(nullptr, false, tau); }
+void KdlModel::computeGravityCompensation(Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
+  recurse(nullptr, false, tau);
+}
 
 void KdlModel::computeNonlinearTerm(Eigen::Ref<Eigen::VectorXd> tau) const noexcept { recurse(nullptr, true, tau); }
 
-void KdlModel::computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot, Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
+void KdlModel::computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot,
+                                      Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
   recurse(&qddot, true, tau);
 }
 

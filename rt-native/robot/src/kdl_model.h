@@ -1,4 +1,5 @@
-// The model on KDL's vectors and inertias, with recursions over the tree of our own: KDL's solvers know chains and fixed bases.
+// The model on KDL's vectors and inertias, with recursions over the tree of our own: KDL's solvers know chains and
+// fixed bases.
 #pragma once
 
 #include <vector>
@@ -25,7 +26,8 @@ class KdlModel final : public ModelInterface {
   void getInertiaMatrix(Eigen::Ref<Eigen::MatrixXd> m) const noexcept override;
   void computeGravityCompensation(Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
   void computeNonlinearTerm(Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
-  void computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot, Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
+  void computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot,
+                              Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
 
  private:
   struct Body {
@@ -53,7 +55,8 @@ class KdlModel final : public ModelInterface {
   bool isLink(LinkId link) const noexcept { return link.value >= 0 && link.value < static_cast<int>(links_.size()); }
   KDL::Frame worldOf(LinkId link) const noexcept;
   KDL::Twist baseAcceleration(const Eigen::Ref<const Eigen::VectorXd>* qddot, bool moving) const noexcept;
-  void recurse(const Eigen::Ref<const Eigen::VectorXd>* qddot, bool moving, Eigen::Ref<Eigen::VectorXd> tau) const noexcept;
+  void recurse(const Eigen::Ref<const Eigen::VectorXd>* qddot, bool moving,
+               Eigen::Ref<Eigen::VectorXd> tau) const noexcept;
   void putBaseWrench(const KDL::Wrench& in_base, Eigen::Ref<Eigen::MatrixXd> m, Eigen::Index column) const noexcept;
 
   int offset_;

@@ -30,7 +30,8 @@ void copyState(const Joint& from, link::JointState& to) noexcept {
 
 [[noreturn]] void refuse(std::string_view type) {
   const std::string hint = type == "MUJOCO" ? "; MuJoCo was not found when this was built" : "";
-  throw std::runtime_error("there is no model of the type '" + std::string(type) + "'; there are " + link::listed(ModelInterface::types()) + hint);
+  throw std::runtime_error("there is no model of the type '" + std::string(type) + "'; there are " +
+                           link::listed(ModelInterface::types()) + hint);
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ std::vector<std::string> ModelInterface::types() {
 #endif
 }
 
-std::unique_ptr<ModelInterface> ModelInterface::create(std::string_view type, std::shared_ptr<const config::RobotDescription> robot) {
+std::unique_ptr<ModelInterface> ModelInterface::create(std::string_view type,
+                                                       std::shared_ptr<const config::RobotDescription> robot) {
   if (type == "KDL") return std::make_unique<KdlModel>(std::move(robot));
 #ifdef RT_HAVE_MUJOCO
   if (type == "MUJOCO") return std::make_unique<MujocoModel>(std::move(robot));

@@ -37,7 +37,8 @@ MujocoModel::MujocoModel(std::shared_ptr<const config::RobotDescription> robot)
   update();
 }
 
-// The compiler rounds inertias up to what is possible for a body, as a simulation needs it; a model says what the URDF says.
+// The compiler rounds inertias up to what is possible for a body, as a simulation needs it; a model says what the URDF
+// says.
 void MujocoModel::takeExactInertias(const RigidTree& tree) {
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     const RigidBody& body = tree.bodies[i];
@@ -59,11 +60,13 @@ LinkId MujocoModel::findLink(std::string_view name) const {
   return {};
 }
 
-void MujocoModel::setFloatingBase(const Eigen::Isometry3d& world_base, const Eigen::Matrix<double, 6, 1>& twist) noexcept {
+void MujocoModel::setFloatingBase(const Eigen::Isometry3d& world_base,
+                                  const Eigen::Matrix<double, 6, 1>& twist) noexcept {
   if (offset_ == 0) return;
   const Eigen::Quaterniond q(world_base.linear());
   Eigen::Map<Eigen::Matrix<mjtNum, 7, 1>>(data_->qpos) << world_base.translation(), q.w(), q.x(), q.y(), q.z();
-  Eigen::Map<Eigen::Matrix<mjtNum, 6, 1>>(data_->qvel) << twist.head<3>(), world_base.linear().transpose() * twist.tail<3>();
+  Eigen::Map<Eigen::Matrix<mjtNum, 6, 1>>(data_->qvel) << twist.head<3>(),
+      world_base.linear().transpose() * twist.tail<3>();
 }
 
 void MujocoModel::update() noexcept {
@@ -96,7 +99,8 @@ bool MujocoModel::getJacobian(LinkId link, Eigen::Ref<Eigen::MatrixXd> jacobian)
   Eigen::Isometry3d pose;
   const int n = getDofs();
   if (!getPose(link, pose) || jacobian.rows() != 6 || jacobian.cols() != n) return false;
-  mj_jac(model_.get(), data_.get(), matrix_.data(), matrix_.data() + 3 * n, pose.translation().data(), links_[at(link.value)].body);
+  mj_jac(model_.get(), data_.get(), matrix_.data(), matrix_.data() + 3 * n, pose.translation().data(),
+         links_[at(link.value)].body);
   const Eigen::Map<const RowMajor> found(matrix_.data(), 6, n);
   for (int i = 0; i < n; ++i) jacobian.col(i) = found.col(dof_[at(i)]);
   if (offset_ == 0) return true;
@@ -151,7 +155,8 @@ void MujocoModel::computeNonlinearTerm(Eigen::Ref<Eigen::VectorXd> tau) const no
   toUser(vector_, tau);
 }
 
-void MujocoModel::computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot, Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
+void MujocoModel::computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot,
+                                         Eigen::Ref<Eigen::VectorXd> tau) const noexcept {
   for (int i = 0; i < getDofs(); ++i) data_->qacc[dof_[at(i)]] = qddot[i];
   if (offset_ != 0) Eigen::Map<Eigen::Vector3d>(data_->qacc + 3) = baseRotation().transpose() * qddot.segment<3>(3);
   mj_rne(model_.get(), data_.get(), 1, vector_.data());

@@ -22,7 +22,8 @@ class MujocoModel final : public ModelInterface {
   void getInertiaMatrix(Eigen::Ref<Eigen::MatrixXd> m) const noexcept override;
   void computeGravityCompensation(Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
   void computeNonlinearTerm(Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
-  void computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot, Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
+  void computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot,
+                              Eigen::Ref<Eigen::VectorXd> tau) const noexcept override;
 
  private:
   struct Place {

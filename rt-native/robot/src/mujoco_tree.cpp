@@ -60,7 +60,8 @@ MujocoTree addTree(const RigidTree& tree, const config::RobotDescription& robot,
   result.spec->option.gravity[2] = -kGravity;
   result.joints.resize(robot.joints.size());
   for (const auto& from : tree.bodies) {
-    mjsBody* parent = from.parent < 0 ? mjs_findBody(result.spec.get(), "world") : result.bodies[static_cast<std::size_t>(from.parent)];
+    mjsBody* parent = from.parent < 0 ? mjs_findBody(result.spec.get(), "world")
+                                      : result.bodies[static_cast<std::size_t>(from.parent)];
     mjsBody* body = mjs_addBody(parent, nullptr);
     mjs_setString(body->name, from.name == "world" ? "robot world" : from.name.c_str());
     setPlace(from.placement, body->pos, body->quat);

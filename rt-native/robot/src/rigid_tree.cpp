@@ -39,7 +39,8 @@ void addInertia(RigidBody& body, const urdf::Inertial& part, const Eigen::Isomet
   Eigen::Matrix3d own;
   own << part.ixx, part.ixy, part.ixz, part.ixy, part.iyy, part.iyz, part.ixz, part.iyz, part.izz;
   const double mass = body.mass + part.mass;
-  const Eigen::Vector3d com = mass > 0 ? Eigen::Vector3d((body.mass * body.com + part.mass * frame.translation()) / mass) : body.com;
+  const Eigen::Vector3d com =
+      mass > 0 ? Eigen::Vector3d((body.mass * body.com + part.mass * frame.translation()) / mass) : body.com;
   body.inertia += pointInertia(body.mass, body.com - com) + frame.linear() * own * frame.linear().transpose() +
                   pointInertia(part.mass, frame.translation() - com);
   body.mass = mass;
@@ -54,14 +55,16 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& text) {
 
 class Builder {
  public:
-  Builder(const config::RobotDescription& robot, const std::set<std::string>& apart) : apart_(apart), model_(parse(robot.urdf)) {
+  Builder(const config::RobotDescription& robot, const std::set<std::string>& apart)
+      : apart_(apart), model_(parse(robot.urdf)) {
     if (!model_ || !model_->getRoot()) throw std::runtime_error("the URDF of '" + robot.name + "' cannot be read");
     for (std::size_t i = 0; i < robot.joints.size(); ++i) index_[robot.joints[i].name] = static_cast<int>(i);
   }
 
   RigidTree build() {
     urdf::LinkConstSharedPtr root = model_->getRoot();
-    if (root->child_joints.size() == 1 && root->child_joints[0]->type == urdf::Joint::FLOATING) root = root->child_links[0];
+    if (root->child_joints.size() == 1 && root->child_joints[0]->type == urdf::Joint::FLOATING)
+      root = root->child_links[0];
     RigidBody base;
     base.name = root->name;
     tree_.bodies.push_back(base);
@@ -74,7 +77,8 @@ class Builder {
     tree_.links[link.name] = {body, in_body};
     if (link.inertial) addInertia(tree_.bodies[static_cast<std::size_t>(body)], *link.inertial, in_body);
     for (const auto& collision : link.collision_array) addShape(*collision, body, in_body);
-    for (const auto& joint : link.child_joints) addJoint(*joint, body, in_body * isometry(joint->parent_to_joint_origin_transform));
+    for (const auto& joint : link.child_joints)
+      addJoint(*joint, body, in_body * isometry(joint->parent_to_joint_origin_transform));
   }
 
   void addJoint(const urdf::Joint& joint, int parent, const Eigen::Isometry3d& placement) {
@@ -99,7 +103,8 @@ class Builder {
 
   void addShape(const urdf::Collision& collision, int body, const Eigen::Isometry3d& in_body) {
     if (!collision.geometry) return;
-    CollisionShape shape{CollisionShape::Kind::kBox, body, in_body * isometry(collision.origin), Eigen::Vector3d::Zero()};
+    CollisionShape shape{CollisionShape::Kind::kBox, body, in_body * isometry(collision.origin),
+                         Eigen::Vector3d::Zero()};
     if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get())) {
       shape.size = vector(box->dim) / 2;
     } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(collision.geometry.get())) {
@@ -123,9 +128,12 @@ class Builder {
 }  // namespace
 
 double RigidTree::mass() const {
-  return std::accumulate(bodies.begin(), bodies.end(), 0.0, [](double sum, const RigidBody& body) { return sum + body.mass; });
+  return std::accumulate(bodies.begin(), bodies.end(), 0.0,
+                         [](double sum, const RigidBody& body) { return sum + body.mass; });
 }
 
-RigidTree buildRigidTree(const config::RobotDescription& robot, const std::set<std::string>& apart) { return Builder(robot, apart).build(); }
+RigidTree buildRigidTree(const config::RobotDescription& robot, const std::set<std::string>& apart) {
+  return Builder(robot, apart).build();
+}
 
 }  // namespace robotui::rt

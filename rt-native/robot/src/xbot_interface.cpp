@@ -7,10 +7,8 @@
 namespace robotui::rt {
 
 XBotInterface::XBotInterface(std::shared_ptr<const config::RobotDescription> description)
-    : description_(std::move(description)),
-      states_(description_->joints.size()),
-      commands_(description_->joints.size()),
-      imu_states_(description_->imus.size()),
+    : description_(std::move(description)), states_(description_->joints.size()),
+      commands_(description_->joints.size()), imu_states_(description_->imus.size()),
       force_torque_states_(description_->force_torques.size()) {
   joints_.reserve(description_->joints.size());  // chains point to them
   for (std::size_t i = 0; i < description_->joints.size(); ++i) {
@@ -38,17 +36,20 @@ Joint& XBotInterface::joint(int index) noexcept { return joints_[static_cast<std
 const Joint& XBotInterface::joint(int index) const noexcept { return joints_[static_cast<std::size_t>(index)]; }
 
 Joint* XBotInterface::findJoint(std::string_view name) noexcept {
-  const auto found = std::find_if(joints_.begin(), joints_.end(), [name](const Joint& joint) { return joint.name() == name; });
+  const auto found =
+      std::find_if(joints_.begin(), joints_.end(), [name](const Joint& joint) { return joint.name() == name; });
   return found == joints_.end() ? nullptr : &*found;
 }
 
 Joint* XBotInterface::findJoint(int id) noexcept {
-  const auto found = std::find_if(joints_.begin(), joints_.end(), [id](const Joint& joint) { return joint.id() == id; });
+  const auto found =
+      std::find_if(joints_.begin(), joints_.end(), [id](const Joint& joint) { return joint.id() == id; });
   return found == joints_.end() ? nullptr : &*found;
 }
 
 KinematicChain* XBotInterface::findChain(std::string_view name) noexcept {
-  const auto found = std::find_if(chains_.begin(), chains_.end(), [name](const KinematicChain& chain) { return chain.name() == name; });
+  const auto found = std::find_if(chains_.begin(), chains_.end(),
+                                  [name](const KinematicChain& chain) { return chain.name() == name; });
   return found == chains_.end() ? nullptr : &*found;
 }
 

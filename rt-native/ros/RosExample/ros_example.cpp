@@ -14,7 +14,8 @@ constexpr std::size_t kSentence = 64;
 
 bool RosExample::init_control_plugin(Setup& setup) {
   RobotInterface& robot = setup.robot();
-  const std::string wanted = setup.params()["joint"] ? setup.params()["joint"].as<std::string>() : robot.joint(0).name();
+  const std::string wanted =
+      setup.params()["joint"] ? setup.params()["joint"].as<std::string>() : robot.joint(0).name();
   for (int i = 0; i < robot.getJointNum(); ++i) {
     joint_ = robot.joint(i).name() == wanted ? &robot.joint(i) : joint_;
   }
@@ -31,7 +32,8 @@ bool RosExample::init_control_plugin(Setup& setup) {
   });
   std_srvs::SetBool room;
   room.response.message.resize(kSentence);  // copies of it have that room
-  node_->serve<std_srvs::SetBool>("hold", [this](const auto& request, auto& response) { return hold(request, response); }, {}, room);
+  node_->serve<std_srvs::SetBool>(
+      "hold", [this](const auto& request, auto& response) { return hold(request, response); }, {}, room);
   amplitude_ = node_->tune("amplitude", 0.1, 0.0, 0.5, "how far the joint swings to each side, rad");
   frequency_ = node_->tune("frequency", 0.2, 0.0, 1.0, "how often, Hz");
   node_->open();

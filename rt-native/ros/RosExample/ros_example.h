@@ -1,4 +1,5 @@
-// How a plugin uses ROS from its control loop: it swings one joint about where it was, and everything of the swing can be seen and changed in ROS.
+// How a plugin uses ROS from its control loop: it swings one joint about where it was, and everything of the swing can
+// be seen and changed in ROS.
 #pragma once
 
 #include <memory>
@@ -10,8 +11,9 @@
 
 namespace robotui::rt::plugins {
 
-// Parameter: `joint` (the first one where it is not given). Beneath /xbotcore/PLUGIN: the topic `position` (Float64, where the joint is), the topic
-// `offset` (Float64, added to the centre), the service `hold` (SetBool), and tunable `amplitude` (rad) and `frequency` (Hz).
+// Parameter: `joint` (the first one where it is not given). Beneath /xbotcore/PLUGIN: the topic `position` (Float64,
+// where the joint is), the topic `offset` (Float64, added to the centre), the service `hold` (SetBool), and tunable
+// `amplitude` (rad) and `frequency` (Hz).
 class RosExample final : public ControlPlugin {
  public:
   bool init_control_plugin(Setup& setup) override;

@@ -8,13 +8,15 @@ namespace robotui::rt::ros_bridge {
 namespace {
 
 std::uint16_t degrees(float temperature) {
-  return std::isfinite(temperature) ? static_cast<std::uint16_t>(std::clamp(temperature, 0.0F, 65535.0F)) : std::uint16_t{0};
+  return std::isfinite(temperature) ? static_cast<std::uint16_t>(std::clamp(temperature, 0.0F, 65535.0F))
+                                    : std::uint16_t{0};
 }
 
 template <typename T, typename Value>
 void column(std::vector<T>& into, std::span<const link::JointState> joints, Value&& value) {
   into.resize(joints.size());
-  std::transform(joints.begin(), joints.end(), into.begin(), [&](const link::JointState& joint) { return static_cast<T>(value(joint)); });
+  std::transform(joints.begin(), joints.end(), into.begin(),
+                 [&](const link::JointState& joint) { return static_cast<T>(value(joint)); });
 }
 
 // The bits of the mode, and the arrays that they ask for.
@@ -38,7 +40,8 @@ const std::vector<double>& numbers(const Columns& columns, std::string_view fiel
 
 std::string readJoint(const Columns& columns, std::size_t row, const std::string& name, link::JointCommand& command) {
   const double mode = numbers(columns, "ctrl_mode")[row];
-  if (mode < 0 || mode > kAllModes) return "ctrl_mode of " + name + " is " + std::to_string(static_cast<int>(mode)) + ", and 31 is all that there is";
+  if (mode < 0 || mode > kAllModes)
+    return "ctrl_mode of " + name + " is " + std::to_string(static_cast<int>(mode)) + ", and 31 is all that there is";
   command.mode = static_cast<std::uint8_t>(mode);
   for (const Part& part : kParts) {
     if ((command.mode & part.bit) == 0) continue;
@@ -54,11 +57,13 @@ std::string readJoint(const Columns& columns, std::size_t row, const std::string
 
 std::string rosName(std::string_view name) {
   std::string result(name);
-  std::replace_if(result.begin(), result.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, '_');
+  std::replace_if(
+      result.begin(), result.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, '_');
   return result;
 }
 
-void fill(xbot_msgs::JointState& message, std::span<const std::string> names, std::span<const link::JointState> joints) {
+void fill(xbot_msgs::JointState& message, std::span<const std::string> names,
+          std::span<const link::JointState> joints) {
   if (message.name.size() != names.size()) message.name.assign(names.begin(), names.end());
   column(message.link_position, joints, [](const auto& j) { return j.link_position; });
   column(message.motor_position, joints, [](const auto& j) { return j.motor_position; });
@@ -73,11 +78,13 @@ void fill(xbot_msgs::JointState& message, std::span<const std::string> names, st
   column(message.stiffness, joints, [](const auto& j) { return j.stiffness; });
   column(message.damping, joints, [](const auto& j) { return j.damping; });
   // A fault of the upper bits may not look like none.
-  column(message.fault, joints, [](const auto& j) { return (j.fault & 0xffffU) != 0 || j.fault == 0 ? j.fault & 0xffffU : 0x8000U; });
+  column(message.fault, joints,
+         [](const auto& j) { return (j.fault & 0xffffU) != 0 || j.fault == 0 ? j.fault & 0xffffU : 0x8000U; });
 }
 
 void hideReferences(xbot_msgs::JointState& message) {
-  for (auto* const column : {&message.position_reference, &message.velocity_reference, &message.effort_reference, &message.stiffness, &message.damping}) {
+  for (auto* const column : {&message.position_reference, &message.velocity_reference, &message.effort_reference,
+                             &message.stiffness, &message.damping}) {
     std::fill(column->begin(), column->end(), std::numeric_limits<float>::quiet_NaN());
   }
 }
@@ -104,13 +111,15 @@ void fill(geometry_msgs::WrenchStamped& message, const link::ForceTorqueState& s
   message.wrench.torque.z = sensor.torque[2];
 }
 
-std::string readCommand(const Columns& columns, std::span<const std::string> names, std::vector<link::JointCommand>& commands) {
+std::string readCommand(const Columns& columns, std::span<const std::string> names,
+                        std::vector<link::JointCommand>& commands) {
   commands.assign(names.size(), link::JointCommand{});
   const auto joints = columns.texts.find("name");
   if (joints == columns.texts.end() || joints->second.empty()) return "it names no joint";
   const auto& modes = numbers(columns, "ctrl_mode");
   if (modes.size() != joints->second.size()) {
-    return "it has " + std::to_string(joints->second.size()) + " names and " + std::to_string(modes.size()) + " of ctrl_mode";
+    return "it has " + std::to_string(joints->second.size()) + " names and " + std::to_string(modes.size()) +
+           " of ctrl_mode";
   }
   for (std::size_t row = 0; row < modes.size(); ++row) {
     const std::string& name = joints->second[row];

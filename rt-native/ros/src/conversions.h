@@ -28,8 +28,9 @@ void hideReferences(xbot_msgs::JointState& message);
 void fill(sensor_msgs::Imu& message, const link::ImuState& imu);
 void fill(geometry_msgs::WrenchStamped& message, const link::ForceTorqueState& sensor);
 
-// What a JointCommand of any version says: `commands` has an element for each of `names`; joints that are not in it have mode 0. Empty, or why
-// it says nothing.
-std::string readCommand(const Columns& columns, std::span<const std::string> names, std::vector<link::JointCommand>& commands);
+// What a JointCommand of any version says: `commands` has an element for each of `names`; joints that are not in it
+// have mode 0. Empty, or why it says nothing.
+std::string readCommand(const Columns& columns, std::span<const std::string> names,
+                        std::vector<link::JointCommand>& commands);
 
 }  // namespace robotui::rt::ros_bridge

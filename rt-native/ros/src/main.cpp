@@ -36,15 +36,17 @@ struct Options {
 std::chrono::microseconds microseconds(const char* text) {
   long long us = 0;
   const char* end = text + std::strlen(text);
-  if (std::from_chars(text, end, us).ec != std::errc() || us < 100 || us > 1'000'000) throw std::runtime_error("A period is from 100 to 1000000 microseconds.");
+  if (std::from_chars(text, end, us).ec != std::errc() || us < 100 || us > 1'000'000)
+    throw std::runtime_error("A period is from 100 to 1000000 microseconds.");
   return std::chrono::microseconds(us);
 }
 
 Options parse(int argc, char** argv) {
-  static constexpr option kKnown[] = {{"config", required_argument, nullptr, 'C'},  {"dummy", no_argument, nullptr, 'D'},
-                                      {"period", required_argument, nullptr, 'p'},  {"ch-period", required_argument, nullptr, 'c'},
-                                      {"no-ch", no_argument, nullptr, 'n'},         {"name", required_argument, nullptr, 'N'},
-                                      {"control", required_argument, nullptr, 'f'}, {nullptr, 0, nullptr, 0}};
+  static constexpr option kKnown[] = {
+      {"config", required_argument, nullptr, 'C'},  {"dummy", no_argument, nullptr, 'D'},
+      {"period", required_argument, nullptr, 'p'},  {"ch-period", required_argument, nullptr, 'c'},
+      {"no-ch", no_argument, nullptr, 'n'},         {"name", required_argument, nullptr, 'N'},
+      {"control", required_argument, nullptr, 'f'}, {nullptr, 0, nullptr, 0}};
   Options options;
   for (int key = 0; (key = getopt_long(argc, argv, "C:D", kKnown, nullptr)) != -1;) {
     switch (key) {
@@ -55,7 +57,8 @@ Options parse(int argc, char** argv) {
       case 'n': options.communication.enabled = false; break;
       case 'N': options.name = optarg; break;
       case 'f': options.control = static_cast<int>(std::strtol(optarg, nullptr, 10)); break;
-      default: throw std::runtime_error("usage: robotui-rt-ros -C CONFIG [-D] [--period US] [--ch-period US] [--name NAME]");
+      default:
+        throw std::runtime_error("usage: robotui-rt-ros -C CONFIG [-D] [--period US] [--ch-period US] [--name NAME]");
     }
   }
   if (options.config.empty()) throw std::runtime_error("A configuration is needed: robotui-rt-ros -C FILE.");
@@ -86,10 +89,11 @@ bool awaitMaster(Supervision& supervision) {
 class BridgeProcess {
  public:
   BridgeProcess(const Options& options, Supervision& supervision)
-      : config_(config::load(options.config, options.overrides)), plan_(config::plan(config_, options.communication)), transforms_(config_.robot),
-        supervision_(supervision), period_ns_(std::chrono::nanoseconds(options.communication.period).count()),
-        name_(options.name.empty() ? config_.robot.name : options.name), robot_(name_, config_.robot.joints.size()), requests_(name_),
-        spinner_(kServiceThreads, &services_) {}
+      : config_(config::load(options.config, options.overrides)), plan_(config::plan(config_, options.communication)),
+        transforms_(config_.robot), supervision_(supervision),
+        period_ns_(std::chrono::nanoseconds(options.communication.period).count()),
+        name_(options.name.empty() ? config_.robot.name : options.name), robot_(name_, config_.robot.joints.size()),
+        requests_(name_), spinner_(kServiceThreads, &services_) {}
 
   void run() {
     spinner_.start();
@@ -114,7 +118,9 @@ class BridgeProcess {
  private:
   // Says all to the master, also again.
   void offer() {
-    const LogFunction log = [this](const char* level, const std::string& line) { supervision_.say(level, "ROS: " + line); };
+    const LogFunction log = [this](const char* level, const std::string& line) {
+      supervision_.say(level, "ROS: " + line);
+    };
     ports_.reset();
     topics_.reset();
     topics_ = std::make_unique<RobotTopics>(config_, plan_, transforms_, robot_, requests_, services_, log);

@@ -26,7 +26,8 @@ std::string_view nextLine(std::string_view& text) {
 
 // `a/B` is meant by `B`, too.
 bool isMeant(std::string_view full, std::string_view wanted) {
-  return full == wanted || (full.size() > wanted.size() && full.ends_with(wanted) && full[full.size() - wanted.size() - 1] == '/');
+  return full == wanted ||
+         (full.size() > wanted.size() && full.ends_with(wanted) && full[full.size() - wanted.size() - 1] == '/');
 }
 
 }  // namespace
@@ -65,11 +66,15 @@ MessageShape::Field MessageShape::fieldOf(std::string_view type, std::string_vie
     Kind kind;
     std::uint32_t size;
   };
-  static constexpr Known kKnown[] = {{"bool", Kind::kUint, 1}, {"byte", Kind::kInt, 1}, {"char", Kind::kUint, 1}, {"int8", Kind::kInt, 1},
-                                     {"uint8", Kind::kUint, 1}, {"int16", Kind::kInt, 2}, {"uint16", Kind::kUint, 2}, {"int32", Kind::kInt, 4},
-                                     {"uint32", Kind::kUint, 4}, {"int64", Kind::kInt, 8}, {"uint64", Kind::kUint, 8}, {"float32", Kind::kFloat, 4},
-                                     {"float64", Kind::kFloat, 8}, {"string", Kind::kText, 0}, {"time", Kind::kTime, 8}, {"duration", Kind::kTime, 8}};
-  const auto* known = std::find_if(std::begin(kKnown), std::end(kKnown), [&](const Known& each) { return each.name == type; });
+  static constexpr Known kKnown[] = {
+      {"bool", Kind::kUint, 1},     {"byte", Kind::kInt, 1},    {"char", Kind::kUint, 1},
+      {"int8", Kind::kInt, 1},      {"uint8", Kind::kUint, 1},  {"int16", Kind::kInt, 2},
+      {"uint16", Kind::kUint, 2},   {"int32", Kind::kInt, 4},   {"uint32", Kind::kUint, 4},
+      {"int64", Kind::kInt, 8},     {"uint64", Kind::kUint, 8}, {"float32", Kind::kFloat, 4},
+      {"float64", Kind::kFloat, 8}, {"string", Kind::kText, 0}, {"time", Kind::kTime, 8},
+      {"duration", Kind::kTime, 8}};
+  const auto* known =
+      std::find_if(std::begin(kKnown), std::end(kKnown), [&](const Known& each) { return each.name == type; });
   field.kind = known == std::end(kKnown) ? Kind::kNested : known->kind;
   field.size = known == std::end(kKnown) ? 0 : known->size;
   if (field.kind == Kind::kNested) field.nested = type;
@@ -92,7 +97,8 @@ MessageShape MessageShape::parse(std::string_view definition) {
     }
     const std::size_t space = line.find_first_of(" \t");
     if (line.empty() || line.find('=') != std::string_view::npos) continue;  // a constant
-    if (space == std::string_view::npos) throw ShapeError("the definition of the message has a line '" + std::string(line.substr(0, 80)) + "'");
+    if (space == std::string_view::npos)
+      throw ShapeError("the definition of the message has a line '" + std::string(line.substr(0, 80)) + "'");
     shape.types_.back().push_back(fieldOf(line.substr(0, space), trimmed(line.substr(space))));
   }
   shape.resolve(names);
@@ -104,7 +110,8 @@ void MessageShape::resolve(const std::vector<std::string>& names) {
   for (Type& type : types_) {
     for (Field& field : type) {
       if (field.kind != Kind::kNested) continue;
-      const auto found = std::find_if(names.begin() + 1, names.end(), [&](const std::string& name) { return isMeant(name, field.nested); });
+      const auto found = std::find_if(names.begin() + 1, names.end(),
+                                      [&](const std::string& name) { return isMeant(name, field.nested); });
       if (found == names.end()) throw ShapeError("the definition of the message lacks that of " + field.nested);
       field.size = static_cast<std::uint32_t>(found - names.begin());
     }
@@ -170,7 +177,8 @@ Columns MessageShape::read(std::span<const std::uint8_t> bytes) const {
       const std::uint8_t* at = cursor.at();
       skipOne(cursor, field);
       if (field.kind == Kind::kText) {
-        columns.texts[field.name].emplace_back(reinterpret_cast<const char*>(at) + 4, static_cast<std::size_t>(cursor.at() - at) - 4);
+        columns.texts[field.name].emplace_back(reinterpret_cast<const char*>(at) + 4,
+                                               static_cast<std::size_t>(cursor.at() - at) - 4);
         continue;
       }
       auto& numbers = columns.numbers[field.name];
@@ -179,10 +187,14 @@ Columns MessageShape::read(std::span<const std::uint8_t> bytes) const {
         case 1: numbers.push_back(is_signed ? numberAt<std::int8_t>(at) : numberAt<std::uint8_t>(at)); break;
         case 2: numbers.push_back(is_signed ? numberAt<std::int16_t>(at) : numberAt<std::uint16_t>(at)); break;
         case 4:
-          numbers.push_back(field.kind == Kind::kFloat ? numberAt<float>(at) : is_signed ? numberAt<std::int32_t>(at) : numberAt<std::uint32_t>(at));
+          numbers.push_back(field.kind == Kind::kFloat ? numberAt<float>(at)
+                            : is_signed                ? numberAt<std::int32_t>(at)
+                                                       : numberAt<std::uint32_t>(at));
           break;
         default:
-          numbers.push_back(field.kind == Kind::kFloat ? numberAt<double>(at) : is_signed ? numberAt<std::int64_t>(at) : numberAt<std::uint64_t>(at));
+          numbers.push_back(field.kind == Kind::kFloat ? numberAt<double>(at)
+                            : is_signed                ? numberAt<std::int64_t>(at)
+                                                       : numberAt<std::uint64_t>(at));
       }
     }
   }

@@ -1,4 +1,5 @@
-// The form of a message, from the definition that ROS gives with it: what bytes of another process are checked and read by.
+// The form of a message, from the definition that ROS gives with it: what bytes of another process are checked and read
+// by.
 #pragma once
 
 #include <cstdint>
@@ -38,9 +39,9 @@ class MessageShape {
   struct Field {
     std::string name;
     Kind kind = Kind::kInt;
-    std::uint32_t size = 0;     // bytes of a number; of kNested the index in types_
+    std::uint32_t size = 0;  // bytes of a number; of kNested the index in types_
     bool many = false;
-    std::uint32_t count = 0;    // of an array of fixed size; else 0
+    std::uint32_t count = 0;  // of an array of fixed size; else 0
     std::string nested;
   };
   using Type = std::vector<Field>;

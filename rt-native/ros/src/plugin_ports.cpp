@@ -21,7 +21,8 @@ std::string PortPlace::topic(const std::string& name) const {
   return "/xbotcore/" + rosName(plugin) + (name.empty() ? "" : "/" + name);
 }
 
-PluginPorts::PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, LogFunction log)
+PluginPorts::PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan,
+                         ::ros::CallbackQueue& queue, LogFunction log)
     : channels_(directoryOf(own, std::move(hosts))), queue_(queue), log_(std::move(log)) {
   for (const auto& each : plan.plugins) plugins_[each.plugin.name];
 }
@@ -60,7 +61,8 @@ bool PluginPorts::look(const std::string& plugin, std::vector<Place>& places, st
     const ros::Announcement announcement = ros::readAnnouncement(packet_->bytes());
     if (announcement.generation != place.generation) offer(plugin, place, index, announcement);
   } catch (const std::exception& e) {
-    if (place.generation != 1) log_("warn", "the plugin " + plugin + " announced something that is no topic: " + e.what());
+    if (place.generation != 1)
+      log_("warn", "the plugin " + plugin + " announced something that is no topic: " + e.what());
     place.generation = 1;
     place.port.reset();
   }
@@ -74,7 +76,8 @@ bool PluginPorts::refuse(const std::string& objection) {
   return false;
 }
 
-void PluginPorts::offer(const std::string& plugin, Place& place, std::size_t index, const ros::Announcement& announcement) {
+void PluginPorts::offer(const std::string& plugin, Place& place, std::size_t index,
+                        const ros::Announcement& announcement) {
   place.port.reset();
   place.generation = announcement.generation;
   const PortPlace where{*channels_, plugin, index, queue_, log_};

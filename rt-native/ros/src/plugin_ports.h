@@ -40,7 +40,8 @@ std::unique_ptr<Port> makePort(const ros::Announcement& announcement, const Port
 class PluginPorts {
  public:
   // Without an own segment (nobody started us) there are none.
-  PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan, ::ros::CallbackQueue& queue, LogFunction log);
+  PluginPorts(ChannelSegment* own, std::vector<const ChannelSegment*> hosts, const config::Plan& plan,
+              ::ros::CallbackQueue& queue, LogFunction log);
 
   void turn();
 

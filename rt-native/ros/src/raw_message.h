@@ -46,13 +46,16 @@ template <>
 struct Serializer<robotui::rt::ros_bridge::RawMessage> {
   template <typename Stream>
   static void write(Stream& stream, const robotui::rt::ros_bridge::RawMessage& message) {
-    std::copy(message.bytes.begin(), message.bytes.end(), stream.advance(static_cast<std::uint32_t>(message.bytes.size())));
+    std::copy(message.bytes.begin(), message.bytes.end(),
+              stream.advance(static_cast<std::uint32_t>(message.bytes.size())));
   }
   template <typename Stream>
   static void read(Stream& stream, robotui::rt::ros_bridge::RawMessage& message) {
     message.bytes.assign(stream.getData(), stream.getData() + stream.getLength());
   }
-  static std::uint32_t serializedLength(const robotui::rt::ros_bridge::RawMessage& message) { return static_cast<std::uint32_t>(message.bytes.size()); }
+  static std::uint32_t serializedLength(const robotui::rt::ros_bridge::RawMessage& message) {
+    return static_cast<std::uint32_t>(message.bytes.size());
+  }
 };
 
 }  // namespace ros::serialization

@@ -13,7 +13,8 @@ constexpr const char* kTake = "take 1 ROS";
 
 }  // namespace
 
-Robot::Robot(std::string name, std::size_t joints) : name_(std::move(name)), joints_(joints), frame_(std::make_unique<link::FrameData>()) {}
+Robot::Robot(std::string name, std::size_t joints)
+    : name_(std::move(name)), joints_(joints), frame_(std::make_unique<link::FrameData>()) {}
 
 void Robot::keep() {
   if (client_ != nullptr) {

@@ -25,9 +25,10 @@ ros::Time stampOf(std::int64_t sensed_ns) {
 
 }  // namespace
 
-RobotTopics::RobotTopics(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot, Requests& requests,
-           ros::CallbackQueue& services, LogFunction log)
-    : transforms_(transforms), robot_(robot), requests_(requests), log_(std::move(log)), shows_references_(config.enable_ref_read) {
+RobotTopics::RobotTopics(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms,
+                         Robot& robot, Requests& requests, ros::CallbackQueue& services, LogFunction log)
+    : transforms_(transforms), robot_(robot), requests_(requests), log_(std::move(log)),
+      shows_references_(config.enable_ref_read) {
   services_.setCallbackQueue(&services);
   node_.setParam("robot_description", config.robot.urdf);
   for (const auto& joint : config.robot.joints) names_.push_back(joint.name);
@@ -69,7 +70,8 @@ void RobotTopics::offerPlugin(const std::string& name) {
         return true;
       }));
   verbs_.push_back(services_.advertiseService<xbot_msgs::PluginCommand::Request, xbot_msgs::PluginCommand::Response>(
-      topic + "_cmd", [this, name](xbot_msgs::PluginCommand::Request& request, xbot_msgs::PluginCommand::Response& response) {
+      topic + "_cmd",
+      [this, name](xbot_msgs::PluginCommand::Request& request, xbot_msgs::PluginCommand::Response& response) {
         const link::Reply reply = requests_.ask("command " + name + " " + request.cmd.substr(0, link::kTextLength));
         response.success = reply.ok;
         if (!reply.ok) log_("warn", name + "_cmd was refused: " + reply.text);
@@ -82,11 +84,13 @@ void RobotTopics::offerPlugin(const std::string& name) {
       }));
 }
 
-// Versions of xbot_msgs differ in their fields: every one is taken, and read by the definition that its publisher sends along.
+// Versions of xbot_msgs differ in their fields: every one is taken, and read by the definition that its publisher sends
+// along.
 void RobotTopics::takeCommands() {
   ros::SubscribeOptions options("command", 1, "*", kCommandType);
   using Event = ros::MessageEvent<RawMessage const>;
-  options.helper = boost::make_shared<ros::SubscriptionCallbackHelperT<const Event&>>([this](const Event& event) { command(event); });
+  options.helper = boost::make_shared<ros::SubscriptionCallbackHelperT<const Event&>>(
+      [this](const Event& event) { command(event); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   commands_ = node_.subscribe(options);
 }
@@ -97,7 +101,8 @@ void RobotTopics::command(const ros::MessageEvent<RawMessage const>& event) {
     const auto type = header.find("type");
     const auto definition = header.find("message_definition");
     if (type == header.end() || type->second != kCommandType || definition == header.end()) {
-      complain("A command came from " + event.getPublisherName() + " that is no " + kCommandType + ": it does not count.");
+      complain("A command came from " + event.getPublisherName() + " that is no " + kCommandType +
+               ": it does not count.");
       return;
     }
     const Columns columns = MessageShape::parse(definition->second).read(event.getConstMessage()->bytes);

@@ -24,8 +24,8 @@ namespace robotui::rt::ros_bridge {
 class RobotTopics {
  public:
   // Services wait in `services` for threads of their own: an answer of the robot may take a while.
-  RobotTopics(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot, Requests& requests,
-       ros::CallbackQueue& services, LogFunction log);
+  RobotTopics(const config::RtConfig& config, const config::Plan& plan, const Transforms& transforms, Robot& robot,
+              Requests& requests, ros::CallbackQueue& services, LogFunction log);
 
   // Publishes the newest state of the robot.
   void publish();

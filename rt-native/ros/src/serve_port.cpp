@@ -31,7 +31,8 @@ class RawHelper final : public ::ros::ServiceCallbackHelper {
     const auto skipped = static_cast<std::size_t>(request.message_start - request.buf.get());
     const CallAnswer answer = handle_({request.message_start, request.num_bytes - skipped});
     params.response = ::ros::serialization::serializeServiceResponse(
-        answer.succeeded, answer.succeeded ? RawMessage{answer.bytes} : failure({answer.bytes.begin(), answer.bytes.end()}));
+        answer.succeeded,
+        answer.succeeded ? RawMessage{answer.bytes} : failure({answer.bytes.begin(), answer.bytes.end()}));
     return answer.succeeded;
   }
 
@@ -52,7 +53,8 @@ class ServePort final : public Port {
     options.datatype = port.type;
     options.req_datatype = port.type + "Request";
     options.res_datatype = port.type + "Response";
-    options.helper = boost::make_shared<RawHelper>([this](std::span<const std::uint8_t> request) { return call(request); });
+    options.helper =
+        boost::make_shared<RawHelper>([this](std::span<const std::uint8_t> request) { return call(request); });
     options.callback_queue = &place.queue;
     server_ = node_.advertiseService(options);
     if (!server_) throw std::runtime_error("there is such a service already");
@@ -68,7 +70,8 @@ class ServePort final : public Port {
 
  private:
   CallAnswer call(std::span<const std::uint8_t> request) {
-    if (request.size() > writer_.room() || !shape_.fits(request)) return refusal("the request is too long for a plugin");
+    if (request.size() > writer_.room() || !shape_.fits(request))
+      return refusal("the request is too long for a plugin");
     const std::uint32_t number = answers_.expect();
     {
       const std::scoped_lock lock(writing_);
@@ -91,6 +94,8 @@ class ServePort final : public Port {
 
 }  // namespace
 
-std::unique_ptr<Port> makeServePort(const ros::Announcement& port, const PortPlace& place) { return std::make_unique<ServePort>(port, place); }
+std::unique_ptr<Port> makeServePort(const ros::Announcement& port, const PortPlace& place) {
+  return std::make_unique<ServePort>(port, place);
+}
 
 }  // namespace robotui::rt::ros_bridge

@@ -16,7 +16,8 @@ Supervision::Supervision(int control) {
   if (control < 0) return;
   socket_ = link::Socket(link::Descriptor(control));
   link::Packet begin;
-  if (socket_.receive(begin, kBegin) != link::Received::kPacket || begin.verb() != "begin" || begin.descriptors.empty()) {
+  if (socket_.receive(begin, kBegin) != link::Received::kPacket || begin.verb() != "begin" ||
+      begin.descriptors.empty()) {
     throw std::runtime_error("The supervisor gave no memory for topics of plugins.");
   }
   own_ = link::Segment<link::ChannelSegment>::open(std::move(begin.descriptors.front()));

@@ -1,4 +1,5 @@
-// The socket to the supervisor that started this process, where one did: memory for plugins, lines for the log, and signs of life.
+// The socket to the supervisor that started this process, where one did: memory for plugins, lines for the log, and
+// signs of life.
 #pragma once
 
 #include <mutex>

@@ -12,7 +12,8 @@ constexpr std::uint32_t kQueue = 20;
 
 class PublishPort final : public Port {
  public:
-  PublishPort(const ros::Announcement& port, const PortPlace& place) : reader_(place.channels, place.outName(), port.large) {
+  PublishPort(const ros::Announcement& port, const PortPlace& place)
+      : reader_(place.channels, place.outName(), port.large) {
     ::ros::AdvertiseOptions options(place.topic(port.name), kQueue, port.md5, port.type, port.definition);
     options.latch = port.latched;
     publisher_ = node_.advertise(options);
@@ -34,8 +35,8 @@ class PublishPort final : public Port {
 class SubscribePort final : public Port {
  public:
   SubscribePort(const ros::Announcement& port, const PortPlace& place)
-      : shape_(MessageShape::parse(port.definition)), generation_(port.generation), topic_(place.topic(port.name)), log_(place.log),
-        writer_(place.channels, place.inName(), port.large) {
+      : shape_(MessageShape::parse(port.definition)), generation_(port.generation), topic_(place.topic(port.name)),
+        log_(place.log), writer_(place.channels, place.inName(), port.large) {
     ::ros::SubscribeOptions options(topic_, kQueue, port.md5, port.type);
     options.helper = boost::make_shared<::ros::SubscriptionCallbackHelperT<const RawMessage::ConstPtr&>>(
         [this](const RawMessage::ConstPtr& message) { take(*message); });
@@ -51,7 +52,8 @@ class SubscribePort final : public Port {
       writer_.write(message.bytes, 0, generation_);
     } else if (!complained_) {
       complained_ = true;
-      log_("warn", "a message of " + topic_ + " with " + std::to_string(message.bytes.size()) + " bytes is not handed to its plugin, which takes whole ones of up to " +
+      log_("warn", "a message of " + topic_ + " with " + std::to_string(message.bytes.size()) +
+                       " bytes is not handed to its plugin, which takes whole ones of up to " +
                        std::to_string(writer_.room()) + "; of others that come nothing more is said.");
     }
   }
@@ -68,9 +70,13 @@ class SubscribePort final : public Port {
 
 }  // namespace
 
-std::unique_ptr<Port> makePublishPort(const ros::Announcement& port, const PortPlace& place) { return std::make_unique<PublishPort>(port, place); }
+std::unique_ptr<Port> makePublishPort(const ros::Announcement& port, const PortPlace& place) {
+  return std::make_unique<PublishPort>(port, place);
+}
 
-std::unique_ptr<Port> makeSubscribePort(const ros::Announcement& port, const PortPlace& place) { return std::make_unique<SubscribePort>(port, place); }
+std::unique_ptr<Port> makeSubscribePort(const ros::Announcement& port, const PortPlace& place) {
+  return std::make_unique<SubscribePort>(port, place);
+}
 
 std::unique_ptr<Port> makePort(const ros::Announcement& port, const PortPlace& place) {
   switch (port.kind) {

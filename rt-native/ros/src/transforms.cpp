@@ -15,7 +15,9 @@ Eigen::Isometry3d originOf(const urdf::Joint& joint) {
   const auto& pose = joint.parent_to_joint_origin_transform;
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.translation() = Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z);
-  result.linear() = Eigen::Quaterniond(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).normalized().toRotationMatrix();
+  result.linear() = Eigen::Quaterniond(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z)
+                        .normalized()
+                        .toRotationMatrix();
   return result;
 }
 
@@ -46,7 +48,8 @@ geometry_msgs::TransformStamped message(const urdf::Joint& joint, const Eigen::I
 }
 
 int indexOf(const config::RobotDescription& robot, const std::string& name) {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(), [&](const auto& joint) { return joint.name == name; });
+  const auto found =
+      std::find_if(robot.joints.begin(), robot.joints.end(), [&](const auto& joint) { return joint.name == name; });
   return found == robot.joints.end() ? -1 : static_cast<int>(found - robot.joints.begin());
 }
 
@@ -74,7 +77,8 @@ std::vector<geometry_msgs::TransformStamped> Transforms::moving(std::span<const 
   for (const Moving& each : moving_) {
     const bool known = each.source >= 0 && static_cast<std::size_t>(each.source) < joints.size();
     const double measured = known ? joints[static_cast<std::size_t>(each.source)].link_position : 0;
-    result.push_back(message(*each.joint, originOf(*each.joint) * motionOf(*each.joint, each.factor * measured + each.offset)));
+    result.push_back(
+        message(*each.joint, originOf(*each.joint) * motionOf(*each.joint, each.factor * measured + each.offset)));
   }
   return result;
 }

@@ -23,7 +23,8 @@ class Transforms {
   // Throws std::runtime_error where the URDF cannot be read.
   explicit Transforms(const config::RobotDescription& robot);
 
-  // Of the links that joints move; `joints` are those of the robot, in its order. A joint that is not commanded, and mimics none, is at zero.
+  // Of the links that joints move; `joints` are those of the robot, in its order. A joint that is not commanded, and
+  // mimics none, is at zero.
   std::vector<geometry_msgs::TransformStamped> moving(std::span<const link::JointState> joints) const;
 
   // Of the links that are fixed to their parents.

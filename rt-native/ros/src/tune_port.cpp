@@ -71,6 +71,8 @@ class TunePort final : public Port {
 
 }  // namespace
 
-std::unique_ptr<Port> makeTunePort(const ros::Announcement& port, const PortPlace& place) { return std::make_unique<TunePort>(port, place); }
+std::unique_ptr<Port> makeTunePort(const ros::Announcement& port, const PortPlace& place) {
+  return std::make_unique<TunePort>(port, place);
+}
 
 }  // namespace robotui::rt::ros_bridge

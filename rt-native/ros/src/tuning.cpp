@@ -20,16 +20,19 @@ const char* typeName(TunableType type) {
 
 std::vector<double> each(const std::vector<TunableEntry>& entries, double TunableEntry::*value) {
   std::vector<double> values(entries.size());
-  std::transform(entries.begin(), entries.end(), values.begin(), [&](const TunableEntry& entry) { return entry.*value; });
+  std::transform(entries.begin(), entries.end(), values.begin(),
+                 [&](const TunableEntry& entry) { return entry.*value; });
   return values;
 }
 
 template <typename Named>
 void take(const std::vector<Named>& named, const std::vector<TunableEntry>& entries, std::vector<double>& values) {
   for (const Named& one : named) {
-    const auto found = std::find_if(entries.begin(), entries.end(), [&](const TunableEntry& entry) { return entry.name == one.name; });
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const TunableEntry& entry) { return entry.name == one.name; });
     const auto value = static_cast<double>(one.value);
-    if (found != entries.end() && std::isfinite(value)) values[static_cast<std::size_t>(found - entries.begin())] = std::clamp(value, found->least, found->most);
+    if (found != entries.end() && std::isfinite(value))
+      values[static_cast<std::size_t>(found - entries.begin())] = std::clamp(value, found->least, found->most);
   }
 }
 
@@ -71,7 +74,8 @@ dynamic_reconfigure::ConfigDescription descriptionOf(const std::vector<TunableEn
   return description;
 }
 
-void merge(const dynamic_reconfigure::Config& wanted, const std::vector<TunableEntry>& entries, std::vector<double>& values) {
+void merge(const dynamic_reconfigure::Config& wanted, const std::vector<TunableEntry>& entries,
+           std::vector<double>& values) {
   take(wanted.bools, entries, values);
   take(wanted.ints, entries, values);
   take(wanted.doubles, entries, values);

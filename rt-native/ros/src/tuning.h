@@ -15,6 +15,7 @@ dynamic_reconfigure::Config configOf(const std::vector<ros::TunableEntry>& entri
 dynamic_reconfigure::ConfigDescription descriptionOf(const std::vector<ros::TunableEntry>& entries);
 
 // Changes what of `values` is named in `wanted`, within the limits.
-void merge(const dynamic_reconfigure::Config& wanted, const std::vector<ros::TunableEntry>& entries, std::vector<double>& values);
+void merge(const dynamic_reconfigure::Config& wanted, const std::vector<ros::TunableEntry>& entries,
+           std::vector<double>& values);
 
 }  // namespace robotui::rt::ros_bridge

@@ -37,7 +37,8 @@ void fillChains(link::BoardData& data, const config::RobotDescription& robot) {
     auto& entry = data.chain[i];
     link::assign(entry.name, robot.chains[i].name);
     for (const std::string& joint : robot.chains[i].joints) {
-      const auto found = std::find_if(robot.joints.begin(), robot.joints.end(), [&](const auto& each) { return each.name == joint; });
+      const auto found =
+          std::find_if(robot.joints.begin(), robot.joints.end(), [&](const auto& each) { return each.name == joint; });
       if (found != robot.joints.end() && entry.joints < link::kMaxJoints) {
         entry.joint[entry.joints++] = static_cast<std::uint16_t>(found - robot.joints.begin());
       }

@@ -7,7 +7,9 @@ void ClientReplies::reply(std::uint64_t client, const std::string& text, std::sp
   server_.reply(client, text, descriptors);
 }
 
-void ClientReplies::answer(std::uint64_t client, const std::string& objection) { reply(client, objection.empty() ? "ok" : "error " + objection); }
+void ClientReplies::answer(std::uint64_t client, const std::string& objection) {
+  reply(client, objection.empty() ? "ok" : "error " + objection);
+}
 
 void ClientReplies::announceChange() {
   board_.publish();

@@ -38,8 +38,10 @@ void ClientRequests::dispatch(std::uint64_t client, const link::Packet& packet) 
   } else if (verb == "describe") {
     robot_.describe(client, rest);
   } else {
-    replies_.answer(client, "The request " + quoted(verb) +
-                                " is not known. There are: attach, switch, reload, command, status, take, release, describe, reference.");
+    replies_.answer(
+        client,
+        "The request " + quoted(verb) +
+            " is not known. There are: attach, switch, reload, command, status, take, release, describe, reference.");
   }
 }
 

@@ -28,7 +28,8 @@ void ControlServer::addTo(std::vector<pollfd>& polled) const {
   }
 }
 
-void ControlServer::serve(const std::function<void(std::uint64_t, const link::Packet&)>& request, const std::function<void(std::uint64_t)>& gone) {
+void ControlServer::serve(const std::function<void(std::uint64_t, const link::Packet&)>& request,
+                          const std::function<void(std::uint64_t)>& gone) {
   for (int i = 0; i < kPacketsATurn && isReady(listener_.get(), POLLIN); ++i) {
     accept();
   }
@@ -57,7 +58,8 @@ void ControlServer::accept() {
 }
 
 // False where it is gone.
-bool ControlServer::hear(std::uint64_t id, Client& client, const std::function<void(std::uint64_t, const link::Packet&)>& request) {
+bool ControlServer::hear(std::uint64_t id, Client& client,
+                         const std::function<void(std::uint64_t, const link::Packet&)>& request) {
   for (int i = 0; i < kPacketsATurn && !client.leaving; ++i) {
     if (!isReady(client.socket.get(), POLLIN | POLLHUP | POLLERR)) {
       return true;
@@ -78,7 +80,8 @@ void ControlServer::reply(std::uint64_t id, std::string_view text, std::span<con
     return;
   }
   Client& client = found->second;
-  client.leaving = !isReady(client.socket.get(), POLLOUT) || !client.socket.send(text.substr(0, link::kMaxPacket), descriptors);
+  client.leaving =
+      !isReady(client.socket.get(), POLLOUT) || !client.socket.send(text.substr(0, link::kMaxPacket), descriptors);
 }
 
 void ControlServer::broadcast(std::string_view text) {

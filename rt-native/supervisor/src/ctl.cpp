@@ -53,7 +53,8 @@ std::string onlyRobot() {
   if (names.size() == 1) {
     return names.front();
   }
-  throw Wrong(names.empty() ? "No robot runs here: start one with robotui-rt." : "Several robots run here: choose one with --name.");
+  throw Wrong(names.empty() ? "No robot runs here: start one with robotui-rt."
+                            : "Several robots run here: choose one with --name.");
 }
 
 int print(const link::Reply& reply) {
@@ -87,7 +88,8 @@ int watch(Client& client, double seconds) {
     if (notice == link::Notice::kChanged) {
       attachment = client.attach(kReply);
     }
-    std::cout << (isatty(STDOUT_FILENO) != 0 ? "\x1b[H\x1b[J" : "\n") << loopTable(attachment) << jointTable(attachment) << std::flush;
+    std::cout << (isatty(STDOUT_FILENO) != 0 ? "\x1b[H\x1b[J" : "\n") << loopTable(attachment) << jointTable(attachment)
+              << std::flush;
   }
   return 0;
 }
@@ -138,7 +140,10 @@ struct Call {
 };
 
 Call parse(int argc, char** argv) {
-  const option known[] = {{"name", required_argument, nullptr, 'n'}, {"for", required_argument, nullptr, 'f'}, {"help", no_argument, nullptr, 'h'}, {nullptr, 0, nullptr, 0}};
+  const option known[] = {{"name", required_argument, nullptr, 'n'},
+                          {"for", required_argument, nullptr, 'f'},
+                          {"help", no_argument, nullptr, 'h'},
+                          {nullptr, 0, nullptr, 0}};
   Call call;
   for (int key = 0; (key = getopt_long(argc, argv, "+n:h", known, nullptr)) != -1;) {
     switch (key) {

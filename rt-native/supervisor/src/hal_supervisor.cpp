@@ -27,7 +27,8 @@ bool HalSupervisor::turn(bool serving) {
 
 void HalSupervisor::receive() {
   link::Packet packet;
-  while (hal_.child().socket().isOpen() && hal_.child().socket().receive(packet, std::chrono::milliseconds(0)) == link::Received::kPacket) {
+  while (hal_.child().socket().isOpen() &&
+         hal_.child().socket().receive(packet, std::chrono::milliseconds(0)) == link::Received::kPacket) {
     if (packet.verb() == "log") {
       log_.relay("hal", packet.rest());
       continue;

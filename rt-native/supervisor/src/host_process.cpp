@@ -19,7 +19,8 @@ HostProcess::HostProcess(std::uint32_t index, const config::HostPlan& plan)
     : index_(index), plan_(plan), segment_(link::Segment<link::HostSegment>::create(0)),
       channels_(link::Segment<link::ChannelSegment>::create(1)), channel_header_(channels_->header) {}
 
-void HostProcess::spawn(const std::vector<std::string>& arguments, const std::vector<int>& common, const std::vector<int>& channels) {
+void HostProcess::spawn(const std::vector<std::string>& arguments, const std::vector<int>& common,
+                        const std::vector<int>& channels) {
   segment_ = link::Segment<link::HostSegment>::create(++generation_);
   resetChannels();
   progress_.assign(plan_.threads.size(), {});
@@ -67,7 +68,8 @@ void HostProcess::handle(const link::Packet& packet, std::int64_t now_ns) {
   }
 }
 
-void HostProcess::watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std::int64_t patience_ns, std::int64_t now_ns) {
+void HostProcess::watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std::int64_t patience_ns,
+                        std::int64_t now_ns) {
   if (!child_.isAlive()) {
     return;
   }
@@ -81,7 +83,8 @@ void HostProcess::watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std
   }
 }
 
-bool HostProcess::isStuck(std::uint32_t thread, std::uint64_t hal_cycle, std::int64_t hal_period_ns, std::int64_t patience_ns) {
+bool HostProcess::isStuck(std::uint32_t thread, std::uint64_t hal_cycle, std::int64_t hal_period_ns,
+                          std::int64_t patience_ns) {
   Progress& last = progress_[thread];
   const std::uint64_t cycles = link::relaxedLoad(segment_->thread_statistics[thread].cycles);
   if (cycles != last.cycles || hal_cycle < last.hal_cycle || last.hal_cycle == 0) {
@@ -93,7 +96,8 @@ bool HostProcess::isStuck(std::uint32_t thread, std::uint64_t hal_cycle, std::in
   return plan_.kind != config::HostKind::kIo && silent > std::max(patience_ns, 5 * own);
 }
 
-HostProcess::Death HostProcess::ended(const std::string& how, std::int64_t now_ns, const std::function<std::string(std::uint32_t)>& name_of) {
+HostProcess::Death HostProcess::ended(const std::string& how, std::int64_t now_ns,
+                                      const std::function<std::string(std::uint32_t)>& name_of) {
   Death death;
   death.sentence = "The process of the host " + plan_.name + " " + how;
   if (broken_) {

@@ -14,8 +14,8 @@ constexpr std::int64_t kOrdinaryPatience = 3 * link::kSecond;
 
 }  // namespace
 
-HostSupervisor::HostSupervisor(const Options& options, const config::Plan& plan, HostMemory memory, PluginEvents& events, ClientReplies& replies,
-                               LogFile& log)
+HostSupervisor::HostSupervisor(const Options& options, const config::Plan& plan, HostMemory memory,
+                               PluginEvents& events, ClientReplies& replies, LogFile& log)
     : options_(options), plan_(plan), memory_(memory), events_(events), replies_(replies), log_(log) {
   for (std::uint32_t i = 0; i < plan.hosts.size(); ++i) {
     hosts_.push_back(std::make_unique<HostProcess>(i, plan.hosts[i]));
@@ -93,8 +93,10 @@ void HostSupervisor::ended(std::uint32_t index, const std::string& how) {
   link::assign(entry.error, death.sentence);
   if (host.isGivenUp()) {
     const std::string sentence =
-        host.isBroken() ? death.sentence
-                        : death.sentence + " It died again and again and is not started any more; reload a plugin of it to try again.";
+        host.isBroken()
+            ? death.sentence
+            : death.sentence +
+                  " It died again and again and is not started any more; reload a plugin of it to try again.";
     link::assign(entry.error, sentence);
     log_.error("The host " + host.name() + " is not started any more.");
     events_.hostGivenUp(index, sentence);
@@ -114,7 +116,8 @@ void HostSupervisor::respawn(std::int64_t now_ns) {
 void HostSupervisor::watch(std::int64_t now_ns) {
   for (std::uint32_t i = 0; i < size(); ++i) {
     const bool is_real_time = memory_.board.data().real_time != 0 && plan_.hosts[i].kind == config::HostKind::kRealTime;
-    hosts_[i]->watch(memory_.hal.cycle(), memory_.hal.period(), is_real_time ? kRealTimePatience : kOrdinaryPatience, now_ns);
+    hosts_[i]->watch(memory_.hal.cycle(), memory_.hal.period(), is_real_time ? kRealTimePatience : kOrdinaryPatience,
+                     now_ns);
   }
 }
 
@@ -125,7 +128,8 @@ void HostSupervisor::killAll() {
 }
 
 bool HostSupervisor::areSettled() const {
-  return spawned_ && std::all_of(hosts_.begin(), hosts_.end(), [](const auto& host) { return host->isReady() || host->isGivenUp(); });
+  return spawned_ && std::all_of(hosts_.begin(), hosts_.end(),
+                                 [](const auto& host) { return host->isReady() || host->isGivenUp(); });
 }
 
 std::vector<link::Descriptor> HostSupervisor::shareSegments() const {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxBytes = 64u << 20;  // a plugin that logs in every cycle must not fill the disk
 constexpr std::size_t kMaxLine = 4096;        // on stderr: as much as a pipe takes at once
 
-// A terminal that was stopped, or a pipe that nobody empties, must not keep the supervisor; one that nobody has open must not end it.
+// A terminal that was stopped, or a pipe that nobody empties, must not keep the supervisor; one that nobody has open
+// must not end it.
 bool isWritable(int fd) noexcept {
   pollfd polled{fd, POLLOUT, 0};
   return ::poll(&polled, 1, 0) > 0 && (polled.revents & (POLLOUT | POLLERR | POLLHUP)) == POLLOUT;
@@ -58,7 +59,8 @@ void LogFile::relay(std::string_view whose, std::string_view words) {
 }
 
 void LogFile::write(std::string_view level, std::string_view line) {
-  const std::string text = timeOfDay() + " " + std::string(level) + std::string(level.size() < 6 ? 6 - level.size() : 0, ' ') + " " + std::string(line) + "\n";
+  const std::string text = timeOfDay() + " " + std::string(level) +
+                           std::string(level.size() < 6 ? 6 - level.size() : 0, ' ') + " " + std::string(line) + "\n";
   if (isWritable(STDERR_FILENO)) {
     std::fputs(text.substr(0, kMaxLine).c_str(), stderr);
   }
@@ -72,7 +74,8 @@ void LogFile::write(std::string_view level, std::string_view line) {
 fs::path logFilePath(std::string_view name) {
   const char* state = std::getenv("XDG_STATE_HOME");
   const char* home = std::getenv("HOME");
-  const fs::path base = state != nullptr && *state != 0 ? fs::path(state) : fs::path(home == nullptr ? "/tmp" : home) / ".local/state";
+  const fs::path base =
+      state != nullptr && *state != 0 ? fs::path(state) : fs::path(home == nullptr ? "/tmp" : home) / ".local/state";
   return base / "robotui" / ("rt-" + std::string(name) + ".log");
 }
 

@@ -17,7 +17,8 @@ bool isNumber(const link::JointCommand& command) {
 }  // namespace
 
 Master::Master(std::uint32_t joints, std::string framework)
-    : joints_(joints), framework_(std::move(framework)), segment_(link::Segment<link::MasterSegment>::create(1)), writer_(*segment_, joints) {
+    : joints_(joints), framework_(std::move(framework)), segment_(link::Segment<link::MasterSegment>::create(1)),
+      writer_(*segment_, joints) {
   segment_.sealAgainstWriters();
   writer_.write(data_);
 }
@@ -25,8 +26,8 @@ Master::Master(std::uint32_t joints, std::string framework)
 std::string Master::take(std::uint64_t client, std::string_view framework, double seconds, std::int64_t now_ns) {
   if (framework != framework_) {
     const std::string its(framework.substr(0, link::kNameLength));
-    return "The master framework of this robot is " + framework_ + ": references of " + its + " do not count. MasterCommunicationInterface.framework_name " +
-           "of its configuration chooses it.";
+    return "The master framework of this robot is " + framework_ + ": references of " + its +
+           " do not count. MasterCommunicationInterface.framework_name " + "of its configuration chooses it.";
   }
   if (!(seconds > 0) || seconds > kMostSeconds) {
     return "take needs the seconds after which a silent master is no more one, up to 3600.";
@@ -53,8 +54,9 @@ std::string Master::reference(std::uint64_t client, std::string_view bytes, std:
     return "References came from a client that did not take the robot: they do not count.";
   }
   if (bytes.size() != joints_ * sizeof(link::JointCommand)) {
-    return "References of " + std::to_string(bytes.size()) + " bytes came, and " + std::to_string(joints_ * sizeof(link::JointCommand)) +
-           " are those of " + std::to_string(joints_) + " joints.";
+    return "References of " + std::to_string(bytes.size()) + " bytes came, and " +
+           std::to_string(joints_ * sizeof(link::JointCommand)) + " are those of " + std::to_string(joints_) +
+           " joints.";
   }
   link::MasterData next{};
   std::memcpy(next.joints.data(), bytes.data(), bytes.size());

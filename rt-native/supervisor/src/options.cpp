@@ -21,19 +21,25 @@ constexpr std::string_view kUsage = R"(robotui-rt -C CONFIG [options]: control o
   -h, --help           this text
 )";
 
-constexpr option kKnown[] = {{"config", required_argument, nullptr, 'C'},    {"dummy", no_argument, nullptr, 'D'},
-                             {"period", required_argument, nullptr, 'p'},    {"ch-period", required_argument, nullptr, 'c'},
-                             {"no-ch", no_argument, nullptr, 'n'},           {"allow-non-rt", no_argument, nullptr, 'a'},
-                             {"nrt", no_argument, nullptr, 'o'},            {"name", required_argument, nullptr, 'N'},      {"verbose", no_argument, nullptr, 'V'},
-                             {"help", no_argument, nullptr, 'h'},            {nullptr, 0, nullptr, 0}};
+constexpr option kKnown[] = {{"config", required_argument, nullptr, 'C'},
+                             {"dummy", no_argument, nullptr, 'D'},
+                             {"period", required_argument, nullptr, 'p'},
+                             {"ch-period", required_argument, nullptr, 'c'},
+                             {"no-ch", no_argument, nullptr, 'n'},
+                             {"allow-non-rt", no_argument, nullptr, 'a'},
+                             {"nrt", no_argument, nullptr, 'o'},
+                             {"name", required_argument, nullptr, 'N'},
+                             {"verbose", no_argument, nullptr, 'V'},
+                             {"help", no_argument, nullptr, 'h'},
+                             {nullptr, 0, nullptr, 0}};
 
 std::chrono::microseconds period(const char* option, const char* text, long long least, long long most) {
   long long us = 0;
   const char* end = text + std::strlen(text);
   const auto [behind, error] = std::from_chars(text, end, us);
   if (error != std::errc() || behind != end || us < least || us > most) {
-    throw UsageError(std::string(option) + " needs a number of microseconds from " + std::to_string(least) + " to " + std::to_string(most) +
-                     ", not '" + text + "'.");
+    throw UsageError(std::string(option) + " needs a number of microseconds from " + std::to_string(least) + " to " +
+                     std::to_string(most) + ", not '" + text + "'.");
   }
   return std::chrono::microseconds(us);
 }

@@ -4,7 +4,8 @@
 
 namespace robotui::rt::supervisor {
 
-void PendingRequests::add(Awaited what, std::uint32_t plugin, std::uint64_t client, std::int64_t until_ns, std::uint32_t id) {
+void PendingRequests::add(Awaited what, std::uint32_t plugin, std::uint64_t client, std::int64_t until_ns,
+                          std::uint32_t id) {
   if (entries_.size() >= kMost) {
     reply_(client, "error Too many requests wait for an answer.");
     return;
@@ -14,7 +15,8 @@ void PendingRequests::add(Awaited what, std::uint32_t plugin, std::uint64_t clie
 
 template <typename Match>
 void PendingRequests::settleIf(const Match& match, const std::string& text) {
-  const auto rest = std::stable_partition(entries_.begin(), entries_.end(), [&](const Entry& entry) { return !match(entry); });
+  const auto rest =
+      std::stable_partition(entries_.begin(), entries_.end(), [&](const Entry& entry) { return !match(entry); });
   const std::vector<Entry> settled(rest, entries_.end());
   entries_.erase(rest, entries_.end());
   for (const Entry& entry : settled) {
@@ -31,7 +33,8 @@ void PendingRequests::settleAll(std::uint32_t plugin, const std::string& text) {
 }
 
 void PendingRequests::expire(std::int64_t now_ns) {
-  settleIf([&](const Entry& entry) { return entry.until_ns <= now_ns; }, "error The host of the plugin did not answer in time.");
+  settleIf([&](const Entry& entry) { return entry.until_ns <= now_ns; },
+           "error The host of the plugin did not answer in time.");
 }
 
 void PendingRequests::forget(std::uint64_t client) {

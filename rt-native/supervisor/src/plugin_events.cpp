@@ -35,7 +35,8 @@ void PluginEvents::handle(std::uint32_t host, const link::Packet& packet, const 
 void PluginEvents::commandAnswered(std::uint32_t host, std::string_view id, bool understood) {
   const auto number = static_cast<std::uint32_t>(std::strtoul(std::string(id).c_str(), nullptr, 10));
   for (const std::uint32_t plugin : registry_.ofHost(host)) {
-    pending_.settle(Awaited::kCommand, plugin, understood ? "ok" : "error " + registry_.name(plugin) + " does not understand this.", number);
+    pending_.settle(Awaited::kCommand, plugin,
+                    understood ? "ok" : "error " + registry_.name(plugin) + " does not understand this.", number);
   }
 }
 
@@ -45,7 +46,8 @@ void PluginEvents::loaded(std::uint32_t plugin, std::string_view role_and_joints
   const auto [word, joints] = link::splitWord(role_and_joints);
   const auto role = link::pluginRole(word);
   if (!role) {
-    failed(plugin, "The host of " + name + " says that its role is '" + std::string(word) + "', which this robotui-rt does not know.");
+    failed(plugin, "The host of " + name + " says that its role is '" + std::string(word) +
+                       "', which this robotui-rt does not know.");
     return;
   }
   registry_.loaded(plugin, *role, joints);

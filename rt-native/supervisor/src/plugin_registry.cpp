@@ -22,18 +22,22 @@ std::string_view nameOf(PluginState state) noexcept {
   return "unknown";
 }
 
-PluginRegistry::PluginRegistry(const config::RtConfig& config, const config::Plan& plan, BoardPublisher& board) : config_(config), plan_(plan), board_(board) {
+PluginRegistry::PluginRegistry(const config::RtConfig& config, const config::Plan& plan, BoardPublisher& board)
+    : config_(config), plan_(plan), board_(board) {
   for (const config::PluginPlan& planned : plan.plugins) {
     plugins_.push_back({planned.plugin.name, PluginRole::kControl, {}});
   }
 }
 
 std::optional<std::uint32_t> PluginRegistry::find(std::string_view name) const {
-  const auto found = std::find_if(plugins_.begin(), plugins_.end(), [&](const Plugin& plugin) { return plugin.name == name; });
+  const auto found =
+      std::find_if(plugins_.begin(), plugins_.end(), [&](const Plugin& plugin) { return plugin.name == name; });
   return found == plugins_.end() ? std::nullopt : std::optional(static_cast<std::uint32_t>(found - plugins_.begin()));
 }
 
-PluginState PluginRegistry::state(std::uint32_t plugin) const { return static_cast<PluginState>(board_.data().plugin[plugin].state); }
+PluginState PluginRegistry::state(std::uint32_t plugin) const {
+  return static_cast<PluginState>(board_.data().plugin[plugin].state);
+}
 
 bool PluginRegistry::isIo(std::uint32_t plugin) const { return board_.data().plugin[plugin].io != 0; }
 
@@ -53,7 +57,8 @@ std::vector<std::uint32_t> PluginRegistry::ofHost(std::uint32_t host) const {
 }
 
 std::string PluginRegistry::unknown(std::string_view name) const {
-  return "There is no plugin '" + std::string(name.substr(0, link::kNameLength)) + "'. There are: " + link::listed(plugins_, &Plugin::name, "none") + ".";
+  return "There is no plugin '" + std::string(name.substr(0, link::kNameLength)) +
+         "'. There are: " + link::listed(plugins_, &Plugin::name, "none") + ".";
 }
 
 std::string PluginRegistry::objection(std::uint32_t plugin) const {
@@ -61,7 +66,9 @@ std::string PluginRegistry::objection(std::uint32_t plugin) const {
   switch (state(plugin)) {
     case PluginState::kAbsent:
     case PluginState::kLoaded: return name + " is not loaded yet: its host starts.";
-    case PluginState::kFailed: return name + " has failed and must be reloaded first: " + std::string(link::view(board_.data().plugin[plugin].error));
+    case PluginState::kFailed:
+      return name +
+             " has failed and must be reloaded first: " + std::string(link::view(board_.data().plugin[plugin].error));
     case PluginState::kStopping: return name + " is just being stopped.";
     default: break;
   }
@@ -84,15 +91,16 @@ std::string PluginRegistry::masterObjection(std::uint32_t plugin) const {
       continue;
     }
     if (plugins_[i].role == PluginRole::kMaster) {
-      return wanted.name + " cannot be started while " + plugins_[i].name + " runs: the master framework commands the robot. Stop " +
-             plugins_[i].name + " first.";
+      return wanted.name + " cannot be started while " + plugins_[i].name +
+             " runs: the master framework commands the robot. Stop " + plugins_[i].name + " first.";
     }
     if (plugins_[i].role == PluginRole::kControl) {
       others += (others.empty() ? "" : ", ") + plugins_[i].name;
     }
   }
   if (wanted.role == PluginRole::kMaster && !others.empty()) {
-    return wanted.name + " cannot be started while other plugins run (" + others + "): the master framework commands the whole robot. Stop them first.";
+    return wanted.name + " cannot be started while other plugins run (" + others +
+           "): the master framework commands the whole robot. Stop them first.";
   }
   return {};
 }
@@ -101,8 +109,9 @@ std::string PluginRegistry::jointObjection(std::uint32_t plugin) const {
   for (const std::uint32_t joint : plugins_[plugin].joints) {
     const std::uint16_t owner = board_.owner(joint);
     if (owner != link::kNobody && owner != plugin && owner < size() && isActive(owner)) {
-      return plugins_[plugin].name + " cannot be started while " + plugins_[owner].name + " runs: both command the joint " +
-             config_.robot.joints[joint].name + ". Stop " + plugins_[owner].name + " first.";
+      return plugins_[plugin].name + " cannot be started while " + plugins_[owner].name +
+             " runs: both command the joint " + config_.robot.joints[joint].name + ". Stop " + plugins_[owner].name +
+             " first.";
     }
   }
   return {};
@@ -121,7 +130,8 @@ void PluginRegistry::loaded(std::uint32_t plugin, PluginRole role, std::string_v
   });
   // Why it was stopped stays to be read, where its host died.
   const bool was_lost = state(plugin) == PluginState::kAbsent;
-  set(plugin, PluginState::kStopped, was_lost ? std::string(link::view(board_.data().plugin[plugin].error)) : std::string());
+  set(plugin, PluginState::kStopped,
+      was_lost ? std::string(link::view(board_.data().plugin[plugin].error)) : std::string());
 }
 
 void PluginRegistry::starting(std::uint32_t plugin) {
@@ -142,7 +152,9 @@ void PluginRegistry::stopped(std::uint32_t plugin) {
   set(plugin, PluginState::kStopped, {});
 }
 
-void PluginRegistry::failed(std::uint32_t plugin, std::string_view sentence) { set(plugin, PluginState::kFailed, sentence); }
+void PluginRegistry::failed(std::uint32_t plugin, std::string_view sentence) {
+  set(plugin, PluginState::kFailed, sentence);
+}
 
 void PluginRegistry::lost(std::uint32_t plugin, std::string_view sentence) {
   if (state(plugin) == PluginState::kFailed && sentence.empty()) {
@@ -161,7 +173,9 @@ void PluginRegistry::set(std::uint32_t plugin, PluginState state, std::string_vi
   }
 }
 
-void PluginRegistry::setStatus(std::uint32_t plugin, std::string_view line) { link::assign(board_.edit().plugin[plugin].status, line); }
+void PluginRegistry::setStatus(std::uint32_t plugin, std::string_view line) {
+  link::assign(board_.edit().plugin[plugin].status, line);
+}
 
 std::string PluginRegistry::describe(std::uint32_t plugin) const {
   const std::string error(link::view(board_.data().plugin[plugin].error));

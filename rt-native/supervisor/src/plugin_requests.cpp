@@ -87,12 +87,14 @@ void PluginRequests::command(std::uint64_t client, std::string_view words) {
   HostProcess& host = hostOf(*plugin);
   const PluginState state = registry_.state(*plugin);
   if (!host.child().isAlive() || state == PluginState::kAbsent || state == PluginState::kFailed) {
-    replies_.answer(client, registry_.name(*plugin) + " is not there to be told something: it is " + registry_.describe(*plugin) + ".");
+    replies_.answer(client, registry_.name(*plugin) + " is not there to be told something: it is " +
+                                registry_.describe(*plugin) + ".");
     return;
   }
   const std::uint32_t id = next_command_++;
   pending_.add(Awaited::kCommand, *plugin, client, link::now() + kPatience, id);
-  host.child().socket().send("command " + std::to_string(id) + " " + registry_.name(*plugin) + " " + std::string(order));
+  host.child().socket().send("command " + std::to_string(id) + " " + registry_.name(*plugin) + " " +
+                             std::string(order));
 }
 
 void PluginRequests::status(std::uint64_t client, std::string_view words) {

@@ -42,11 +42,12 @@ int tryToLock() {
 
 std::string lackOfRights(int priority) {
   if (const int error = tryPriority(priority); error != 0) {
-    return "This process may not run in real time: priority " + std::to_string(priority) + " of SCHED_FIFO is refused (" +
-           std::strerror(error) + ")." + kRemedy;
+    return "This process may not run in real time: priority " + std::to_string(priority) +
+           " of SCHED_FIFO is refused (" + std::strerror(error) + ")." + kRemedy;
   }
   if (const int error = tryToLock(); error != 0) {
-    return std::string("This process may not run in real time: it may not lock its memory (") + std::strerror(error) + ")." + kRemedy;
+    return std::string("This process may not run in real time: it may not lock its memory (") + std::strerror(error) +
+           ")." + kRemedy;
   }
   return {};
 }

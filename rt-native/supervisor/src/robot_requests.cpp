@@ -39,8 +39,10 @@ void RobotRequests::describe(std::uint64_t client, std::string_view words) {
   const std::string& text = which == "urdf" ? robot_.urdf : robot_.srdf;
   offset = std::min(offset, text.size());
   std::size_t stop = std::min(offset + kDescriptionPiece, text.size());
-  while (stop < text.size() && stop > offset && (static_cast<unsigned char>(text[stop]) & 0xC0U) == 0x80U) --stop;  // characters stay whole
-  replies_.reply(client, "ok " + std::to_string(stop < text.size() ? stop : 0) + " " + text.substr(offset, stop - offset));
+  while (stop < text.size() && stop > offset && (static_cast<unsigned char>(text[stop]) & 0xC0U) == 0x80U)
+    --stop;  // characters stay whole
+  replies_.reply(client,
+                 "ok " + std::to_string(stop < text.size() ? stop : 0) + " " + text.substr(offset, stop - offset));
 }
 
 }  // namespace robotui::rt::supervisor

@@ -22,11 +22,14 @@ RosProcess::RosProcess(bool wanted) : wanted_(wanted) {
 
 std::string RosProcess::lack() const {
   if (!wanted_ || ::access(programBeside(kProgram).c_str(), X_OK) == 0) return {};
-  return "The configuration names ROS as the master framework, but robotui-rt-ros is not built: the robot is not seen in ROS. Install libroscpp-dev, "
-         "libstd-srvs-dev, libsensor-msgs-dev, libgeometry-msgs-dev, libtf2-msgs-dev, python3-gencpp and python3-genpy, and build again.";
+  return "The configuration names ROS as the master framework, but robotui-rt-ros is not built: the robot is not seen "
+         "in ROS. Install libroscpp-dev, "
+         "libstd-srvs-dev, libsensor-msgs-dev, libgeometry-msgs-dev, libtf2-msgs-dev, python3-gencpp and "
+         "python3-genpy, and build again.";
 }
 
-void RosProcess::spawn(const std::vector<std::string>& arguments, const std::vector<int>& channels, std::int64_t now_ns) {
+void RosProcess::spawn(const std::vector<std::string>& arguments, const std::vector<int>& channels,
+                       std::int64_t now_ns) {
   resetChannels();
   alive_ns_ = now_ns;
   child_.spawn(programBeside(kProgram), arguments, SIGTERM);

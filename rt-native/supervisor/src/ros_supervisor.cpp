@@ -16,7 +16,8 @@ void RosSupervisor::spawn(std::int64_t now_ns) {
 
 void RosSupervisor::receive() {
   link::Packet packet;
-  while (ros_.child().socket().isOpen() && ros_.child().socket().receive(packet, std::chrono::milliseconds(0)) == link::Received::kPacket) {
+  while (ros_.child().socket().isOpen() &&
+         ros_.child().socket().receive(packet, std::chrono::milliseconds(0)) == link::Received::kPacket) {
     if (packet.verb() == "alive") {
       ros_.alive(link::now());
     } else if (packet.verb() == "log") {

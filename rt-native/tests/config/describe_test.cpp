@@ -5,7 +5,9 @@
 namespace robotui::rt::config {
 namespace {
 
-RobotDescription described(const Workspace& at) { return describe(at.file("robot.urdf"), at.file("robot.srdf"), at.file("map.yaml"), false); }
+RobotDescription described(const Workspace& at) {
+  return describe(at.file("robot.urdf"), at.file("robot.srdf"), at.file("map.yaml"), false);
+}
 
 TEST(Describe, JointsComeInTheOrderOfTheirIdsWithTheLimitsOfTheUrdf) {
   const auto robot = described(Workspace{});

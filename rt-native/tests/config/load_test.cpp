@@ -9,7 +9,8 @@ namespace {
 using std::chrono::microseconds;
 
 bool anyContains(const std::vector<std::string>& lines, const std::string& what) {
-  return std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return line.find(what) != std::string::npos; });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const auto& line) { return line.find(what) != std::string::npos; });
 }
 
 TEST(Load, TheLeastConfigurationHasSafeDefaults) {
@@ -38,8 +39,9 @@ TEST(Load, TheMasterFrameworkIsThatOfXBotOrOurs) {
 }
 
 TEST(Load, ThePlainListIsOneThreadInSequence) {
-  const auto config = Workspace{}.load("XBotRTPlugins: {plugins: [Homing, {name: S, type: Sine, params: {f: 2}}], io_plugins: [Io]}\n"
-                                       "NRTPlugins: {plugins: [Slow]}\n");
+  const auto config = Workspace{}.load(
+      "XBotRTPlugins: {plugins: [Homing, {name: S, type: Sine, params: {f: 2}}], io_plugins: [Io]}\n"
+      "NRTPlugins: {plugins: [Slow]}\n");
   ASSERT_EQ(config.plugins.size(), 2U);
   EXPECT_EQ(config.plugins[0].type, "Homing");
   EXPECT_EQ(config.plugins[1].name, "S");
@@ -69,8 +71,12 @@ xbotcore_plugins:
 }
 
 TEST(Load, TheHalHasKeysOfOurs) {
-  const auto hal = Workspace{}.load("HALInterface: {type: mujoco, deadline: 0.5, misses_before_safe: 4, safe_law: damping, safe_damping: 2.5, "
-                                    "period_us: 500, prio: 80, core_id: 0, cpu_dma_latency_us: -1, params: {steps: 2}}\n").hal;
+  const auto hal = Workspace{}
+                       .load(
+                           "HALInterface: {type: mujoco, deadline: 0.5, misses_before_safe: 4, safe_law: damping, "
+                           "safe_damping: 2.5, "
+                           "period_us: 500, prio: 80, core_id: 0, cpu_dma_latency_us: -1, params: {steps: 2}}\n")
+                       .hal;
   EXPECT_EQ(hal.type, "mujoco");
   EXPECT_EQ(hal.deadline, 0.5);
   EXPECT_EQ(hal.misses_before_safe, 4);
@@ -92,8 +98,10 @@ TEST(Load, ALibraryIsAHalRelativeToTheFile) {
 }
 
 TEST(Load, OverridesChooseTheDummyAndMoveThePeriodOfThoseThatFollow) {
-  const auto config = Workspace{}.load("HALInterface: {type: udp, params: {port: 4}}\n"
-                                       "xbotcore_threads: {a: {period: 0.001}, b: {period: 0.004}}\n", {true, microseconds(2000)});
+  const auto config = Workspace{}.load(
+      "HALInterface: {type: udp, params: {port: 4}}\n"
+      "xbotcore_threads: {a: {period: 0.001}, b: {period: 0.004}}\n",
+      {true, microseconds(2000)});
   EXPECT_EQ(config.hal.type, "dummy");
   EXPECT_EQ(config.hal.params.size(), 0U);
   EXPECT_EQ(config.hal.period, microseconds(2000));
@@ -103,7 +111,9 @@ TEST(Load, OverridesChooseTheDummyAndMoveThePeriodOfThoseThatFollow) {
 
 TEST(Load, OlderNamesAreTakenWithAWarning) {
   const Workspace at;
-  at.write("rt.yaml", "x_bot_interface: {urdf_path: robot.urdf, joint_map_config: map.yaml}\nModelInterface: {model_type: RBDL}\n");
+  at.write(
+      "rt.yaml",
+      "x_bot_interface: {urdf_path: robot.urdf, joint_map_config: map.yaml}\nModelInterface: {model_type: RBDL}\n");
   const auto config = load(at.file("rt.yaml"), {});
   EXPECT_EQ(config.robot.joints.size(), 2U);
   EXPECT_TRUE(anyContains(config.warnings, "write 'XBotInterface'"));
@@ -124,7 +134,10 @@ TEST(Load, ParametersAreReadWithPlaces) {
     params.wholeOr("steps", 1, 1, 10);
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("rt.yaml:7:12: params.steps is 'many'; expected a whole number from 1 to 10"), std::string::npos) << error.what();
+    EXPECT_NE(
+        std::string(error.what()).find("rt.yaml:7:12: params.steps is 'many'; expected a whole number from 1 to 10"),
+        std::string::npos)
+        << error.what();
   }
 }
 

@@ -40,7 +40,9 @@ TEST_F(Mistakes, WrongYaml) {
 TEST_F(Mistakes, SlipsOfThePenAreNamed) {
   expect("XBotRTPlugin: {plugins: [A]}\n", "rt.yaml:5:15: XBotRTPlugin is not a key, did you mean 'XBotRTPlugins'?");
   expect("HALInterface: {deadlin: 0.5}\n", "did you mean 'deadline'?");
-  expect("HALInterface: {type: mujoko}\n", "rt.yaml:5:22: HALInterface.type is 'mujoko'; expected one of dummy, mujoco, udp, ethercat, library, did you mean 'mujoco'?");
+  expect("HALInterface: {type: mujoko}\n",
+         "rt.yaml:5:22: HALInterface.type is 'mujoko'; expected one of dummy, mujoco, udp, ethercat, library, did you "
+         "mean 'mujoco'?");
 }
 
 TEST_F(Mistakes, MissingKeys) {
@@ -49,12 +51,15 @@ TEST_F(Mistakes, MissingKeys) {
     load(at.file("rt.yaml"), {});
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("'XBotInterface' is missing; write: XBotInterface: {urdf_path:"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("'XBotInterface' is missing; write: XBotInterface: {urdf_path:"),
+              std::string::npos)
+        << error.what();
   }
 }
 
 TEST_F(Mistakes, ValuesOutOfRange) {
-  expect("HALInterface: {deadline: 2}\n", "rt.yaml:5:26: HALInterface.deadline is '2'; expected a number from 0.05 to 0.95");
+  expect("HALInterface: {deadline: 2}\n",
+         "rt.yaml:5:26: HALInterface.deadline is '2'; expected a number from 0.05 to 0.95");
   expect("HALInterface: {deadline: .nan}\n", "expected a number");
   expect("HALInterface: {misses_before_safe: 0}\n", "expected a whole number from 1 to 1000");
   expect("HALInterface: {type: library}\n", "no 'lib_file'");
@@ -63,10 +68,13 @@ TEST_F(Mistakes, ValuesOutOfRange) {
 }
 
 TEST_F(Mistakes, ThreadsThatCannotBe) {
-  expect("xbotcore_threads: {a: {core_id: 1000}}\n", "rt.yaml:5:33: xbotcore_threads.a.core_id is 1000, on which this process may not run; there are ");
-  expect("xbotcore_threads: {a: {prio: 90}}\n", "rt.yaml:5:23: the thread 'a' has the priority 90; it must be below the HAL's, 90");
+  expect("xbotcore_threads: {a: {core_id: 1000}}\n",
+         "rt.yaml:5:33: xbotcore_threads.a.core_id is 1000, on which this process may not run; there are ");
+  expect("xbotcore_threads: {a: {prio: 90}}\n",
+         "rt.yaml:5:23: the thread 'a' has the priority 90; it must be below the HAL's, 90");
   expect("xbotcore_threads: {fast: {}}\nxbotcore_plugins: {p: {thread: fats}}\n",
-         "rt.yaml:6:23: the plugin 'p' is to run in the thread 'fats', which is not in xbotcore_threads; there are fast, did you mean 'fast'?");
+         "rt.yaml:6:23: the plugin 'p' is to run in the thread 'fats', which is not in xbotcore_threads; there are "
+         "fast, did you mean 'fast'?");
   std::string many = "xbotcore_threads:\n";
   for (int i = 0; i < 9; ++i) many += "  t" + std::to_string(i) + ": {}\n";
   expect(many, "the host 'rt' has more than 8 threads");
@@ -79,7 +87,8 @@ TEST_F(Mistakes, PluginsTwiceOrWithNamesThatAreNone) {
 
 TEST_F(Mistakes, JointMap) {
   map("joint_map:\n  1: sholder\n");
-  expect("", "map.yaml:2:6: joint_map.1 is 'sholder', but the URDF has no joint of that name, did you mean 'shoulder'?");
+  expect("",
+         "map.yaml:2:6: joint_map.1 is 'sholder', but the URDF has no joint of that name, did you mean 'shoulder'?");
   map("joint_map: {1: shoulder, 2: shoulder}\n");
   expect("", "map.yaml:1:29: joint_map.2 is 'shoulder', which has the id 1 already");
   map("joint_map: {1: shoulder, 01: elbow}\n");
@@ -87,7 +96,8 @@ TEST_F(Mistakes, JointMap) {
   map("joint_map: {1: shoulder, 1: elbow}\n");
   expect("", "has the key '1' twice");
   map("joint_map: {1: wrist_mount}\n");
-  expect("", "is 'wrist_mount', which is fixed in the URDF (robot.urdf:11): it cannot be moved; take it out of the map");
+  expect("",
+         "is 'wrist_mount', which is fixed in the URDF (robot.urdf:11): it cannot be moved; take it out of the map");
   map("joint_map: {one: shoulder}\n");
   expect("", "no whole number");
   map("joints: {1: shoulder}\n");

@@ -16,7 +16,8 @@ struct RealRobots : testing::Test {
 
 TEST_F(RealRobots, Coman) {
   const auto folder = robots / "coman_urdf";
-  const auto robot = describe(folder / "urdf/coman.urdf", folder / "srdf/coman.srdf", folder / "config/coman_joint_map.yaml", true);
+  const auto robot =
+      describe(folder / "urdf/coman.urdf", folder / "srdf/coman.srdf", folder / "config/coman_joint_map.yaml", true);
   EXPECT_EQ(robot.name, "coman");
   ASSERT_EQ(robot.joints.size(), 29U);
   EXPECT_EQ(robot.joints[0].name, "RShSag");
@@ -33,7 +34,9 @@ TEST_F(RealRobots, Coman) {
 }
 
 TEST_F(RealRobots, Panda) {
-  at.write("map.yaml", "joint_map: {1: panda_joint1, 2: panda_joint2, 3: panda_joint3, 4: panda_joint4, 5: panda_joint5, 6: panda_joint6, 7: panda_joint7}\n");
+  at.write("map.yaml",
+           "joint_map: {1: panda_joint1, 2: panda_joint2, 3: panda_joint3, 4: panda_joint4, 5: panda_joint5, 6: "
+           "panda_joint6, 7: panda_joint7}\n");
   const auto folder = robots / "panda_description";
   const auto robot = describe(folder / "urdf/panda.urdf", folder / "srdf/panda.srdf", at.file("map.yaml"), false);
   EXPECT_EQ(robot.joints.size(), 7U);

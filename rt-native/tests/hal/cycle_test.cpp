@@ -232,7 +232,8 @@ TEST_F(CycleTest, a_host_that_was_replaced_is_listened_to) {
   EXPECT_LT(hardware.sent[0].position, 0.5);
 }
 
-// Whatever a host writes into its memory: what goes to the hardware is a number within the limits, and moves no faster than allowed.
+// Whatever a host writes into its memory: what goes to the hardware is a number within the limits, and moves no faster
+// than allowed.
 TEST_F(CycleTest, random_bytes_in_a_slot_are_harmless) {
   commanding(position(0.5));
   std::mt19937_64 random(42);
@@ -254,7 +255,8 @@ TEST_F(CycleTest, random_bytes_in_a_slot_are_harmless) {
     run();
     for (const Reference& sent : hardware.sent) {
       ASSERT_TRUE(std::isfinite(sent.position) && std::abs(sent.velocity) <= 1 && std::abs(sent.effort) <= 50);
-      ASSERT_TRUE(std::isfinite(sent.stiffness) && std::isfinite(sent.damping) && sent.stiffness >= 0 && sent.damping >= 0);
+      ASSERT_TRUE(std::isfinite(sent.stiffness) && std::isfinite(sent.damping) && sent.stiffness >= 0 &&
+                  sent.damping >= 0);
     }
     const bool anchored = i % 10 == 0;
     ASSERT_TRUE(anchored || std::abs(hardware.sent[0].position - last) <= 0.001 + 1e-12);

@@ -24,15 +24,18 @@ double angleOf(const config::RobotDescription& robot, const std::string& joint, 
 // A robot with a fixed base that moves as the laws of mechanics say, from its posture `home`.
 class MovedByEfforts : public Hal {
  public:
-  explicit MovedByEfforts(const RobotPtr& robot) : model_(ModelInterface::create("KDL", robot)), q_(model_->getJointNum()) {
+  explicit MovedByEfforts(const RobotPtr& robot)
+      : model_(ModelInterface::create("KDL", robot)), q_(model_->getJointNum()) {
     for (int i = 0; i < q_.size(); ++i) q_[i] = angleOf(*robot, model_->joint(i).name(), "home");
     start = q_;
     qdot_ = tau_ = bias_ = Eigen::VectorXd::Zero(q_.size());
     m_.resize(q_.size(), q_.size());
     motors_.resize(q_.size());
-    for (int i = 0; i < q_.size(); ++i) motors_[i] = 0.001 * model_->joint(i).description().effort;  // as the simulation takes them
+    for (int i = 0; i < q_.size(); ++i)
+      motors_[i] = 0.001 * model_->joint(i).description().effort;  // as the simulation takes them
   }
-  void open(const config::RobotDescription& /*robot*/, const config::HalConfig& /*config*/, std::int64_t /*period_ns*/) override {}
+  void open(const config::RobotDescription& /*robot*/, const config::HalConfig& /*config*/,
+            std::int64_t /*period_ns*/) override {}
   Status sense(Measurements& into) noexcept override {
     for (Eigen::Index i = 0; i < q_.size(); ++i) {
       link::JointState& joint = into.joints[static_cast<std::size_t>(i)];
@@ -94,7 +97,8 @@ TEST_P(SafeLaw, IsTheWeightOfTheModelAndTheOppositeUpsideDown) {
   std::vector<link::JointState> joints(humanoid->joints.size());
   std::vector<link::ImuState> imus(humanoid->imus.size());
   const Measurements measured{joints, imus, {}};
-  for (std::size_t i = 0; i < joints.size(); ++i) joints[i].link_position = angleOf(*humanoid, humanoid->joints[i].name, "home");
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    joints[i].link_position = angleOf(*humanoid, humanoid->joints[i].name, "home");
   std::vector<double> upright(joints.size());
   std::vector<double> turned(joints.size());
   imus[0].orientation = {0, 0, 0, 1};
@@ -119,7 +123,8 @@ TEST_P(SafeLaw, KnowsHowTheImuIsMounted) {
   const std::string mount = "<origin xyz=\"-0.05 0 0.02\"/><parent link=\"pelvis\"/>";
   const std::size_t at = turned->urdf.find(mount);
   ASSERT_NE(at, std::string::npos);
-  turned->urdf.replace(at, mount.size(), "<origin xyz=\"-0.05 0 0.02\" rpy=\"0 1.5707963267948966 0\"/><parent link=\"pelvis\"/>");
+  turned->urdf.replace(at, mount.size(),
+                       "<origin xyz=\"-0.05 0 0.02\" rpy=\"0 1.5707963267948966 0\"/><parent link=\"pelvis\"/>");
   std::vector<link::JointState> joints(plain->joints.size());
   std::vector<link::ImuState> imus(plain->imus.size());
   const Measurements measured{joints, imus, {}};
@@ -127,7 +132,8 @@ TEST_P(SafeLaw, KnowsHowTheImuIsMounted) {
   std::vector<double> found(joints.size());
   imus[0].orientation = {0, 0, 0, 1};
   makeGravityTorque(plain, GetParam())->compute(measured, expected);
-  imus[0].orientation = {0, std::sqrt(0.5), 0, std::sqrt(0.5)};  // what a sensor says that is mounted so, on a base that stands
+  imus[0].orientation = {0, std::sqrt(0.5), 0,
+                         std::sqrt(0.5)};  // what a sensor says that is mounted so, on a base that stands
   makeGravityTorque(turned, GetParam())->compute(measured, found);
   for (std::size_t i = 0; i < joints.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-9) << plain->joints[i].name;
 }
@@ -146,7 +152,8 @@ TEST_P(SafeLaw, AllocatesNothing) {
   EXPECT_EQ(link::allocationCount().calls, before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, SafeLaw, testing::ValuesIn(ModelInterface::types()), [](const auto& at) { return at.param; });
+INSTANTIATE_TEST_SUITE_P(Models, SafeLaw, testing::ValuesIn(ModelInterface::types()),
+                         [](const auto& at) { return at.param; });
 
 // What the law is there for: with damping alone the same arm falls.
 TEST(Damping, AloneLetsTheArmFall) {

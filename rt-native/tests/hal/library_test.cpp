@@ -36,9 +36,11 @@ TEST(Library, one_for_another_interface_is_refused_with_both_numbers) {
 
 TEST(Library, one_that_was_built_another_way_is_refused_with_both_ways) {
   const std::string error = errorOf(STRANGE_HAL);
-  EXPECT_NE(error.find("libstrange_hal.so does not fit this program: it was built with _GLIBCXX_USE_CXX11_ABI 0, and this program with "
+  EXPECT_NE(error.find("libstrange_hal.so does not fit this program: it was built with _GLIBCXX_USE_CXX11_ABI 0, and "
+                       "this program with "
                        "_GLIBCXX_USE_CXX11_ABI 1. Build it again with the same _GLIBCXX_USE_CXX11_ABI."),
-            std::string::npos) << error;
+            std::string::npos)
+      << error;
 }
 
 TEST(Library, that_is_not_there_or_no_hal_is_an_error_with_its_name) {

@@ -48,7 +48,8 @@ class Answering {
           link::CommandData data{};
           data.joints.fill(position(0.3));
           while (!stop.stop_requested()) {
-            if (!reader.wait(link::now() + 10 * link::kMillisecond) || reader.newest(*frame) != link::Read::kNew) continue;
+            if (!reader.wait(link::now() + 10 * link::kMillisecond) || reader.newest(*frame) != link::Read::kNew)
+              continue;
             data.cycle = frame->cycle;
             writer.write(data);
             ++answers_;
@@ -82,7 +83,8 @@ TEST(LoopTest, cycles_without_allocations_page_faults_or_lost_frames) {
   rig.state.sealAgainstWriters();
   auto readable = link::Segment<const link::StateSegment>::open(rig.state.shareReadOnly());
   link::StateReader reader(*readable);
-  const Answering answering(link::Segment<const link::StateSegment>::open(rig.state.shareReadOnly()), *rig.host, Rig::kJoints);
+  const Answering answering(link::Segment<const link::StateSegment>::open(rig.state.shareReadOnly()), *rig.host,
+                            Rig::kJoints);
   Loop loop(cycle, {.period_ns = link::kMillisecond, .priority = 20, .core = std::nullopt, .allow_non_rt = true});
   const std::vector<std::string> refusals = loop.start();
   auto frame = std::make_unique<link::FrameData>();
@@ -102,10 +104,12 @@ TEST(LoopTest, cycles_without_allocations_page_faults_or_lost_frames) {
   EXPECT_TRUE(kSanitized || !refusals.empty() || statistics.page_faults == 0) << statistics.page_faults;
   EXPECT_EQ(first + frames - 1 + reader.lost(), statistics.cycles);
   EXPECT_GT(answering.answers(), 100);
-  std::printf("cycles %lu overruns %lu missed %lu lost %lu; wake-up p50 %ld p99 %ld max %ld ns; busy p50 %ld p99 %ld max %ld ns\n",
-              statistics.cycles, statistics.overruns, statistics.missed_commands, reader.lost(), percentile(statistics.wake_up, 0.5),
-              percentile(statistics.wake_up, 0.99), statistics.wake_up.max_ns, percentile(statistics.busy, 0.5),
-              percentile(statistics.busy, 0.99), statistics.busy.max_ns);
+  std::printf(
+      "cycles %lu overruns %lu missed %lu lost %lu; wake-up p50 %ld p99 %ld max %ld ns; busy p50 %ld p99 %ld max %ld "
+      "ns\n",
+      statistics.cycles, statistics.overruns, statistics.missed_commands, reader.lost(),
+      percentile(statistics.wake_up, 0.5), percentile(statistics.wake_up, 0.99), statistics.wake_up.max_ns,
+      percentile(statistics.busy, 0.5), percentile(statistics.busy, 0.99), statistics.busy.max_ns);
 }
 
 TEST(LoopTest, an_ordinary_thread_needs_no_rights) {

@@ -7,12 +7,15 @@ namespace {
 
 class OwnHal : public robotui::rt::hal::Hal {
  public:
-  void open(const robotui::rt::config::RobotDescription&, const robotui::rt::config::HalConfig&, std::int64_t) override {}
+  void open(const robotui::rt::config::RobotDescription&, const robotui::rt::config::HalConfig&,
+            std::int64_t) override {}
   robotui::rt::hal::Status sense(robotui::rt::hal::Measurements& into) noexcept override {
     std::for_each(into.joints.begin(), into.joints.end(), [](auto& joint) { joint.link_position = 0.125; });
     return robotui::rt::hal::Status::kOk;
   }
-  robotui::rt::hal::Status move(std::span<const robotui::rt::hal::Reference>) noexcept override { return robotui::rt::hal::Status::kOk; }
+  robotui::rt::hal::Status move(std::span<const robotui::rt::hal::Reference>) noexcept override {
+    return robotui::rt::hal::Status::kOk;
+  }
   void close() noexcept override {}
 };
 
@@ -20,7 +23,9 @@ class OwnHal : public robotui::rt::hal::Hal {
 
 #ifdef OTHER_ABI
 extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_hal_abi() { return 99; }
-extern "C" __attribute__((visibility("default"))) robotui::rt::hal::Hal* robotui_rt_hal_create() { return new OwnHal(); }
+extern "C" __attribute__((visibility("default"))) robotui::rt::hal::Hal* robotui_rt_hal_create() {
+  return new OwnHal();
+}
 #else
 ROBOTUI_RT_HAL(OwnHal)
 #endif

@@ -74,7 +74,9 @@ struct HalProcess : testing::Test {
     for (int i = 0; i < 2; ++i) hosts.push_back(link::Segment<link::HostSegment>::create(1));
   }
 
-  void start(const std::string& config) { start({HAL_PROGRAM, "-C", config, "--allow-non-rt", "--period", "2000"}, true); }
+  void start(const std::string& config) {
+    start({HAL_PROGRAM, "-C", config, "--allow-non-rt", "--period", "2000"}, true);
+  }
 
   void start(std::vector<std::string> words, bool has_rights) {
     sockets.second.inheritable();
@@ -97,7 +99,8 @@ struct HalProcess : testing::Test {
 
   // A copy of the folder, so that tests that run at the same time do not meet.
   std::string configWithPort(const std::string& port) const {
-    std::filesystem::copy(std::filesystem::path(CONFIGS_FOLDER) / "arm", folder.path(), std::filesystem::copy_options::recursive);
+    std::filesystem::copy(std::filesystem::path(CONFIGS_FOLDER) / "arm", folder.path(),
+                          std::filesystem::copy_options::recursive);
     const std::filesystem::path file = folder.path() / "rt-udp.yaml";
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
@@ -128,7 +131,8 @@ TEST_F(HalProcess, cycles_and_ends_when_it_is_told) {
   ASSERT_TRUE(hal.send("end"));
   const int status = program->wait();
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  EXPECT_EQ(state->frames[state->newest % link::kFrames].data.joints[0].control, static_cast<std::uint8_t>(link::Control::kSafe));
+  EXPECT_EQ(state->frames[state->newest % link::kFrames].data.joints[0].control,
+            static_cast<std::uint8_t>(link::Control::kSafe));
 }
 
 TEST_F(HalProcess, ends_when_its_supervisor_is_gone) {
@@ -162,13 +166,16 @@ TEST_F(HalProcess, without_rights_it_refuses_with_the_remedy) {
 TEST_F(HalProcess, joints_over_udp_are_lost_and_found) {
   const std::string port = std::to_string(20000 + ::getpid() % 20000);
   const std::string udp = configWithPort(port);
-  const auto controller = [&] { return std::make_unique<Program>(std::vector<std::string>{JOINTS_PROGRAM, "-C", udp, "--port", port}); };
+  const auto controller = [&] {
+    return std::make_unique<Program>(std::vector<std::string>{JOINTS_PROGRAM, "-C", udp, "--port", port});
+  };
   auto joints = controller();
   start(udp);
   ASSERT_TRUE(state) << said;
   EXPECT_TRUE(frameUntil([](const link::FrameData& frame) { return frame.hal_status == 0; }));
   joints->kill(SIGKILL);
-  EXPECT_TRUE(frameUntil([](const link::FrameData& frame) { return frame.hal_status == 1 && frame.joints[0].control == 3; }));
+  EXPECT_TRUE(
+      frameUntil([](const link::FrameData& frame) { return frame.hal_status == 1 && frame.joints[0].control == 3; }));
   joints = controller();
   EXPECT_TRUE(frameUntil([](const link::FrameData& frame) { return frame.hal_status == 0; }));
 }

@@ -18,7 +18,8 @@ inline config::RobotDescription robotOf(int joints) {
   config::RobotDescription robot{};
   robot.name = "test";
   for (int i = 0; i < joints; ++i) {
-    robot.joints.push_back({i + 1, "joint_" + std::to_string(i + 1), config::JointType::kRevolute, -2.0, 2.0, 1.0, 50.0});
+    robot.joints.push_back(
+        {i + 1, "joint_" + std::to_string(i + 1), config::JointType::kRevolute, -2.0, 2.0, 1.0, 50.0});
   }
   return robot;
 }
@@ -26,7 +27,8 @@ inline config::RobotDescription robotOf(int joints) {
 // A robot that is where it was put, and remembers what it was told.
 class FakeHal : public Hal {
  public:
-  void open(const config::RobotDescription& /*robot*/, const config::HalConfig& /*config*/, std::int64_t /*period_ns*/) override {}
+  void open(const config::RobotDescription& /*robot*/, const config::HalConfig& /*config*/,
+            std::int64_t /*period_ns*/) override {}
   Status sense(Measurements& into) noexcept override {
     if (status != Status::kOk) return status;
     for (link::JointState& joint : into.joints) {
@@ -51,7 +53,9 @@ class FakeHal : public Hal {
 
 class FakeTorque : public SafeTorque {
  public:
-  void compute(const Measurements& /*measured*/, std::span<double> effort) noexcept override { std::fill(effort.begin(), effort.end(), value); }
+  void compute(const Measurements& /*measured*/, std::span<double> effort) noexcept override {
+    std::fill(effort.begin(), effort.end(), value);
+  }
   double value = 7;
 };
 
@@ -68,8 +72,10 @@ class FakeTime : public Waiting {
   }
   bool isOver(std::int64_t deadline_ns) const noexcept override { return now >= deadline_ns; }
   bool await(const link::SlotReader& slot, std::int64_t deadline_ns) noexcept override {
-    if (!events_.empty() && events_.begin()->first < deadline_ns) happen();
-    else passTo(deadline_ns);
+    if (!events_.empty() && events_.begin()->first < deadline_ns)
+      happen();
+    else
+      passTo(deadline_ns);
     return slot.hasNew();
   }
 
@@ -102,7 +108,8 @@ struct Rig {
 
   // In the test's own time, or waiting as another one does.
   explicit Rig(Waiting* other = nullptr)
-      : inbox(CommandPlan{{{0, 0, 1}, {0, 1, 10}, {1, 0, 1}}, {0, 1, 2}, kStartCycles}, kJoints, 2, other == nullptr ? static_cast<Waiting&>(time) : *other) {
+      : inbox(CommandPlan{{{0, 0, 1}, {0, 1, 10}, {1, 0, 1}}, {0, 1, 2}, kStartCycles}, kJoints, 2,
+              other == nullptr ? static_cast<Waiting&>(time) : *other) {
     inbox.offer(0, CommandInbox::HostView::open(host.shareReadOnly()));
     inbox.offer(1, CommandInbox::HostView::open(second_host.shareReadOnly()));
     cycle.emplace(robot, settings, hardware, *board, inbox, torque, *state);

@@ -16,7 +16,8 @@ class SilentPlugin {
   SilentPlugin(RobotPtr robot, Hal& hardware, SafeTorque& law)
       : robot_(std::move(robot)), joints_(static_cast<std::uint32_t>(robot_->joints.size())),
         inbox_(CommandPlan{{{0, 0, 1}}, {0}, 1000}, joints_, 2, time_),
-        cycle_(*robot_, {.period_ns = kPeriod, .deadline = 0.8, .safe_damping = 5, .misses_before_safe = 2}, hardware, *board_, inbox_, law, *state_) {
+        cycle_(*robot_, {.period_ns = kPeriod, .deadline = 0.8, .safe_damping = 5, .misses_before_safe = 2}, hardware,
+               *board_, inbox_, law, *state_) {
     inbox_.offer(0, CommandInbox::HostView::open(host_.shareReadOnly()));
     run(1);
     for (std::uint32_t j = 0; j < joints_; ++j) grants_.grant(j, 0);
@@ -47,14 +48,16 @@ class SilentPlugin {
   double movedFrom(const link::FrameData& before) const {
     const link::FrameData data = frame();
     double most = 0;
-    for (std::uint32_t j = 0; j < joints_; ++j) most = std::max(most, std::abs(data.joints[j].link_position - before.joints[j].link_position));
+    for (std::uint32_t j = 0; j < joints_; ++j)
+      most = std::max(most, std::abs(data.joints[j].link_position - before.joints[j].link_position));
     return most;
   }
 
   bool isSafe() const {
     const link::FrameData data = frame();
-    return std::all_of(data.joints.begin(), data.joints.begin() + joints_,
-                       [](const link::JointState& joint) { return joint.control == static_cast<std::uint8_t>(link::Control::kSafe); });
+    return std::all_of(data.joints.begin(), data.joints.begin() + joints_, [](const link::JointState& joint) {
+      return joint.control == static_cast<std::uint8_t>(link::Control::kSafe);
+    });
   }
 
  private:

@@ -43,8 +43,7 @@ class Relay {
  public:
   explicit Relay(std::uint16_t server)
       : front_(Datagram::boundTo(addressOf("127.0.0.1", 0))),
-        back_(Datagram::connectedTo(addressOf("127.0.0.1", server))),
-        thread_([this](const std::stop_token& stop) {
+        back_(Datagram::connectedTo(addressOf("127.0.0.1", server))), thread_([this](const std::stop_token& stop) {
           while (!stop.stop_requested()) {
             front_.wait(1);
             pump();
@@ -133,14 +132,13 @@ TEST_F(UdpTest, joints_of_another_process_follow) {
 
 TEST_F(UdpTest, nobody_there_is_an_error_that_names_the_place) {
   std::uint16_t free_port = 0;
-  {
-    free_port = Datagram::boundTo(addressOf("127.0.0.1", 0)).port();
-  }
+  { free_port = Datagram::boundTo(addressOf("127.0.0.1", 0)).port(); }
   try {
     open(free_port);
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("127.0.0.1:" + std::to_string(free_port)), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("127.0.0.1:" + std::to_string(free_port)), std::string::npos)
+        << error.what();
   }
 }
 

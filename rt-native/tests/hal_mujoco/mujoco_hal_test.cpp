@@ -43,7 +43,8 @@ TEST_F(Arm, FallsWithoutEffortAndFloatsWithTheEffortsOfTheModel) {
     model->setJointPosition(q);
     model->update();
     model->computeGravityCompensation(tau);
-    for (std::size_t i = 0; i < 7; ++i) arm.references[i] = {0, 0, tau[static_cast<Eigen::Index>(i)], 0, 0, link::kEffort};
+    for (std::size_t i = 0; i < 7; ++i)
+      arm.references[i] = {0, 0, tau[static_cast<Eigen::Index>(i)], 0, 0, link::kEffort};
     ASSERT_EQ(arm.run(1), Status::kOk);
   }
   EXPECT_NEAR(arm.joint("elbow_pitch").link_position, 1.35, 0.02);

@@ -10,7 +10,8 @@ namespace robotui::rt::hal {
 
 class Simulated {
  public:
-  explicit Simulated(RobotPtr of, const std::string& params = "{}") : robot(std::move(of)), references(robot->joints.size()) {
+  explicit Simulated(RobotPtr of, const std::string& params = "{}")
+      : robot(std::move(of)), references(robot->joints.size()) {
     config::HalConfig config;
     config.type = "mujoco";
     config.params = YAML::Load(params);
@@ -19,7 +20,8 @@ class Simulated {
     imus.resize(robot->imus.size());
     force_torques.resize(robot->force_torques.size());
     sense();
-    for (std::size_t i = 0; i < joints.size(); ++i) references[i] = {joints[i].link_position, 0, 0, 0, 0, link::kPosition};
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      references[i] = {joints[i].link_position, 0, 0, 0, 0, link::kPosition};
   }
 
   Status sense() {

@@ -21,7 +21,9 @@ std::string refusal(const std::string& type, PluginKind kind = PluginKind::kCont
   return "nothing was refused";
 }
 
-void expectIn(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+void expectIn(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
 
 TEST(PluginLibrary, MakesAPlugin) {
   const PluginLibrary library("Naughty", kFolders);
@@ -34,21 +36,30 @@ TEST(PluginLibrary, NamesTheFoldersWhereALibraryIsMissing) {
   expectIn(refusal("../evil"), "no name of a plugin");
 }
 
-TEST(PluginLibrary, NamesBothVersionsOfAWrongInterface) { expectIn(refusal("WrongAbi"), "version 999 of the plugin interface, and this is version 2"); }
+TEST(PluginLibrary, NamesBothVersionsOfAWrongInterface) {
+  expectIn(refusal("WrongAbi"), "version 999 of the plugin interface, and this is version 2");
+}
 
-TEST(PluginLibrary, TakesOneThatWasBuiltAsTheHostWas) { EXPECT_NE(PluginLibrary("Plain", kFolders).create(PluginKind::kControl), nullptr); }
+TEST(PluginLibrary, TakesOneThatWasBuiltAsTheHostWas) {
+  EXPECT_NE(PluginLibrary("Plain", kFolders).create(PluginKind::kControl), nullptr);
+}
 
 // The sentence names both sides and the remedy, also where the loader would only have named a symbol that is missing.
 TEST(PluginLibrary, RefusesOneThatWasBuiltAnotherWayAndNamesBothSides) {
-  expectIn(refusal("OtherStrings"), "libOtherStrings.so does not fit this program: it was built with _GLIBCXX_USE_CXX11_ABI 0, and this program with "
-                                    "_GLIBCXX_USE_CXX11_ABI 1. Build it again with the same _GLIBCXX_USE_CXX11_ABI.");
-  expectIn(refusal("OtherAlignment"), "it was built with Eigen alignment 64 bytes, and this program with Eigen alignment " +
-                                          std::to_string(EIGEN_MAX_ALIGN_BYTES) + " bytes. Build it again with the same -march");
+  expectIn(
+      refusal("OtherStrings"),
+      "libOtherStrings.so does not fit this program: it was built with _GLIBCXX_USE_CXX11_ABI 0, and this program with "
+      "_GLIBCXX_USE_CXX11_ABI 1. Build it again with the same _GLIBCXX_USE_CXX11_ABI.");
+  expectIn(refusal("OtherAlignment"),
+           "it was built with Eigen alignment 64 bytes, and this program with Eigen alignment " +
+               std::to_string(EIGEN_MAX_ALIGN_BYTES) + " bytes. Build it again with the same -march");
   expectIn(refusal("OtherCompiler"), "it was built with compiler GCC 99, and this program with compiler ");
   expectIn(refusal("OtherCompiler"), "Build it again with the compiler of this program.");
 }
 
-TEST(PluginLibrary, SaysWhatALibraryLacks) { expectIn(refusal("NoSymbols"), "end its source with ROBOTUI_RT_PLUGIN(NoSymbols)"); }
+TEST(PluginLibrary, SaysWhatALibraryLacks) {
+  expectIn(refusal("NoSymbols"), "end its source with ROBOTUI_RT_PLUGIN(NoSymbols)");
+}
 
 TEST(PluginLibrary, SaysWhatAConstructorThrew) { expectIn(refusal("ThrowingConstructor"), "threw: no hardware key"); }
 
@@ -58,7 +69,8 @@ TEST(PluginLibrary, KnowsAnIoPluginFromAControlPlugin) {
 }
 
 TEST(PluginLibrary, SaysWhyAFileCannotBeLoaded) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("robotui-library-test-" + std::to_string(::getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("robotui-library-test-" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "libText.so") << "no library";
   try {

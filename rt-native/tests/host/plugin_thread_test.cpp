@@ -27,7 +27,8 @@ class PluginThreadTest : public ::testing::Test {
   }
 
   std::unique_ptr<PluginThread> makeThread(std::int64_t period_ns = link::kMillisecond) {
-    auto thread = std::make_unique<PluginThread>(ThreadPlan{"test", 0, period_ns, 0, {}, false}, *state_, *board_, *host_);
+    auto thread =
+        std::make_unique<PluginThread>(ThreadPlan{"test", 0, period_ns, 0, {}, false}, *state_, *board_, *host_);
     thread->start();
     return thread;
   }
@@ -121,7 +122,8 @@ TEST_F(PluginThreadTest, LosesOnlyThePluginThatThrows) {
     attach(*thread, *plugin);
     plugin->want(true);
   }
-  ASSERT_TRUE(cycleUntil([&] { return bad->state() == PluginState::kRunning && good->state() == PluginState::kRunning; }));
+  ASSERT_TRUE(
+      cycleUntil([&] { return bad->state() == PluginState::kRunning && good->state() == PluginState::kRunning; }));
   bad->order(1, "throw");
   ASSERT_TRUE(cycleUntil([&] { return bad->state() == PluginState::kFailed; }));
   EXPECT_EQ(bad->failure(), "control_loop of the plugin plugin0 threw: it was told to throw");
@@ -145,7 +147,8 @@ TEST_F(PluginThreadTest, FailsAPluginWhoseLoopSaysSo) {
   thread->detach(*plugin);
 }
 
-// Its life with commands, a status line that changes, and a failure: nothing of it asks the heap. A throw would, and is counted, too.
+// Its life with commands, a status line that changes, and a failure: nothing of it asks the heap. A throw would, and is
+// counted, too.
 TEST_F(PluginThreadTest, AsksNothingOfTheHeapInItsCycles) {
   const auto plugin = makePlugin(0, "{joints: [j1]}");
   const auto thread = makeThread();
@@ -236,7 +239,8 @@ TEST_F(PluginThreadTest, SaysWhyAPluginIsNotMadeReady) {
   EXPECT_EQ(why("{init: throw}"), "The plugin plugin0 cannot be made ready: it was told to throw");
   EXPECT_EQ(why("{init: refuse}"), "The plugin plugin0 cannot be made ready: it was told to refuse");
   EXPECT_EQ(why("{observer: true, init: claim}"),
-            "The plugin plugin0 cannot be made ready: it is an observer and claims joints; one that commands joints has another role()");
+            "The plugin plugin0 cannot be made ready: it is an observer and claims joints; one that commands joints "
+            "has another role()");
   EXPECT_NE(why("{joints: [j9]}").find("no joint 'j9'"), std::string::npos);
 }
 

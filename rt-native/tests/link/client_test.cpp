@@ -24,7 +24,9 @@ class FakeSupervisor {
     EXPECT_EQ(client_.receive(packet, 5s), Received::kPacket);
     return packet;
   }
-  void say(std::string_view text, std::span<const int> descriptors = {}) { EXPECT_TRUE(client_.send(text, descriptors)); }
+  void say(std::string_view text, std::span<const int> descriptors = {}) {
+    EXPECT_TRUE(client_.send(text, descriptors));
+  }
 
  private:
   Socket listening_;

@@ -15,7 +15,8 @@ constexpr std::uint32_t kJoints = 30;
 CommandData commandOf(std::uint64_t cycle) {
   CommandData data{};
   data.cycle = cycle;
-  for (std::uint32_t j = 0; j < kJoints; ++j) data.joints[j].position = data.joints[j].damping = static_cast<double>(cycle);
+  for (std::uint32_t j = 0; j < kJoints; ++j)
+    data.joints[j].position = data.joints[j].damping = static_cast<double>(cycle);
   return data;
 }
 

@@ -26,7 +26,8 @@ TEST(Layout, all_is_aligned_to_words) {
   for (const SchemaStruct& each : schema()) {
     EXPECT_EQ(each.size % 8, 0U) << each.name;
     for (const SchemaField& field : each.fields) {
-      const std::size_t alignment = field.size < 8 ? field.size : (field.type == "Name" || field.type == "Text" ? 1 : 8);
+      const std::size_t alignment =
+          field.size < 8 ? field.size : (field.type == "Name" || field.type == "Text" ? 1 : 8);
       EXPECT_EQ(field.offset % alignment, 0U) << each.name << '.' << field.name;
     }
   }

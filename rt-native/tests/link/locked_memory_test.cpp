@@ -24,7 +24,8 @@ std::size_t ownSize() {
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// Of an ordinary user whose limit is a little above what the process has, or what it is where that is less: 0 as it should be.
+// Of an ordinary user whose limit is a little above what the process has, or what it is where that is less: 0 as it
+// should be.
 int lockWithLittleRoom() {
   rlimit limit{};
   ::getrlimit(RLIMIT_MEMLOCK, &limit);

@@ -14,10 +14,10 @@ namespace {
 
 template <class T>
 struct Kind;
-#define KIND(Type, text)                          \
-  template <>                                     \
-  struct Kind<Type> {                             \
-    static constexpr const char* name = text;     \
+#define KIND(Type, text)                      \
+  template <>                                 \
+  struct Kind<Type> {                         \
+    static constexpr const char* name = text; \
   }
 KIND(char, "char");
 KIND(std::uint8_t, "u8");
@@ -88,7 +88,8 @@ SchemaStruct make(std::vector<SchemaField> fields) {
 
 SchemaStruct header() {
   using T = Header;
-  return make<T>({FIELD(magic), FIELD(version), FIELD(segment), FIELD(generation), FIELD(created_ns), FIELD(pid), FIELD(size)});
+  return make<T>(
+      {FIELD(magic), FIELD(version), FIELD(segment), FIELD(generation), FIELD(created_ns), FIELD(pid), FIELD(size)});
 }
 
 SchemaStruct histogram() {
@@ -98,10 +99,10 @@ SchemaStruct histogram() {
 
 SchemaStruct jointState() {
   using T = JointState;
-  return make<T>({FIELD(link_position), FIELD(motor_position), FIELD(link_velocity), FIELD(motor_velocity), FIELD(effort),
-                  FIELD(position_reference), FIELD(velocity_reference), FIELD(effort_reference), FIELD(stiffness), FIELD(damping),
-                  FIELD(temperature_motor), FIELD(temperature_driver), FIELD(fault), FIELD(clamped), FIELD(rejected), FIELD(owner),
-                  FIELD(mode), FIELD(control)});
+  return make<T>({FIELD(link_position), FIELD(motor_position), FIELD(link_velocity), FIELD(motor_velocity),
+                  FIELD(effort), FIELD(position_reference), FIELD(velocity_reference), FIELD(effort_reference),
+                  FIELD(stiffness), FIELD(damping), FIELD(temperature_motor), FIELD(temperature_driver), FIELD(fault),
+                  FIELD(clamped), FIELD(rejected), FIELD(owner), FIELD(mode), FIELD(control)});
 }
 
 SchemaStruct imuState() {
@@ -126,18 +127,21 @@ SchemaStruct stateFrame() {
 
 SchemaStruct loopStatistics() {
   using T = LoopStatistics;
-  return make<T>({FIELD(period_ns), FIELD(priority), FIELD(core), FIELD(cycles), FIELD(overruns), FIELD(sense_failures), FIELD(move_failures), FIELD(missed_commands),
-                  FIELD(allocations), FIELD(page_faults), FIELD(wake_up), FIELD(period), FIELD(busy)});
+  return make<T>({FIELD(period_ns), FIELD(priority), FIELD(core), FIELD(cycles), FIELD(overruns), FIELD(sense_failures),
+                  FIELD(move_failures), FIELD(missed_commands), FIELD(allocations), FIELD(page_faults), FIELD(wake_up),
+                  FIELD(period), FIELD(busy)});
 }
 
 SchemaStruct stateSegment() {
   using T = StateSegment;
-  return make<T>({FIELD(header), FIELD(newest), FIELD(bell), FIELD(joints), FIELD(imus), FIELD(force_torques), FIELD(loop), FIELD(frames)});
+  return make<T>({FIELD(header), FIELD(newest), FIELD(bell), FIELD(joints), FIELD(imus), FIELD(force_torques),
+                  FIELD(loop), FIELD(frames)});
 }
 
 SchemaStruct jointCommand() {
   using T = JointCommand;
-  return make<T>({FIELD(position), FIELD(velocity), FIELD(effort), FIELD(stiffness), FIELD(damping), FIELD(plugin), FIELD(mode)});
+  return make<T>(
+      {FIELD(position), FIELD(velocity), FIELD(effort), FIELD(stiffness), FIELD(damping), FIELD(plugin), FIELD(mode)});
 }
 
 SchemaStruct commandData() {
@@ -152,8 +156,8 @@ SchemaStruct commandSlot() {
 
 SchemaStruct threadStatistics() {
   using T = ThreadStatistics;
-  return make<T>({FIELD(name), FIELD(period_ns), FIELD(priority), FIELD(core), FIELD(inside), FIELD(cycles), FIELD(overruns),
-                  FIELD(allocations), FIELD(page_faults), FIELD(wake_up), FIELD(busy)});
+  return make<T>({FIELD(name), FIELD(period_ns), FIELD(priority), FIELD(core), FIELD(inside), FIELD(cycles),
+                  FIELD(overruns), FIELD(allocations), FIELD(page_faults), FIELD(wake_up), FIELD(busy)});
 }
 
 SchemaStruct pluginStatistics() {
@@ -188,7 +192,8 @@ SchemaStruct chainEntry() {
 
 SchemaStruct pluginEntry() {
   using T = PluginEntry;
-  return make<T>({FIELD(name), FIELD(type), FIELD(host), FIELD(thread), FIELD(state), FIELD(respawns), FIELD(io), FIELD(error), FIELD(status)});
+  return make<T>({FIELD(name), FIELD(type), FIELD(host), FIELD(thread), FIELD(state), FIELD(respawns), FIELD(io),
+                  FIELD(error), FIELD(status)});
 }
 
 SchemaStruct hostEntry() {
@@ -198,9 +203,9 @@ SchemaStruct hostEntry() {
 
 SchemaStruct boardData() {
   using T = BoardData;
-  return make<T>({FIELD(joints), FIELD(imus), FIELD(force_torques), FIELD(hosts), FIELD(plugins), FIELD(real_time), FIELD(hal_respawns),
-                  FIELD(hal_pid), FIELD(chains), FIELD(robot), FIELD(hal), FIELD(joint), FIELD(imu), FIELD(force_torque), FIELD(host), FIELD(plugin),
-                  FIELD(chain)});
+  return make<T>({FIELD(joints), FIELD(imus), FIELD(force_torques), FIELD(hosts), FIELD(plugins), FIELD(real_time),
+                  FIELD(hal_respawns), FIELD(hal_pid), FIELD(chains), FIELD(robot), FIELD(hal), FIELD(joint),
+                  FIELD(imu), FIELD(force_torque), FIELD(host), FIELD(plugin), FIELD(chain)});
 }
 
 SchemaStruct boardSegment() {
@@ -301,16 +306,20 @@ const std::vector<SchemaStruct>& schema() {
 
 std::string schemaText() {
   std::ostringstream out;
-  out << "# The layout of the shared memory (include/robotui/rt/link/layout.h), checked by the tests of every language that reads it.\n"
-         "# struct NAME BYTES, then its fields: NAME TYPE OFFSET COUNT BYTES_OF_ONE; bytes that no field names are zero.\n"
-      << "version " << kLayoutVersion << "\nmagic " << kMagic << "\nconstant joints " << kMaxJoints << "\nconstant imus " << kMaxImus
-      << "\nconstant force_torques " << kMaxForceTorques << "\nconstant hosts " << kMaxHosts << "\nconstant threads " << kMaxThreads
-      << "\nconstant plugins " << kMaxPlugins << "\nconstant frames " << kFrames << "\nconstant buckets " << kBuckets
-      << "\nconstant nobody " << kNobody << '\n';
+  out << "# The layout of the shared memory (include/robotui/rt/link/layout.h), checked by the tests of every language "
+         "that reads it.\n"
+         "# struct NAME BYTES, then its fields: NAME TYPE OFFSET COUNT BYTES_OF_ONE; bytes that no field names are "
+         "zero.\n"
+      << "version " << kLayoutVersion << "\nmagic " << kMagic << "\nconstant joints " << kMaxJoints
+      << "\nconstant imus " << kMaxImus << "\nconstant force_torques " << kMaxForceTorques << "\nconstant hosts "
+      << kMaxHosts << "\nconstant threads " << kMaxThreads << "\nconstant plugins " << kMaxPlugins
+      << "\nconstant frames " << kFrames << "\nconstant buckets " << kBuckets << "\nconstant nobody " << kNobody
+      << '\n';
   for (const SchemaStruct& each : schema()) {
     out << "struct " << each.name << ' ' << each.size << '\n';
     for (const SchemaField& field : each.fields) {
-      out << "  " << field.name << ' ' << field.type << ' ' << field.offset << ' ' << field.count << ' ' << field.size << '\n';
+      out << "  " << field.name << ' ' << field.type << ' ' << field.offset << ' ' << field.count << ' ' << field.size
+          << '\n';
     }
   }
   return out.str();

@@ -89,9 +89,7 @@ TEST(Socket, tells_who_is_at_the_other_end) {
 TEST(Socket, listens_accepts_and_takes_over_from_who_died) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "robot.sock";
-  {
-    const Socket dead = Socket::listen(path);
-  }
+  { const Socket dead = Socket::listen(path); }
   const Socket server = Socket::listen(path);
   EXPECT_THROW(Socket::listen(path), SocketError);
   EXPECT_TRUE(server.accept(100ms).isOpen());  // the probe of the second listen()

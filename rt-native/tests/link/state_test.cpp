@@ -31,10 +31,13 @@ bool isOf(const FrameData& frame, std::uint64_t cycle) {
   const auto value = static_cast<double>(cycle);
   for (std::uint32_t j = 0; j < kForty.joints; ++j) {
     const JointState& joint = frame.joints[j];
-    if (joint.link_position != value || joint.motor_position != value || joint.effort != value || joint.damping != value) return false;
+    if (joint.link_position != value || joint.motor_position != value || joint.effort != value ||
+        joint.damping != value)
+      return false;
     if (joint.clamped != static_cast<std::uint32_t>(cycle)) return false;
   }
-  return frame.cycle == cycle && frame.imus[1].linear_acceleration[2] == value && frame.force_torques[3].torque[2] == value;
+  return frame.cycle == cycle && frame.imus[1].linear_acceleration[2] == value &&
+         frame.force_torques[3].torque[2] == value;
 }
 
 struct State : testing::Test {

@@ -13,16 +13,34 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Header headerOf(SegmentKind kind, std::size_t size) {
-  return {.magic = kMagic, .version = kLayoutVersion, .segment = static_cast<std::uint32_t>(kind), .generation = 3,
-          .created_ns = 123'456'789'012'345, .pid = 4711, .size = static_cast<std::uint32_t>(size)};
+  return {.magic = kMagic,
+          .version = kLayoutVersion,
+          .segment = static_cast<std::uint32_t>(kind),
+          .generation = 3,
+          .created_ns = 123'456'789'012'345,
+          .pid = 4711,
+          .size = static_cast<std::uint32_t>(size)};
 }
 
 JointState jointOf(int index) {
   const double i = index;
-  return {.link_position = 0.125 + i, .motor_position = 0.1 + i, .link_velocity = -1.5 - i, .motor_velocity = -1.25 - i, .effort = 1e-3 + i,
-          .position_reference = 0.5 + i, .velocity_reference = 1.0 / 3.0 + i, .effort_reference = 12.75 + i, .stiffness = 1000 + i,
-          .damping = 10 + i, .temperature_motor = 41.5F, .temperature_driver = std::numeric_limits<float>::quiet_NaN(),
-          .fault = 0x80000001U, .clamped = 7, .rejected = 4'000'000'000U, .owner = static_cast<std::uint16_t>(index), .mode = kImpedance,
+  return {.link_position = 0.125 + i,
+          .motor_position = 0.1 + i,
+          .link_velocity = -1.5 - i,
+          .motor_velocity = -1.25 - i,
+          .effort = 1e-3 + i,
+          .position_reference = 0.5 + i,
+          .velocity_reference = 1.0 / 3.0 + i,
+          .effort_reference = 12.75 + i,
+          .stiffness = 1000 + i,
+          .damping = 10 + i,
+          .temperature_motor = 41.5F,
+          .temperature_driver = std::numeric_limits<float>::quiet_NaN(),
+          .fault = 0x80000001U,
+          .clamped = 7,
+          .rejected = 4'000'000'000U,
+          .owner = static_cast<std::uint16_t>(index),
+          .mode = kImpedance,
           .control = static_cast<std::uint8_t>(Control::kHolding)};
 }
 

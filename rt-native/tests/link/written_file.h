@@ -1,4 +1,5 @@
-// Files of the repository that a test compares with what the code makes. With ROBOTUI_WRITE=1 in the environment they are written instead.
+// Files of the repository that a test compares with what the code makes. With ROBOTUI_WRITE=1 in the environment they
+// are written instead.
 #pragma once
 
 #include <cstdlib>
@@ -15,7 +16,8 @@ inline void expectWritten(const std::string& path, const std::string& content) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream there;
   there << file.rdbuf();
-  EXPECT_TRUE(there.str() == content) << path << " is not what the code makes: run this test with ROBOTUI_WRITE=1 and look at the difference.";
+  EXPECT_TRUE(there.str() == content)
+      << path << " is not what the code makes: run this test with ROBOTUI_WRITE=1 and look at the difference.";
 }
 
 }  // namespace robotui::rt

@@ -79,7 +79,8 @@ TEST_F(Cartesian, StaysWithinPositionsAndVelocitiesWhereTheTargetIsOutOfReach) {
 }
 
 TEST_F(Cartesian, RefusesWordsThatAreNone) {
-  for (const char* words : {"move", "move 1", "move a b c", "pose 1 2 3 4", "pose 1 2 1e9", "pose nan 0 0", "jump 1 2 3", ""}) {
+  for (const char* words :
+       {"move", "move 1", "move a b c", "pose 1 2 3 4", "pose 1 2 1e9", "pose nan 0 0", "jump 1 2 3", ""}) {
     EXPECT_FALSE(plugin.on_command(words)) << words;
   }
 }

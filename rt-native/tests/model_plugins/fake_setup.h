@@ -17,7 +17,9 @@ class FakeRobot final : public RobotInterface {
   using RobotInterface::RobotInterface;
   bool sense() noexcept override { return true; }
   bool move() noexcept override { return true; }
-  link::JointState& state(const std::string& name) { return states()[static_cast<std::size_t>(findJoint(name)->index())]; }
+  link::JointState& state(const std::string& name) {
+    return states()[static_cast<std::size_t>(findJoint(name)->index())];
+  }
   link::ImuState& imu() { return imuStates()[0]; }
   void take(const std::string& posture) {
     for (const auto& there : description().postures) {
@@ -43,7 +45,10 @@ class FakeLog final : public RtLog {
 
 class FakeSetup final : public Setup {
  public:
-  FakeSetup(RobotPtr of, const std::string& params) : described_(std::move(of)), params_(YAML::Load(params)), robot_(described_) { robot_.take("home"); }
+  FakeSetup(RobotPtr of, const std::string& params)
+      : described_(std::move(of)), params_(YAML::Load(params)), robot_(described_) {
+    robot_.take("home");
+  }
 
   const std::string& name() const override { return name_; }
   const YAML::Node& params() const override { return params_; }

@@ -43,7 +43,8 @@ TEST_F(Impedance, TakesWordsFromTheUser) {
 }
 
 TEST_F(Impedance, RefusesWordsThatAreNone) {
-  for (const char* words : {"stiffness", "stiffness x", "stiffness -1", "stiffness nan", "stiffness 1 2", "stiffness 1e9", "fly", ""}) {
+  for (const char* words :
+       {"stiffness", "stiffness x", "stiffness -1", "stiffness nan", "stiffness 1 2", "stiffness 1e9", "fly", ""}) {
     EXPECT_FALSE(plugin.on_command(words)) << words;
   }
 }

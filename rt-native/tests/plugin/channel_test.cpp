@@ -66,7 +66,8 @@ TEST_F(ChannelTest, GivesAllValuesInOrderAndCountsWhatWasOverwritten) {
 
 TEST_F(ChannelTest, HasOneWriter) {
   const ChannelWriter<Sample> writer(in_a_, "samples");
-  EXPECT_NE(refusal([&] { ChannelWriter<Sample>(in_b_, "samples"); }).find("'samples' has a writer already"), std::string::npos);
+  EXPECT_NE(refusal([&] { ChannelWriter<Sample>(in_b_, "samples"); }).find("'samples' has a writer already"),
+            std::string::npos);
 }
 
 TEST_F(ChannelTest, IsFreeAgainWhenItsWriterIsGoneAndFindsTheNextOne) {
@@ -92,9 +93,11 @@ struct NewSample : Sample {
 TEST_F(ChannelTest, RefusesAReaderOfAnotherSchemaAndNamesBoth) {
   ChannelWriter<Sample> writer(in_a_, "samples");
   EXPECT_EQ(refusal([&] { ChannelReader<NewSample>(in_b_, "samples"); }),
-            "The channel 'samples' carries test/sample version 1 (24 bytes), and is read here as test/sample version 2 (24 bytes): build its writer "
+            "The channel 'samples' carries test/sample version 1 (24 bytes), and is read here as test/sample version 2 "
+            "(24 bytes): build its writer "
             "and its readers from the same definition.");
-  EXPECT_NE(refusal([&] { ChannelReader<double>(in_b_, "samples"); }).find("read here as float64 version 1 (8 bytes)"), std::string::npos);
+  EXPECT_NE(refusal([&] { ChannelReader<double>(in_b_, "samples"); }).find("read here as float64 version 1 (8 bytes)"),
+            std::string::npos);
 }
 
 TEST_F(ChannelTest, ReadsNothingOfAWriterOfAnotherSchemaThatComesLaterAndSaysSo) {

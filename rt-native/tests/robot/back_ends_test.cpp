@@ -65,7 +65,8 @@ TEST_P(BackEnds, AgreeOnDynamics) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BackEnds, testing::Values("arm", "humanoid", "panda", "coman"), [](const auto& at) { return at.param; });
+INSTANTIATE_TEST_SUITE_P(All, BackEnds, testing::Values("arm", "humanoid", "panda", "coman"),
+                         [](const auto& at) { return at.param; });
 
 }  // namespace
 }  // namespace robotui::rt

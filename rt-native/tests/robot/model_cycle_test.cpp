@@ -46,7 +46,8 @@ TEST_P(ModelCycle, NoCallAllocates) {
   EXPECT_EQ(other->joint(0).command().position, q[0]);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ModelCycle, testing::ValuesIn(ModelInterface::types()), [](const auto& at) { return at.param; });
+INSTANTIATE_TEST_SUITE_P(All, ModelCycle, testing::ValuesIn(ModelInterface::types()),
+                         [](const auto& at) { return at.param; });
 
 }  // namespace
 }  // namespace robotui::rt

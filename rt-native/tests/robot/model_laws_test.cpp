@@ -69,13 +69,15 @@ TEST_P(ModelLaws, TheJacobianIsTheDerivativeOfThePose) {
     model->update();
     model->getPose(link, after);
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(after.linear() * before.linear().transpose()));
-    EXPECT_LT(((after.translation() - before.translation()) / kStep - jacobian.block<3, 1>(0, offset + i)).norm(), 1e-4);
+    EXPECT_LT(((after.translation() - before.translation()) / kStep - jacobian.block<3, 1>(0, offset + i)).norm(),
+              1e-4);
     EXPECT_LT((turn.axis() * turn.angle() / kStep - jacobian.block<3, 1>(3, offset + i)).norm(), 1e-4);
   }
 }
 
 TEST_P(ModelLaws, EnergyIsOnlyChangedByEfforts) {
-  // Power of the bias at rest of gravity, q' (tau - g), is the derivative of the kinetic energy 1/2 q' M q' along the motion.
+  // Power of the bias at rest of gravity, q' (tau - g), is the derivative of the kinetic energy 1/2 q' M q' along the
+  // motion.
   constexpr double kStep = 1e-6;
   Eigen::MatrixXd m(model->getDofs(), model->getDofs());
   Eigen::VectorXd gravity(model->getDofs());
@@ -123,7 +125,8 @@ TEST_P(ModelLaws, UnknownLinksAndWrongSizesAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ModelLaws,
-                         testing::Combine(testing::ValuesIn(ModelInterface::types()), testing::Values("arm", "humanoid", "panda", "coman")),
+                         testing::Combine(testing::ValuesIn(ModelInterface::types()),
+                                          testing::Values("arm", "humanoid", "panda", "coman")),
                          [](const auto& at) { return std::get<0>(at.param) + "_" + std::get<1>(at.param); });
 
 TEST(ModelInterface, SaysWhichTypesThereAre) {

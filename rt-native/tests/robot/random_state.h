@@ -31,8 +31,8 @@ class RandomState {
   }
 
  private:
-  static void set(ModelInterface& model, const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, const Eigen::Isometry3d& base,
-                  const Eigen::Matrix<double, 6, 1>& twist) {
+  static void set(ModelInterface& model, const Eigen::VectorXd& q, const Eigen::VectorXd& qdot,
+                  const Eigen::Isometry3d& base, const Eigen::Matrix<double, 6, 1>& twist) {
     model.setJointPosition(q);
     model.setJointVelocity(qdot);
     model.setFloatingBase(base, twist);

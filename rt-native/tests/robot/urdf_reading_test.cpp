@@ -41,7 +41,8 @@ TEST_P(UrdfReading, IsThatOfMujoco) {
   mj_deleteModel(theirs);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, UrdfReading, testing::Values("arm", "humanoid"), [](const auto& at) { return at.param; });
+INSTANTIATE_TEST_SUITE_P(Both, UrdfReading, testing::Values("arm", "humanoid"),
+                         [](const auto& at) { return at.param; });
 
 }  // namespace
 }  // namespace robotui::rt

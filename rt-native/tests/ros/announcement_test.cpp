@@ -32,7 +32,8 @@ TEST(Announcement, IsReadAsItWasWritten) {
 
 TEST(Announcement, EveryCutOneIsRefused) {
   const auto bytes = write(full());
-  for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_THROW(readAnnouncement(std::span(bytes).first(size)), std::runtime_error) << size;
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(readAnnouncement(std::span(bytes).first(size)), std::runtime_error) << size;
 }
 
 TEST(Announcement, LengthsBeyondItAreRefusedBeforeTheyAreAllocated) {

@@ -9,7 +9,8 @@ namespace {
 
 const std::vector<std::string> kNames{"a", "b", "c"};
 
-Columns columns(const std::vector<std::string>& names, const std::vector<double>& position, const std::vector<double>& mode) {
+Columns columns(const std::vector<std::string>& names, const std::vector<double>& position,
+                const std::vector<double>& mode) {
   Columns result;
   result.texts["name"] = names;
   result.numbers["position"] = position;
@@ -66,7 +67,9 @@ TEST(Conversions, ACommandThatIsNoneSaysWhy) {
   EXPECT_NE(readCommand(columns({"a"}, {}, {1}), kNames, commands).find("asks for its position"), std::string::npos);
   EXPECT_NE(readCommand(columns({"a"}, {0}, {2}), kNames, commands).find("asks for its velocity"), std::string::npos);
   EXPECT_NE(readCommand(columns({"a"}, {0}, {64}), kNames, commands).find("31"), std::string::npos);
-  EXPECT_NE(readCommand(columns({"a"}, {std::numeric_limits<double>::infinity()}, {1}), kNames, commands).find("no number"), std::string::npos);
+  EXPECT_NE(
+      readCommand(columns({"a"}, {std::numeric_limits<double>::infinity()}, {1}), kNames, commands).find("no number"),
+      std::string::npos);
 }
 
 TEST(Conversions, NamesOfRosHaveLettersDigitsAndUnderscores) { EXPECT_EQ(rosName("left-arm.1"), "left_arm_1"); }

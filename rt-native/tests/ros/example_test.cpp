@@ -86,7 +86,8 @@ TEST_F(RosExampleTest, AsksNothingOfTheHeapWhileAllOfItIsUsed) {
     request.data = static_cast<std::uint8_t>(round % 2);
     call.write(bytesOf(request), static_cast<std::uint32_t>(round), generation);
     const std::array<double, 2> values{0.1 + 0.001 * round, 0.5};
-    tuning.write(std::span(reinterpret_cast<const std::uint8_t*>(values.data()), sizeof(values)), static_cast<std::uint32_t>(round), generation);
+    tuning.write(std::span(reinterpret_cast<const std::uint8_t*>(values.data()), sizeof(values)),
+                 static_cast<std::uint32_t>(round), generation);
     ASSERT_TRUE(cycleUntil([&] { return answer.next(); }));
     ++answered;
     while (tuned.next()) ++applied;

@@ -31,8 +31,12 @@ class FarSide {
     if (!reader.latest(*packet)) throw std::runtime_error("nothing is announced");
     return readAnnouncement(packet->bytes());
   }
-  PacketWriter to(std::size_t port, bool large = false) { return {setup_.channels(), channelName(setup_.name(), port, true), large}; }
-  PacketReader from(std::size_t port, bool large = false) { return {setup_.channels(), channelName(setup_.name(), port, false), large}; }
+  PacketWriter to(std::size_t port, bool large = false) {
+    return {setup_.channels(), channelName(setup_.name(), port, true), large};
+  }
+  PacketReader from(std::size_t port, bool large = false) {
+    return {setup_.channels(), channelName(setup_.name(), port, false), large};
+  }
 
  private:
   testing::FakeSetup& setup_;
@@ -49,7 +53,8 @@ std::vector<std::uint8_t> bytesOf(const Message& message) {
 template <typename Message>
 Message messageOf(std::span<const std::uint8_t> bytes) {
   Message message;
-  ::ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()), static_cast<std::uint32_t>(bytes.size()));
+  ::ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
+                                       static_cast<std::uint32_t>(bytes.size()));
   ::ros::serialization::deserialize(stream, message);
   return message;
 }

@@ -44,8 +44,10 @@ TEST(MessageShape, ReadsTheArraysOfAMessageByTheirNames) {
 }
 
 TEST(MessageShape, ReadsAVersionWithOtherWidths) {
-  const MessageShape shape = MessageShape::parse("string[] name\nfloat64[] position\nint8[] ctrl_mode # other than ours\n");
-  const std::vector<std::uint8_t> bytes{1, 0, 0, 0, 1, 0, 0, 0, 'a', 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 1, 0, 0, 0, 0xff};
+  const MessageShape shape =
+      MessageShape::parse("string[] name\nfloat64[] position\nint8[] ctrl_mode # other than ours\n");
+  const std::vector<std::uint8_t> bytes{1, 0, 0, 0, 1, 0, 0,    0,    'a', 1, 0, 0, 0,
+                                        0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 1,   0, 0, 0, 0xff};
   const Columns columns = shape.read(bytes);
   EXPECT_EQ(columns.numbers.at("position").front(), 1.0);
   EXPECT_EQ(columns.numbers.at("ctrl_mode").front(), -1.0);
@@ -64,7 +66,8 @@ TEST(MessageShape, RefusesEveryCutMessage) {
   const MessageShape shape = shapeOf<xbot_msgs::JointCommand>();
   const auto bytes = bytesOf(command());
   ASSERT_TRUE(shape.fits(bytes));
-  for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(shape.fits(std::span(bytes).first(size))) << size;
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_FALSE(shape.fits(std::span(bytes).first(size))) << size;
 }
 
 TEST(MessageShape, RefusesALengthThatIsBeyondTheMessage) {

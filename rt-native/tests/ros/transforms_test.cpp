@@ -8,7 +8,8 @@
 namespace robotui::rt::ros_bridge {
 namespace {
 
-constexpr const char* kUrdf = R"(<robot name="r"><link name="base"/><link name="arm"/><link name="slide"/><link name="tool"/><link name="finger"/>
+constexpr const char* kUrdf =
+    R"(<robot name="r"><link name="base"/><link name="arm"/><link name="slide"/><link name="tool"/><link name="finger"/>
   <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/><origin xyz="0 0 1"/><axis xyz="0 0 1"/></joint>
   <joint name="push" type="prismatic"><parent link="arm"/><child link="slide"/><origin rpy="0 0 1.5707963"/><axis xyz="1 0 0"/>
     <limit lower="0" upper="1" velocity="1" effort="1"/></joint>
@@ -19,7 +20,8 @@ constexpr const char* kUrdf = R"(<robot name="r"><link name="base"/><link name="
 config::RobotDescription robot() {
   config::RobotDescription description{};
   description.urdf = kUrdf;
-  description.joints = {{1, "turn", config::JointType::kRevolute, 0, 0, 1, 1}, {2, "push", config::JointType::kPrismatic, 0, 1, 1, 1}};
+  description.joints = {{1, "turn", config::JointType::kRevolute, 0, 0, 1, 1},
+                        {2, "push", config::JointType::kPrismatic, 0, 1, 1, 1}};
   return description;
 }
 

@@ -18,8 +18,9 @@ class ControlServerTest : public ::testing::Test {
   ~ControlServerTest() override { std::filesystem::remove_all(place().parent_path()); }
 
   void serve() {
-    server.serve([this](std::uint64_t client, const link::Packet& packet) { server.reply(client, "ok " + packet.text); },
-                [this](std::uint64_t) { ++gone_; });
+    server.serve(
+        [this](std::uint64_t client, const link::Packet& packet) { server.reply(client, "ok " + packet.text); },
+        [this](std::uint64_t) { ++gone_; });
   }
 
   ControlServer server{place()};

@@ -29,8 +29,9 @@ inline config::RtConfig fakeConfig() {
   apart.name = "apart";
   apart.host = "other";
   config.threads = {fast, slow, apart};
-  config.plugins = {pluginOf("homing", "Homing", "fast"), pluginOf("sine", "Sine", "slow"), pluginOf("reach", "Reach", "apart"),
-                    pluginOf("log", "Recorder", "slow"), pluginOf("bridge", "OwnMaster", "fast")};
+  config.plugins = {pluginOf("homing", "Homing", "fast"), pluginOf("sine", "Sine", "slow"),
+                    pluginOf("reach", "Reach", "apart"), pluginOf("log", "Recorder", "slow"),
+                    pluginOf("bridge", "OwnMaster", "fast")};
   config.io_plugins = {pluginOf("face", "Face", "")};
   config.nrt_plugins = {pluginOf("slowly", "Sine", "fast")};
   return config;

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kNear = 0.02;   // rad: joints of the simulation with forces give way a little
+constexpr double kNear = 0.02;  // rad: joints of the simulation with forces give way a little
 constexpr double kSomeWay = 0.3;
 
 // The simulated joint controller, at a free port, for as long as the test goes on.
@@ -58,7 +58,8 @@ class JointController {
   int port_ = 0;
 };
 
-// As it is shipped, but from anywhere, in haste, and without a word about machines that run tests and are late now and then.
+// As it is shipped, but from anywhere, in haste, and without a word about machines that run tests and are late now and
+// then.
 YAML::Node shipped(const std::string& robot, const std::string& hardware) {
   const fs::path folder = fs::path(RT_CONFIGS) / robot;
   YAML::Node config = YAML::LoadFile(folder / ("rt-" + hardware + ".yaml"));
@@ -92,8 +93,10 @@ std::map<std::string, double> goals(const config::RobotDescription& robot, const
   std::map<std::string, double> wanted;
   for (const config::Posture& each : robot.postures) {
     for (const auto& [name, position] : each.joints) {
-      const auto joint = std::find_if(robot.joints.begin(), robot.joints.end(), [&](const auto& j) { return j.name == name; });
-      if (each.name == posture && joint != robot.joints.end()) wanted[name] = std::clamp(position, joint->lower, joint->upper);
+      const auto joint =
+          std::find_if(robot.joints.begin(), robot.joints.end(), [&](const auto& j) { return j.name == name; });
+      if (each.name == posture && joint != robot.joints.end())
+        wanted[name] = std::clamp(position, joint->lower, joint->upper);
     }
   }
   return wanted;
@@ -119,8 +122,10 @@ void expectHome(const YAML::Node& config, const std::string& posture) {
   EXPECT_GT(farthest(robot, wanted), kSomeWay) << "it must have some way to go";
   const auto started = robot.ask("switch Homing 1");
   ASSERT_TRUE(started.ok) << started.text << robot.output();
-  EXPECT_TRUE(eventually([&] { return farthest(robot, wanted) < kNear; })) << farthest(robot, wanted) << " from home; " << robot.output();
-  EXPECT_TRUE(eventually([&] { return robot.ask("status Homing").text == "running: at home"; })) << robot.ask("status Homing").text;
+  EXPECT_TRUE(eventually([&] { return farthest(robot, wanted) < kNear; }))
+      << farthest(robot, wanted) << " from home; " << robot.output();
+  EXPECT_TRUE(eventually([&] { return robot.ask("status Homing").text == "running: at home"; }))
+      << robot.ask("status Homing").text;
 }
 
 class OneHoming : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
@@ -144,8 +149,9 @@ TEST_P(OneHoming, TakesTheRobotHome) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Everywhere, OneHoming,
-                         ::testing::Values(std::pair{"arm", "dummy"}, std::pair{"arm", "mujoco"}, std::pair{"arm", "udp"},
-                                           std::pair{"humanoid", "dummy"}, std::pair{"humanoid", "mujoco"}, std::pair{"humanoid", "udp"}),
+                         ::testing::Values(std::pair{"arm", "dummy"}, std::pair{"arm", "mujoco"},
+                                           std::pair{"arm", "udp"}, std::pair{"humanoid", "dummy"},
+                                           std::pair{"humanoid", "mujoco"}, std::pair{"humanoid", "udp"}),
                          [](const auto& which) { return std::string(which.param.first) + "_" + which.param.second; });
 
 class ForeignRobots : public ::testing::Test {
@@ -162,7 +168,8 @@ class ForeignRobots : public ::testing::Test {
 // The Panda comes without a joint map.
 TEST_F(ForeignRobots, ThePandaGoesHome) {
   const fs::path map = fs::temp_directory_path() / ("robotui-panda-" + std::to_string(::getpid()) + ".yaml");
-  std::ofstream(map) << "joint_map: {1: panda_joint1, 2: panda_joint2, 3: panda_joint3, 4: panda_joint4, 5: panda_joint5, 6: panda_joint6, 7: panda_joint7}\n";
+  std::ofstream(map) << "joint_map: {1: panda_joint1, 2: panda_joint2, 3: panda_joint3, 4: panda_joint4, 5: "
+                        "panda_joint5, 6: panda_joint6, 7: panda_joint7}\n";
   const fs::path folder = robots_ / "panda_description";
   expectHome(foreign(folder / "urdf/panda.urdf", folder / "srdf/panda.srdf", map, "default"), "default");
   fs::remove(map);
@@ -170,7 +177,8 @@ TEST_F(ForeignRobots, ThePandaGoesHome) {
 
 TEST_F(ForeignRobots, TheComanGoesHome) {
   const fs::path folder = robots_ / "coman_urdf";
-  YAML::Node config = foreign(folder / "urdf/coman.urdf", folder / "srdf/coman.srdf", folder / "config/coman_joint_map.yaml", "home");
+  YAML::Node config =
+      foreign(folder / "urdf/coman.urdf", folder / "srdf/coman.srdf", folder / "config/coman_joint_map.yaml", "home");
   config["ModelInterface"]["is_model_floating_base"] = true;
   expectHome(config, "home");
 }

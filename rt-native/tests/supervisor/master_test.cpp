@@ -37,8 +37,9 @@ TEST_F(MasterTest, TakesReferencesOfOneClientOnly) {
 }
 
 TEST_F(MasterTest, TakesReferencesOfItsFrameworkOnly) {
-  EXPECT_EQ(master_.take(1, "robotui", 1, 0), "The master framework of this robot is ROS: references of robotui do not count. "
-                                              "MasterCommunicationInterface.framework_name of its configuration chooses it.");
+  EXPECT_EQ(master_.take(1, "robotui", 1, 0),
+            "The master framework of this robot is ROS: references of robotui do not count. "
+            "MasterCommunicationInterface.framework_name of its configuration chooses it.");
   EXPECT_NE(master_.reference(1, bytes(0.9), 100), "");
   EXPECT_FALSE(master_.holder());
   EXPECT_EQ(master_.take(2, "ROS", 1, 0), "");

@@ -40,13 +40,16 @@ TEST(Options, AreThoseOfXBot) {
 
 TEST(Options, TellTheProcessesWhatTheyMustKnow) {
   const auto options = parse({"--config", "/a.yaml", "--dummy", "--period", "500"});
-  EXPECT_EQ(childArguments(*options), (std::vector<std::string>{"--config", "/a.yaml", "--dummy", "--period", "500", "--ch-period", "5000"}));
+  EXPECT_EQ(childArguments(*options),
+            (std::vector<std::string>{"--config", "/a.yaml", "--dummy", "--period", "500", "--ch-period", "5000"}));
 }
 
 TEST(Options, RefuseWithASentence) {
   EXPECT_EQ(refusal({"-D"}), "A configuration is needed: robotui-rt -C FILE.");
-  EXPECT_EQ(refusal({"-C", "a", "--period", "fast"}), "--period needs a number of microseconds from 100 to 1000000, not 'fast'.");
-  EXPECT_EQ(refusal({"-C", "a", "--period", "1"}), "--period needs a number of microseconds from 100 to 1000000, not '1'.");
+  EXPECT_EQ(refusal({"-C", "a", "--period", "fast"}),
+            "--period needs a number of microseconds from 100 to 1000000, not 'fast'.");
+  EXPECT_EQ(refusal({"-C", "a", "--period", "1"}),
+            "--period needs a number of microseconds from 100 to 1000000, not '1'.");
   EXPECT_EQ(refusal({"-C", "a", "b"}), "'b' is too much.");
   EXPECT_EQ(refusal({"-C", "a", "--what"}), "An option is not known, or lacks its value.");
 }

@@ -21,7 +21,9 @@ class PluginRegistryTest : public ::testing::Test {
     load("face", PluginRole::kObserver, "");
   }
 
-  void load(std::string_view name, PluginRole role, std::string_view joints) { registry_.loaded(at(name), role, joints); }
+  void load(std::string_view name, PluginRole role, std::string_view joints) {
+    registry_.loaded(at(name), role, joints);
+  }
   std::uint32_t at(std::string_view name) { return *registry_.find(name); }
   void run(std::string_view name) {
     ASSERT_EQ(registry_.objection(at(name)), "");
@@ -57,15 +59,17 @@ TEST_F(PluginRegistryTest, StartsTheMasterOnlyWhenTheOthersAreStoppedObserversAs
   run("log");
   run("sine");
   EXPECT_EQ(registry_.objection(at("bridge")),
-            "bridge cannot be started while other plugins run (sine): the master framework commands the whole robot. Stop them first.");
+            "bridge cannot be started while other plugins run (sine): the master framework commands the whole robot. "
+            "Stop them first.");
   registry_.stopped(at("sine"));
   run("bridge");
 }
 
 TEST_F(PluginRegistryTest, StartsOthersOnlyWhenTheMasterIsStopped) {
   run("bridge");
-  EXPECT_EQ(registry_.objection(at("sine")), "sine cannot be started while bridge runs: the master framework commands the robot. "
-                                           "Stop bridge first.");
+  EXPECT_EQ(registry_.objection(at("sine")),
+            "sine cannot be started while bridge runs: the master framework commands the robot. "
+            "Stop bridge first.");
   EXPECT_EQ(registry_.objection(at("log")), "");
   EXPECT_EQ(registry_.objection(at("face")), "");
 }
@@ -75,7 +79,8 @@ TEST_F(PluginRegistryTest, LeavesTheJointsOfAFailedPluginSafeAndGivesThemToTheNe
   registry_.failed(at("reach"), "control_loop threw");
   EXPECT_EQ(board_.owner(1), at("reach"));
   EXPECT_EQ(registry_.objection(at("reach")), "reach has failed and must be reloaded first: control_loop threw");
-  const std::uint32_t grant = link::BoardReader(*link::Segment<const link::BoardSegment>::open(board_.share())).grant(1);
+  const std::uint32_t grant =
+      link::BoardReader(*link::Segment<const link::BoardSegment>::open(board_.share())).grant(1);
   run("homing");
   EXPECT_EQ(board_.owner(1), at("homing"));
   EXPECT_GT(link::BoardReader(*link::Segment<const link::BoardSegment>::open(board_.share())).grant(1), grant);
@@ -95,7 +100,8 @@ TEST_F(PluginRegistryTest, KeepsWhyAPluginWasLostUntilItIsStartedAgain) {
 
 TEST_F(PluginRegistryTest, NamesWhatThereIsWhereAPluginIsNotKnown) {
   EXPECT_FALSE(registry_.find("dance"));
-  EXPECT_EQ(registry_.unknown("dance"), "There is no plugin 'dance'. There are: homing, sine, reach, log, bridge, slowly, face.");
+  EXPECT_EQ(registry_.unknown("dance"),
+            "There is no plugin 'dance'. There are: homing, sine, reach, log, bridge, slowly, face.");
 }
 
 }  // namespace

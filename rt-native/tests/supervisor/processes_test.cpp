@@ -37,15 +37,18 @@ XBotRTPlugins:
 )";
 
 void expectOk(const link::Reply& reply) { EXPECT_TRUE(reply.ok) << reply.text; }
-void expectIn(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
+void expectIn(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
 
 const link::JointState& joint(const link::FrameData& frame, std::uint32_t index) { return frame.joints[index]; }
 
-// Follows a joint frame by frame: how many cycles lie between its last command and its safe state. These are cycles of the HAL, whatever time
-// each of them takes on this machine.
+// Follows a joint frame by frame: how many cycles lie between its last command and its safe state. These are cycles of
+// the HAL, whatever time each of them takes on this machine.
 class Watcher {
  public:
-  Watcher(const link::Attachment& attachment, std::uint32_t joint) : reader_(*attachment.state), joint_(joint), thread_([this] { watch(); }) {}
+  Watcher(const link::Attachment& attachment, std::uint32_t joint)
+      : reader_(*attachment.state), joint_(joint), thread_([this] { watch(); }) {}
   ~Watcher() {
     done_ = true;
     thread_.join();
@@ -84,7 +87,8 @@ class Watcher {
   std::thread thread_;
 };
 
-// Whether the plugin commands its joint when it is started. A machine that is late twice makes the joint safe: then it is started again.
+// Whether the plugin commands its joint when it is started. A machine that is late twice makes the joint safe: then it
+// is started again.
 bool commands(RunningRobot& robot, const std::string& plugin, std::uint32_t index) {
   return eventually([&] {
     const auto control = static_cast<Control>(joint(*robot.frame(), index).control);
@@ -94,7 +98,8 @@ bool commands(RunningRobot& robot, const std::string& plugin, std::uint32_t inde
   });
 }
 
-// Tells the bad plugin to misbehave; its host dies. That the good one misses no beat is shown where time is the test's own: hal/answers_test.cpp.
+// Tells the bad plugin to misbehave; its host dies. That the good one misses no beat is shown where time is the test's
+// own: hal/answers_test.cpp.
 class Misbehaviour : public ::testing::TestWithParam<std::pair<const char*, const char*>> {
  protected:
   // The bad plugin commands its joint, and the watcher has seen it; false where the machine was late each time.
@@ -122,7 +127,9 @@ TEST_P(Misbehaviour, LosesItsHostAloneWhichComesBackWhileItsJointIsSafe) {
   if (watcher->sawAll()) {
     EXPECT_LE(watcher->cyclesToSafe(), 3U);  // two misses, which hold, and safe in the next cycle
   }
-  ASSERT_TRUE(eventually([&] { return robot.board()->host[0].respawns == 1 && robot.stateOf("bad") == PluginState::kStopped; })) << robot.output();
+  ASSERT_TRUE(eventually([&] {
+    return robot.board()->host[0].respawns == 1 && robot.stateOf("bad") == PluginState::kStopped;
+  })) << robot.output();
   expectIn(robot.errorOf("bad"), sentence);
   EXPECT_EQ(joint(*robot.frame(), 0).control, static_cast<std::uint8_t>(Control::kSafe));
   EXPECT_EQ(robot.stateOf("good"), PluginState::kRunning);
@@ -178,14 +185,17 @@ TEST(Processes, AJointHasOneOwner) {
   expectOk(robot.ask("switch bad 1"));
   const auto refused = robot.ask("switch rival 1");
   EXPECT_FALSE(refused.ok);
-  EXPECT_EQ(refused.text, "rival cannot be started while bad runs: both command the joint shoulder_yaw. Stop bad first.");
+  EXPECT_EQ(refused.text,
+            "rival cannot be started while bad runs: both command the joint shoulder_yaw. Stop bad first.");
   expectOk(robot.ask("switch bad 0"));
   expectOk(robot.ask("switch rival 1"));
 }
 
 TEST(Processes, APluginThatCannotBeLoadedSaysWhyAndTheOthersRun) {
-  RunningRobot robot("XBotRTPlugins: {plugins: [{name: p, type: Missing}, {name: q, type: WrongAbi}, {name: r, type: ThrowingConstructor},"
-                     " {name: s, type: Naughty, params: {joints: [nose]}}, {name: t, type: Naughty, params: {init: throw}}, Sine]}");
+  RunningRobot robot(
+      "XBotRTPlugins: {plugins: [{name: p, type: Missing}, {name: q, type: WrongAbi}, {name: r, type: "
+      "ThrowingConstructor},"
+      " {name: s, type: Naughty, params: {joints: [nose]}}, {name: t, type: Naughty, params: {init: throw}}, Sine]}");
   expectIn(robot.errorOf("p"), "There is no libMissing.so in ");
   expectIn(robot.errorOf("q"), "version 999");
   expectIn(robot.errorOf("r"), "no hardware key");
@@ -205,7 +215,8 @@ TEST(Processes, AHostThatDiesAgainAndAgainIsLeftAloneUntilAPluginOfItIsReloaded)
   RunningRobot robot(kTwoHosts);
   const auto isLeftAlone = [&] { return robot.stateOf("bad") == PluginState::kFailed; };
   for (int deaths = 0; deaths < 20 && !isLeftAlone(); ++deaths) {
-    ASSERT_TRUE(eventually([&] { return isLeftAlone() || robot.stateOf("bad") == PluginState::kStopped; })) << robot.output();
+    ASSERT_TRUE(eventually([&] { return isLeftAlone() || robot.stateOf("bad") == PluginState::kStopped; }))
+        << robot.output();
     const auto pid = robot.board()->host[0].pid;
     if (pid > 0) ::kill(pid, SIGKILL);
     ASSERT_TRUE(eventually([&] { return robot.board()->host[0].pid != pid; })) << robot.output();
@@ -221,7 +232,9 @@ TEST(Processes, AnIoPluginThatCrashesTakesNobodyWithIt) {
   EXPECT_TRUE(eventually([&] { return robot.ask("status Greeter").text == "running: running"; }));
   expectOk(robot.ask("switch Sine 1"));
   robot.ask("command Greeter crash");
-  EXPECT_TRUE(eventually([&] { return robot.board()->host[1].respawns == 1 && robot.stateOf("Greeter") == PluginState::kRunning; })) << robot.output();
+  EXPECT_TRUE(eventually([&] {
+    return robot.board()->host[1].respawns == 1 && robot.stateOf("Greeter") == PluginState::kRunning;
+  })) << robot.output();
   EXPECT_EQ(robot.stateOf("Sine"), PluginState::kRunning);
 }
 
@@ -248,7 +261,9 @@ TEST(Processes, AKilledHalComesBackAndNothingMovesByItself) {
   expectOk(robot.ask("switch good 1"));
   const auto pid = robot.board()->hal_pid;
   ::kill(pid, SIGKILL);
-  ASSERT_TRUE(eventually([&] { return robot.board()->hal_respawns == 1 && robot.stateOf("good") == PluginState::kStopped; })) << robot.output();
+  ASSERT_TRUE(eventually([&] {
+    return robot.board()->hal_respawns == 1 && robot.stateOf("good") == PluginState::kStopped;
+  })) << robot.output();
   EXPECT_NE(robot.board()->hal_pid, pid);
   expectOk(robot.ask("switch good 1"));
 }
@@ -283,8 +298,10 @@ TEST(Processes, FollowTheTutorialOfThePaper) {
   RunningRobot robot(simulatedArm(kTutorial, 1000), {"-D", "--allow-non-rt"});
   expectOk(robot.ask("switch log 1"));
   expectOk(robot.ask("switch HomingExample 1"));
-  ASSERT_TRUE(eventually([&] { return robot.ask("status HomingExample").text == "running: at home"; })) << robot.ask("status HomingExample").text;
-  expectIn(robot.ask("switch XBotCommunicationPlugin 1").text, "cannot be started while other plugins run (HomingExample)");
+  ASSERT_TRUE(eventually([&] { return robot.ask("status HomingExample").text == "running: at home"; }))
+      << robot.ask("status HomingExample").text;
+  expectIn(robot.ask("switch XBotCommunicationPlugin 1").text,
+           "cannot be started while other plugins run (HomingExample)");
   expectOk(robot.ask("switch HomingExample 0"));
   expectOk(robot.ask("switch XBotCommunicationPlugin 1"));
   expectIn(robot.ask("switch Sine 1").text, "cannot be started while XBotCommunicationPlugin runs");
@@ -307,9 +324,11 @@ TEST(Processes, OnlyTheMasterFrameworkCommands) {
   expectOk(workbench.ask("release"));
   expectOk(workbench.ask("take 2 robotui"));
   expectOk(workbench.ask("release"));
-  expectIn(workbench.ask("take 2 ROS").text, "The master framework of this robot is robotui: references of ROS do not count.");
+  expectIn(workbench.ask("take 2 ROS").text,
+           "The master framework of this robot is robotui: references of ROS do not count.");
 
-  RunningRobot ros("XBotRTPlugins: {plugins: [XBotCommunicationPlugin]}\nMasterCommunicationInterface: {framework_name: ROS}");
+  RunningRobot ros(
+      "XBotRTPlugins: {plugins: [XBotCommunicationPlugin]}\nMasterCommunicationInterface: {framework_name: ROS}");
   expectOk(ros.ask("take 2 ROS"));
   expectOk(ros.ask("release"));
   expectIn(ros.ask("take 2").text, "The master framework of this robot is ROS: references of robotui do not count.");
@@ -319,7 +338,8 @@ TEST(Processes, OnlyTheMasterFrameworkCommands) {
 TEST(Rights, AreRefusedWithTheReasonAndTheRemedyWhereTheyLack) {
   RunningRobot robot(kTutorial, {}, Rights::kNone);
   EXPECT_EQ(robot.outcome(), 3) << robot.output();
-  expectIn(robot.output(), "This process may not run in real time: priority 90 of SCHED_FIFO is refused (Operation not permitted).");
+  expectIn(robot.output(),
+           "This process may not run in real time: priority 90 of SCHED_FIFO is refused (Operation not permitted).");
   expectIn(robot.output(), "/etc/security/limits.d");
   expectIn(robot.output(), "--allow-non-rt");
 }
@@ -363,9 +383,10 @@ TEST(Processes, TellWhatTheRobotIsMadeOf) {
 
 TEST(Processes, HostileRequestsGetSentences) {
   RunningRobot robot(kTwoHosts);
-  for (const char* words : {"", "dance", "switch", "switch bad", "switch bad 2", "switch nobody 1", "reload", "command", "take", "take -1", "take inf",
-                            "take 1e99", "release", "status nobody", "begin", "end",
-                            "describe", "describe urdf", "describe mesh 0", "describe urdf -1", "describe urdf 1x"}) {
+  for (const char* words :
+       {"",        "dance", "switch",   "switch bad",    "switch bad 2",    "switch nobody 1",  "reload",
+        "command", "take",  "take -1",  "take inf",      "take 1e99",       "release",          "status nobody",
+        "begin",   "end",   "describe", "describe urdf", "describe mesh 0", "describe urdf -1", "describe urdf 1x"}) {
     const auto reply = robot.ask(words);
     EXPECT_FALSE(reply.ok) << words;
     EXPECT_GT(reply.text.size(), 15u) << words;

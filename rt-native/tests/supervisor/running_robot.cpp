@@ -34,7 +34,8 @@ std::string read(const fs::path& file) {
 
 // On a busy machine the writer may have to wait in the middle of its writing, for longer than a reader tries.
 void untilItIsRead(const std::function<link::Read()>& read) {
-  if (!eventually([&] { return read() != link::Read::kBusy; })) throw std::runtime_error("the writer died while it wrote");
+  if (!eventually([&] { return read() != link::Read::kBusy; }))
+    throw std::runtime_error("the writer died while it wrote");
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ void untilItIsRead(const std::function<link::Read()>& read) {
 WholeConfig simulatedArm(const std::string& blocks, int misses_before_safe) {
   const std::string arm = std::string(RT_CONFIGS) + "/arm/";
   return {"XBotInterface: {urdf_path: " + arm + "arm.urdf, srdf_path: " + arm + "arm.srdf, joint_map_path: " + arm +
-          "joint_map.yaml}\nHALInterface: {type: dummy, misses_before_safe: " + std::to_string(misses_before_safe) + "}\n" + blocks};
+          "joint_map.yaml}\nHALInterface: {type: dummy, misses_before_safe: " + std::to_string(misses_before_safe) +
+          "}\n" + blocks};
 }
 
 bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds patience) {
@@ -60,8 +62,9 @@ RunningRobot::RunningRobot(const std::string& blocks, std::vector<std::string> o
     : RunningRobot(simulatedArm(blocks), std::move(options), rights) {}
 
 RunningRobot::RunningRobot(const WholeConfig& config, std::vector<std::string> options, Rights rights)
-    : name_("test-" + std::to_string(::getpid()) + "-" + std::to_string(++count)), folder_(fs::temp_directory_path() / ("robotui-" + name_)),
-      config_(folder_ / "robot.yaml"), options_(std::move(options)), rights_(rights) {
+    : name_("test-" + std::to_string(::getpid()) + "-" + std::to_string(++count)),
+      folder_(fs::temp_directory_path() / ("robotui-" + name_)), config_(folder_ / "robot.yaml"),
+      options_(std::move(options)), rights_(rights) {
   fs::create_directories(folder_);
   std::ofstream(config_) << config.yaml;
   ::setenv("XDG_RUNTIME_DIR", fs::temp_directory_path().c_str(), 1);
@@ -157,7 +160,9 @@ link::PluginState RunningRobot::stateOf(const std::string& name) {
   return static_cast<link::PluginState>(board()->plugin[plugin(name)].state);
 }
 
-std::string RunningRobot::errorOf(const std::string& name) { return std::string(link::view(board()->plugin[plugin(name)].error)); }
+std::string RunningRobot::errorOf(const std::string& name) {
+  return std::string(link::view(board()->plugin[plugin(name)].error));
+}
 
 std::optional<int> RunningRobot::end(int signal, std::chrono::milliseconds patience) {
   if (pid_ > 0) {

@@ -23,7 +23,8 @@ struct WholeConfig {
   std::string yaml;
 };
 
-// The arm as a kinematic simulation. A plugin may be late as often as that, where it is not the misses that are looked at.
+// The arm as a kinematic simulation. A plugin may be late as often as that, where it is not the misses that are looked
+// at.
 WholeConfig simulatedArm(const std::string& blocks, int misses_before_safe = 2);
 
 enum class Rights { kAsTheyAre, kNone };
@@ -32,8 +33,10 @@ enum class Rights { kAsTheyAre, kNone };
 class RunningRobot {
  public:
   // `blocks` is YAML behind those of the robot: threads and plugins.
-  explicit RunningRobot(const std::string& blocks, std::vector<std::string> options = {"--allow-non-rt"}, Rights rights = Rights::kAsTheyAre);
-  explicit RunningRobot(const WholeConfig& config, std::vector<std::string> options = {"--allow-non-rt"}, Rights rights = Rights::kAsTheyAre);
+  explicit RunningRobot(const std::string& blocks, std::vector<std::string> options = {"--allow-non-rt"},
+                        Rights rights = Rights::kAsTheyAre);
+  explicit RunningRobot(const WholeConfig& config, std::vector<std::string> options = {"--allow-non-rt"},
+                        Rights rights = Rights::kAsTheyAre);
   ~RunningRobot();
   RunningRobot(const RunningRobot&) = delete;
   RunningRobot& operator=(const RunningRobot&) = delete;

@@ -54,12 +54,19 @@ class ZeroTest : public ::testing::Test {
   const link::ThreadStatistics& thread() const { return attachment_.hosts[0]->thread_statistics[0]; }
 
   // A quarter of all cycles with these plugins; each is asked something meanwhile. Counted by the processes themselves.
-  void cycleWith(const std::vector<std::string>& plugins, const std::function<void()>& meanwhile = [] {}) {
+  void cycleWith(
+      const std::vector<std::string>& plugins, const std::function<void()>& meanwhile = [] {}) {
     for (const auto& plugin : plugins) ask("switch " + plugin + " 1");
     const std::uint64_t wanted = link::relaxedLoad(thread().cycles) + (isLong() ? 60'000 : 10'000) / 4;
     const std::uint64_t faults = link::relaxedLoad(thread().page_faults);
-    EXPECT_TRUE(eventually([&] { meanwhile(); return link::relaxedLoad(thread().cycles) > wanted; }, std::chrono::seconds(isLong() ? 60 : 25)));
-    EXPECT_TRUE(!has_rights_ || link::relaxedLoad(thread().page_faults) == faults) << "memory is locked, and yet pages are missing";
+    EXPECT_TRUE(eventually(
+        [&] {
+          meanwhile();
+          return link::relaxedLoad(thread().cycles) > wanted;
+        },
+        std::chrono::seconds(isLong() ? 60 : 25)));
+    EXPECT_TRUE(!has_rights_ || link::relaxedLoad(thread().page_faults) == faults)
+        << "memory is locked, and yet pages are missing";
     EXPECT_EQ(link::relaxedLoad(thread().allocations), 0U) << plugins.front();
     EXPECT_EQ(link::relaxedLoad(attachment_.state->loop.allocations), 0U) << plugins.front();
     for (const auto& plugin : plugins) ask("switch " + plugin + " 0");
@@ -101,7 +108,8 @@ struct Seen {
 Seen look(const Window& window, const link::Attachment& attachment) {
   const auto after = link::relaxedCopy(attachment.state->loop);
   const auto room = static_cast<double>(link::now() - window.began) / static_cast<double>(after.period_ns);
-  return {static_cast<double>(after.cycles - window.before.cycles) / room, percentile(difference(after.wake_up, window.before.wake_up), 0.99)};
+  return {static_cast<double>(after.cycles - window.before.cycles) / room,
+          percentile(difference(after.wake_up, window.before.wake_up), 0.99)};
 }
 
 template <typename Value>
@@ -129,7 +137,8 @@ TEST(Spinning, AHostDoesNotDelayTheHal) {
   for (std::uint32_t round = 1; round <= 8; ++round) {
     ASSERT_TRUE(eventually([&] { return robot.ask("switch bad 1").ok; })) << robot.output();
     Window quiet(attachment);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2700));  // five deaths in ten seconds, and the host is given up
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(2700));  // five deaths in ten seconds, and the host is given up
     calm.push_back(look(quiet, attachment));
     Window busy(attachment);
     robot.ask("command bad spin");
@@ -140,8 +149,10 @@ TEST(Spinning, AHostDoesNotDelayTheHal) {
   const auto share = [](const Seen& seen) { return seen.share; };
   const double calm_p99 = median(calm, p99);
   const double spinning_p99 = median(spinning, p99);
-  std::printf("wake-up of the HAL, median p99 of 8 windows: calm %.0f ns, while a host spins %.0f ns; cycles done: %.4f and %.4f\n", calm_p99, spinning_p99,
-              median(calm, share), median(spinning, share));
+  std::printf(
+      "wake-up of the HAL, median p99 of 8 windows: calm %.0f ns, while a host spins %.0f ns; cycles done: %.4f and "
+      "%.4f\n",
+      calm_p99, spinning_p99, median(calm, share), median(spinning, share));
   EXPECT_GT(median(spinning, share), 0.9 * median(calm, share));
   EXPECT_LT(spinning_p99, 3 * calm_p99 + 200'000);
 }

@@ -28,8 +28,8 @@ inline std::optional<std::filesystem::path> sharedRobots() {
 
 inline RobotPtr coman(const std::filesystem::path& robots) {
   const auto folder = robots / "coman_urdf";
-  return std::make_shared<config::RobotDescription>(
-      config::describe(folder / "urdf/coman.urdf", folder / "srdf/coman.srdf", folder / "config/coman_joint_map.yaml", true));
+  return std::make_shared<config::RobotDescription>(config::describe(
+      folder / "urdf/coman.urdf", folder / "srdf/coman.srdf", folder / "config/coman_joint_map.yaml", true));
 }
 
 // The Panda comes without a joint map.
@@ -37,9 +37,11 @@ inline RobotPtr panda(const std::filesystem::path& robots) {
   std::string pattern = (std::filesystem::temp_directory_path() / "rt-panda-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
   const std::filesystem::path map = std::filesystem::path(pattern) / "map.yaml";
-  std::ofstream(map) << "joint_map: {1: panda_joint1, 2: panda_joint2, 3: panda_joint3, 4: panda_joint4, 5: panda_joint5, 6: panda_joint6, 7: panda_joint7}\n";
+  std::ofstream(map) << "joint_map: {1: panda_joint1, 2: panda_joint2, 3: panda_joint3, 4: panda_joint4, 5: "
+                        "panda_joint5, 6: panda_joint6, 7: panda_joint7}\n";
   const auto folder = robots / "panda_description";
-  auto robot = std::make_shared<config::RobotDescription>(config::describe(folder / "urdf/panda.urdf", folder / "srdf/panda.srdf", map, false));
+  auto robot = std::make_shared<config::RobotDescription>(
+      config::describe(folder / "urdf/panda.urdf", folder / "srdf/panda.srdf", map, false));
   std::filesystem::remove_all(pattern);
   return robot;
 }

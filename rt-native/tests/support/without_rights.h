@@ -7,8 +7,8 @@
 
 namespace robotui::rt {
 
-// Between fork and exec: the next program of this process can have neither priorities nor locked memory. Where a capability cannot be
-// dropped, the process has not the right to give it on, either.
+// Between fork and exec: the next program of this process can have neither priorities nor locked memory. Where a
+// capability cannot be dropped, the process has not the right to give it on, either.
 inline void dropRealTimeRights() noexcept {
   constexpr rlimit kNone{0, 0};
   ::setrlimit(RLIMIT_RTPRIO, &kNone);

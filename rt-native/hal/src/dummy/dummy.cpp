@@ -21,8 +21,10 @@ double positionIn(const std::vector<config::Posture>& postures, const std::strin
   return 0;
 }
 
-void checkPosture(const std::vector<config::Posture>& postures, const std::string& posture, const config::Place& place) {
-  const bool there = std::any_of(postures.begin(), postures.end(), [&](const config::Posture& each) { return each.name == posture; });
+void checkPosture(const std::vector<config::Posture>& postures, const std::string& posture,
+                  const config::Place& place) {
+  const bool there =
+      std::any_of(postures.begin(), postures.end(), [&](const config::Posture& each) { return each.name == posture; });
   if (there || posture.empty()) return;
   const std::string known = link::listed(postures, &config::Posture::name, "none");
   throw config::ConfigError(place, "The SRDF has no posture '" + posture + "'; it has: " + known + ".");
@@ -30,10 +32,12 @@ void checkPosture(const std::vector<config::Posture>& postures, const std::strin
 
 }  // namespace
 
-std::vector<JointMotion> motionsOf(const config::RobotDescription& robot, const std::string& posture, const config::Place& place) {
+std::vector<JointMotion> motionsOf(const config::RobotDescription& robot, const std::string& posture,
+                                   const config::Place& place) {
   checkPosture(robot.postures, posture, place);
   std::vector<JointMotion> motions;
-  for (const config::JointDescription& joint : robot.joints) motions.emplace_back(joint, positionIn(robot.postures, posture, joint.name));
+  for (const config::JointDescription& joint : robot.joints)
+    motions.emplace_back(joint, positionIn(robot.postures, posture, joint.name));
   return motions;
 }
 

@@ -21,8 +21,10 @@ class Dummy : public Hal {
   double period_s_ = 0;
 };
 
-// The joints at the beginning, in a named posture or at zero. Throws config::ConfigError where the posture is not there.
-std::vector<JointMotion> motionsOf(const config::RobotDescription& robot, const std::string& posture, const config::Place& place);
+// The joints at the beginning, in a named posture or at zero. Throws config::ConfigError where the posture is not
+// there.
+std::vector<JointMotion> motionsOf(const config::RobotDescription& robot, const std::string& posture,
+                                   const config::Place& place);
 
 // A base at rest and sensors that feel nothing but the weight of the IMU.
 void measureRest(Measurements& into) noexcept;

@@ -13,13 +13,15 @@ constexpr float kTemperature = 25;
 }  // namespace
 
 JointMotion::JointMotion(const config::JointDescription& joint, double position) noexcept
-    : lower_(joint.lower), upper_(joint.upper), fastest_(joint.velocity), position_(std::clamp(position, joint.lower, joint.upper)) {}
+    : lower_(joint.lower), upper_(joint.upper), fastest_(joint.velocity),
+      position_(std::clamp(position, joint.lower, joint.upper)) {}
 
 double JointMotion::wantedVelocity(const Reference& reference, double seconds) const noexcept {
   if ((reference.mode & link::kPosition) != 0) return (reference.position - position_) / seconds;
   if ((reference.mode & link::kVelocity) != 0) return reference.velocity;
   // Implicit in the friction, so that no step is too long for it.
-  if ((reference.mode & link::kEffort) != 0) return (velocity_ + reference.effort / kInertia * seconds) / (1 + kFriction / kInertia * seconds);
+  if ((reference.mode & link::kEffort) != 0)
+    return (velocity_ + reference.effort / kInertia * seconds) / (1 + kFriction / kInertia * seconds);
   return 0;
 }
 

@@ -6,7 +6,8 @@
 
 namespace robotui::rt::hal {
 
-// Positions are followed at the joint's velocity at most, velocities are integrated, efforts move an inertia with friction.
+// Positions are followed at the joint's velocity at most, velocities are integrated, efforts move an inertia with
+// friction.
 class JointMotion {
  public:
   JointMotion(const config::JointDescription& joint, double position) noexcept;

@@ -14,7 +14,8 @@ int defaultSteps(std::int64_t period_ns) {
   return static_cast<int>(std::clamp<std::int64_t>((period_ns + kLongestStep - 1) / kLongestStep, 1, kMostSteps));
 }
 
-std::string readPosture(const config::Reader& params, const config::RobotDescription& robot, const std::string& otherwise) {
+std::string readPosture(const config::Reader& params, const config::RobotDescription& robot,
+                        const std::string& otherwise) {
   const auto asked = params.find("posture");
   if (!asked) return otherwise;
   std::vector<std::string> names;
@@ -28,9 +29,11 @@ std::string readPosture(const config::Reader& params, const config::RobotDescrip
 
 }  // namespace
 
-MujocoSettings readMujocoSettings(const config::HalConfig& config, const config::RobotDescription& robot, std::int64_t period_ns) {
+MujocoSettings readMujocoSettings(const config::HalConfig& config, const config::RobotDescription& robot,
+                                  std::int64_t period_ns) {
   const config::Reader params(config.params, config.place.file, "HALInterface.params", config.place);
-  params.knowsOnly({"steps", "floor", "fix_base", "base_height", "posture", "drive_stiffness", "drive_damping", "armature"});
+  params.knowsOnly(
+      {"steps", "floor", "fix_base", "base_height", "posture", "drive_stiffness", "drive_damping", "armature"});
   MujocoSettings settings;
   settings.steps = static_cast<int>(params.wholeOr("steps", defaultSteps(period_ns), 1, kMostSteps));
   settings.floor = params.flagOr("floor", settings.floor);

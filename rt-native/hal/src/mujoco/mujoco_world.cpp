@@ -22,7 +22,8 @@ void place(const Eigen::Isometry3d& at, double (&pos)[3], double (&quat)[4]) {
 class WorldBuilder {
  public:
   WorldBuilder(const config::RobotDescription& robot, const MujocoSettings& settings)
-      : robot_(robot), settings_(settings), tree_(buildRigidTree(robot, sensorLinks(robot))), mujoco_(addTree(tree_, robot, isFree())) {}
+      : robot_(robot), settings_(settings), tree_(buildRigidTree(robot, sensorLinks(robot))),
+        mujoco_(addTree(tree_, robot, isFree())) {}
 
   MujocoWorld build(double period) {
     setOptions(period / settings_.steps);
@@ -70,7 +71,9 @@ class WorldBuilder {
   // Parts of the robot touch the floor, not each other: primitives overlap at the joints.
   void addShape(const CollisionShape& shape) {
     mjsGeom* geom = mjs_addGeom(mujoco_.bodies[static_cast<std::size_t>(shape.body)], nullptr);
-    geom->type = shape.kind == CollisionShape::Kind::kBox ? mjGEOM_BOX : shape.kind == CollisionShape::Kind::kSphere ? mjGEOM_SPHERE : mjGEOM_CYLINDER;
+    geom->type = shape.kind == CollisionShape::Kind::kBox      ? mjGEOM_BOX
+                 : shape.kind == CollisionShape::Kind::kSphere ? mjGEOM_SPHERE
+                                                               : mjGEOM_CYLINDER;
     Eigen::Map<Eigen::Vector3d>(static_cast<double*>(geom->size)) = shape.size;
     place(shape.in_body, geom->pos, geom->quat);
     geom->contype = 1;
@@ -131,7 +134,9 @@ class WorldBuilder {
       const int drive = mj_name2id(world.model.get(), mjOBJ_ACTUATOR, joint.name.c_str());
       world.joints.push_back({world.model->jnt_qposadr[id], world.model->jnt_dofadr[id], drive, 0, 0});
     }
-    const auto address = [&](std::size_t sensor) { return world.model->sensor_adr[mjs_getId(sensors_[sensor]->element)]; };
+    const auto address = [&](std::size_t sensor) {
+      return world.model->sensor_adr[mjs_getId(sensors_[sensor]->element)];
+    };
     for (std::size_t i = 0; i < robot_.imus.size(); ++i) world.imus.push_back(address(3 * i));
     const std::size_t first = 3 * robot_.imus.size();
     for (std::size_t i = 0; i < robot_.force_torques.size(); ++i) world.force_torques.push_back(address(first + 2 * i));
@@ -147,15 +152,19 @@ class WorldBuilder {
     mj_forward(world.model.get(), world.data.get());
     if (!robot_.floating_base) return;
     const double height = settings_.base_height >= 0 ? settings_.base_height : std::max(0.0, -lowest(world));
-    if (isFree()) world.data->qpos[2] = height;
-    else world.model->body_pos[3 * mjs_getId(mujoco_.bodies[0]->element) + 2] = height + kHanging;
+    if (isFree())
+      world.data->qpos[2] = height;
+    else
+      world.model->body_pos[3 * mjs_getId(mujoco_.bodies[0]->element) + 2] = height + kHanging;
     mj_forward(world.model.get(), world.data.get());
   }
 
   void takeAngles(const config::Posture& posture, MujocoWorld& world) const {
     for (const auto& [name, angle] : posture.joints) {
-      const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(), [&wanted = name](const auto& j) { return j.name == wanted; });
-      if (joint != robot_.joints.end()) world.data->qpos[world.joints[static_cast<std::size_t>(joint - robot_.joints.begin())].position] = angle;
+      const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                      [&wanted = name](const auto& j) { return j.name == wanted; });
+      if (joint != robot_.joints.end())
+        world.data->qpos[world.joints[static_cast<std::size_t>(joint - robot_.joints.begin())].position] = angle;
     }
   }
 
@@ -163,7 +172,8 @@ class WorldBuilder {
     double least = std::numeric_limits<double>::infinity();
     const mjModel& model = *world.model;
     for (int i = 0; i < model.ngeom; ++i) {
-      if (model.geom_type[i] != mjGEOM_PLANE) least = std::min(least, world.data->geom_xpos[3 * i + 2] - reach(model, *world.data, i));
+      if (model.geom_type[i] != mjGEOM_PLANE)
+        least = std::min(least, world.data->geom_xpos[3 * i + 2] - reach(model, *world.data, i));
     }
     return std::isfinite(least) ? least : 0;
   }
@@ -173,7 +183,8 @@ class WorldBuilder {
     const mjtNum* size = model.geom_size + 3 * geom;
     const mjtNum* down = data.geom_xmat + 9 * geom + 6;
     if (model.geom_type[geom] == mjGEOM_SPHERE) return size[0];
-    if (model.geom_type[geom] == mjGEOM_BOX) return std::abs(down[0]) * size[0] + std::abs(down[1]) * size[1] + std::abs(down[2]) * size[2];
+    if (model.geom_type[geom] == mjGEOM_BOX)
+      return std::abs(down[0]) * size[0] + std::abs(down[1]) * size[1] + std::abs(down[2]) * size[2];
     return std::hypot(down[0], down[1]) * size[0] + std::abs(down[2]) * size[1];
   }
 

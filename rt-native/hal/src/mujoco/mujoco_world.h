@@ -20,9 +20,9 @@ struct MujocoJoint {
 struct MujocoWorld {
   MujocoModelPtr model;
   MujocoDataPtr data;
-  std::vector<MujocoJoint> joints;    // by index of the robot
-  std::vector<int> imus;              // in sensordata: orientation, angular velocity, acceleration
-  std::vector<int> force_torques;     // in sensordata: force, torque
+  std::vector<MujocoJoint> joints;  // by index of the robot
+  std::vector<int> imus;            // in sensordata: orientation, angular velocity, acceleration
+  std::vector<int> force_torques;   // in sensordata: force, torque
 };
 
 // In its posture, at rest, standing on the floor. Throws std::runtime_error.

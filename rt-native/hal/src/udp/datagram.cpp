@@ -65,14 +65,17 @@ bool Datagram::send(std::span<const std::byte> packet) const noexcept {
 }
 
 bool Datagram::sendTo(std::span<const std::byte> packet, const sockaddr_in& to) const noexcept {
-  return ::sendto(descriptor_.get(), packet.data(), packet.size(), MSG_NOSIGNAL, plain(to), sizeof(to)) == static_cast<ssize_t>(packet.size());
+  return ::sendto(descriptor_.get(), packet.data(), packet.size(), MSG_NOSIGNAL, plain(to), sizeof(to)) ==
+         static_cast<ssize_t>(packet.size());
 }
 
-// A refusal that comes back from a peer that does not listen ends one call of recvfrom: what waits behind it is taken by the next.
+// A refusal that comes back from a peer that does not listen ends one call of recvfrom: what waits behind it is taken
+// by the next.
 std::span<const std::byte> Datagram::receive(std::span<std::byte> buffer, sockaddr_in& from) const noexcept {
   for (int i = 0; i < 2; ++i) {
     socklen_t size = sizeof(from);
-    const ssize_t length = ::recvfrom(descriptor_.get(), buffer.data(), buffer.size(), 0, reinterpret_cast<sockaddr*>(&from), &size);
+    const ssize_t length =
+        ::recvfrom(descriptor_.get(), buffer.data(), buffer.size(), 0, reinterpret_cast<sockaddr*>(&from), &size);
     if (length >= 0) return buffer.first(static_cast<std::size_t>(length));
     if (errno != ECONNREFUSED && errno != EINTR) break;
   }

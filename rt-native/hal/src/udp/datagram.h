@@ -24,7 +24,8 @@ class Datagram {
   bool send(std::span<const std::byte> packet) const noexcept;
   bool sendTo(std::span<const std::byte> packet, const sockaddr_in& to) const noexcept;
 
-  // What of the buffer was filled; empty where nothing is there. A packet that is longer than the buffer comes cut, and so is refused by its length.
+  // What of the buffer was filled; empty where nothing is there. A packet that is longer than the buffer comes cut, and
+  // so is refused by its length.
   std::span<const std::byte> receive(std::span<std::byte> buffer, sockaddr_in& from) const noexcept;
   bool wait(int timeout_ms) const noexcept;
 

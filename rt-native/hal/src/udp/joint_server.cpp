@@ -11,19 +11,16 @@ namespace {
 
 constexpr double kLongestStep = 0.1;  // s: a program that was halted does not jump
 
-std::uint64_t keyOf(const sockaddr_in& address) noexcept { return (std::uint64_t{address.sin_addr.s_addr} << 16) | address.sin_port; }
+std::uint64_t keyOf(const sockaddr_in& address) noexcept {
+  return (std::uint64_t{address.sin_addr.s_addr} << 16) | address.sin_port;
+}
 
 }  // namespace
 
 JointServer::JointServer(const config::RobotDescription& robot, const JointServerSettings& settings)
-    : socket_(Datagram::boundTo(addressOf(settings.address, settings.port))),
-      gate_(settings.watchdog_ns),
-      joints_(motionsOf(robot, settings.posture, {})),
-      references_(robot.joints.size()),
-      states_(robot.joints.size()),
-      imus_(robot.imus.size()),
-      force_torques_(robot.force_torques.size()),
-      session_(newSession()),
+    : socket_(Datagram::boundTo(addressOf(settings.address, settings.port))), gate_(settings.watchdog_ns),
+      joints_(motionsOf(robot, settings.posture, {})), references_(robot.joints.size()), states_(robot.joints.size()),
+      imus_(robot.imus.size()), force_torques_(robot.force_torques.size()), session_(newSession()),
       moved_ns_(link::now()) {
   hold();
 }
@@ -31,7 +28,8 @@ JointServer::JointServer(const config::RobotDescription& robot, const JointServe
 // Where it stands: a velocity ends, an effort gives way to holding.
 void JointServer::hold() {
   holding_ = true;
-  for (std::size_t j = 0; j < joints_.size(); ++j) references_[j] = {joints_[j].position(), 0, 0, 0, 0, link::kPosition};
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    references_[j] = {joints_[j].position(), 0, 0, 0, 0, link::kPosition};
 }
 
 void JointServer::moveJoints() {
@@ -82,7 +80,8 @@ void JointServer::step() {
   socket_.wait(1);
   moveJoints();
   sockaddr_in from{};
-  for (auto packet = socket_.receive(incoming_, from); !packet.empty(); packet = socket_.receive(incoming_, from)) heard(packet, from);
+  for (auto packet = socket_.receive(incoming_, from); !packet.empty(); packet = socket_.receive(incoming_, from))
+    heard(packet, from);
   if (!holding_ && gate_.isSilent(link::now())) hold();
 }
 

@@ -35,10 +35,13 @@ bool isSound(const JointMeasurement& m) noexcept {
 }
 
 bool isSound(const link::ImuState& imu) noexcept {
-  return areFinite<double>(imu.orientation) && areFinite<double>(imu.angular_velocity) && areFinite<double>(imu.linear_acceleration);
+  return areFinite<double>(imu.orientation) && areFinite<double>(imu.angular_velocity) &&
+         areFinite<double>(imu.linear_acceleration);
 }
 
-bool isSound(const link::ForceTorqueState& sensor) noexcept { return areFinite<double>(sensor.force) && areFinite<double>(sensor.torque); }
+bool isSound(const link::ForceTorqueState& sensor) noexcept {
+  return areFinite<double>(sensor.force) && areFinite<double>(sensor.torque);
+}
 
 // All that follow from `offset` are numbers.
 template <class T>
@@ -100,13 +103,16 @@ bool readState(std::span<const std::byte> packet, Measurements& into) noexcept {
   const std::size_t imus = sizeof(Header) + into.joints.size() * sizeof(JointMeasurement);
   const std::size_t sensors = imus + into.imus.size() * sizeof(link::ImuState);
   if (packet.size() != sensors + into.force_torques.size() * sizeof(link::ForceTorqueState)) return false;
-  if (!allSound<JointMeasurement>(packet, sizeof(Header), into.joints.size()) || !allSound<link::ImuState>(packet, imus, into.imus.size()) ||
+  if (!allSound<JointMeasurement>(packet, sizeof(Header), into.joints.size()) ||
+      !allSound<link::ImuState>(packet, imus, into.imus.size()) ||
       !allSound<link::ForceTorqueState>(packet, sensors, into.force_torques.size())) {
     return false;
   }
-  for (std::size_t i = 0; i < into.joints.size(); ++i) copy(at<JointMeasurement>(packet, sizeof(Header), i), into.joints[i]);
+  for (std::size_t i = 0; i < into.joints.size(); ++i)
+    copy(at<JointMeasurement>(packet, sizeof(Header), i), into.joints[i]);
   for (std::size_t i = 0; i < into.imus.size(); ++i) into.imus[i] = at<link::ImuState>(packet, imus, i);
-  for (std::size_t i = 0; i < into.force_torques.size(); ++i) into.force_torques[i] = at<link::ForceTorqueState>(packet, sensors, i);
+  for (std::size_t i = 0; i < into.force_torques.size(); ++i)
+    into.force_torques[i] = at<link::ForceTorqueState>(packet, sensors, i);
   return true;
 }
 
@@ -121,7 +127,8 @@ std::span<const std::byte> writeCommand(Buffer& buffer, Header header, std::span
   header.imus = header.force_torques = 0;
   std::size_t end = 0;
   put(buffer, end, complete(header, Kind::kCommand));
-  for (const Reference& r : references) put(buffer, end, JointReference{r.position, r.velocity, r.effort, r.stiffness, r.damping, r.mode, {}});
+  for (const Reference& r : references)
+    put(buffer, end, JointReference{r.position, r.velocity, r.effort, r.stiffness, r.damping, r.mode, {}});
   return std::span(buffer).first(end);
 }
 
@@ -132,8 +139,9 @@ std::span<const std::byte> writeState(Buffer& buffer, Header header, const Measu
   std::size_t end = 0;
   put(buffer, end, complete(header, Kind::kState));
   for (const link::JointState& j : measured.joints) {
-    put(buffer, end, JointMeasurement{j.link_position, j.motor_position, j.link_velocity, j.motor_velocity, j.effort, j.temperature_motor,
-                                      j.temperature_driver, j.fault, 0});
+    put(buffer, end,
+        JointMeasurement{j.link_position, j.motor_position, j.link_velocity, j.motor_velocity, j.effort,
+                         j.temperature_motor, j.temperature_driver, j.fault, 0});
   }
   for (const link::ImuState& imu : measured.imus) put(buffer, end, imu);
   for (const link::ForceTorqueState& sensor : measured.force_torques) put(buffer, end, sensor);

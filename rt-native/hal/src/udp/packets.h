@@ -1,6 +1,8 @@
-// What a HAL and a remote joint controller send each other: one UDP packet a cycle and direction, little endian, SI units.
+// What a HAL and a remote joint controller send each other: one UDP packet a cycle and direction, little endian, SI
+// units.
 //
-// hello (HAL -> joints, until a state came), command (HAL -> joints), state (joints -> HAL, the answer to each of both).
+// hello (HAL -> joints, until a state came), command (HAL -> joints), state (joints -> HAL, the answer to each of
+// both).
 #pragma once
 
 #include <array>
@@ -25,7 +27,7 @@ struct Header {
   std::uint32_t magic;
   std::uint16_t version;
   std::uint16_t kind;
-  std::uint32_t session;   // another number at every start of the sender
+  std::uint32_t session;  // another number at every start of the sender
   std::uint32_t reserved;
   std::uint64_t sequence;  // of the sender, rises by one a packet
   std::uint64_t cycle;     // of the command, and of the state that answers it

@@ -22,8 +22,9 @@ bool isAnswerOf(std::span<const std::byte> packet, Header& into) noexcept {
 void checkCounts(const Header& state, const config::RobotDescription& robot, const std::string& peer) {
   const auto differ = [&](std::size_t theirs, std::size_t ours, const char* what) {
     if (theirs == ours) return;
-    throw std::runtime_error("The joint controller at " + peer + " has " + std::to_string(theirs) + " " + what + ", the robot '" + robot.name +
-                             "' has " + std::to_string(ours) + ": give both the same description.");
+    throw std::runtime_error("The joint controller at " + peer + " has " + std::to_string(theirs) + " " + what +
+                             ", the robot '" + robot.name + "' has " + std::to_string(ours) +
+                             ": give both the same description.");
   };
   differ(state.joints, robot.joints.size(), "joints");
   differ(state.imus, robot.imus.size(), "IMUs");
@@ -37,7 +38,8 @@ void Udp::open(const config::RobotDescription& robot, const config::HalConfig& c
   params.knowsOnly({"address", "port", "timeout_us"});
   const std::string address = params.textOr("address", "127.0.0.1");
   const auto port = static_cast<std::uint16_t>(params.wholeOr("port", 9870, 1, 65535));
-  const std::int64_t timeout = params.wholeOr("timeout_us", 5 * period_ns / link::kMicrosecond, 100, 10'000'000) * link::kMicrosecond;
+  const std::int64_t timeout =
+      params.wholeOr("timeout_us", 5 * period_ns / link::kMicrosecond, 100, 10'000'000) * link::kMicrosecond;
   socket_ = Datagram::connectedTo(addressOf(address, port));
   gate_ = SequenceGate(timeout);
   session_ = newSession();
@@ -57,7 +59,8 @@ void Udp::greet(const config::RobotDescription& robot, const std::string& peer) 
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(kGreetingMs));
   }
-  throw std::runtime_error("No joint controller answers at " + peer + ": start it, or write its address and port into HALInterface.params.");
+  throw std::runtime_error("No joint controller answers at " + peer +
+                           ": start it, or write its address and port into HALInterface.params.");
 }
 
 Header Udp::header() noexcept {

@@ -10,7 +10,8 @@
 
 namespace robotui::rt::hal::udp {
 
-// Parameters: `address` (127.0.0.1), `port` (9870), `timeout_us` (five periods): without a state for that long, sense() says kTimeout.
+// Parameters: `address` (127.0.0.1), `port` (9870), `timeout_us` (five periods): without a state for that long, sense()
+// says kTimeout.
 class Udp : public Hal {
  public:
   void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) override;

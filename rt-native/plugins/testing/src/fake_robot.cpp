@@ -30,7 +30,8 @@ std::shared_ptr<const config::RobotDescription> fakeDescription(int joints) {
   return std::make_shared<const config::RobotDescription>(std::move(robot));
 }
 
-FakeRobot::FakeRobot(std::shared_ptr<const config::RobotDescription> description) : RobotInterface(std::move(description)) {}
+FakeRobot::FakeRobot(std::shared_ptr<const config::RobotDescription> description)
+    : RobotInterface(std::move(description)) {}
 
 bool FakeRobot::move() noexcept {
   commanded_ = 0;

@@ -5,9 +5,9 @@
 namespace robotui::rt::testing {
 
 FakeSetup::FakeSetup(FakeRobot& robot, const std::string& params, double period, std::string model_type)
-    : params_(params.empty() ? YAML::Node(YAML::NodeType::Map) : YAML::Load(params)), period_(period), model_type_(std::move(model_type)),
-      robot_(robot), segment_(std::make_unique<ChannelSegment>()), channels_(*segment_, {segment_.get()}),
-      master_(std::make_unique<link::MasterSegment>()) {
+    : params_(params.empty() ? YAML::Node(YAML::NodeType::Map) : YAML::Load(params)), period_(period),
+      model_type_(std::move(model_type)), robot_(robot), segment_(std::make_unique<ChannelSegment>()),
+      channels_(*segment_, {segment_.get()}), master_(std::make_unique<link::MasterSegment>()) {
   robot.setPeriod(period);
 }
 

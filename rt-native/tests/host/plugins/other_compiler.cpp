@@ -7,5 +7,9 @@ constexpr robotui::rt::link::AbiFact kFacts[] = {{"compiler", "GCC ", 99, "", ""
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_plugin_abi() { return robotui::rt::kPluginAbi; }
-extern "C" __attribute__((visibility("default"))) const robotui::rt::link::AbiFact* robotui_rt_plugin_facts() { return kFacts; }
+extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_plugin_abi() {
+  return robotui::rt::kPluginAbi;
+}
+extern "C" __attribute__((visibility("default"))) const robotui::rt::link::AbiFact* robotui_rt_plugin_facts() {
+  return kFacts;
+}

@@ -5,8 +5,12 @@ namespace {
 
 class Plain final : public robotui::rt::ControlPlugin {
  public:
-  bool init_control_plugin(robotui::rt::Setup& setup) override { return setup.params()["works"].as<std::string>("yes") == "yes"; }
-  robotui::rt::RtStatus control_loop(double /*time*/, double /*period*/) override { return robotui::rt::RtStatus::ok(); }
+  bool init_control_plugin(robotui::rt::Setup& setup) override {
+    return setup.params()["works"].as<std::string>("yes") == "yes";
+  }
+  robotui::rt::RtStatus control_loop(double /*time*/, double /*period*/) override {
+    return robotui::rt::RtStatus::ok();
+  }
 };
 
 }  // namespace

@@ -8,7 +8,9 @@ class ThrowingConstructor final : public robotui::rt::ControlPlugin {
  public:
   ThrowingConstructor() { throw std::runtime_error("no hardware key"); }
   bool init_control_plugin(robotui::rt::Setup& /*setup*/) override { return true; }
-  robotui::rt::RtStatus control_loop(double /*time*/, double /*period*/) override { return robotui::rt::RtStatus::ok(); }
+  robotui::rt::RtStatus control_loop(double /*time*/, double /*period*/) override {
+    return robotui::rt::RtStatus::ok();
+  }
 };
 
 }  // namespace

@@ -25,14 +25,17 @@ class ConfigError : public std::runtime_error {
   ConfigError(const Place& place, const std::string& what);
 };
 
-enum class JointType : std::uint8_t { kRevolute, kPrismatic };  // continuous joints are revolute without position limits
+enum class JointType : std::uint8_t {
+  kRevolute,
+  kPrismatic
+};  // continuous joints are revolute without position limits
 
 // One joint that can be commanded, in the order of the ids of the joint map.
 struct JointDescription {
   int id;
   std::string name;
   JointType type;
-  double lower;     // rad or m; infinite where the URDF has none
+  double lower;  // rad or m; infinite where the URDF has none
   double upper;
   double velocity;  // rad/s or m/s
   double effort;    // N m or N
@@ -71,8 +74,8 @@ struct RobotDescription {
   std::vector<Posture> postures;
 };
 
-// Reads and checks the three files: every joint of the map is in the URDF, ids and names are unique, limits are numbers. An empty
-// `srdf` is none: no chains, sensors and postures.
+// Reads and checks the three files: every joint of the map is in the URDF, ids and names are unique, limits are
+// numbers. An empty `srdf` is none: no chains, sensors and postures.
 RobotDescription describe(const std::filesystem::path& urdf, const std::filesystem::path& srdf,
                           const std::filesystem::path& joint_map, bool floating_base);
 
@@ -91,7 +94,8 @@ struct HalConfig {
   std::optional<int> core;
   int priority = 90;
   int wake_latency_us = 0;  // how late processors may wake from idling; -1 is as they like
-  YAML::Node params;  // of the type: a map, perhaps empty. Read it with Reader (reader.h): its mistakes have places, too
+  YAML::Node
+      params;  // of the type: a map, perhaps empty. Read it with Reader (reader.h): its mistakes have places, too
   Place place;
 };
 
@@ -110,18 +114,18 @@ struct ThreadConfig {
 // NOLINTNEXTLINE(bugprone-exception-escape): a YAML::Node can only be copied, which throws of one that is not there
 struct PluginConfig {
   std::string name;
-  std::string type;  // the library is lib<type>.so
+  std::string type;    // the library is lib<type>.so
   std::string thread;  // empty for io_plugins: they run in the communication handler
-  YAML::Node params;  // a map, perhaps empty
+  YAML::Node params;   // a map, perhaps empty
   Place place;
 };
 
 struct RtConfig {
   std::filesystem::path file;
   RobotDescription robot;
-  std::string model_type;           // KDL or MUJOCO
-  std::string master;               // the framework that may command: ROS or robotui
-  bool enable_ref_read = true;      // frameworks see the references in force, too
+  std::string model_type;       // KDL or MUJOCO
+  std::string master;           // the framework that may command: ROS or robotui
+  bool enable_ref_read = true;  // frameworks see the references in force, too
   HalConfig hal;
   std::vector<ThreadConfig> threads;
   std::vector<PluginConfig> plugins;

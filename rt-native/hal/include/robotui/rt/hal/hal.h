@@ -35,13 +35,15 @@ struct Reference {
   std::uint8_t mode;
 };
 
-// One robot. open() and close() are called on an ordinary thread and may block and allocate; sense() and move() are called in
-// turn on the real-time thread, once a cycle: they must not allocate, throw, or block longer than a fraction of the period.
+// One robot. open() and close() are called on an ordinary thread and may block and allocate; sense() and move() are
+// called in turn on the real-time thread, once a cycle: they must not allocate, throw, or block longer than a fraction
+// of the period.
 class Hal {
  public:
   virtual ~Hal() = default;
 
-  // Throws config::ConfigError or std::runtime_error with a sentence for the user. `period_ns` is the time between two senses.
+  // Throws config::ConfigError or std::runtime_error with a sentence for the user. `period_ns` is the time between two
+  // senses.
   virtual void open(const config::RobotDescription& robot, const config::HalConfig& config, std::int64_t period_ns) = 0;
 
   virtual Status sense(Measurements& into) noexcept = 0;
@@ -51,8 +53,8 @@ class Hal {
   virtual void close() noexcept = 0;
 };
 
-// What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration. A library of another
-// number, or that was built another way, is refused.
+// What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
+// A library of another number, or that was built another way, is refused.
 inline constexpr std::uint32_t kHalAbi = 2;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
@@ -66,13 +68,13 @@ constexpr link::AbiFact kHalFacts[] = {
 
 }  // namespace robotui::rt::hal
 
-#define ROBOTUI_RT_HAL(Class)                                                                              \
-  extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_hal_abi() {                   \
-    return robotui::rt::hal::kHalAbi;                                                                      \
-  }                                                                                                        \
+#define ROBOTUI_RT_HAL(Class)                                                                                  \
+  extern "C" __attribute__((visibility("default"))) std::uint32_t robotui_rt_hal_abi() {                       \
+    return robotui::rt::hal::kHalAbi;                                                                          \
+  }                                                                                                            \
   extern "C" __attribute__((visibility("default"))) const robotui::rt::link::AbiFact* robotui_rt_hal_facts() { \
-    return robotui::rt::hal::kHalFacts;                                                                    \
-  }                                                                                                        \
-  extern "C" __attribute__((visibility("default"))) robotui::rt::hal::Hal* robotui_rt_hal_create() {       \
-    return new Class();                                                                                    \
+    return robotui::rt::hal::kHalFacts;                                                                        \
+  }                                                                                                            \
+  extern "C" __attribute__((visibility("default"))) robotui::rt::hal::Hal* robotui_rt_hal_create() {           \
+    return new Class();                                                                                        \
   }

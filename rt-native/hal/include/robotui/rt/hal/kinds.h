@@ -7,7 +7,8 @@
 
 namespace robotui::rt::hal {
 
-// By `type` of the configuration, not yet open. Throws config::ConfigError where it is not built in, std::runtime_error where a library is none.
+// By `type` of the configuration, not yet open. Throws config::ConfigError where it is not built in, std::runtime_error
+// where a library is none.
 std::unique_ptr<Hal> create(const config::HalConfig& config);
 
 }  // namespace robotui::rt::hal

@@ -36,7 +36,7 @@ class Host {
  private:
   struct Hosted {
     std::string name;
-    std::uint32_t index = 0;   // on the board
+    std::uint32_t index = 0;  // on the board
     std::uint32_t thread = 0;
     std::unique_ptr<HostedPlugin> plugin;  // none: it could not be loaded
     link::PluginState told = link::PluginState::kAbsent;

@@ -1,4 +1,5 @@
-// One plugin in its host: the object, its library and its robot, and what the threads of the host tell each other about it.
+// One plugin in its host: the object, its library and its robot, and what the threads of the host tell each other about
+// it.
 #pragma once
 
 #include <atomic>
@@ -42,9 +43,10 @@ class HostedPlugin {
     bool understood;
   };
 
-  // Loads and initialises; throws PluginError with a sentence. `index` is that on the board, `frame` what it senses meanwhile.
-  HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period, const PluginEnvironment& environment,
-               const link::FrameData& frame);
+  // Loads and initialises; throws PluginError with a sentence. `index` is that on the board, `frame` what it senses
+  // meanwhile.
+  HostedPlugin(std::uint32_t index, const config::PluginConfig& config, double period,
+               const PluginEnvironment& environment, const link::FrameData& frame);
   ~HostedPlugin();  // the thread must have let go
   HostedPlugin(const HostedPlugin&) = delete;
   HostedPlugin& operator=(const HostedPlugin&) = delete;
@@ -55,7 +57,8 @@ class HostedPlugin {
   std::uint32_t index() const noexcept { return index_; }
   const std::vector<std::string>& claims() const noexcept { return claims_; }
   PluginRole role() const noexcept { return role_; }
-  // Closes and unloads, once the thread has let go. False where the library stays in memory, so that a changed one would not be seen.
+  // Closes and unloads, once the thread has let go. False where the library stays in memory, so that a changed one
+  // would not be seen.
   bool retire() noexcept;
   void want(bool running) noexcept { wanted_.store(running, std::memory_order_release); }
   bool order(std::uint32_t id, std::string_view words) noexcept;
@@ -99,7 +102,8 @@ class HostedPlugin {
   SpscQueue<Line, 4> statuses_;
 };
 
-// `joints` and `chains` of a plugin's parameters as names of joints, each once, in the robot's order. Throws PluginError.
+// `joints` and `chains` of a plugin's parameters as names of joints, each once, in the robot's order. Throws
+// PluginError.
 std::vector<std::string> claimedJoints(const YAML::Node& params, const config::RobotDescription& robot);
 
 }  // namespace robotui::rt::host

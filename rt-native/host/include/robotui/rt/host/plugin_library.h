@@ -28,7 +28,8 @@ class PluginLibrary {
 
   const std::filesystem::path& file() const noexcept { return file_; }
 
-  // An IO plugin comes as a control plugin whose loop is its run(). Throws PluginError, also for what a constructor throws.
+  // An IO plugin comes as a control plugin whose loop is its run(). Throws PluginError, also for what a constructor
+  // throws.
   std::unique_ptr<ControlPlugin> create(PluginKind kind) const;
 
   // Unloads. False where the library stays in memory all the same, so that a changed file would not be seen.
@@ -44,8 +45,8 @@ class PluginLibrary {
   void* handle_;
 };
 
-// Where libraries are looked for: beside the executable, in ../lib of it (as built) and ../lib/robotui-rt (as installed), in
-// ROBOTUI_RT_PLUGINS (folders separated by ':'), beside the configuration.
+// Where libraries are looked for: beside the executable, in ../lib of it (as built) and ../lib/robotui-rt (as
+// installed), in ROBOTUI_RT_PLUGINS (folders separated by ':'), beside the configuration.
 std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& config);
 
 }  // namespace robotui::rt::host

@@ -1,4 +1,5 @@
-// One thread of a host: woken by the robot's state, it runs its plugins in the order of the configuration and writes their commands.
+// One thread of a host: woken by the robot's state, it runs its plugins in the order of the configuration and writes
+// their commands.
 #pragma once
 
 #include <array>
@@ -17,11 +18,11 @@ namespace robotui::rt::host {
 
 struct ThreadPlan {
   std::string name;
-  std::uint32_t index;         // in its host
+  std::uint32_t index;  // in its host
   std::int64_t period_ns;
-  int priority;                // SCHED_FIFO; 0 is an ordinary thread
+  int priority;  // SCHED_FIFO; 0 is an ordinary thread
   std::optional<int> core;
-  bool runs_alone;             // also runs its plugins while the robot does not cycle: IO plugins
+  bool runs_alone;  // also runs its plugins while the robot does not cycle: IO plugins
 };
 
 // Applies priority and core to the calling thread. Empty, or a sentence why it could not be done.
@@ -29,7 +30,8 @@ std::string scheduleThisThread(int priority, std::optional<int> core);
 
 class PluginThread {
  public:
-  PluginThread(ThreadPlan plan, const link::StateSegment& state, const link::BoardSegment& board, link::HostSegment& host);
+  PluginThread(ThreadPlan plan, const link::StateSegment& state, const link::BoardSegment& board,
+               link::HostSegment& host);
   ~PluginThread();
   PluginThread(const PluginThread&) = delete;
   PluginThread& operator=(const PluginThread&) = delete;
@@ -69,10 +71,10 @@ class PluginThread {
   std::atomic<bool> inside_{false};
   std::atomic<bool> stopping_{false};
   std::uint64_t due_ = 0;
-  std::uint64_t every_ = 1;   // cycles of the HAL
+  std::uint64_t every_ = 1;  // cycles of the HAL
   std::uint64_t last_cycle_ = 0;
   std::int64_t first_faults_ = -1;
-  bool commanded_ = false;    // in the last cycle
+  bool commanded_ = false;  // in the last cycle
   std::thread thread_;
 };
 

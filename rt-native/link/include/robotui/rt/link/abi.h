@@ -1,5 +1,5 @@
-// What a library and the program that loads it must have in common, before one may hand objects of C++ to the other. Both state it in plain
-// data of C, which can be read whatever the other one was built with.
+// What a library and the program that loads it must have in common, before one may hand objects of C++ to the other.
+// Both state it in plain data of C, which can be read whatever the other one was built with.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct AbiFact {
   const char* remedy;  // words behind "Build it again "
 };
 
-// Empty, or a sentence that names both sides of the first difference and the remedy. `library` is what is said of whom; both lists end with a
-// fact without a name.
+// Empty, or a sentence that names both sides of the first difference and the remedy. `library` is what is said of whom;
+// both lists end with a fact without a name.
 std::string abiDifference(const std::string& library, const AbiFact* has, const AbiFact* wants);
 
 }  // namespace robotui::rt::link
@@ -49,7 +49,7 @@ std::string abiDifference(const std::string& library, const AbiFact* has, const 
 #endif
 
 // The size of a type that both sides know.
-#define ROBOTUI_RT_SIZE_OF(Type)                                                                                        \
+#define ROBOTUI_RT_SIZE_OF(Type) \
   robotui::rt::link::AbiFact { "sizeof(" #Type ")", "", sizeof(Type), " bytes", "with the headers of this program." }
 
 // clang-format off

@@ -1,4 +1,5 @@
-// Counts what a thread asks of the heap while it should not. In an executable that links rt::malloc_counter; elsewhere it counts nothing.
+// Counts what a thread asks of the heap while it should not. In an executable that links rt::malloc_counter; elsewhere
+// it counts nothing.
 #pragma once
 
 #include <cstdint>

@@ -45,10 +45,14 @@ class BoardReader {
   // Counts of the copy are within the layout's, whatever stands there.
   Read read(BoardData& into) noexcept;
 
-  std::uint16_t owner(std::uint32_t joint) const noexcept { return segment_->owners[joint].load(std::memory_order_relaxed); }
+  std::uint16_t owner(std::uint32_t joint) const noexcept {
+    return segment_->owners[joint].load(std::memory_order_relaxed);
+  }
 
   // Read it before the owner: who sees a new grant then sees its owner, too.
-  std::uint32_t grant(std::uint32_t joint) const noexcept { return segment_->grants[joint].load(std::memory_order_acquire); }
+  std::uint32_t grant(std::uint32_t joint) const noexcept {
+    return segment_->grants[joint].load(std::memory_order_acquire);
+  }
 
  private:
   const BoardSegment* segment_;

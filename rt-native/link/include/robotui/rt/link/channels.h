@@ -1,4 +1,5 @@
-// Named channels between plugins: one segment a process, which it alone can write. What plugins use is plugin/channel.h.
+// Named channels between plugins: one segment a process, which it alone can write. What plugins use is
+// plugin/channel.h.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace robotui::rt::link {
 
-inline constexpr std::uint32_t kMaxChannels = 32;    // of one process
+inline constexpr std::uint32_t kMaxChannels = 32;     // of one process
 inline constexpr std::uint32_t kChannelWords = 1024;  // 8 KiB: a value and its sequence, times the depth, fit into it
 
 // A place for one channel. `id` is written last and cleared first: 0 is free.

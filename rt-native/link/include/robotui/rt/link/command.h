@@ -32,7 +32,8 @@ class SlotReader {
   // Whether something was written since the last read: cheap.
   bool hasNew() const noexcept;
 
-  // Sleeps until the host wrote something (into any of its slots) after this one was looked at, or until the deadline; true where this slot has news.
+  // Sleeps until the host wrote something (into any of its slots) after this one was looked at, or until the deadline;
+  // true where this slot has news.
   bool wait(std::int64_t deadline_ns) const noexcept;
 
  private:

@@ -9,7 +9,9 @@
 
 namespace robotui::rt::link {
 
-constexpr std::int64_t bucketLower(std::size_t i) noexcept { return static_cast<std::int64_t>(4 + i % 4) << (4 + i / 4); }
+constexpr std::int64_t bucketLower(std::size_t i) noexcept {
+  return static_cast<std::int64_t>(4 + i % 4) << (4 + i / 4);
+}
 
 constexpr std::size_t bucketOf(std::int64_t ns) noexcept {
   if (ns < bucketLower(1)) return 0;
@@ -25,8 +27,9 @@ inline void record(Histogram& into, std::int64_t ns) noexcept {
   relaxedAdd<std::uint64_t>(into.count, 1);
 }
 
-// The end of the bucket in which the value at `fraction` (0..1) of all counted ones lies, but never more than the greatest; 0 where nothing was
-// counted. At most a quarter above the true value from 64 ns on. Of a local copy (relaxedCopy).
+// The end of the bucket in which the value at `fraction` (0..1) of all counted ones lies, but never more than the
+// greatest; 0 where nothing was counted. At most a quarter above the true value from 64 ns on. Of a local copy
+// (relaxedCopy).
 std::int64_t percentile(const Histogram& of, double fraction) noexcept;
 
 // What was counted in between two copies of one histogram. Its greatest value is that of `late`: it may be older.

@@ -1,5 +1,6 @@
-// What lies in the shared memory: written once here, described for other languages in link/layout.txt, and checked against it
-// by the tests of both sides. All numbers are SI (rad, m, N m, N, s), little endian; times are nanoseconds of CLOCK_MONOTONIC.
+// What lies in the shared memory: written once here, described for other languages in link/layout.txt, and checked
+// against it by the tests of both sides. All numbers are SI (rad, m, N m, N, s), little endian; times are nanoseconds
+// of CLOCK_MONOTONIC.
 #pragma once
 
 #include <array>
@@ -16,14 +17,14 @@ inline constexpr std::uint32_t kMaxJoints = 128;
 inline constexpr std::uint32_t kMaxImus = 8;
 inline constexpr std::uint32_t kMaxForceTorques = 16;
 inline constexpr std::uint32_t kMaxHosts = 8;
-inline constexpr std::uint32_t kMaxThreads = 8;    // of one host
-inline constexpr std::uint32_t kMaxPlugins = 64;   // of all hosts
+inline constexpr std::uint32_t kMaxThreads = 8;   // of one host
+inline constexpr std::uint32_t kMaxPlugins = 64;  // of all hosts
 inline constexpr std::uint32_t kMaxChains = 32;
-inline constexpr std::uint32_t kFrames = 16;       // a reader has this many cycles to copy a frame
+inline constexpr std::uint32_t kFrames = 16;  // a reader has this many cycles to copy a frame
 inline constexpr std::uint32_t kBuckets = 96;
 inline constexpr std::uint32_t kNameLength = 64;
 inline constexpr std::uint32_t kTextLength = 512;
-inline constexpr std::uint16_t kNobody = 0xffff;   // no plugin owns the joint
+inline constexpr std::uint16_t kNobody = 0xffff;  // no plugin owns the joint
 
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free && std::atomic<std::uint32_t>::is_always_lock_free);
 
@@ -46,8 +47,8 @@ struct Header {
   std::uint32_t segment;     // of SegmentKind
   std::uint32_t generation;  // counts the processes that wrote it: another one means attach again
   std::int64_t created_ns;
-  std::int32_t pid;          // of the writer
-  std::uint32_t size;        // of the whole segment, bytes
+  std::int32_t pid;    // of the writer
+  std::uint32_t size;  // of the whole segment, bytes
 };
 
 using Name = std::array<char, kNameLength>;  // UTF-8, zero terminated
@@ -75,14 +76,14 @@ struct JointState {
   double effort_reference;
   double stiffness;
   double damping;
-  float temperature_motor;    // degree Celsius; NaN where unknown
+  float temperature_motor;  // degree Celsius; NaN where unknown
   float temperature_driver;
-  std::uint32_t fault;        // bits of the hardware; 0 is well
-  std::uint32_t clamped;      // commands that a limit cut, since the HAL started
-  std::uint32_t rejected;     // commands that were no numbers or not allowed
-  std::uint16_t owner;        // plugin, or kNobody
-  std::uint8_t mode;          // bits of Mode
-  std::uint8_t control;       // of Control
+  std::uint32_t fault;     // bits of the hardware; 0 is well
+  std::uint32_t clamped;   // commands that a limit cut, since the HAL started
+  std::uint32_t rejected;  // commands that were no numbers or not allowed
+  std::uint16_t owner;     // plugin, or kNobody
+  std::uint8_t mode;       // bits of Mode
+  std::uint8_t control;    // of Control
 };
 
 struct ImuState {
@@ -97,9 +98,9 @@ struct ForceTorqueState {
 };
 
 struct FrameData {
-  std::uint64_t cycle;                  // from 1
+  std::uint64_t cycle;  // from 1
   std::int64_t sensed_ns;
-  std::uint32_t hal_status;             // of hal::Status
+  std::uint32_t hal_status;  // of hal::Status
   std::uint32_t padding;
   std::array<JointState, kMaxJoints> joints;
   std::array<ImuState, kMaxImus> imus;
@@ -113,18 +114,18 @@ struct StateFrame {
 
 struct LoopStatistics {
   std::int64_t period_ns;
-  std::int32_t priority;         // SCHED_FIFO; 0 is not real time
-  std::int32_t core;             // -1 is any
+  std::int32_t priority;  // SCHED_FIFO; 0 is not real time
+  std::int32_t core;      // -1 is any
   std::uint64_t cycles;
-  std::uint64_t overruns;        // points of the grid at which no cycle could begin, since the one before was not done
+  std::uint64_t overruns;  // points of the grid at which no cycle could begin, since the one before was not done
   std::uint64_t sense_failures;
   std::uint64_t move_failures;
-  std::uint64_t missed_commands; // of all plugin threads
-  std::uint64_t allocations;     // seen in cycles, where the counter is built in; else 0
-  std::uint64_t page_faults;     // of the loop's thread since its first cycle
-  Histogram wake_up;             // how late it woke
-  Histogram period;              // between two starts
-  Histogram busy;                // what one cycle took
+  std::uint64_t missed_commands;  // of all plugin threads
+  std::uint64_t allocations;      // seen in cycles, where the counter is built in; else 0
+  std::uint64_t page_faults;      // of the loop's thread since its first cycle
+  Histogram wake_up;              // how late it woke
+  Histogram period;               // between two starts
+  Histogram busy;                 // what one cycle took
 };
 
 struct StateSegment {
@@ -146,13 +147,13 @@ struct JointCommand {
   double effort;
   double stiffness;
   double damping;
-  std::uint16_t plugin;   // who says so: it must own the joint
-  std::uint8_t mode;      // what of it is meant, bits of Mode; 0 is nothing
+  std::uint16_t plugin;  // who says so: it must own the joint
+  std::uint8_t mode;     // what of it is meant, bits of Mode; 0 is nothing
   std::uint8_t padding[5];
 };
 
 struct CommandData {
-  std::uint64_t cycle;                  // the state's cycle that it answers
+  std::uint64_t cycle;  // the state's cycle that it answers
   std::int64_t written_ns;
   std::array<JointCommand, kMaxJoints> joints;
 };
@@ -165,9 +166,10 @@ struct CommandSlot {                    // of one thread
 struct ThreadStatistics {
   Name name;
   std::int64_t period_ns;
-  std::int32_t priority;       // SCHED_FIFO; 0 is not real time
-  std::int32_t core;           // -1 is any
-  std::atomic<std::uint32_t> inside;  // plugin whose code runs just now, or kNobody: to be named when the host is killed
+  std::int32_t priority;  // SCHED_FIFO; 0 is not real time
+  std::int32_t core;      // -1 is any
+  std::atomic<std::uint32_t>
+      inside;  // plugin whose code runs just now, or kNobody: to be named when the host is killed
   std::uint32_t padding;
   std::uint64_t cycles;
   std::uint64_t overruns;
@@ -197,7 +199,7 @@ struct PluginStatistics {
 
 struct HostSegment {
   Header header;
-  std::atomic<std::uint32_t> bell;   // futex: rises with every command
+  std::atomic<std::uint32_t> bell;  // futex: rises with every command
   std::uint32_t threads;
   std::array<CommandSlot, kMaxThreads> slots;
   std::array<ThreadStatistics, kMaxThreads> thread_statistics;
@@ -207,7 +209,7 @@ struct HostSegment {
 // ---- master: the communication handler writes what the master framework wants, the communication plugin reads -------
 
 struct MasterData {
-  std::int64_t valid_until_ns;  // afterwards the joints hold
+  std::int64_t valid_until_ns;                  // afterwards the joints hold
   std::array<JointCommand, kMaxJoints> joints;  // `plugin` means nothing here
 };
 
@@ -221,9 +223,9 @@ struct MasterSegment {
 
 struct JointEntry {
   Name name;
-  std::int32_t id;               // of the joint map
-  std::uint32_t type;            // 0 revolute or continuous (rad), 1 prismatic (m)
-  double lower;                  // -inf and inf where there is no limit
+  std::int32_t id;     // of the joint map
+  std::uint32_t type;  // 0 revolute or continuous (rad), 1 prismatic (m)
+  double lower;        // -inf and inf where there is no limit
   double upper;
   double velocity;
   double effort;
@@ -239,19 +241,19 @@ struct ChainEntry {
 struct PluginEntry {
   Name name;
   Name type;
-  std::uint32_t host;            // index
-  std::uint32_t thread;          // index in the host
-  std::uint32_t state;           // of PluginState, as users see it
+  std::uint32_t host;    // index
+  std::uint32_t thread;  // index in the host
+  std::uint32_t state;   // of PluginState, as users see it
   std::uint32_t respawns;
-  std::uint32_t io;              // 1: an IO plugin, in the communication handler
+  std::uint32_t io;  // 1: an IO plugin, in the communication handler
   std::uint32_t padding;
-  Text error;                    // why it failed, or is not started; empty where all is well
-  Text status;                   // what it says of itself
+  Text error;   // why it failed, or is not started; empty where all is well
+  Text status;  // what it says of itself
 };
 
 struct HostEntry {
   Name name;
-  std::int32_t pid;              // 0 is none now
+  std::int32_t pid;  // 0 is none now
   std::uint32_t respawns;
   std::uint32_t threads;
   std::uint32_t padding;
@@ -264,7 +266,7 @@ struct BoardData {
   std::uint32_t force_torques;
   std::uint32_t hosts;
   std::uint32_t plugins;
-  std::uint32_t real_time;              // 0: it runs without real-time rights, because it was allowed to
+  std::uint32_t real_time;  // 0: it runs without real-time rights, because it was allowed to
   std::uint32_t hal_respawns;
   std::int32_t hal_pid;
   std::uint32_t chains;
@@ -283,7 +285,7 @@ struct BoardSegment {
   Header header;
   std::array<std::atomic<std::uint16_t>, kMaxJoints> owners;  // plugin of a joint, or kNobody
   std::array<std::atomic<std::uint32_t>, kMaxJoints> grants;  // rises when a joint is given anew: ends its safe state
-  std::atomic<std::uint64_t> sequence;  // odd while the data is written; 0 is never written
+  std::atomic<std::uint64_t> sequence;                        // odd while the data is written; 0 is never written
   BoardData data;
 };
 

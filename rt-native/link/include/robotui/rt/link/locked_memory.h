@@ -3,8 +3,8 @@
 
 namespace robotui::rt::link {
 
-// Locks what the process has, and what it will have. False where that is not allowed, or only up to a limit (then errno says which): nothing
-// is locked then, since at the limit memory could not even be shared any more.
+// Locks what the process has, and what it will have. False where that is not allowed, or only up to a limit (then errno
+// says which): nothing is locked then, since at the limit memory could not even be shared any more.
 bool lockMemory() noexcept;
 
 }  // namespace robotui::rt::link

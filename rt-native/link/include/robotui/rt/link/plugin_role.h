@@ -1,4 +1,5 @@
-// What a plugin is there for, as it declares it: by this, not by its name, the supervisor knows which plugins may run beside which.
+// What a plugin is there for, as it declares it: by this, not by its name, the supervisor knows which plugins may run
+// beside which.
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@ enum class PluginRole : std::uint8_t {
   kObserver,  // commands no joint: beside all others
 };
 
-inline constexpr std::array<std::string_view, 3> kPluginRoles{"control", "master", "observer"};  // as words of the protocol
+inline constexpr std::array<std::string_view, 3> kPluginRoles{"control", "master",
+                                                              "observer"};  // as words of the protocol
 
 constexpr std::string_view nameOf(PluginRole role) noexcept { return kPluginRoles[static_cast<std::size_t>(role)]; }
 

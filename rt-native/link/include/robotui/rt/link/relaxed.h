@@ -39,7 +39,8 @@ inline void relaxedCopyOut(void* local, const void* shared, std::size_t bytes) n
   for (std::size_t i = 0; i < bytes / sizeof(Word); ++i) to[i] = __atomic_load_n(from + i, __ATOMIC_RELAXED);
 }
 
-// A copy of what stands in shared memory, such as a histogram or statistics: each number whole, though not all of one moment.
+// A copy of what stands in shared memory, such as a histogram or statistics: each number whole, though not all of one
+// moment.
 template <class T>
 T relaxedCopy(const T& shared) noexcept {
   static_assert(sizeof(T) % sizeof(Word) == 0 && alignof(T) == alignof(Word));

@@ -71,9 +71,7 @@ class Segment {
   Segment() = default;  // no memory: only to be assigned
 
   // All zero behind the header. `generation` counts the processes that wrote this kind of segment.
-  static Segment create(std::uint32_t generation)
-    requires kWritable
-  {
+  static Segment create(std::uint32_t generation) requires kWritable {
     return Segment(Mapping::create(SegmentTraits<Plain>::kind, sizeof(Plain), generation));
   }
 
@@ -87,20 +85,13 @@ class Segment {
   T* get() const noexcept { return static_cast<T*>(mapping_.data()); }
   explicit operator bool() const noexcept { return mapping_.data() != nullptr; }
 
-  // From now on nobody can map it writable; maps that are writable now stay so. Called by the one writer once it has mapped it.
-  void sealAgainstWriters() const
-    requires kWritable
-  {
-    mapping_.sealAgainstWriters();
-  }
+  // From now on nobody can map it writable; maps that are writable now stay so. Called by the one writer once it has
+  // mapped it.
+  void sealAgainstWriters() const requires kWritable { mapping_.sealAgainstWriters(); }
 
   // A descriptor of its own to give away.
   Descriptor shareReadOnly() const { return mapping_.share(false); }
-  Descriptor shareWritable() const
-    requires kWritable
-  {
-    return mapping_.share(true);
-  }
+  Descriptor shareWritable() const requires kWritable { return mapping_.share(true); }
 
  private:
   explicit Segment(Mapping mapping) noexcept : mapping_(std::move(mapping)) {}

@@ -1,13 +1,15 @@
 // A sequence lock: one writer that never waits, any number of readers that try again when the writer came in between.
 //
-// The writer makes the sequence odd, writes, makes it even. A fence keeps the data behind the odd number, and one keeps the second
-// look of the reader behind its data; the words of the data are relaxed atomics, so that no access is a data race.
+// The writer makes the sequence odd, writes, makes it even. A fence keeps the data behind the odd number, and one keeps
+// the second look of the reader behind its data; the words of the data are relaxed atomics, so that no access is a data
+// race.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 
-// Thread sanitizer does not model fences. It need not here: nothing that it watches depends on them, since all accesses are atomic.
+// Thread sanitizer does not model fences. It need not here: nothing that it watches depends on them, since all accesses
+// are atomic.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wtsan"
@@ -36,10 +38,10 @@ std::uint64_t lockedRead(const std::atomic<std::uint64_t>& sequence, Copy&& copy
 
 // What a read found.
 enum class Read : std::uint8_t {
-  kNew,    // something that this reader has not had
-  kSame,   // nothing newer than the last; the copy is untouched
-  kNone,   // nothing was written yet
-  kBusy    // the writer came in between at every try (or died while it wrote); the copy is worth nothing
+  kNew,   // something that this reader has not had
+  kSame,  // nothing newer than the last; the copy is untouched
+  kNone,  // nothing was written yet
+  kBusy   // the writer came in between at every try (or died while it wrote); the copy is worth nothing
 };
 
 inline constexpr int kReadTries = 16;

@@ -75,8 +75,8 @@ class Socket {
   Descriptor descriptor_;
 };
 
-// Where the supervisor of a robot listens. The folder is made with mode 0700; throws SocketError where it belongs to another user,
-// is open to others, or the name cannot be a file's.
+// Where the supervisor of a robot listens. The folder is made with mode 0700; throws SocketError where it belongs to
+// another user, is open to others, or the name cannot be a file's.
 std::filesystem::path socketFolder();
 std::filesystem::path socketPath(std::string_view robot);
 

@@ -23,7 +23,8 @@ class StateWriter {
  public:
   StateWriter(StateSegment& segment, const Counts& counts) noexcept;
 
-  // Puts a frame into the ring: its `cycle` is greater than that of the one before, from 1. Only what `counts` names is copied.
+  // Puts a frame into the ring: its `cycle` is greater than that of the one before, from 1. Only what `counts` names is
+  // copied.
   void publish(const FrameData& frame) noexcept;
 
   // Wakes all readers that wait.
@@ -36,7 +37,8 @@ class StateWriter {
   Counts counts_;
 };
 
-// One of many readers, each with its own place in the ring. For one thread; neither allocates nor, but in wait(), sleeps.
+// One of many readers, each with its own place in the ring. For one thread; neither allocates nor, but in wait(),
+// sleeps.
 class StateReader {
  public:
   explicit StateReader(const StateSegment& segment) noexcept;
@@ -46,7 +48,8 @@ class StateReader {
   // Copies the newest frame. kSame where the reader has had it.
   Read newest(FrameData& into) noexcept;
 
-  // Copies the frame after the last one read, or the oldest there is where that one was overwritten: for those who want every frame.
+  // Copies the frame after the last one read, or the oldest there is where that one was overwritten: for those who want
+  // every frame.
   Read next(FrameData& into) noexcept;
 
   // Sleeps until there is a frame that was not read, or the deadline (CLOCK_MONOTONIC); true where there is one.

@@ -11,7 +11,8 @@ namespace robotui::rt::link {
 // "a b c": the first word, and the rest behind the space.
 constexpr std::pair<std::string_view, std::string_view> splitWord(std::string_view words) noexcept {
   const std::size_t space = words.find(' ');
-  return space == std::string_view::npos ? std::pair{words, std::string_view()} : std::pair{words.substr(0, space), words.substr(space + 1)};
+  return space == std::string_view::npos ? std::pair{words, std::string_view()}
+                                         : std::pair{words.substr(0, space), words.substr(space + 1)};
 }
 
 // Calls `each` with every word; several spaces are one.

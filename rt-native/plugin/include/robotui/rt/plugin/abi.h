@@ -19,9 +19,9 @@ inline constexpr std::uint32_t kPluginAbi = 2;
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kPluginFacts[] = {
     ROBOTUI_RT_TOOLCHAIN_FACTS,
-    {"Eigen version", "", EIGEN_WORLD_VERSION * 10000 + EIGEN_MAJOR_VERSION * 100 + EIGEN_MINOR_VERSION, "", "with the Eigen of this program."},
-    {"Eigen alignment", "", EIGEN_MAX_ALIGN_BYTES, " bytes",
-     "with the same -march, -mavx and EIGEN_MAX_ALIGN_BYTES."},
+    {"Eigen version", "", EIGEN_WORLD_VERSION * 10000 + EIGEN_MAJOR_VERSION * 100 + EIGEN_MINOR_VERSION, "",
+     "with the Eigen of this program."},
+    {"Eigen alignment", "", EIGEN_MAX_ALIGN_BYTES, " bytes", "with the same -march, -mavx and EIGEN_MAX_ALIGN_BYTES."},
     ROBOTUI_RT_SIZE_OF(link::FrameData),
     ROBOTUI_RT_SIZE_OF(link::ChannelSegment),
     ROBOTUI_RT_SIZE_OF(config::RobotDescription),

@@ -1,8 +1,9 @@
-// Named channels between the plugins of one robot, whatever process they run in: one writer, any number of readers, no locks.
+// Named channels between the plugins of one robot, whatever process they run in: one writer, any number of readers, no
+// locks.
 //
-// Each process has one segment of channels that it alone can write; all others map it read only, so a wild pointer breaks the
-// channels of its own process at most. A channel keeps the last few values: a reader takes the newest or all in order. Both ends state the
-// schema of the values (schema.h); a reader of another one is refused.
+// Each process has one segment of channels that it alone can write; all others map it read only, so a wild pointer
+// breaks the channels of its own process at most. A channel keeps the last few values: a reader takes the newest or all
+// in order. Both ends state the schema of the values (schema.h); a reader of another one is refused.
 #pragma once
 
 #include <algorithm>
@@ -123,7 +124,8 @@ class ChannelWriter {
   ChannelSlot* slot_ = nullptr;
 };
 
-// One of those who read. latest(), next() and state() may be called in the control loop; the writer may come and go meanwhile.
+// One of those who read. latest(), next() and state() may be called in the control loop; the writer may come and go
+// meanwhile.
 template <ChannelValue T>
 class ChannelReader {
  public:
@@ -149,7 +151,8 @@ class ChannelReader {
     return true;
   }
 
-  // The next value not yet read, in order; false where there is none. What was overwritten meanwhile is counted as lost.
+  // The next value not yet read, in order; false where there is none. What was overwritten meanwhile is counted as
+  // lost.
   bool next(T& value) noexcept {
     if (!attach()) {
       return false;
@@ -170,11 +173,14 @@ class ChannelReader {
   bool isConnected() noexcept { return attach(); }
   ChannelState state() noexcept {
     if (attach()) return ChannelState::kConnected;
-    return directory_ == nullptr || directory_->find(std::string_view(name_)) == nullptr ? ChannelState::kNoWriter : ChannelState::kOtherSchema;
+    return directory_ == nullptr || directory_->find(std::string_view(name_)) == nullptr ? ChannelState::kNoWriter
+                                                                                         : ChannelState::kOtherSchema;
   }
 
   // The sentence for kOtherSchema, else empty. Not real time.
-  std::string objection() const { return directory_ == nullptr ? std::string() : directory_->objection(channelFacts<T>(name_)); }
+  std::string objection() const {
+    return directory_ == nullptr ? std::string() : directory_->objection(channelFacts<T>(name_));
+  }
 
   std::uint64_t lost() const noexcept { return lost_; }
 

@@ -8,8 +8,9 @@
 
 namespace robotui::rt {
 
-// Runs in the communication handler, a process of its own without real time: it may block, but all IO plugins take turns, so a
-// long wait delays the others. It exchanges data with control plugins by channels (setup.channels()) and commands no joints.
+// Runs in the communication handler, a process of its own without real time: it may block, but all IO plugins take
+// turns, so a long wait delays the others. It exchanges data with control plugins by channels (setup.channels()) and
+// commands no joints.
 class IoPlugin {
  public:
   virtual ~IoPlugin() = default;
@@ -17,7 +18,8 @@ class IoPlugin {
   // May throw (its message is shown). False where it cannot work, after setup.fail(why).
   virtual bool init(Setup& setup) = 0;
 
-  // Every period of the communication handler (--ch-period), with the newest state of the robot sensed. May throw: then it fails.
+  // Every period of the communication handler (--ch-period), with the newest state of the robot sensed. May throw: then
+  // it fails.
   virtual void run(double time, double period) = 0;
 
   // A word from the user (<PLUGIN>_cmd), between two runs; false where it is not understood.
@@ -31,8 +33,8 @@ class IoPlugin {
 
 }  // namespace robotui::rt
 
-#define ROBOTUI_RT_IO_PLUGIN(Class)                                                                                     \
-  ROBOTUI_RT_PLUGIN_ABI                                                                                                 \
-  extern "C" __attribute__((visibility("default"))) robotui::rt::IoPlugin* robotui_rt_io_plugin_create() {              \
-    return new Class();                                                                                                 \
+#define ROBOTUI_RT_IO_PLUGIN(Class)                                                                        \
+  ROBOTUI_RT_PLUGIN_ABI                                                                                    \
+  extern "C" __attribute__((visibility("default"))) robotui::rt::IoPlugin* robotui_rt_io_plugin_create() { \
+    return new Class();                                                                                    \
   }

@@ -5,8 +5,8 @@
 
 namespace robotui::rt {
 
-// Writes lines to the log from any thread, without blocking or allocating: a line that finds the queue full is counted instead,
-// and a long one is cut.
+// Writes lines to the log from any thread, without blocking or allocating: a line that finds the queue full is counted
+// instead, and a long one is cut.
 class RtLog {
  public:
   virtual ~RtLog() = default;

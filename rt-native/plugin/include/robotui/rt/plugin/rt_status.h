@@ -1,4 +1,5 @@
-// How a step of a plugin in its real-time thread went: well, or failed with a text of bounded length. Nothing is thrown, nothing allocated.
+// How a step of a plugin in its real-time thread went: well, or failed with a text of bounded length. Nothing is
+// thrown, nothing allocated.
 #pragma once
 
 #include <string_view>

@@ -21,7 +21,7 @@ struct Schema {
 template <typename T>
 struct SchemaOf;
 template <typename T>
-  requires requires { T::kSchema.version; }
+requires requires { T::kSchema.version; }
 struct SchemaOf<T> {
   static constexpr Schema value = T::kSchema;
 };
@@ -56,6 +56,8 @@ struct SchemaOf<double> {
 
 // Bytes that may pass between processes, and a schema that says what they are.
 template <typename T>
-concept ChannelValue = std::is_trivially_copyable_v<T> && requires { SchemaOf<T>::value.version; };
+concept ChannelValue = std::is_trivially_copyable_v<T> && requires {
+  SchemaOf<T>::value.version;
+};
 
 }  // namespace robotui::rt

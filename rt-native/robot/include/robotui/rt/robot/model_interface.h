@@ -16,9 +16,10 @@ struct LinkId {
   bool isValid() const noexcept { return value >= 0; }
 };
 
-// A model has a state of its own (the joints of its XBotInterface): set it, update(), ask. Vectors of the whole model have
-// getDofs() elements: six of the floating base first where there is one (linear, angular; in the world's axes), then the joints by
-// index. Joints of the URDF that are not in the joint map are held at zero. Gravity is 9.81 m/s2 along the world's -z. Nothing allocates after construction but create() and find...(). One thread uses a model.
+// A model has a state of its own (the joints of its XBotInterface): set it, update(), ask. Vectors of the whole model
+// have getDofs() elements: six of the floating base first where there is one (linear, angular; in the world's axes),
+// then the joints by index. Joints of the URDF that are not in the joint map are held at zero. Gravity is 9.81 m/s2
+// along the world's -z. Nothing allocates after construction but create() and find...(). One thread uses a model.
 class ModelInterface : public XBotInterface {
  public:
   using XBotInterface::XBotInterface;
@@ -27,7 +28,8 @@ class ModelInterface : public XBotInterface {
   static std::vector<std::string> types();
 
   // Throws std::runtime_error with a sentence that names the type and what there is.
-  static std::unique_ptr<ModelInterface> create(std::string_view type, std::shared_ptr<const config::RobotDescription> robot);
+  static std::unique_ptr<ModelInterface> create(std::string_view type,
+                                                std::shared_ptr<const config::RobotDescription> robot);
 
   virtual bool isFloatingBase() const noexcept = 0;
   virtual int getDofs() const noexcept = 0;
@@ -45,8 +47,10 @@ class ModelInterface : public XBotInterface {
   // Position references, where one is set, of all joints that both have.
   void syncTo(XBotInterface& other) const noexcept;
 
-  // Where the base is and how it moves (linear, angular; in the world's axes). Without effect on a robot with a fixed base.
-  virtual void setFloatingBase(const Eigen::Isometry3d& world_base, const Eigen::Matrix<double, 6, 1>& twist) noexcept = 0;
+  // Where the base is and how it moves (linear, angular; in the world's axes). Without effect on a robot with a fixed
+  // base.
+  virtual void setFloatingBase(const Eigen::Isometry3d& world_base,
+                               const Eigen::Matrix<double, 6, 1>& twist) noexcept = 0;
 
   // Brings everything below up to the joints' state.
   virtual void update() noexcept = 0;
@@ -56,8 +60,10 @@ class ModelInterface : public XBotInterface {
   virtual bool getJacobian(LinkId link, Eigen::Ref<Eigen::MatrixXd> jacobian) const noexcept = 0;
   virtual void getInertiaMatrix(Eigen::Ref<Eigen::MatrixXd> m) const noexcept = 0;
   virtual void computeGravityCompensation(Eigen::Ref<Eigen::VectorXd> tau) const noexcept = 0;
-  virtual void computeNonlinearTerm(Eigen::Ref<Eigen::VectorXd> tau) const noexcept = 0;  // Coriolis, centrifugal, gravity
-  virtual void computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot, Eigen::Ref<Eigen::VectorXd> tau) const noexcept = 0;
+  virtual void computeNonlinearTerm(
+      Eigen::Ref<Eigen::VectorXd> tau) const noexcept = 0;  // Coriolis, centrifugal, gravity
+  virtual void computeInverseDynamics(const Eigen::Ref<const Eigen::VectorXd>& qddot,
+                                      Eigen::Ref<Eigen::VectorXd> tau) const noexcept = 0;
 
  private:
   const XBotInterface* paired_ = nullptr;

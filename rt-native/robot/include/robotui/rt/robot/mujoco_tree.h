@@ -1,4 +1,5 @@
-// Robots in MuJoCo, built from their bodies: what the model and the simulation have in common. There where MuJoCo was found.
+// Robots in MuJoCo, built from their bodies: what the model and the simulation have in common. There where MuJoCo was
+// found.
 #pragma once
 
 #include <functional>

@@ -48,8 +48,8 @@ struct RigidTree {
   double mass() const;
 };
 
-// Throws std::runtime_error where the URDF cannot be read. Where its root is joined by a floating joint, what it carries is the base.
-// The links of `apart` begin bodies of their own.
+// Throws std::runtime_error where the URDF cannot be read. Where its root is joined by a floating joint, what it
+// carries is the base. The links of `apart` begin bodies of their own.
 RigidTree buildRigidTree(const config::RobotDescription& robot, const std::set<std::string>& apart = {});
 
 }  // namespace robotui::rt

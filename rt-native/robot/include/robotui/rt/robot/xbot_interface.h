@@ -54,7 +54,8 @@ class Joint {
   link::JointCommand* command_;
 };
 
-// The joints of one group of the SRDF, from base to tip. Vectors are in that order; sizes must fit (asserted in debug builds).
+// The joints of one group of the SRDF, from base to tip. Vectors are in that order; sizes must fit (asserted in debug
+// builds).
 class KinematicChain {
  public:
   KinematicChain(const config::ChainDescription& description, std::vector<Joint*> joints);

@@ -1,4 +1,5 @@
-// What a plugin says once of each of its ports, so that the ROS process can offer it: written in init, read by a process that believes nothing.
+// What a plugin says once of each of its ports, so that the ROS process can offer it: written in init, read by a
+// process that believes nothing.
 #pragma once
 
 #include <optional>
@@ -28,7 +29,7 @@ struct Announcement {
   std::string name;              // of topic or service, as ROS resolves it
   std::string type;
   std::string md5;
-  std::string definition;        // of the message, or of the request
+  std::string definition;  // of the message, or of the request
   std::vector<TunableEntry> tunables;
 };
 

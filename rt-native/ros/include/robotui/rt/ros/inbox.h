@@ -1,4 +1,5 @@
-// Messages on their way to the control loop: decoded by an ordinary thread into messages that were made before, handed over without a lock.
+// Messages on their way to the control loop: decoded by an ordinary thread into messages that were made before, handed
+// over without a lock.
 #pragma once
 
 #include <atomic>
@@ -19,15 +20,22 @@ class SlotQueue {
   SlotQueue(std::size_t slots, const T& prototype) : slots_(slots, prototype) {}
 
   // Where the next one is written, then push(); nullptr where the reader is behind.
-  T* back() noexcept { return head_.load(std::memory_order_relaxed) - tail_.load(std::memory_order_acquire) == slots_.size() ? nullptr : &at(head_); }
+  T* back() noexcept {
+    return head_.load(std::memory_order_relaxed) - tail_.load(std::memory_order_acquire) == slots_.size() ? nullptr
+                                                                                                          : &at(head_);
+  }
   void push() noexcept { head_.store(head_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
   // The next one to read, then pop(); nullptr where there is none.
-  T* front() noexcept { return tail_.load(std::memory_order_relaxed) == head_.load(std::memory_order_acquire) ? nullptr : &at(tail_); }
+  T* front() noexcept {
+    return tail_.load(std::memory_order_relaxed) == head_.load(std::memory_order_acquire) ? nullptr : &at(tail_);
+  }
   void pop() noexcept { tail_.store(tail_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
  private:
-  T& at(const std::atomic<std::size_t>& place) noexcept { return slots_[place.load(std::memory_order_relaxed) % slots_.size()]; }
+  T& at(const std::atomic<std::size_t>& place) noexcept {
+    return slots_[place.load(std::memory_order_relaxed) % slots_.size()];
+  }
 
   std::vector<T> slots_;
   std::atomic<std::size_t> head_{0};
@@ -47,7 +55,8 @@ namespace detail {
 template <typename Message>
 bool decode(std::span<const std::uint8_t> bytes, Message& into) {
   try {
-    ::ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()), static_cast<std::uint32_t>(bytes.size()));
+    ::ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
+                                         static_cast<std::uint32_t>(bytes.size()));
     ::ros::serialization::deserialize(stream, into);
     return stream.getLength() == 0;
   } catch (const std::exception&) {
@@ -73,8 +82,10 @@ template <typename Message>
 class Subscription final : public Inbox {
  public:
   using Callback = std::function<void(const Message&)>;
-  Subscription(PacketReader reader, std::uint64_t generation, std::size_t queue, const Message& prototype, Callback callback)
-      : reader_(std::move(reader)), generation_(generation), messages_(queue, prototype), callback_(std::move(callback)) {}
+  Subscription(PacketReader reader, std::uint64_t generation, std::size_t queue, const Message& prototype,
+               Callback callback)
+      : reader_(std::move(reader)), generation_(generation), messages_(queue, prototype),
+        callback_(std::move(callback)) {}
 
   void receive() override {
     for (Message* message = messages_.back(); message != nullptr && reader_.next();) {
@@ -101,9 +112,10 @@ template <typename Service>
 class Server final : public Inbox {
  public:
   using Callback = std::function<bool(const typename Service::Request&, typename Service::Response&)>;
-  Server(PacketReader reader, PacketWriter writer, std::uint64_t generation, const Service& prototype, Callback callback)
-      : reader_(std::move(reader)), writer_(std::move(writer)), generation_(generation), calls_(kCalls, Call{prototype, 0}),
-        callback_(std::move(callback)) {}
+  Server(PacketReader reader, PacketWriter writer, std::uint64_t generation, const Service& prototype,
+         Callback callback)
+      : reader_(std::move(reader)), writer_(std::move(writer)), generation_(generation),
+        calls_(kCalls, Call{prototype, 0}), callback_(std::move(callback)) {}
 
   void receive() override {
     for (Call* call = calls_.back(); call != nullptr && reader_.next();) {
@@ -116,7 +128,8 @@ class Server final : public Inbox {
   void execute() override {
     for (Call* call = calls_.front(); call != nullptr; call = calls_.front()) {
       const bool good = callback_(call->service.request, call->service.response);
-      if (!good || !detail::encode(call->service.response, writer_, call->number, kSucceeded)) writer_.write({}, call->number, 0);
+      if (!good || !detail::encode(call->service.response, writer_, call->number, kSucceeded))
+        writer_.write({}, call->number, 0);
       calls_.pop();
     }
   }

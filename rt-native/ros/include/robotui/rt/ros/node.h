@@ -1,7 +1,8 @@
 // Topics, services and tunable parameters of ROS for a plugin, without a blocking call in its control loop.
 //
-// Made in init_control_plugin, ended in close(): declare all, then open(). In the loop: publish() serialises into memory that the ROS process
-// reads; spin() runs the callbacks of what has come. Messages that are used again keep their memory: size their arrays in init.
+// Made in init_control_plugin, ended in close(): declare all, then open(). In the loop: publish() serialises into
+// memory that the ROS process reads; spin() runs the callbacks of what has come. Messages that are used again keep
+// their memory: size their arrays in init.
 #pragma once
 
 #include <chrono>
@@ -43,12 +44,14 @@ struct PortOptions {
 
 class Node {
  public:
-  explicit Node(Setup& setup) : plugin_(setup.name()), channels_(setup.channels()), generation_(static_cast<std::uint64_t>(link::now())) {}
+  explicit Node(Setup& setup)
+      : plugin_(setup.name()), channels_(setup.channels()), generation_(static_cast<std::uint64_t>(link::now())) {}
   ~Node() { close(); }
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
-  // Names are those of ROS: `/absolute`, or beneath /xbotcore/PLUGIN/. All of these throw std::runtime_error with a sentence.
+  // Names are those of ROS: `/absolute`, or beneath /xbotcore/PLUGIN/. All of these throw std::runtime_error with a
+  // sentence.
   template <typename Message>
   Publisher<Message> advertise(const std::string& topic, PortOptions options = {}) {
     Announcement& port = announceMessage<Message>(PortKind::kPublish, topic, options);
@@ -57,25 +60,31 @@ class Node {
 
   // Copies of `prototype` wait for what comes: with arrays and strings of the size to be expected.
   template <typename Message>
-  void subscribe(const std::string& topic, std::function<void(const Message&)> callback, PortOptions options = {}, const Message& prototype = {}) {
+  void subscribe(const std::string& topic, std::function<void(const Message&)> callback, PortOptions options = {},
+                 const Message& prototype = {}) {
     Announcement& port = announceMessage<Message>(PortKind::kSubscribe, topic, options);
-    inboxes_.push_back(std::make_unique<Subscription<Message>>(reader(port), generation_, options.queue, prototype, std::move(callback)));
+    inboxes_.push_back(std::make_unique<Subscription<Message>>(reader(port), generation_, options.queue, prototype,
+                                                               std::move(callback)));
   }
 
   template <typename Service>
-  void serve(const std::string& name, typename Server<Service>::Callback callback, PortOptions options = {}, const Service& prototype = {}) {
+  void serve(const std::string& name, typename Server<Service>::Callback callback, PortOptions options = {},
+             const Service& prototype = {}) {
     Announcement& port = announce(PortKind::kServe, name, options);
     port.type = ::ros::service_traits::DataType<Service>::value();
     port.md5 = ::ros::service_traits::MD5Sum<Service>::value();
     port.definition = ::ros::message_traits::Definition<typename Service::Request>::value();
-    inboxes_.push_back(std::make_unique<Server<Service>>(reader(port), writer(port), generation_, prototype, std::move(callback)));
+    inboxes_.push_back(
+        std::make_unique<Server<Service>>(reader(port), writer(port), generation_, prototype, std::move(callback)));
   }
 
-  Tunable<double> tune(const std::string& name, double initial, double least, double most, const std::string& description) {
+  Tunable<double> tune(const std::string& name, double initial, double least, double most,
+                       const std::string& description) {
     return Tunable<double>(tunables_.add({name, description, TunableType::kDouble, initial, least, most}));
   }
   Tunable<int> tune(const std::string& name, int initial, int least, int most, const std::string& description) {
-    return Tunable<int>(tunables_.add({name, description, TunableType::kInt, double(initial), double(least), double(most)}));
+    return Tunable<int>(
+        tunables_.add({name, description, TunableType::kInt, double(initial), double(least), double(most)}));
   }
   Tunable<bool> tune(const std::string& name, bool initial, const std::string& description) {
     return Tunable<bool>(tunables_.add({name, description, TunableType::kBool, double(initial), 0, 1}));
@@ -113,7 +122,8 @@ class Node {
   }
 
   Announcement& announce(PortKind kind, const std::string& name, const PortOptions& options) {
-    if (ports_.size() == kMostPorts) throw std::runtime_error("A plugin can have " + std::to_string(kMostPorts) + " topics and services.");
+    if (ports_.size() == kMostPorts)
+      throw std::runtime_error("A plugin can have " + std::to_string(kMostPorts) + " topics and services.");
     Announcement port;
     port.kind = kind;
     port.large = options.large;
@@ -138,7 +148,8 @@ class Node {
 
   void say(std::size_t i) {
     const std::vector<std::uint8_t> bytes = write(ports_[i]);
-    if (bytes.size() > AnnouncedPacket::kRoom) throw std::runtime_error("The definition of " + ports_[i].type + " is too long for a topic of a plugin.");
+    if (bytes.size() > AnnouncedPacket::kRoom)
+      throw std::runtime_error("The definition of " + ports_[i].type + " is too long for a topic of a plugin.");
     const auto packet = std::make_unique<AnnouncedPacket>();
     packet->size = static_cast<std::uint32_t>(bytes.size());
     std::copy(bytes.begin(), bytes.end(), packet->data.begin());

@@ -41,7 +41,9 @@ enum class PortKind : std::uint8_t { kPublish = 1, kSubscribe = 2, kServe = 3, k
 inline std::string channelName(std::string_view plugin, std::size_t port, bool back) {
   return "ros/" + std::string(plugin) + "/" + std::to_string(port) + (back ? "/in" : "/out");
 }
-inline std::string announcementName(std::string_view plugin, std::size_t port) { return "ros/" + std::string(plugin) + "/" + std::to_string(port); }
+inline std::string announcementName(std::string_view plugin, std::size_t port) {
+  return "ros/" + std::string(plugin) + "/" + std::to_string(port);
+}
 
 // Written over and over by one side, in order, and read by the other; of the size that the port was announced with.
 class PacketWriter {
@@ -72,7 +74,8 @@ class PacketWriter {
 
  private:
   template <typename P, typename Fill>
-  static void put(ChannelWriter<P>& writer, P& packet, std::size_t size, std::uint32_t number, std::uint64_t flags, Fill& fill) {
+  static void put(ChannelWriter<P>& writer, P& packet, std::size_t size, std::uint32_t number, std::uint64_t flags,
+                  Fill& fill) {
     packet.size = static_cast<std::uint32_t>(size);
     packet.number = number;
     packet.flags = flags;
@@ -94,11 +97,14 @@ class PacketReader {
   PacketReader(const ChannelDirectory& directory, const std::string& name, bool large)
       : is_large_(large),
         small_(large ? ChannelReader<SmallPacket>() : ChannelReader<SmallPacket>(directory, name, OtherSchema::kAwait)),
-        large_(large ? ChannelReader<LargePacket>(directory, name, OtherSchema::kAwait) : ChannelReader<LargePacket>()) {}
+        large_(large ? ChannelReader<LargePacket>(directory, name, OtherSchema::kAwait)
+                     : ChannelReader<LargePacket>()) {}
 
   // The next one, valid until the next call; false where there is none.
   bool next() noexcept { return is_large_ ? large_.next(large_packet_) : small_.next(small_packet_); }
-  std::span<const std::uint8_t> bytes() const noexcept { return is_large_ ? large_packet_.bytes() : small_packet_.bytes(); }
+  std::span<const std::uint8_t> bytes() const noexcept {
+    return is_large_ ? large_packet_.bytes() : small_packet_.bytes();
+  }
   std::uint32_t number() const noexcept { return is_large_ ? large_packet_.number : small_packet_.number; }
   std::uint64_t flags() const noexcept { return is_large_ ? large_packet_.flags : small_packet_.flags; }
   std::uint64_t lost() const noexcept { return is_large_ ? large_.lost() : small_.lost(); }

@@ -1,4 +1,5 @@
-// Parameters that users change while the plugin runs (dynamic_reconfigure): plain numbers that change between two loops.
+// Parameters that users change while the plugin runs (dynamic_reconfigure): plain numbers that change between two
+// loops.
 #pragma once
 
 #include <cmath>
@@ -30,7 +31,8 @@ class Tunables {
 
   // Throws std::runtime_error where there are too many.
   const double* add(TunableEntry entry) {
-    if (entries_.size() == kMost) throw std::runtime_error("A plugin can have " + std::to_string(kMost) + " tunable parameters.");
+    if (entries_.size() == kMost)
+      throw std::runtime_error("A plugin can have " + std::to_string(kMost) + " tunable parameters.");
     entries_.push_back(std::move(entry));
     (*values_)[entries_.size() - 1] = entries_.back().initial;
     return &(*values_)[entries_.size() - 1];

@@ -1,4 +1,5 @@
-// The board as the supervisor keeps it: filled from the configuration, changed in place, published when something changed.
+// The board as the supervisor keeps it: filled from the configuration, changed in place, published when something
+// changed.
 #pragma once
 
 #include <string_view>
@@ -20,9 +21,13 @@ class BoardPublisher {
   }
   void publish() noexcept;
 
-  void grant(std::uint32_t joint, std::uint32_t plugin) noexcept { writer_.grant(joint, static_cast<std::uint16_t>(plugin)); }
+  void grant(std::uint32_t joint, std::uint32_t plugin) noexcept {
+    writer_.grant(joint, static_cast<std::uint16_t>(plugin));
+  }
   void release(std::uint32_t joint, std::uint32_t plugin) noexcept;
-  std::uint16_t owner(std::uint32_t joint) const noexcept { return segment_->owners[joint].load(std::memory_order_relaxed); }
+  std::uint16_t owner(std::uint32_t joint) const noexcept {
+    return segment_->owners[joint].load(std::memory_order_relaxed);
+  }
 
   link::Descriptor share() const { return segment_.shareReadOnly(); }
 

@@ -19,7 +19,8 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  // Gets `--control FD` as its last argument. `on_orphan` is sent to it when the supervisor dies. Throws std::runtime_error.
+  // Gets `--control FD` as its last argument. `on_orphan` is sent to it when the supervisor dies. Throws
+  // std::runtime_error.
   void spawn(const std::filesystem::path& program, std::vector<std::string> arguments, int on_orphan);
 
   bool isAlive() const noexcept { return pid_ > 0; }

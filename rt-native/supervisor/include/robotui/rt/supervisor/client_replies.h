@@ -1,5 +1,5 @@
-// What clients are told: replies, and that segments were replaced. The board is published before, so that who reads it after a reply sees what
-// that says.
+// What clients are told: replies, and that segments were replaced. The board is published before, so that who reads it
+// after a reply sees what that says.
 #pragma once
 
 #include <cstdint>

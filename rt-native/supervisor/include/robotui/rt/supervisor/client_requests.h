@@ -14,7 +14,8 @@ namespace robotui::rt::supervisor {
 
 class ClientRequests {
  public:
-  ClientRequests(PluginRequests& plugins, RobotRequests& robot, MasterRequests& master, ClientReplies& replies, LogFile& log)
+  ClientRequests(PluginRequests& plugins, RobotRequests& robot, MasterRequests& master, ClientReplies& replies,
+                 LogFile& log)
       : plugins_(plugins), robot_(robot), master_(master), replies_(replies), log_(log) {}
 
   // What cannot be done for one client (no descriptors are left) ends nothing.

@@ -29,7 +29,8 @@ class ControlServer {
   void addTo(std::vector<pollfd>& polled) const;
 
   // Takes new clients and hands on what came. `gone` is told of clients that left.
-  void serve(const std::function<void(std::uint64_t, const link::Packet&)>& request, const std::function<void(std::uint64_t)>& gone);
+  void serve(const std::function<void(std::uint64_t, const link::Packet&)>& request,
+             const std::function<void(std::uint64_t)>& gone);
 
   // To a client that does not read, it is the last one: it is dropped.
   void reply(std::uint64_t client, std::string_view text, std::span<const int> descriptors = {});

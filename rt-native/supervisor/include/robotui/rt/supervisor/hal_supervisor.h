@@ -14,15 +14,15 @@ namespace robotui::rt::supervisor {
 
 class HalSupervisor {
  public:
-  HalSupervisor(const Options& options, const config::RtConfig& config, HalProcess& hal, BoardPublisher& board, HostSupervisor& hosts,
-                ClientReplies& replies, LogFile& log)
+  HalSupervisor(const Options& options, const config::RtConfig& config, HalProcess& hal, BoardPublisher& board,
+                HostSupervisor& hosts, ClientReplies& replies, LogFile& log)
       : options_(options), config_(config), hal_(hal), board_(board), hosts_(hosts), replies_(replies), log_(log) {}
 
   // Throws std::runtime_error.
   void spawn();
 
-  // What it said, and whether it died. False where there is no robot any more: it died again and again, or before it opened the robot while
-  // nobody was served yet (`serving`).
+  // What it said, and whether it died. False where there is no robot any more: it died again and again, or before it
+  // opened the robot while nobody was served yet (`serving`).
   bool turn(bool serving);
 
   void respawn(std::int64_t now_ns);

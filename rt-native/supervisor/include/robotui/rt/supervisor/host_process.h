@@ -22,7 +22,8 @@ class HostProcess {
 
   // Starts the process with a segment of its own; `common` are state, board and master, `channels` those of all hosts.
   // Throws std::runtime_error.
-  void spawn(const std::vector<std::string>& arguments, const std::vector<int>& common, const std::vector<int>& channels);
+  void spawn(const std::vector<std::string>& arguments, const std::vector<int>& common,
+             const std::vector<int>& channels);
 
   const std::string& name() const noexcept { return plan_.name; }
   Child& child() noexcept { return child_; }
@@ -41,7 +42,8 @@ class HostProcess {
   // Notes what concerns the process as such; the rest is for others.
   void handle(const link::Packet& packet, std::int64_t now_ns);
 
-  // Kills it where it got stuck: a thread that does not cycle for `patience_ns` of the robot's cycles, or a plugin that is never made ready.
+  // Kills it where it got stuck: a thread that does not cycle for `patience_ns` of the robot's cycles, or a plugin that
+  // is never made ready.
   void watch(std::uint64_t hal_cycle, std::int64_t hal_period_ns, std::int64_t patience_ns, std::int64_t now_ns);
 
   // After its death: the sentence for the user, and the plugins that were at work then.

@@ -30,7 +30,8 @@ struct HostMemory {
 
 class HostSupervisor {
  public:
-  HostSupervisor(const Options& options, const config::Plan& plan, HostMemory memory, PluginEvents& events, ClientReplies& replies, LogFile& log);
+  HostSupervisor(const Options& options, const config::Plan& plan, HostMemory memory, PluginEvents& events,
+                 ClientReplies& replies, LogFile& log);
 
   // Those that do not run, once the HAL cycles. Throws std::runtime_error.
   void spawnAll();

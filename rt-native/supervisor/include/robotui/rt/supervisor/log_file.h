@@ -13,7 +13,9 @@ class LogFile {
   // Without a file where that cannot be written: said once on stderr.
   LogFile(const std::filesystem::path& file, bool verbose);
 
-  void detail(std::string_view line) { if (verbose_) write("detail", line); }
+  void detail(std::string_view line) {
+    if (verbose_) write("detail", line);
+  }
   void info(std::string_view line) { write("info", line); }
   void warn(std::string_view line) { write("warn", line); }
   void error(std::string_view line) { write("error", line); }

@@ -13,12 +13,12 @@ namespace robotui::rt::supervisor {
 
 struct Options {
   std::filesystem::path config;
-  config::Overrides overrides;              // -D, --period
-  config::Communication communication;      // --no-ch, --ch-period
+  config::Overrides overrides;          // -D, --period
+  config::Communication communication;  // --no-ch, --ch-period
   bool allow_non_rt = false;
-  bool nrt = false;                         // the same processes in ordinary threads
-  bool verbose = false;                     // -V
-  std::string name;                         // --name; empty is the robot's
+  bool nrt = false;      // the same processes in ordinary threads
+  bool verbose = false;  // -V
+  std::string name;      // --name; empty is the robot's
 };
 
 class UsageError : public std::runtime_error {

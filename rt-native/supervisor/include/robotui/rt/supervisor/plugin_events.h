@@ -1,4 +1,5 @@
-// What hosts say about their plugins, and what the death of a host means for them: states on the board, answers to requests, lines of the log.
+// What hosts say about their plugins, and what the death of a host means for them: states on the board, answers to
+// requests, lines of the log.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace robotui::rt::supervisor {
 
 class PluginEvents {
  public:
-  PluginEvents(PluginRegistry& registry, PendingRequests& pending, LogFile& log) : registry_(registry), pending_(pending), log_(log) {}
+  PluginEvents(PluginRegistry& registry, PendingRequests& pending, LogFile& log)
+      : registry_(registry), pending_(pending), log_(log) {}
 
   // A message of this host; `socket` is the one to it.
   void handle(std::uint32_t host, const link::Packet& packet, const link::Socket& socket);

@@ -26,7 +26,8 @@ class PluginRegistry {
   std::vector<std::uint32_t> ofHost(std::uint32_t host) const;
   std::string unknown(std::string_view name) const;  // the sentence for it
 
-  // Empty, or a sentence why it may not be started now: its own state, a joint that another running plugin owns, or the master.
+  // Empty, or a sentence why it may not be started now: its own state, a joint that another running plugin owns, or the
+  // master.
   std::string objection(std::uint32_t plugin) const;
 
   // What its host said: its role, and the joints that it claims. An unknown joint is left out: the host checked them.

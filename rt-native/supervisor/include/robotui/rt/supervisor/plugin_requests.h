@@ -13,7 +13,8 @@ namespace robotui::rt::supervisor {
 
 class PluginRequests {
  public:
-  PluginRequests(PluginRegistry& registry, HostSupervisor& hosts, PendingRequests& pending, BoardPublisher& board, ClientReplies& replies)
+  PluginRequests(PluginRegistry& registry, HostSupervisor& hosts, PendingRequests& pending, BoardPublisher& board,
+                 ClientReplies& replies)
       : registry_(registry), hosts_(hosts), pending_(pending), board_(board), replies_(replies) {}
 
   // `words` are those behind the verb. What the host has yet to do is answered later.

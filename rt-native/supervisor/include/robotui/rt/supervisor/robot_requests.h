@@ -13,13 +13,14 @@ namespace robotui::rt::supervisor {
 
 class RobotRequests {
  public:
-  RobotRequests(const config::RobotDescription& robot, const HalProcess& hal, const HostSupervisor& hosts, const BoardPublisher& board,
-                ClientReplies& replies)
+  RobotRequests(const config::RobotDescription& robot, const HalProcess& hal, const HostSupervisor& hosts,
+                const BoardPublisher& board, ClientReplies& replies)
       : robot_(robot), hal_(hal), hosts_(hosts), board_(board), replies_(replies) {}
 
   void attach(std::uint64_t client);
 
-  // A text of the robot in pieces, as packets are small: "urdf OFFSET" is answered by "ok NEXT PIECE", where NEXT is 0 at the end.
+  // A text of the robot in pieces, as packets are small: "urdf OFFSET" is answered by "ok NEXT PIECE", where NEXT is 0
+  // at the end.
   void describe(std::uint64_t client, std::string_view words);
 
  private:

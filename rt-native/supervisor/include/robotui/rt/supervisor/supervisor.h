@@ -1,5 +1,5 @@
-// robotui-rt: runs the HAL, the hosts and the ROS process, and serves clients, in turns of one ordinary thread. What is done in a turn is done
-// by others; here is its order.
+// robotui-rt: runs the HAL, the hosts and the ROS process, and serves clients, in turns of one ordinary thread. What is
+// done in a turn is done by others; here is its order.
 #pragma once
 
 #include <string>
@@ -24,7 +24,8 @@ namespace robotui::rt::supervisor {
 
 class Supervisor {
  public:
-  Supervisor(const Options& options, const config::RtConfig& config, const config::Plan& plan, bool real_time, ControlServer& server, LogFile& log);
+  Supervisor(const Options& options, const config::RtConfig& config, const config::Plan& plan, bool real_time,
+             ControlServer& server, LogFile& log);
 
   // Until a signal, or until there is no robot any more. The exit code.
   int run();

@@ -8,8 +8,8 @@
 
 namespace robotui::rt::testing {
 
-// `joints` revolute joints j1, j2 ... of +-2 rad, 1 rad/s and 10 N m; one chain `arm` of all, and the postures `home` (all 0.5) and `zero`.
-// It has no URDF, and so no model.
+// `joints` revolute joints j1, j2 ... of +-2 rad, 1 rad/s and 10 N m; one chain `arm` of all, and the postures `home`
+// (all 0.5) and `zero`. It has no URDF, and so no model.
 std::shared_ptr<const config::RobotDescription> fakeDescription(int joints);
 
 class FakeRobot final : public RobotInterface {

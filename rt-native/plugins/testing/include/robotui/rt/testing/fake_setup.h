@@ -36,7 +36,9 @@ class FakeSetup final : public Setup {
   ChannelDirectory& channels() override { return channels_; }
   std::unique_ptr<ModelInterface> createModel() override;
   const link::MasterSegment& master() override { return *master_; }
-  void claim(const std::vector<std::string>& joints) override { claims_.insert(claims_.end(), joints.begin(), joints.end()); }
+  void claim(const std::vector<std::string>& joints) override {
+    claims_.insert(claims_.end(), joints.begin(), joints.end());
+  }
   void fail(const std::string& why) override { failure_ = why; }
 
   FakeRobot& fake() noexcept { return robot_; }
