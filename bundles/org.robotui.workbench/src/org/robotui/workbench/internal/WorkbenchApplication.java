@@ -22,6 +22,7 @@ import org.robotui.api.config.Configuration;
 import org.robotui.api.config.Printable;
 import org.robotui.api.host.Host;
 import org.robotui.ui.Themes;
+import org.robotui.workbench.internal.display.DisplayLoss;
 import org.robotui.workbench.internal.display.Heartbeat;
 import org.robotui.workbench.internal.display.StopKeys;
 import org.robotui.workbench.internal.measure.Measurement;
@@ -31,7 +32,10 @@ import org.robotui.workbench.internal.rcp.RobotWorkbenchAdvisor;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The workbench. Exit codes: 0 fine, 2 a configuration cannot be read, 3 wrong arguments, 4 the core did not start, 5 there is no display. */
+/**
+ * The workbench. Exit codes: 0 fine, 1 the display was lost, 2 a configuration cannot be read, 3 wrong arguments, 4 the core did not start, 5 there is no
+ * display.
+ */
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
   private static final Duration CLOSE_LIMIT = Duration.ofMillis(1200);
@@ -93,6 +97,7 @@ public final class WorkbenchApplication implements IApplication {
         say("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
         return NO_CORE;
       }
+      DisplayLoss.watch(() -> onDisplayLost(host.get()));
       return run(host.get(), display, arguments, components);
     } finally {
       display.dispose();
@@ -175,6 +180,12 @@ public final class WorkbenchApplication implements IApplication {
     if (!display.isDisposed()) {
       display.wake();
     }
+  }
+
+  /** There is no window any more that could be closed; the robots are left as if there were. */
+  private static void onDisplayLost(Host host) {
+    say("RobotUI has lost its display: what it drove is stopped, and its robots are left");
+    host.close(CLOSE_LIMIT).forEach(left -> log().warn("not ended in time: {}", left));
   }
 
   /** Ctrl-C and SIGTERM: the process lives until the robots are stopped. */

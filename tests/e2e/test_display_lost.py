@@ -1,0 +1,56 @@
+"""The X server of a window ends: what a real master and a robot that is driven know of it afterwards."""
+import shutil
+import subprocess
+import xmlrpc.client
+
+import pytest
+
+from conftest import Robot, start_robotui, wait_for
+
+DISPLAY_LOST = 1
+RUIC = "ruics:\n  Natalie:\n    type: {type}\n    rfics:\n      base: {{type: ros}}\n"
+MAP_VIEW = RUIC.format(type="mobilebase")
+SCENE = RUIC.format(type="single") + "    view: scene3d\n"
+ODOMETRY = "{header: {frame_id: odom}, child_frame_id: base_link, pose: {pose: {orientation: {w: 1}}}}"
+
+
+@pytest.fixture(name="screen")
+def own_screen(processes, environment):
+    """An X server that a test may kill: it chooses a free number and tells it."""
+    if shutil.which("Xvfb") is None:
+        pytest.skip("there is no Xvfb")
+    server = processes.start(["Xvfb", "-displayfd", "1", "-screen", "0", "1400x900x24"], "screen", environment)
+    server.name = ":" + wait_for(lambda: server.out.read_text().strip(), what="the X server")
+    return server
+
+
+def registrations(uri):
+    """What nodes of the workbench are registered for."""
+    _, _, kinds = xmlrpc.client.ServerProxy(uri).getSystemState("/test")
+    return [topic for kind in kinds for topic, nodes in kind if any(node.startswith("/robotui_") for node in nodes)]
+
+
+@pytest.mark.parametrize("configuration", [MAP_VIEW, SCENE], ids=["views", "scene"])
+def test_a_window_that_loses_its_display_leaves_its_master(roscore, screen, tmp_path, configuration):
+    roscore.start_tool("rostopic", "pub", "-r", "5", "/odom", "nav_msgs/Odometry", ODOMETRY, name="odometry")
+    file = tmp_path / "robot.yaml"
+    file.write_text(configuration)
+    surroundings = roscore.environment | {"DISPLAY": screen.name, "XDG_STATE_HOME": str(tmp_path / "state")}
+    surroundings.pop("WAYLAND_DISPLAY", None)
+    window = start_robotui(Robot(roscore.processes, roscore.uri, surroundings), "run", file, display=True)
+    wait_for(lambda: registrations(roscore.uri), seconds=120, what="a look at the robot")
+    wait_for(lambda: titled(surroundings), seconds=120, what="the window")
+
+    screen.kill()
+
+    assert window.wait(20) == DISPLAY_LOST
+    assert registrations(roscore.uri) == []
+    said = window.err.read_text()
+    assert "has lost its display" in said
+    assert "not ended in time" not in said
+
+
+def titled(surroundings):
+    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "RobotUI *$"], env=surroundings, capture_output=True, text=True,
+                           timeout=20, check=False)
+    return found.stdout.split()
