@@ -24,9 +24,11 @@ public record TextRule(String expected, Function<String, Optional<String>> fault
   public static final TextRule HOST = matching("the name or address of a host, such as robot.local or 10.0.0.1",
       "[A-Za-z0-9_]([A-Za-z0-9._-]{0,252}[A-Za-z0-9_])?|\\[?[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(%[A-Za-z0-9]+)?]?");
 
-  /** A coordinate frame: {@code map}, or {@code robot/map}. */
-  public static final TextRule FRAME =
-      matching("the name of a frame, such as map or Natalie/map", "/?[^/\\s]([^/]{0,254}[^/\\s])?(/[^/\\s]([^/]{0,254}[^/\\s])?){0,15}");
+  /** A coordinate frame: {@code map}, or {@code robot/map}. Robots choose these names, so that little is known of them. */
+  public static final TextRule FRAME = matching("the name of a frame, such as map or Natalie/map", "[^\\s](.{0,510}[^\\s])?");
+
+  /** A port of a component: the id of the component, a dot, and the name of the port. */
+  public static final TextRule SOURCE = matching("a port of a component, such as base.odom", "[A-Za-z_][A-Za-z0-9_-]*\\..+");
 
   /**
    * Checks the parts.

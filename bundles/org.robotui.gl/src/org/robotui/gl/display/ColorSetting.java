@@ -1,14 +1,18 @@
 package org.robotui.gl.display;
 
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.gl.shape.Rgba;
 
 /** Settings that hold a colour, written {@code "#rrggbb"} or {@code "#rrggbbaa"}. Their names are {@code color} or end in {@code _color}. */
 public final class ColorSetting {
+  private static final Pattern COLOR = Pattern.compile("#([0-9a-fA-F]{6}|[0-9a-fA-F]{8})");
+  private static final ValueType TYPE = new ValueType.Text(TextRule.matching("a colour, such as \"#f76b15\" or \"#f76b15c0\"", COLOR.pattern()));
   private static final int HEX = 16;
   private static final int BYTE = 0xff;
 
@@ -26,7 +30,7 @@ public final class ColorSetting {
     if (!isColor(name) || parse(fallback).isEmpty()) {
       throw new IllegalArgumentException(name + ": " + fallback);
     }
-    return Setting.of(name, new ValueType.Text(), fallback, help);
+    return Setting.of(name, TYPE, fallback, help);
   }
 
   /**
@@ -62,7 +66,7 @@ public final class ColorSetting {
    * @return the colour, or none where it is written in another way
    */
   public static Optional<Rgba> parse(String text) {
-    if (!text.matches("#([0-9a-fA-F]{6}|[0-9a-fA-F]{8})")) {
+    if (!COLOR.matcher(text).matches()) {
       return Optional.empty();
     }
     int rgb = Integer.parseInt(text.substring(1, 7), HEX);

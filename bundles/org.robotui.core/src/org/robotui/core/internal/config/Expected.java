@@ -33,6 +33,7 @@ final class Expected {
       case ValueType.AnyOf a -> a.alternatives().stream().anyMatch(t -> hasShape(t, value));
       case ValueType.WithPlace p -> hasShape(p.value(), value);
       case ValueType.Choice c -> value instanceof YamlValue.Scalar;
+      case ValueType.Text t -> value instanceof YamlValue.Scalar scalar && !scalar.isEmpty();
       default -> false;
     };
   }

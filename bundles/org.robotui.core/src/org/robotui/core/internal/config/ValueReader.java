@@ -134,8 +134,9 @@ final class ValueReader {
   }
 
   private Optional<Object> anyOf(YamlValue value, ValueType.AnyOf type, String name) {
-    if (isQuoted(value) && type.alternatives().stream().anyMatch(ValueType.Text.class::isInstance)) {
-      return read(value, new ValueType.Text(), name);
+    Optional<ValueType> text = type.alternatives().stream().filter(ValueType.Text.class::isInstance).findFirst();
+    if (isQuoted(value) && text.isPresent()) {
+      return read(value, text.get(), name);
     }
     for (ValueType alternative : type.alternatives()) {
       List<Problem> tried = new ArrayList<>();

@@ -9,6 +9,7 @@ import java.util.regex.Pattern;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.rfic.player.internal.convert.FrameNames;
 import org.robotui.rfic.player.internal.convert.Sonars;
@@ -45,23 +46,27 @@ public record PlayerSettings(
   private static final int PORT = 6665;
   private static final int LAST_PORT = 0xffff;
   private static final int KEY_BYTES = 32;
-  private static final ValueType TEXT = new ValueType.Text();
+  private static final ValueType FRAME = new ValueType.Text(TextRule.FRAME);
+  private static final TextRule KEY = TextRule.readBy("a key", PlayerSettings::key);
+  private static final TextRule DEVICE = TextRule.matching("a device, such as position2d:0", "[a-z][a-z0-9_]{0,63}:[0-9]{1,5}");
+  private static final ValueType DEVICES =
+      new ValueType.Text(TextRule.matching("a device, such as position2d:0, in which * stands for any part", "[a-z0-9_:*]{1,99}"));
 
   static final Schema SCHEMA = Schema.of(
-      Setting.optional("host", TEXT, "name or address of the server; else PLAYER_HOST, else localhost"),
+      Setting.optional("host", new ValueType.Text(TextRule.HOST), "name or address of the server; else PLAYER_HOST, else localhost"),
       Setting.optional("port", new ValueType.Int(1, LAST_PORT), "port of the server; else PLAYER_PORT, else 6665"),
       Setting.of("data", new ValueType.Choice(List.of("push", "pull")), "push",
           "push: the server sends data as they come; pull: they are fetched, rate times a second"),
       Setting.of("rate", new ValueType.Num(0.1, 200, "Hz"), 10.0, "how often data are fetched, where they are"),
       Setting.optional("replace", new ValueType.Flag(),
           "whether the server keeps only the newest of like data while they wait; if not written, it does where data are fetched"),
-      Setting.optional("key", TEXT, "the key of a server that wants one, at most 32 bytes"),
-      Setting.of("devices", new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT))), List.of("*"),
+      Setting.optional("key", new ValueType.Text(KEY), "the key of a server that wants one, at most 32 bytes"),
+      Setting.of("devices", new ValueType.AnyOf(List.of(DEVICES, new ValueType.ListOf(DEVICES))), List.of("*"),
           "which devices become ports, for example position2d:0; * stands for any part of a name"),
-      Setting.optional("base", TEXT, "the device whose odometry moves the base; else the first position2d, else the first position3d"),
-      Setting.of("base_frame", TEXT, "base_link", "name of the frame of the robot's base"),
-      Setting.of("odom_frame", TEXT, "odom", "name of the frame of its odometry; where odometry is true on the map: map"),
-      Setting.of("map_frame", TEXT, "map", "name of the frame of maps, plans and localisation"),
+      Setting.optional("base", new ValueType.Text(DEVICE), "the device whose odometry moves the base; else the first position2d, else the first position3d"),
+      Setting.of("base_frame", FRAME, "base_link", "name of the frame of the robot's base"),
+      Setting.of("odom_frame", FRAME, "odom", "name of the frame of its odometry; where odometry is true on the map: map"),
+      Setting.of("map_frame", FRAME, "map", "name of the frame of maps, plans and localisation"),
       Setting.of("sonar_cone", new ValueType.Num(0, Math.PI, "rad"), 0.26, "opening of sonars, which the interface sonar does not tell"),
       Setting.of("sonar_range", new ValueType.Num(0, 1000, "m"), 5.0, "how far sonars see, which the interface sonar does not tell"),
       Setting.of("clock", new ValueType.Choice(List.of("auto", "robot", "simulated")), "auto",

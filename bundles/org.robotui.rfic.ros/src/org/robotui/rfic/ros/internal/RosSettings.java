@@ -4,11 +4,14 @@ import java.net.URI;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
+import org.robotui.ros.GraphName;
 import org.robotui.ros.RosEnvironment;
 
 /**
@@ -30,20 +33,24 @@ public record RosSettings(
     String node,
     boolean tf,
     boolean guard) {
-  private static final ValueType TEXT = new ValueType.Text();
-  private static final ValueType TEXTS = new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT)));
+  private static final TextRule MASTER = new TextRule("the address of a master, such as http://robot:11311", RosSettings::noMaster);
+  private static final TextRule NAMESPACE = TextRule.readBy("a namespace, such as /r1", GraphName::of);
+  private static final TextRule NODE = TextRule.matching("the first part of a node's name, such as robotui", "[A-Za-z]\\w{0,254}");
+  private static final ValueType NAMES = oneOrMore(TextRule.readBy("the name of a topic, such as cmd_vel or /r1/cmd_vel", GraphName::of));
+  private static final ValueType PATTERNS = oneOrMore(TextRule.readBy(
+      "the name of a topic, in which * stands for any part, such as scan or camera/*", text -> GraphName.of(text.replace('*', 'x'))));
 
   static final Schema SCHEMA = Schema.of(
-      Setting.optional("master", TEXT, "address of the master, for example http://robot:11311; else ROS_MASTER_URI"),
-      Setting.optional("host", TEXT, "address by which the robot reaches this machine; else ROS_HOSTNAME or ROS_IP"),
-      Setting.of("namespace", TEXT, "/", "only topics below it, and port names relative to it"),
-      Setting.of("topics", TEXTS, List.of("*"), "which topics become ports; * stands for any part of a name"),
-      Setting.of("velocity", TEXTS, List.of(), "topics for velocity commands, also while nobody subscribes to them"),
-      Setting.of("goal", TEXTS, List.of(), "topics for navigation goals, also while nobody subscribes to them"),
-      Setting.of("initial_pose", TEXTS, List.of(), "topics for initial poses, also while nobody subscribes to them"),
-      Setting.of("path", TEXTS, List.of(), "topics to which waypoints are sent as a path"),
-      Setting.of("poses", TEXTS, List.of(), "topics to which waypoints are sent as an array of poses"),
-      Setting.of("node", TEXT, "robotui", "first part of the name of our node"),
+      Setting.optional("master", new ValueType.Text(MASTER), "address of the master, for example http://robot:11311; else ROS_MASTER_URI"),
+      Setting.optional("host", new ValueType.Text(TextRule.HOST), "address by which the robot reaches this machine; else ROS_HOSTNAME or ROS_IP"),
+      Setting.of("namespace", new ValueType.Text(NAMESPACE), "/", "only topics below it, and port names relative to it"),
+      Setting.of("topics", PATTERNS, List.of("*"), "which topics become ports; * stands for any part of a name"),
+      Setting.of("velocity", NAMES, List.of(), "topics for velocity commands, also while nobody subscribes to them"),
+      Setting.of("goal", NAMES, List.of(), "topics for navigation goals, also while nobody subscribes to them"),
+      Setting.of("initial_pose", NAMES, List.of(), "topics for initial poses, also while nobody subscribes to them"),
+      Setting.of("path", NAMES, List.of(), "topics to which waypoints are sent as a path"),
+      Setting.of("poses", NAMES, List.of(), "topics to which waypoints are sent as an array of poses"),
+      Setting.of("node", new ValueType.Text(NODE), "robotui", "first part of the name of our node"),
       Setting.of("tf", new ValueType.Flag(), true, "whether transforms are listened to"),
       Setting.of("guard", new ValueType.Flag(), false,
           "keeps connections in a small process of its own, so that the robot never waits for a workbench that is stopped or killed"));
@@ -104,6 +111,19 @@ public record RosSettings(
   public boolean offers(String topic) {
     String name = portName(topic);
     return topic.startsWith(namespace) && include.stream().anyMatch(p -> p.matcher(name).matches() || p.matcher(topic).matches());
+  }
+
+  private static Optional<String> noMaster(String text) {
+    try {
+      RosEnvironment.of(Map.of("ROS_MASTER_URI", text), List.of());
+      return Optional.empty();
+    } catch (IllegalArgumentException e) {
+      return Optional.of("");
+    }
+  }
+
+  private static ValueType oneOrMore(TextRule rule) {
+    return new ValueType.AnyOf(List.of(new ValueType.Text(rule), new ValueType.ListOf(new ValueType.Text(rule))));
   }
 
   private static String namespace(String written) {

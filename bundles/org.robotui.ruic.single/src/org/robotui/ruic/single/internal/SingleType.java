@@ -7,13 +7,15 @@ import org.robotui.api.RuicType;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.layout.Layout;
 
 /** The interface that is one view, filling the window. */
 @Component(service = RuicType.class)
 public final class SingleType implements RuicType {
-  private static final Schema SCHEMA = Schema.of(Setting.of("view", new ValueType.Text(), "map",
+  private static final TextRule VIEW = TextRule.matching("the type of a view, such as map", "[A-Za-z_][A-Za-z0-9_-]*");
+  private static final Schema SCHEMA = Schema.of(Setting.of("view", new ValueType.Text(VIEW), "map",
       "The type of the view to show, for example map, camera or status; its id in the configuration is the same word."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("single", "Single view",

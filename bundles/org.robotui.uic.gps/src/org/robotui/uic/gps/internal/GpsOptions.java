@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.entity.gps.GeoPoint;
 
@@ -69,7 +70,7 @@ public record GpsOptions(
   public static Schema schema() {
     return Schema.of(
         Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep a receiver in the middle."),
-        Setting.of(FOLLOWED, new ValueType.Text(), "", "Which receiver is followed, as component.port; empty for the first."),
+        Setting.of(FOLLOWED, new ValueType.Text(TextRule.SOURCE.orEmpty("\"\"")), "", "Which receiver is followed, as component.port; empty for the first."),
         Setting.of(ORIGIN, new ValueType.Choice(List.of(FIRST_FIX, FIXED)), FIRST_FIX,
             "Where metres are counted from: the first fix, or origin_latitude and origin_longitude."),
         Setting.of(ORIGIN_LATITUDE, new ValueType.Num(-90, 90, "\u00b0"), 0.0, "Degrees, north is positive."),

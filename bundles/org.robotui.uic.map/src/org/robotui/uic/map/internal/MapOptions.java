@@ -9,6 +9,7 @@ import java.util.Set;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 
 /**
@@ -39,13 +40,14 @@ public record MapOptions(
   public static final String SHOW_UNCERTAINTY = "show_uncertainty";
   public static final String AUTO = "auto";
 
+  private static final TextRule LAYER = TextRule.matching("a layer, such as scan:base.rear_scan", "[^:]+:.+");
   private static final String TRAIL_LENGTH = "trail_length";
   private static final String ROBOT_RADIUS = "robot_radius";
 
   /** What the map can be configured with. */
   public static Schema schema() {
     List<Setting> settings = new ArrayList<>();
-    settings.add(Setting.of(FIXED_FRAME, new ValueType.Text(), AUTO,
+    settings.add(Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,
         "The frame that is drawn at rest; 'auto' takes map, else odom, else the first root."));
     settings.add(Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep the robot in the middle."));
     for (Kind kind : Kind.values()) {
@@ -54,7 +56,7 @@ public record MapOptions(
     settings.add(Setting.of(SHOW_FAN, new ValueType.Flag(), true, "Show the free space that laser beams crossed."));
     settings.add(Setting.of(SHOW_UNCERTAINTY, new ValueType.Flag(), false,
         "Show the uncertainty of odometry: two standard deviations around its position."));
-    settings.add(Setting.of(HIDDEN, new ValueType.ListOf(new ValueType.Text()), List.of(),
+    settings.add(Setting.of(HIDDEN, new ValueType.ListOf(new ValueType.Text(LAYER)), List.of(),
         "Single layers not to show, as kind:component.port, for example scan:base.rear_scan."));
     settings.add(Setting.of(TRAIL_LENGTH, new ValueType.Num(0, 100_000, "m"), 30.0, "How much of the trail to show."));
     settings.add(Setting.of(ROBOT_RADIUS, new ValueType.Num(0.01, 20, "m"), 0.25,

@@ -6,12 +6,15 @@ import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.config.Placed;
+import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.StreamPort;
 import org.robotui.api.show.Showing;
 import org.robotui.data.Data;
+import org.robotui.uic.plot.internal.model.PlotCodec;
 import org.robotui.uic.plot.internal.model.PlotOptions;
 
 /** Plots any number of any message over time. */
@@ -44,6 +47,12 @@ public final class PlotType implements UicType {
   @Override
   public List<Showing> showings() {
     return List.of(Showing.numbers("plot", "Plot"));
+  }
+
+  /** Parts that are well each for itself may make no signal together. */
+  @Override
+  public List<SettingFault> faults(Settings settings) {
+    return PlotCodec.faults(settings).stream().map(fault -> Placed.nowhere(fault).fault(fault)).toList();
   }
 
   @Override

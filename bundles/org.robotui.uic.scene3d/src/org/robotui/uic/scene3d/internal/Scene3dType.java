@@ -16,11 +16,13 @@ import org.robotui.api.Descriptor;
 import org.robotui.api.Uic;
 import org.robotui.api.UicContext;
 import org.robotui.api.UicType;
+import org.robotui.api.config.SettingFault;
 import org.robotui.api.config.Settings;
 import org.robotui.api.show.Showing;
 import org.robotui.data.Data;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
+import org.robotui.uic.scene3d.internal.model.DisplayFaults;
 
 /**
  * The scene in space. Graphics and kinds of displays come and go while it runs; they are taken as handles, so that none of them is
@@ -68,6 +70,11 @@ public final class Scene3dType implements UicType {
     return List.of(
         Showing.streams("display", "Show in Scene", kinds().stream().<Class<? extends Data>>flatMap(kind -> kind.accepts().stream()).distinct().toList()),
         Showing.frames("frame", "Show in Scene"));
+  }
+
+  @Override
+  public List<SettingFault> faults(Settings settings) {
+    return DisplayFaults.of(settings, kinds());
   }
 
   @Override

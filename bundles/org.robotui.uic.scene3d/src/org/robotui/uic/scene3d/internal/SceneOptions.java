@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.uic.scene3d.internal.camera.CameraKind;
 
@@ -40,12 +41,17 @@ public final class SceneOptions {
   private static final ValueType ANGLE = new ValueType.Num(-FAR, FAR, "rad");
   private static final ValueType PLAIN = new ValueType.AnyOf(List.of(new ValueType.Flag(),
       new ValueType.Int(Long.MIN_VALUE, Long.MAX_VALUE), new ValueType.Num(-Double.MAX_VALUE, Double.MAX_VALUE, ""), new ValueType.Text()));
-  private static final ValueType ANY = new ValueType.AnyOf(List.of(PLAIN, new ValueType.ListOf(PLAIN), new ValueType.MapOf(PLAIN)));
+  private static final ValueType ANY =
+      new ValueType.WithPlace(new ValueType.AnyOf(List.of(PLAIN, new ValueType.ListOf(PLAIN), new ValueType.MapOf(PLAIN))));
+  private static final TextRule KIND_WORD = TextRule.matching("the kind of a display, such as laserscan", "[a-z][a-z0-9_]{0,99}");
+  private static final TextRule ROBOT_FRAME = TextRule.matching("a frame of a robot, such as Natalie/map", "[^/]+/.+");
+  private static final TextRule ROBOT_COLOR = TextRule.matching("a colour, such as \"#4da3ff\"", "#[0-9a-fA-F]{6}");
+  private static final ValueType FRAME_OR_NONE = new ValueType.Text(TextRule.FRAME.orEmpty("\"\""));
   private static final ValueType SOURCES =
       new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text())));
 
   private static final Schema DISPLAY = Schema.of(
-      Setting.required(TYPE, new ValueType.Text(), "The kind of the display, for example laserscan."),
+      Setting.required(TYPE, new ValueType.Text(KIND_WORD), "The kind of the display, for example laserscan."),
       Setting.optional(ID, new ValueType.Text(), "Tells displays apart where names change; written by the scene."),
       Setting.optional(NAME, new ValueType.Text(), "Its name in the list; without, that of its kind."),
       Setting.of(SOURCE, SOURCES, List.of(),
@@ -54,8 +60,8 @@ public final class SceneOptions {
       Setting.of(SETTINGS, new ValueType.MapOf(ANY), Map.of(), "The settings of its kind."));
 
   private static final Schema FRAME = Schema.of(
-      Setting.required(PARENT, new ValueType.Text(), "A frame as robot/frame, for example a/map."),
-      Setting.required(CHILD, new ValueType.Text(), "A frame of another robot, for example b/map."),
+      Setting.required(PARENT, new ValueType.Text(ROBOT_FRAME), "A frame as robot/frame, for example a/map."),
+      Setting.required(CHILD, new ValueType.Text(ROBOT_FRAME), "A frame of another robot, for example b/map."),
       Setting.of("x", NUMBER, 0.0, "Place of the child in the parent."),
       Setting.of("y", NUMBER, 0.0, "Place of the child in the parent."),
       Setting.of("z", NUMBER, 0.0, "Place of the child in the parent."),
@@ -83,16 +89,16 @@ public final class SceneOptions {
       Setting.of(DISPLAYS, new ValueType.ListOf(new ValueType.Section(DISPLAY)), List.of(),
           "What is shown, in the order of the list; without, what the robot offers."),
       Setting.of(AUTOMATIC, new ValueType.Flag(), true, "Show what the robot offers while no displays are listed."),
-      Setting.of(FIXED_FRAME, new ValueType.Text(), AUTO,
+      Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,
           "The frame that is drawn at rest; auto takes map, else odom, else the first root."),
       Setting.of(FRAMES, new ValueType.ListOf(new ValueType.Section(FRAME)), List.of(),
           "Transforms between the frames of robots that no robot publishes."),
-      Setting.of(COLORS, new ValueType.MapOf(new ValueType.Text()), Map.of(), "Colours of robots by name, as #4da3ff."),
+      Setting.of(COLORS, new ValueType.MapOf(new ValueType.Text(ROBOT_COLOR)), Map.of(), "Colours of robots by name, as #4da3ff."),
       Setting.of(VIEWS, new ValueType.MapOf(new ValueType.Section(new Schema(POSE))), Map.of(), "Views by name; the one that is named start is where the scene begins."),
-      Setting.of(FOLLOW, new ValueType.Text(), "", "The frame that the camera keeps up with; empty for none."),
+      Setting.of(FOLLOW, FRAME_OR_NONE, "", "The frame that the camera keeps up with; empty for none."),
       Setting.of(FOLLOW_YAW, new ValueType.Flag(), false, "Whether the camera also turns with it."),
       Setting.of(WAYPOINTS, new ValueType.ListOf(new ValueType.Section(WAYPOINT)), List.of(), "Poses to drive to, one after the other."),
-      Setting.of(WAYPOINT_FRAME, new ValueType.Text(), "", "The frame of the waypoints as robot/frame; empty for the fixed frame."),
+      Setting.of(WAYPOINT_FRAME, FRAME_OR_NONE, "", "The frame of the waypoints as robot/frame; empty for the fixed frame."),
       Setting.of(WAYPOINT_SIZE, new ValueType.Num(0.02, 100, "m"), 0.4, "How large waypoints are drawn."),
       Setting.of(WAYPOINT_TOLERANCE, new ValueType.Num(0.01, 100, "m"), 0.3, "How near the robot must come before it is sent to the next waypoint."),
       Setting.of(THINNING, new ValueType.Flag(), true, "Whether clouds are thinned while the camera moves, so that it moves fluidly."),

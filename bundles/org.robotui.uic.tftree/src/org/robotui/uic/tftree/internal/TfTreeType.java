@@ -9,6 +9,7 @@ import org.robotui.api.UicType;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.show.Showing;
 
@@ -28,7 +29,7 @@ public final class TfTreeType implements UicType {
       Setting.of(FORM, new ValueType.Choice(List.of(DRAWN, LIST)), DRAWN, "Whether the tree is drawn or listed."),
       Setting.of(PROBLEMS, new ValueType.Flag(), false, "Whether only frames with a problem are shown, and those above them."),
       Setting.of(STALE_AFTER, new ValueType.Num(0.1, 3600, "s"), 3.0, "After how long without a transform a moving frame is stale."),
-      Setting.of(REFERENCE, new ValueType.Text(), "",
+      Setting.of(REFERENCE, new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "",
           "In which frame poses are shown, for example Keira:odom; parent for the parent of each, without it the root of its tree."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("tftree", "Frames",

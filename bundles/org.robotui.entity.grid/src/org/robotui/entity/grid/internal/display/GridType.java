@@ -4,6 +4,7 @@ import java.util.List;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.data.Data;
 import org.robotui.gl.display.ColorSetting;
@@ -17,7 +18,7 @@ public final class GridType implements DisplayType {
   private static final ValueType PLACE = new ValueType.Num(-1e6, 1e6, "m");
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of("frame", new ValueType.Text(), "", "The frame that it lies in; without it, the fixed frame."),
+      Setting.of("frame", new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "", "The frame that it lies in; without it, the fixed frame."),
       Setting.of("plane", new ValueType.Choice(List.of("xy", "xz", "yz")), "xy", "The plane that it lies in."),
       Setting.of("cells", new ValueType.Int(1, 1000), 20L, "Cells along each edge."),
       Setting.of("cell", new ValueType.Num(0.001, 100_000, "m"), 1.0, "Edge of a cell."),

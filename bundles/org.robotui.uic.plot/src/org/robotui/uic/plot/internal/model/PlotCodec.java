@@ -23,6 +23,21 @@ public final class PlotCodec {
         PlotSpec.LegendPlace.valueOf(settings.text(PlotOptions.LEGEND).toUpperCase(Locale.ROOT)));
   }
 
+  /** What is wrong with axes whose parts fit the schema. */
+  public static List<String> faults(Settings settings) {
+    List<String> faults = new ArrayList<>();
+    for (Object axis : settings.list(PlotOptions.AXES)) {
+      Map<String, Object> fields = fields(axis);
+      list(fields.get(PlotOptions.TRACES)).stream().map(PlotCodec::trace).forEach(t -> Signal.of(t.signal()).error().ifPresent(faults::add));
+      for (String range : List.of(PlotOptions.RANGE, PlotOptions.RANGE_RIGHT)) {
+        if (fields.get(range) instanceof List<?> limits && range(fields, range) instanceof YRange.Auto) {
+          faults.add("'" + range + "' must be [low, high], the lower number first, not " + limits);
+        }
+      }
+    }
+    return faults;
+  }
+
   /** The axes as the setting holds them: only what is not as it would be without. */
   public static List<Object> write(List<AxisSpec> axes) {
     return axes.stream().<Object>map(PlotCodec::write).toList();
@@ -94,7 +109,7 @@ public final class PlotCodec {
   }
 
   /** {@code average(0.5)} of {@code s} is {@code average(s, 0.5)}. */
-  private static String applied(String function, String signal) {
+  static String applied(String function, String signal) {
     int open = function.indexOf('(');
     if (open < 0) {
       return function + "(" + signal + ")";

@@ -3,7 +3,10 @@ package org.robotui.uic.plot.internal.model;
 import java.util.List;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
+import org.robotui.data.FieldPath;
+import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** What the plot can be configured with. */
 public final class PlotOptions {
@@ -38,17 +41,23 @@ public final class PlotOptions {
   static final String HIDDEN = "hidden";
 
   private static final double MOST = 1e300;
+  private static final ValueType TEXT = new ValueType.Text();
+  private static final ValueType SIGNAL_TEXT =
+      new ValueType.Text(TextRule.readBy("a signal, such as base.odom:linear.x, or a function of signals", ExprParser::parse));
+  private static final TextRule FIELD = TextRule.readBy("the path of a field, such as linear.x or ranges[3]", FieldPath::parse);
+  private static final ValueType FUNCTION = new ValueType.Text(TextRule.readBy(
+      "a function, such as derivative or average(0.5)", text -> ExprParser.parse(PlotCodec.applied(text.strip(), "any.port:x"))));
 
   private static final Schema TRACE = Schema.of(
-      Setting.optional(SIGNAL, new ValueType.Text(),
+      Setting.optional(SIGNAL, SIGNAL_TEXT,
           "What it shows: SOURCE:PATH, for example base./odom:linear.x, or a function: derivative(s), integral(s), average(s, seconds), "
               + "scale(s, factor, offset), difference(s, t), norm(s, t, ...)."),
-      Setting.optional(SOURCE, new ValueType.Text(), "In place of signal: component.port, for example base./odom."),
-      Setting.optional(PATH, new ValueType.Text(), "With source: the field, for example linear.x or ranges[3]."),
-      Setting.of(DERIVE, new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text()))), List.of(),
+      Setting.optional(SOURCE, new ValueType.Text(TextRule.SOURCE), "In place of signal: component.port, for example base./odom."),
+      Setting.optional(PATH, new ValueType.Text(FIELD), "With source: the field, for example linear.x or ranges[3]."),
+      Setting.of(DERIVE, new ValueType.AnyOf(List.of(FUNCTION, new ValueType.ListOf(FUNCTION))), List.of(),
           "Functions of that, the first applied first: derivative, integral, average(0.5), scale(2, 1)."),
-      Setting.optional(LABEL, new ValueType.Text(), "The name in the legend."),
-      Setting.optional(UNIT, new ValueType.Text(), "The unit, where none is known."),
+      Setting.optional(LABEL, TEXT, "The name in the legend."),
+      Setting.optional(UNIT, TEXT, "The unit, where none is known."),
       Setting.optional(COLOUR, new ValueType.Choice(COLOURS), "Its colour; without, the first that is free."),
       Setting.optional(STYLE, new ValueType.Choice(LineStyle.words()), "How its samples are joined."),
       Setting.of(SCALE, new ValueType.Choice(List.of(LEFT, RIGHT)), LEFT, "The scale to which it belongs."),
@@ -58,7 +67,7 @@ public final class PlotOptions {
       new ValueType.Choice(List.of(YRange.AUTO, YRange.HOLD)), new ValueType.ListOf(new ValueType.Num(-MOST, MOST, ""))));
 
   private static final Schema AXIS = Schema.of(
-      Setting.of(TRACES, new ValueType.ListOf(new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.Section(TRACE)))),
+      Setting.of(TRACES, new ValueType.ListOf(new ValueType.AnyOf(List.of(SIGNAL_TEXT, new ValueType.Section(TRACE)))),
           List.of(), "The traces, each a signal or a group."),
       Setting.of(RANGE, RANGE_TYPE, YRange.AUTO, "The left scale: auto, hold (never shrinks), or [low, high]."),
       Setting.of(RANGE_RIGHT, RANGE_TYPE, YRange.AUTO, "The right scale."));

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.robotui.api.config.Placed;
 import org.robotui.api.config.Settings;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 
@@ -23,9 +24,16 @@ public final class DisplayCodec {
       String wanted = Written.text(fields, SceneOptions.ID).strip();
       specs.add(new DisplaySpec(free(wanted.isEmpty() ? type : wanted, taken), type, Written.text(fields, SceneOptions.NAME).strip(),
           Written.texts(fields.getOrDefault(SceneOptions.SOURCE, List.of())), Written.flag(fields, SceneOptions.SHOWN, true),
-          Written.fields(fields.getOrDefault(SceneOptions.SETTINGS, Map.of()))));
+          plain(Written.fields(fields.getOrDefault(SceneOptions.SETTINGS, Map.of())))));
     }
     return List.copyOf(specs);
+  }
+
+  /** Without where they are written. */
+  private static Map<String, Object> plain(Map<String, Object> settings) {
+    Map<String, Object> plain = new LinkedHashMap<>();
+    settings.forEach((name, value) -> plain.put(name, value instanceof Placed placed ? placed.value() : value));
+    return plain;
   }
 
   /** Writes the list of displays. */

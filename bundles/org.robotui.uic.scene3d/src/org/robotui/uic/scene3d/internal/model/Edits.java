@@ -137,7 +137,9 @@ public final class Edits {
   }
 
   private Map<String, Object> written() {
-    return Written.fields(settings.current().map(SceneOptions.VIEWS));
+    Map<String, Object> views = Written.fields(settings.current().map(SceneOptions.VIEWS));
+    views.replaceAll((name, view) -> Written.fields(view));
+    return views;
   }
 
   private static CameraPose pose(Map<String, Object> fields) {

@@ -44,7 +44,8 @@ public record KindSettings(Settings settings, List<String> problems) {
   /** The value as settings hold it, or none where it does not fit. */
   public static Optional<Object> take(ValueType type, Object value) {
     return switch (type) {
-      case ValueType.Text t -> Optional.of(value).filter(v -> v instanceof String || v instanceof Number).map(Object::toString);
+      case ValueType.Text t -> Optional.of(value).filter(v -> v instanceof String || v instanceof Number).<Object>map(Object::toString)
+          .filter(v -> t.rule().fault().apply(v.toString()).isEmpty());
       case ValueType.Flag f -> Optional.of(value).filter(Boolean.class::isInstance);
       case ValueType.Num n -> number(value).filter(v -> v >= n.min() && v <= n.max()).map(v -> v);
       case ValueType.Int i -> number(value).filter(v -> v == Math.rint(v) && v >= i.min() && v <= i.max()).map(Double::longValue);
@@ -60,7 +61,7 @@ public record KindSettings(Settings settings, List<String> problems) {
   /** What a value must be, in words. */
   public static String expected(ValueType type) {
     return switch (type) {
-      case ValueType.Text t -> "a text";
+      case ValueType.Text t -> t.rule().expected();
       case ValueType.Flag f -> "true or false";
       case ValueType.Num n -> String.format(Locale.ROOT, "from %s to %s %s", n.min(), n.max(), n.unit()).strip();
       case ValueType.Int i -> "a whole number from " + i.min() + " to " + i.max();
