@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.config.Setting;
+import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.core.internal.config.model.CheckedValue;
 
@@ -19,5 +20,20 @@ class SchemaCheckTest {
     }
     assertEquals(new CheckedValue.Fits(7L), new SchemaCheck().value(PLAIN, 7L));
     assertEquals(new CheckedValue.Fits(true), new SchemaCheck().value(PLAIN, true));
+  }
+
+  @Test
+  void theSyntaxOfATextHoldsInEveryShapeOfASetting() {
+    ValueType word = new ValueType.Text(TextRule.readBy("a word, such as go", text -> {
+      if (text.contains(" ")) {
+        throw new IllegalArgumentException("a blank separates words");
+      }
+    }));
+    Setting words = Setting.optional("words", new ValueType.AnyOf(List.of(word, new ValueType.ListOf(word))), "One word or some.");
+
+    assertEquals(new CheckedValue.Fits("go"), new SchemaCheck().value(words, "go"));
+    CheckedValue wrong = new CheckedValue.Wrong("'words' must be a word, such as go, not 'go on'; a blank separates words");
+    assertEquals(wrong, new SchemaCheck().value(words, "go on"));
+    assertEquals(wrong, new SchemaCheck().value(words, List.of("go", "go on")));
   }
 }

@@ -75,6 +75,19 @@ class PlotCodecTest {
     assertEquals(spec, spec.without(new TraceRef(7, 0)));
   }
 
+  @Test
+  void partsThatMakeNoSignalOrRangeTogetherAreFaults() {
+    assertEquals(List.of(), PlotCodec.faults(settings.current()));
+    settings.set(PlotOptions.AXES, List.of(
+        Map.of("traces", List.of("a.b:c", Map.of("source", "a.b")), "range", List.of(3.0, 1.0), "range_right", List.of(1.0, 2.0)),
+        Map.of("range", List.of(1.0))));
+    List<String> faults = PlotCodec.faults(settings.current());
+    assertEquals(3, faults.size(), faults.toString());
+    assertTrue(faults.getFirst().startsWith("'a.b:' is no signal; write SOURCE:PATH"), faults.getFirst());
+    assertEquals(List.of("'range' must be [low, high], the lower number first, not [3.0, 1.0]",
+        "'range' must be [low, high], the lower number first, not [1.0]"), faults.subList(1, 3));
+  }
+
   private String signal(Map<String, Object> trace) {
     settings.set(PlotOptions.AXES, List.of(Map.of("traces", List.of(trace))));
     return PlotCodec.read(settings.current()).axes().getFirst().traces().getFirst().signal();
