@@ -57,7 +57,10 @@ public final class RficWorker {
   private void run() {
     try {
       while (!closed) {
-        context.link().report(new LinkState.Failed(end(), retry));
+        String reason = end();
+        if (!closed) {
+          context.link().report(new LinkState.Failed(reason, retry));
+        }
         Thread.sleep(retry);
       }
     } catch (InterruptedException e) {
@@ -80,17 +83,36 @@ public final class RficWorker {
   }
 
   /**
-   * Waits for its end.
+   * Waits for its end, no shorter where the caller is interrupted: it may close because of that, and must leave nothing behind.
    *
    * @param patience at most so long
    * @return whether it has ended, or never began
    */
   public boolean join(Duration patience) {
-    try {
-      return !thread.isAlive() || thread.join(patience);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return !thread.isAlive();
+    return join(thread, System.nanoTime() + patience.toNanos());
+  }
+
+  /**
+   * Waits for the end of a thread, no shorter where the caller is interrupted.
+   *
+   * @param thread begun or not
+   * @param deadline a time of {@link System#nanoTime}
+   * @return whether it has ended, or never began
+   */
+  public static boolean join(Thread thread, long deadline) {
+    boolean interrupted = false;
+    long left = deadline - System.nanoTime();
+    while (thread.isAlive() && left > 0) {
+      try {
+        thread.join(Duration.ofNanos(left));
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+      left = deadline - System.nanoTime();
     }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    return !thread.isAlive();
   }
 }
