@@ -44,6 +44,6 @@ public final class LcmRficType implements RficType {
     if (!reader.faults().isEmpty()) {
       throw new IllegalArgumentException(reader.faults().stream().map(SettingFault::toString).collect(Collectors.joining("; ")));
     }
-    return new LcmRfic(context, read, guards);
+    return LcmSessions.rfic(context, read, guards);
   }
 }

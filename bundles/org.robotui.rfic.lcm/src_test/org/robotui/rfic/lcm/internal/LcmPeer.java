@@ -98,7 +98,7 @@ final class LcmPeer implements Peer {
   @Override
   public Rfic create(RficContext context) {
     Settings settings = Written.settings(bus.url(), file.toString(), CHANNELS, Map.of("DRIVE", DRIVE));
-    return new LcmRfic(context, Written.right(Written.guarded(settings, guard)), new Guards());
+    return LcmSessions.rfic(context, Written.right(Written.guarded(settings, guard)), new Guards());
   }
 
   @Override

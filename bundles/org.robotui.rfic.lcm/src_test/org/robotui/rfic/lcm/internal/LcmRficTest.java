@@ -22,6 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.Rfic;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
@@ -62,7 +63,7 @@ class LcmRficTest {
   private TypeLibrary types;
   private TcpqServer server;
   private Lcm robot;
-  private LcmRfic rfic;
+  private Rfic rfic;
   private String url;
 
   @BeforeEach
@@ -77,7 +78,7 @@ class LcmRficTest {
     robot = Lcm.open(LcmUrl.of(url), LcmOptions.standard(DAEMONS));
     robot.subscribe("VELOCITY|GOAL|SAY|MOTORS", SubscriptionOptions.direct(), toRobot::add);
     await(() -> robot.state() instanceof LcmState.Connected);
-    rfic = new LcmRfic(context, Written.right(Written.settings(url, Written.types().toString(),
+    rfic = LcmSessions.rfic(context, Written.right(Written.settings(url, Written.types().toString(),
         Map.of("BATTERY", "battery", "ODOMETRY", "odometry", "TRANSFORMS", "transforms"),
         Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t"),
             "GOAL", Written.map("as", "goal", "type", "robotui.goal_t", "position", "pose.position", "orientation", "pose.orientation", "set", Map.of("id", "ui"))))), new Guards());
@@ -188,7 +189,7 @@ class LcmRficTest {
   @Test
   void typesThatAreAddedWhileItRunsAreTakenUp(@TempDir Path folder) throws Exception {
     FakeRficContext later = new FakeRficContext();
-    LcmRfic second = new LcmRfic(later, Written.right(Written.settings(url, folder.toString(), Map.of(), Map.of())), new Guards());
+    Rfic second = LcmSessions.rfic(later, Written.right(Written.settings(url, folder.toString(), Map.of(), Map.of())), new Guards());
     second.start();
     try {
       sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0), () -> typeOf(later, "POWER").startsWith("unknown type"));

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.api.Rfic;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
@@ -51,7 +52,7 @@ class StockToolsTest {
   private Path log;
   private TcpqServer server;
   private String url;
-  private LcmRfic rfic;
+  private Rfic rfic;
 
   @BeforeEach
   void writeLog() throws Exception {
@@ -74,7 +75,7 @@ class StockToolsTest {
   }
 
   private void open(String at) {
-    rfic = new LcmRfic(context, Written.right(Written.settings(at, Written.types().toString(), Map.of("BATTERY", "battery"),
+    rfic = LcmSessions.rfic(context, Written.right(Written.settings(at, Written.types().toString(), Map.of("BATTERY", "battery"),
         Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t")))), new Guards());
     rfic.start();
     await(() -> context.streams.containsKey("BATTERY") && context.sinks.containsKey("VELOCITY"));

@@ -27,6 +27,6 @@ public final class PlayerRficType implements RficType {
 
   @Override
   public Rfic create(RficContext context, Settings settings) {
-    return new PlayerRfic(context, PlayerSettings.of(settings, System.getenv()), guards);
+    return PlayerSessions.rfic(context, PlayerSettings.of(settings, System.getenv()), guards);
   }
 }

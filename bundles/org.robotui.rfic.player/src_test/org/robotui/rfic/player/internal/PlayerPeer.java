@@ -71,7 +71,7 @@ final class PlayerPeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return new PlayerRfic(context, PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port(), "guard", guard), Map.of()), new Guards());
+    return PlayerSessions.rfic(context, PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port(), "guard", guard), Map.of()), new Guards());
   }
 
   @Override

@@ -14,6 +14,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.robotui.api.Rfic;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.link.LinkState;
@@ -45,7 +46,7 @@ abstract class PlayerRficCase {
   final Map<String, Integer> clients = new ConcurrentHashMap<>();
   final Set<String> everOpened = ConcurrentHashMap.newKeySet();
   PlayerServer server;
-  PlayerRfic rfic;
+  Rfic rfic;
 
   @BeforeEach
   void openServer() throws IOException {
@@ -84,7 +85,7 @@ abstract class PlayerRficCase {
   void start(Map<String, Object> written) {
     Map<String, Object> all = new HashMap<>(Map.of("host", "127.0.0.1", "port", (long) server.port()));
     all.putAll(written);
-    rfic = new PlayerRfic(context, settings(all, Map.of()), new Guards());
+    rfic = PlayerSessions.rfic(context, settings(all, Map.of()), new Guards());
     rfic.start();
   }
 

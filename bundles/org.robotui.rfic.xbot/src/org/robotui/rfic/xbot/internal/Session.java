@@ -9,13 +9,15 @@ import java.util.function.BooleanSupplier;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Offer;
+import org.robotui.api.session.LinkChanges;
+import org.robotui.api.session.RobotSession;
 import org.robotui.data.RobotDescription;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.RtClient;
 import org.robotui.xbot.StateFrame;
 
 /** One attachment, from the connection to the end of the supervisor: offers what the control has, and reads it at a rate. */
-final class Session implements AutoCloseable {
+final class Session implements RobotSession {
   private static final Duration SLOW = Duration.ofMillis(200);
   private static final Duration ASK = Duration.ofSeconds(2);
   private static final Duration SILENT = Duration.ofMillis(500);
@@ -26,7 +28,7 @@ final class Session implements AutoCloseable {
   private final Streams streams;
   private final Commands commands;
   private final List<Offer> offers = new ArrayList<>();
-  private Optional<LinkState> told = Optional.empty();
+  private final LinkChanges link;
   private StateFrame.Hardware hardware = StateFrame.Hardware.OK;
   private long newest;
   private long newestSince = System.nanoTime();
@@ -36,6 +38,7 @@ final class Session implements AutoCloseable {
     this.context = context;
     this.settings = settings;
     this.client = client;
+    this.link = new LinkChanges(context.link());
     Board board = board();
     Optional<RobotDescription> description = description();
     this.streams = new Streams(context, board, new ModelFrames(context.robot(), description.map(RobotDescription::urdf).orElse("")));
@@ -58,15 +61,16 @@ final class Session implements AutoCloseable {
   }
 
   /** Reads until the supervisor has gone, and says why it ended. */
-  String follow(BooleanSupplier over) throws IOException, InterruptedException {
+  @Override
+  public Optional<String> follow(BooleanSupplier over) throws IOException, InterruptedException {
     while (!over.getAsBoolean()) {
       if (!client.refresh()) {
-        return "the real-time control of " + settings.robot() + " has ended";
+        return Optional.of("the real-time control of " + settings.robot() + " has ended");
       }
       read(System.nanoTime());
       Thread.sleep(settings.period());
     }
-    return "closed";
+    return Optional.empty();
   }
 
   private void read(long now) throws IOException {
@@ -81,7 +85,7 @@ final class Session implements AutoCloseable {
       slowAt = now;
       streams.publishSlow(board, client.loop(), client.hosts());
     }
-    tell(state(board, now));
+    link.report(state(board, now));
   }
 
   private void publish(Board board, StateFrame state) {
@@ -99,13 +103,6 @@ final class Session implements AutoCloseable {
       case FAULT -> new LinkState.Degraded(peer, "the hardware reports a fault");
       case OK -> new LinkState.Connected(peer);
     };
-  }
-
-  private void tell(LinkState state) {
-    if (!told.equals(Optional.of(state))) {
-      told = Optional.of(state);
-      context.link().report(state);
-    }
   }
 
   @Override

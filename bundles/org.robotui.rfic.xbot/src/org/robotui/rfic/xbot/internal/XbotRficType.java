@@ -21,6 +21,6 @@ public final class XbotRficType implements RficType {
 
   @Override
   public Rfic create(RficContext context, Settings settings) {
-    return new XbotRfic(context, XbotSettings.of(settings, context.robot()));
+    return XbotSessions.rfic(context, XbotSettings.of(settings, context.robot()));
   }
 }

@@ -3,15 +3,17 @@ package org.robotui.rfic.lcm.internal.session;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.net.SocketFactory;
 import org.robotui.api.RficContext;
-import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
+import org.robotui.api.session.LinkChanges;
+import org.robotui.api.session.RobotSession;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.LcmOptions;
@@ -26,7 +28,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** One open connection, and all that is offered through it. */
-public final class Session implements AutoCloseable {
+public final class Session implements RobotSession {
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final Duration LOOK = Duration.ofMillis(200);
   /** The thread that receives must not wait for what becomes of messages. */
@@ -42,6 +44,7 @@ public final class Session implements AutoCloseable {
   private final Offer browse;
   /** Where commands go: these channels bring our own messages back, which are no sign of the robot. */
   private final Set<String> commanded;
+  private final BooleanSupplier typesChanged;
   private boolean remedyTold;
 
   /**
@@ -51,10 +54,12 @@ public final class Session implements AutoCloseable {
    * @param settings what is to be offered
    * @param types all types
    * @param sockets makes connections to a server
+   * @param typesChanged whether the session is to end, as types have to be read anew
    */
-  public Session(RficContext context, LcmSettings settings, TypeLibrary types, SocketFactory sockets) {
+  public Session(RficContext context, LcmSettings settings, TypeLibrary types, SocketFactory sockets, BooleanSupplier typesChanged) {
     this.context = context;
     this.types = types;
+    this.typesChanged = typesChanged;
     boolean isFile = settings.url().provider().equals("file");
     boolean writes = isFile && !settings.url().options().getOrDefault("mode", "r").equals("r");
     this.commanded = settings.commands().stream().map(c -> c.mapping().channel()).collect(Collectors.toUnmodifiableSet());
@@ -74,26 +79,21 @@ public final class Session implements AutoCloseable {
     channels.accept(message);
   }
 
-  /**
-   * Watches the connection.
-   *
-   * @param over asked again and again
-   * @return why it ended
-   * @throws InterruptedException where this thread shall end
-   */
-  public String follow(BooleanSupplier over) throws InterruptedException {
-    LinkState told = new LinkState.Disconnected();
+  /** Watches the connection until the robot interface ends, or types have changed. */
+  @Override
+  public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
+    LinkChanges link = new LinkChanges(context.link());
     while (!over.getAsBoolean()) {
-      LcmStatistics statistics = lcm.statistics();
-      LinkState now = watch.state(lcm.state(), statistics, problem(), System.nanoTime());
-      if (!now.equals(told)) {
-        context.link().report(now);
-        told = now;
+      if (typesChanged.getAsBoolean()) {
+        LOG.info("{}: .lcm files have changed and are read anew", context.instance());
+        return Optional.empty();
       }
+      LcmStatistics statistics = lcm.statistics();
+      link.report(watch.state(lcm.state(), statistics, problem(), System.nanoTime()));
       tellRemedy(statistics);
       Thread.sleep(LOOK);
     }
-    return "closed";
+    return Optional.empty();
   }
 
   private String problem() {
@@ -111,9 +111,8 @@ public final class Session implements AutoCloseable {
     }
   }
 
-  /** Whoever comes second waits until all is closed. */
   @Override
-  public synchronized void close() {
+  public void close() {
     commands.close();
     browse.close();
     lcm.close();

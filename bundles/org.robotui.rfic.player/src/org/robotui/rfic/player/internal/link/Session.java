@@ -11,6 +11,8 @@ import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
+import org.robotui.api.session.LinkChanges;
+import org.robotui.api.session.RobotSession;
 import org.robotui.player.client.ClientOptions;
 import org.robotui.player.client.PlayerClient;
 import org.robotui.player.layout.Layouts;
@@ -25,7 +27,7 @@ import org.robotui.rfic.player.internal.device.FrameTree;
 import org.robotui.rfic.player.internal.device.Surroundings;
 
 /** One client, and all that is offered through it. The client keeps the link; this follows what the server has. */
-public final class Session implements AutoCloseable {
+public final class Session implements RobotSession {
   private static final long LOOK_MILLIS = 50;
   private static final Duration ANSWER = Duration.ofSeconds(3);
   private static final Duration HANDSHAKE = Duration.ofSeconds(5);
@@ -41,11 +43,10 @@ public final class Session implements AutoCloseable {
   private final Offer services;
   private final Offer graph;
   private final AtomicBoolean renewed = new AtomicBoolean();
-  private final AtomicBoolean closed = new AtomicBoolean();
   private volatile org.robotui.player.client.LinkState state = new org.robotui.player.client.LinkState.Connecting();
   /** The latest loss that is not told yet: a link that is made again between two looks was lost all the same. */
   private final AtomicReference<Optional<LinkState>> lost = new AtomicReference<>(Optional.empty());
-  private LinkState told = new LinkState.Disconnected();
+  private final LinkChanges link;
 
   /**
    * Begins to connect.
@@ -57,6 +58,7 @@ public final class Session implements AutoCloseable {
   public Session(RficContext context, PlayerSettings settings, SocketFactory sockets) {
     this.context = context;
     this.settings = settings;
+    this.link = new LinkChanges(context.link());
     Layouts layouts = Layouts.standard();
     Pulse pulse = new Pulse();
     this.stamps = new Stamps(context.clock(), settings.clock());
@@ -95,13 +97,9 @@ public final class Session implements AutoCloseable {
     return isBase(device) && (tree.wanted() || devices.all().values().stream().anyMatch(DeviceFeed::placedAndWanted));
   }
 
-  /**
-   * Follows what the server has until it shall end.
-   *
-   * @param over asked between looks
-   * @throws InterruptedException where this thread shall end
-   */
-  public void follow(BooleanSupplier over) throws InterruptedException {
+  /** Follows what the server has until the robot interface ends. */
+  @Override
+  public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
     List<DeviceAddress> known = List.of();
     while (!over.getAsBoolean()) {
       long now = System.nanoTime();
@@ -121,6 +119,7 @@ public final class Session implements AutoCloseable {
       report(now);
       Thread.sleep(LOOK_MILLIS);
     }
+    return Optional.empty();
   }
 
   private static LinkState failed(org.robotui.player.client.LinkState.Failed failed) {
@@ -128,21 +127,14 @@ public final class Session implements AutoCloseable {
   }
 
   private void report(long now) {
-    lost.getAndSet(Optional.empty()).ifPresent(this::tell);
+    lost.getAndSet(Optional.empty()).ifPresent(link::report);
     LinkState next = switch (state) {
       case org.robotui.player.client.LinkState.Connecting c -> new LinkState.Connecting(settings.peer());
       case org.robotui.player.client.LinkState.Failed f -> failed(f);
       case org.robotui.player.client.LinkState.Connected c -> connected(now);
       case org.robotui.player.client.LinkState.Closed c -> new LinkState.Disconnected();
     };
-    tell(next);
-  }
-
-  private void tell(LinkState next) {
-    if (!next.equals(told)) {
-      told = next;
-      context.link().report(next);
-    }
+    link.report(next);
   }
 
   private LinkState connected(long now) {
@@ -154,12 +146,10 @@ public final class Session implements AutoCloseable {
   /** Stops what we drive, closes the devices and then the link; bounded also where the server hangs. */
   @Override
   public void close() {
-    if (closed.compareAndSet(false, true)) {
-      services.close();
-      graph.close();
-      devices.close();
-      client.close();
-      tree.close();
-    }
+    services.close();
+    graph.close();
+    devices.close();
+    client.close();
+    tree.close();
   }
 }

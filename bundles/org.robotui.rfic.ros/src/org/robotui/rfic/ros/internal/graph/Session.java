@@ -13,6 +13,7 @@ import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
+import org.robotui.api.session.RobotSession;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActions;
@@ -27,7 +28,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.message.MessageRegistry;
 
 /** One open node, and all that is offered through it. */
-public final class Session implements AutoCloseable {
+public final class Session implements RobotSession {
   private static final Duration LOOK = Duration.ofMillis(1000);
   /** Of several interfaces at one master, one asks for all; each looks as often as it would alone. */
   private static final Duration FRESH = Duration.ofMillis(900);
@@ -85,14 +86,9 @@ public final class Session implements AutoCloseable {
     this.graph = context.offers().browse(RosPorts.GRAPH, new RosBrowser(node, registry, tunables));
   }
 
-  /**
-   * Follows the graph until the node is ended from outside.
-   *
-   * @param stop asked between looks
-   * @return why it ended
-   * @throws InterruptedException where this thread shall end
-   */
-  public String follow(BooleanSupplier stop) throws InterruptedException {
+  /** Follows the graph until the node is ended from outside. */
+  @Override
+  public Optional<String> follow(BooleanSupplier stop) throws InterruptedException {
     CompletableFuture<String> ended = node.whenClosed().toCompletableFuture();
     long nextLook = System.nanoTime();
     while (!stop.getAsBoolean()) {
@@ -107,14 +103,14 @@ public final class Session implements AutoCloseable {
       clock.tick();
       transforms.tick();
       try {
-        return "our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS);
+        return Optional.of("our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS));
       } catch (TimeoutException e) {
         // the usual case: the node lives on
       } catch (ExecutionException e) {
-        return "our node was ended: " + e.getCause();
+        return Optional.of("our node was ended: " + e.getCause());
       }
     }
-    return "closed";
+    return Optional.empty();
   }
 
   private void look() {
