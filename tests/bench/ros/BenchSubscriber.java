@@ -12,6 +12,7 @@ import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.sensor_msgs.Image;
 import org.robotui.ros.msgs.std_msgs.StdString;
 
@@ -55,8 +56,8 @@ final class BenchSubscriber {
 
     private Subscriber subscribe(String kind, String topic, Tally tally) {
         if (kind.equals("image")) {
-            return node.subscriber(topic, Image.CODEC, SubscriberOptions.standard(), (m, from) -> tally.add(m.header().frameId()));
+            return node.subscriber(topic, RecordCodec.of(Image.class), SubscriberOptions.standard(), (m, from) -> tally.add(m.header().frameId()));
         }
-        return node.subscriber(topic, StdString.CODEC, SubscriberOptions.standard(), (m, from) -> tally.add(m.data()));
+        return node.subscriber(topic, RecordCodec.of(StdString.class), SubscriberOptions.standard(), (m, from) -> tally.add(m.data()));
     }
 }

@@ -2,6 +2,7 @@ package org.robotui.ros;
 
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.rosgraph_msgs.Log;
 import org.robotui.ros.msgs.std_msgs.Header;
 
@@ -48,7 +49,7 @@ public final class RosLog implements AutoCloseable {
    * @throws IllegalStateException if the node publishes it already, or is closed
    */
   public static RosLog open(RosNode node) {
-    return new RosLog(node, node.publisher("/rosout", Log.CODEC, PublisherOptions.latched()));
+    return new RosLog(node, node.publisher("/rosout", RecordCodec.of(Log.class), PublisherOptions.latched()));
   }
 
   /**

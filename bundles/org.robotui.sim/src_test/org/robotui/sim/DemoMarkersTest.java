@@ -21,6 +21,7 @@ import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.message.MessageCodec;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
 import org.robotui.ros.msgs.geometry_msgs.Quaternion;
@@ -79,14 +80,14 @@ class DemoMarkersTest {
 
   @Test
   void aCloudOfThousandsOfPointsComesInItsFrame() throws InterruptedException {
-    PointCloud2 cloud = await(listen("/lidar/points", PointCloud2.CODEC), any -> true);
+    PointCloud2 cloud = await(listen("/lidar/points", RecordCodec.of(PointCloud2.class)), any -> true);
     assertEquals("base_lidar", cloud.header().frameId());
     assertTrue(cloud.width() > 8_000 && cloud.data().remaining() == 16 * cloud.width(), cloud.width() + " points");
   }
 
   @Test
   void objectsAreShownWithTheirNames() throws InterruptedException {
-    MarkerArray objects = await(listen("/objects", MarkerArray.CODEC), any -> true);
+    MarkerArray objects = await(listen("/objects", RecordCodec.of(MarkerArray.class)), any -> true);
     assertTrue(objects.markers().stream().anyMatch(m -> m.type() == Marker.TEXT_VIEW_FACING && m.text().equals("server rack")));
     Marker person = objects.markers().stream().filter(m -> m.ns().equals("people")).findFirst().orElseThrow();
     assertTrue(person.lifetime() > 0 && person.scale().z() > 1);
@@ -95,12 +96,12 @@ class DemoMarkersTest {
 
   @Test
   void theWaypointIsMovedAndTheRobotSentToIt() throws InterruptedException {
-    BlockingQueue<Log> log = listen("/rosout", Log.CODEC);
-    BlockingQueue<InteractiveMarkerUpdate> updates = listen("/waypoint/update", InteractiveMarkerUpdate.CODEC);
-    InteractiveMarkerInit all = await(listen("/waypoint/update_full", InteractiveMarkerInit.CODEC), any -> true);
+    BlockingQueue<Log> log = listen("/rosout", RecordCodec.of(Log.class));
+    BlockingQueue<InteractiveMarkerUpdate> updates = listen("/waypoint/update", RecordCodec.of(InteractiveMarkerUpdate.class));
+    InteractiveMarkerInit all = await(listen("/waypoint/update_full", RecordCodec.of(InteractiveMarkerInit.class)), any -> true);
     assertEquals("Go", all.markers().getFirst().menuEntries().getFirst().title());
     await(updates, m -> m.type() == InteractiveMarkerUpdate.KEEP_ALIVE && m.seqNum() == all.seqNum());
-    Publisher<InteractiveMarkerFeedback> hand = observer.publisher("/waypoint/feedback", InteractiveMarkerFeedback.CODEC, PublisherOptions.latched());
+    Publisher<InteractiveMarkerFeedback> hand = observer.publisher("/waypoint/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), PublisherOptions.latched());
     hand.publish(feedback(InteractiveMarkerFeedback.POSE_UPDATE, 2.6, 3.2, 0));
     InteractiveMarkerUpdate moved = await(updates, m -> m.type() == InteractiveMarkerUpdate.UPDATE);
     assertEquals(all.seqNum() + 1, moved.seqNum());

@@ -45,6 +45,7 @@ import org.robotui.player.interfaces.Switch;
 import org.robotui.player.layout.Empty;
 import org.robotui.player.layout.Kind;
 import org.robotui.player.layout.Layouts;
+import org.robotui.ros.message.RecordCodec;
 
 /** The robots over Player, seen by clients. Runs ten times faster than real. */
 class DemoPlayerTest {
@@ -345,7 +346,7 @@ class DemoPlayerTest {
     var options = org.robotui.ros.NodeOptions.standard(task -> Thread.ofPlatform().daemon().unstarted(task));
     var node = org.robotui.ros.RosNode.open(org.robotui.ros.RosEnvironment.of(demo.masterUri()), org.robotui.ros.GraphName.of("driver"), options);
     open.add(node);
-    node.publisher("/cmd_vel", org.robotui.ros.msgs.geometry_msgs.Twist.CODEC, org.robotui.ros.PublisherOptions.latched())
+    node.publisher("/cmd_vel", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.Twist.class), org.robotui.ros.PublisherOptions.latched())
         .publish(new org.robotui.ros.msgs.geometry_msgs.Twist(
             new org.robotui.ros.msgs.geometry_msgs.Vector3(0.2, 0, 0), new org.robotui.ros.msgs.geometry_msgs.Vector3(0, 0, 0)));
   }

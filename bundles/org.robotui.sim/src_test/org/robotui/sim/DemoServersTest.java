@@ -34,6 +34,7 @@ import org.robotui.ros.message.DynamicMessage;
 import org.robotui.ros.message.LocalDefinitions;
 import org.robotui.ros.message.MessageCodec;
 import org.robotui.ros.message.MessageRegistry;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.SchemaLookup;
 import org.robotui.ros.msgs.sensor_msgs.Image;
 import org.robotui.ros.msgs.sensor_msgs.JointState;
@@ -153,11 +154,11 @@ class DemoServersTest {
 
   @Test
   void theNewerSensorsAreLive() throws InterruptedException {
-    NavSatFix fix = first("/fix", NavSatFix.CODEC);
+    NavSatFix fix = first("/fix", RecordCodec.of(NavSatFix.class));
     assertEquals("gps_link", fix.header().frameId());
     assertEquals(48.2655, fix.latitude(), 1e-3);
-    assertEquals(List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"), first("/joint_states", JointState.CODEC).name());
-    Image depth = first("/camera/depth/image_raw", Image.CODEC);
+    assertEquals(List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"), first("/joint_states", RecordCodec.of(JointState.class)).name());
+    Image depth = first("/camera/depth/image_raw", RecordCodec.of(Image.class));
     assertEquals("16UC1", depth.encoding());
     assertEquals(depth.height() * depth.step(), depth.data().remaining());
   }

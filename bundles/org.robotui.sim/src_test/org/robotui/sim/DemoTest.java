@@ -24,6 +24,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.message.MessageCodec;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
@@ -83,12 +84,12 @@ class DemoTest {
 
   @Test
   void sensorsAndMapArriveInTheirFrames() throws InterruptedException {
-    BlockingQueue<LaserScan> scans = listen("/keira/scan", LaserScan.CODEC);
-    BlockingQueue<Range> sonars = listen("/keira/sonar", Range.CODEC);
+    BlockingQueue<LaserScan> scans = listen("/keira/scan", RecordCodec.of(LaserScan.class));
+    BlockingQueue<Range> sonars = listen("/keira/sonar", RecordCodec.of(Range.class));
     BlockingQueue<CompressedImage> pictures =
-        listen("/keira/camera/image_raw/compressed", CompressedImage.CODEC);
-    OccupancyGrid map = await(listen("/keira/map", OccupancyGrid.CODEC), any -> true);
-    TFMessage fixed = await(listen("/tf_static", TFMessage.CODEC), any -> true);
+        listen("/keira/camera/image_raw/compressed", RecordCodec.of(CompressedImage.class));
+    OccupancyGrid map = await(listen("/keira/map", RecordCodec.of(OccupancyGrid.class)), any -> true);
+    TFMessage fixed = await(listen("/tf_static", RecordCodec.of(TFMessage.class)), any -> true);
     assertEquals("map", map.header().frameId());
     assertEquals("keira/laser", await(scans, any -> true).header().frameId());
     await(sonars, range -> range.header().frameId().equals("keira/sonar_15"));
@@ -102,7 +103,7 @@ class DemoTest {
   void itSaysWhatItIsMadeOfWithLinksNamedAsItsFrames() throws InterruptedException {
     XmlRpcValue told = observer.parameters().get("/keira/robot_description").toOptional().orElseThrow();
     String urdf = ((XmlRpcValue.Text) told).value();
-    TFMessage moving = await(listen("/tf", TFMessage.CODEC), message -> message.transforms().size() > 2);
+    TFMessage moving = await(listen("/tf", RecordCodec.of(TFMessage.class)), message -> message.transforms().size() > 2);
     List<String> frames = moving.transforms().stream().map(transform -> transform.childFrameId()).filter(name -> !name.endsWith("odom")).toList();
     assertTrue(frames.contains("keira/left_wheel_link"), frames.toString());
     frames.forEach(frame -> assertTrue(urdf.contains("<link name=\"" + frame + "\">"), frame));
@@ -110,9 +111,9 @@ class DemoTest {
 
   @Test
   void itDrivesAsToldWithinTheParametersAndStopsByItself() throws InterruptedException {
-    BlockingQueue<Odometry> odometry = listen("/keira/odom", Odometry.CODEC);
+    BlockingQueue<Odometry> odometry = listen("/keira/odom", RecordCodec.of(Odometry.class));
     Publisher<Twist> command =
-        observer.publisher("/keira/cmd_vel", Twist.CODEC, PublisherOptions.latched());
+        observer.publisher("/keira/cmd_vel", RecordCodec.of(Twist.class), PublisherOptions.latched());
     command.publish(new Twist(new Vector3(5, 0, 0), new Vector3(0, 0, 0)));
     Odometry fast = await(odometry, message -> message.twist().twist().linear().x() > 0.3);
     await(odometry, message -> message.twist().twist().linear().x() == 0);
@@ -124,9 +125,9 @@ class DemoTest {
 
   @Test
   void itDrivesToAGoalGivenInItsOwnFrame() throws InterruptedException {
-    BlockingQueue<Log> log = listen("/rosout", Log.CODEC);
+    BlockingQueue<Log> log = listen("/rosout", RecordCodec.of(Log.class));
     Publisher<PoseStamped> goal =
-        observer.publisher("/keira/move_base_simple/goal", PoseStamped.CODEC, PublisherOptions.latched());
+        observer.publisher("/keira/move_base_simple/goal", RecordCodec.of(PoseStamped.class), PublisherOptions.latched());
     var ahead = new org.robotui.ros.msgs.geometry_msgs.Pose(
         new org.robotui.ros.msgs.geometry_msgs.Point(1, 0, 0),
         new org.robotui.ros.msgs.geometry_msgs.Quaternion(0, 0, 0, 1));
@@ -137,7 +138,7 @@ class DemoTest {
 
   @Test
   void servicesAreAnswered() throws InterruptedException {
-    BlockingQueue<Log> log = listen("/rosout", Log.CODEC);
+    BlockingQueue<Log> log = listen("/rosout", RecordCodec.of(Log.class));
     try (var motors = observer.serviceClient("/keira/motors", StandardServices.SET_BOOL, false)) {
       Outcome<SetBoolResponse> answer = motors.call(new SetBoolRequest(false), PATIENCE);
       assertTrue(assertInstanceOf(Outcome.Done.class, answer).value() instanceof SetBoolResponse r && r.success());
@@ -147,7 +148,7 @@ class DemoTest {
 
   @Test
   void timeIsTheRobotsOwn() throws InterruptedException {
-    Clock first = await(listen("/clock", Clock.CODEC), any -> true);
+    Clock first = await(listen("/clock", RecordCodec.of(Clock.class)), any -> true);
     assertTrue(first.clock() < Duration.ofHours(1).toNanos());
     assertEquals(
         new XmlRpcValue.Bool(true), observer.parameters().get("/use_sim_time").toOptional().orElseThrow());

@@ -23,6 +23,7 @@ import org.robotui.ros.message.DynamicCodec;
 import org.robotui.ros.message.DynamicMessage;
 import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageRegistry;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.RosValue;
 import org.robotui.ros.msgs.actionlib_msgs.GoalID;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
@@ -52,9 +53,9 @@ final class ActionLinks implements ActionClient {
     codec = new DynamicCodec(type.sent());
     goals = new LiveGoals(action.text(), options);
     goal = node.publisher(action + "/goal", codec, PublisherOptions.standard());
-    cancel = node.publisher(action + "/cancel", GoalID.CODEC, PublisherOptions.standard());
+    cancel = node.publisher(action + "/cancel", RecordCodec.of(GoalID.class), PublisherOptions.standard());
     SubscriberOptions standard = SubscriberOptions.standard();
-    status = node.subscriber(action + "/status", GoalStatusArray.CODEC, standard,
+    status = node.subscriber(action + "/status", RecordCodec.of(GoalStatusArray.class), standard,
         (array, from) -> goals.statuses(from.callerId(), array.statusList()));
     feedback = node.subscriber(action + "/feedback", new AnyCodec(registry), standard, this::feedback);
     result = node.subscriber(action + "/result", new AnyCodec(registry), standard, this::result);

@@ -8,7 +8,7 @@ import java.util.Arrays;
 /**
  * A growing little-endian buffer that codecs write messages into. Not for use by several threads at once.
  */
-public final class MessageWriter {
+public final class MessageWriter implements FieldWriter {
 
   private static final int MAX_CAPACITY = Integer.MAX_VALUE - 8;
 
@@ -29,88 +29,48 @@ public final class MessageWriter {
     adopt(new byte[Math.max(16, capacity)], 0);
   }
 
-  /**
-   * Appends the low eight bits.
-   *
-   * @param value a signed or an unsigned byte
-   * @return this
-   */
+  @Override
   public MessageWriter u8(int value) {
     room(1).put((byte) value);
     return this;
   }
 
-  /**
-   * Appends one byte that is 1 or 0.
-   *
-   * @param value a ROS bool
-   * @return this
-   */
+  @Override
   public MessageWriter bool(boolean value) {
     return u8(value ? 1 : 0);
   }
 
-  /**
-   * Appends the low 16 bits.
-   *
-   * @param value a signed or an unsigned 16-bit integer
-   * @return this
-   */
+  @Override
   public MessageWriter i16(int value) {
     room(2).putShort((short) value);
     return this;
   }
 
-  /**
-   * Appends 32 bits.
-   *
-   * @param value a signed or (by its bits) an unsigned 32-bit integer
-   * @return this
-   */
+  @Override
   public MessageWriter i32(int value) {
     room(4).putInt(value);
     return this;
   }
 
-  /**
-   * Appends 64 bits.
-   *
-   * @param value a signed or (by its bits) an unsigned 64-bit integer
-   * @return this
-   */
+  @Override
   public MessageWriter i64(long value) {
     room(8).putLong(value);
     return this;
   }
 
-  /**
-   * Appends a 32-bit float.
-   *
-   * @param value the number
-   * @return this
-   */
+  @Override
   public MessageWriter f32(float value) {
     room(4).putFloat(value);
     return this;
   }
 
-  /**
-   * Appends a 64-bit float.
-   *
-   * @param value the number
-   * @return this
-   */
+  @Override
   public MessageWriter f64(double value) {
     room(8).putDouble(value);
     return this;
   }
 
-  /**
-   * Appends a string with its length, as UTF-8.
-   *
-   * @param value the text
-   * @return this
-   */
+  @Override
   public MessageWriter string(String value) {
     byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
     return array(utf8.length).bytes(utf8, 0, utf8.length);
@@ -128,12 +88,7 @@ public final class MessageWriter {
     return this;
   }
 
-  /**
-   * Starts an array of variable length: appends the number of its elements.
-   *
-   * @param count how many elements follow
-   * @return this
-   */
+  @Override
   public MessageWriter array(int count) {
     return i32(count);
   }
@@ -151,23 +106,34 @@ public final class MessageWriter {
     return this;
   }
 
-  /**
-   * Appends the remaining bytes of a buffer as they are; the buffer's position stays where it is.
-   *
-   * @param source holds the bytes
-   * @return this
-   */
+  @Override
   public MessageWriter bytes(ByteBuffer source) {
     room(source.remaining()).put(source.duplicate());
     return this;
   }
 
-  /**
-   * Appends 32-bit floats without a count.
-   *
-   * @param values the numbers
-   * @return this
-   */
+  @Override
+  public MessageWriter stamp(long nanos) {
+    return time(Stamps.secs(nanos), Stamps.nsecs(nanos));
+  }
+
+  @Override
+  public MessageWriter shorts(short[] values) {
+    ByteBuffer out = room((long) values.length * Short.BYTES);
+    out.asShortBuffer().put(values);
+    out.position(out.position() + values.length * Short.BYTES);
+    return this;
+  }
+
+  @Override
+  public MessageWriter longs(long[] values) {
+    ByteBuffer out = room((long) values.length * Long.BYTES);
+    out.asLongBuffer().put(values);
+    out.position(out.position() + values.length * Long.BYTES);
+    return this;
+  }
+
+  @Override
   public MessageWriter floats(float[] values) {
     ByteBuffer out = room((long) values.length * Float.BYTES);
     out.asFloatBuffer().put(values);
@@ -175,12 +141,7 @@ public final class MessageWriter {
     return this;
   }
 
-  /**
-   * Appends 64-bit floats without a count.
-   *
-   * @param values the numbers
-   * @return this
-   */
+  @Override
   public MessageWriter doubles(double[] values) {
     ByteBuffer out = room((long) values.length * Double.BYTES);
     out.asDoubleBuffer().put(values);
@@ -188,12 +149,7 @@ public final class MessageWriter {
     return this;
   }
 
-  /**
-   * Appends 32-bit integers without a count.
-   *
-   * @param values the numbers
-   * @return this
-   */
+  @Override
   public MessageWriter ints(int[] values) {
     ByteBuffer out = room((long) values.length * Integer.BYTES);
     out.asIntBuffer().put(values);

@@ -1,100 +1,90 @@
 package org.robotui.ros.message;
 
+import java.lang.invoke.MethodHandles;
 import java.nio.ByteBuffer;
-import java.util.List;
-import java.util.Objects;
+import java.util.Optional;
 
 /**
- * A compiled codec of a shipped message type: a pair of functions that read and write the fields in order.
+ * The codec of a message type that a Java record holds, made from the type's definition.
  *
  * @param <T> the record that holds a message
  */
-public final class RecordCodec<T> implements MessageCodec<T> {
+public final class RecordCodec<T extends Record> implements MessageCodec<T> {
 
-  /**
-   * Reads the fields of one message.
-   *
-   * @param <T> the record
-   */
-  @FunctionalInterface
-  public interface FieldReader<T> {
-    /**
-     * Reads all fields.
-     *
-     * @param in positioned at the first field
-     * @return the record
-     * @throws MessageException if the bytes are no such message
-     */
-    T read(MessageReader in) throws MessageException;
-  }
+  /** A record is bound once; what comes of it depends on the record's class alone. */
+  private static final ClassValue<RecordCodec<?>> SHIPPED = new ClassValue<>() {
+    @Override
+    protected RecordCodec<?> computeValue(Class<?> type) {
+      return new RecordCodec<>(type.asSubclass(Record.class), ShippedDefinitions.schema(typeOf(type)), MethodHandles.publicLookup());
+    }
+  };
 
-  /**
-   * Writes the fields of one message.
-   *
-   * @param <T> the record
-   */
-  @FunctionalInterface
-  public interface FieldWriter<T> {
-    /**
-     * Writes all fields.
-     *
-     * @param value the record
-     * @param out   where the bytes go
-     */
-    void write(T value, MessageWriter out);
-  }
-
+  private final Class<T> type;
   private final MessageSchema schema;
-  private final FieldReader<T> reader;
-  private final FieldWriter<T> writer;
+  private final MethodHandles.Lookup lookup;
+  private final RecordBinding<T> binding;
 
-  private RecordCodec(MessageSchema schema, FieldReader<T> reader, FieldWriter<T> writer) {
+  private RecordCodec(Class<T> type, MessageSchema schema, MethodHandles.Lookup lookup) {
+    this.type = type;
     this.schema = schema;
-    this.reader = reader;
-    this.writer = writer;
+    this.lookup = lookup;
+    this.binding = RecordBinding.of(type, schema, Encoding.ROS1, lookup);
   }
 
   /**
-   * Creates the codec of a shipped type.
+   * The codec of a shipped type.
    *
-   * @param type   the full name
-   * @param reader reads the fields
-   * @param writer writes the fields
+   * @param type a public record with a {@link MessageType}
+   * @param <T>  the record
+   * @return the codec
+   * @throws IllegalArgumentException if no definition of the type is shipped, or the record does not fit to it
+   */
+  @SuppressWarnings("unchecked")
+  public static <T extends Record> RecordCodec<T> of(Class<T> type) {
+    return (RecordCodec<T>) SHIPPED.get(type);
+  }
+
+  /**
+   * The codec of any type whose definition is known.
+   *
+   * @param type   a record
+   * @param schema the type of message
+   * @param lookup may make and read the record, such as {@code MethodHandles.lookup()}
    * @param <T>    the record
    * @return the codec
-   * @throws IllegalArgumentException if no definition of the type is shipped
+   * @throws IllegalArgumentException if the record does not fit to the definition
    */
-  public static <T> RecordCodec<T> of(String type, FieldReader<T> reader, FieldWriter<T> writer) {
-    return new RecordCodec<>(ShippedDefinitions.schema(type), Objects.requireNonNull(reader),
-        Objects.requireNonNull(writer));
+  public static <T extends Record> RecordCodec<T> of(Class<T> type, MessageSchema schema, MethodHandles.Lookup lookup) {
+    return new RecordCodec<>(type, schema, lookup);
   }
 
   /**
    * Joins the codecs of a shipped service type.
    *
    * @param type     the full name
-   * @param request  of the request
-   * @param response of the response
+   * @param request  a record of the request
+   * @param response a record of the response
    * @param <Q>      the record of the request
    * @param <R>      the record of the response
    * @return the codec, with the sum of the whole service
    */
-  public static <Q, R> ServiceCodec<Q, R> service(String type, RecordCodec<Q> request, RecordCodec<R> response) {
-    return new ServiceCodec<>(type, Md5.ofService(request.schema, response.schema), request, response);
+  public static <Q extends Record, R extends Record> ServiceCodec<Q, R> service(
+      String type, Class<Q> request, Class<R> response) {
+    RecordCodec<Q> asks = of(request);
+    RecordCodec<R> answers = of(response);
+    return new ServiceCodec<>(type, Md5.ofService(asks.schema, answers.schema), asks, answers);
   }
 
   /**
-   * Checks the length of an array that the definition fixes.
+   * The type of message that a record holds.
    *
-   * @param field    for the error
-   * @param actual   the length
-   * @param expected the definition's length
-   * @throws IllegalArgumentException if they differ
+   * @param type a record with a {@link MessageType}
+   * @return the full name
+   * @throws IllegalArgumentException if it has none
    */
-  public static void requireLength(String field, int actual, int expected) {
-    if (actual != expected) {
-      throw new IllegalArgumentException(field + " has " + expected + " values, not " + actual);
-    }
+  public static String typeOf(Class<?> type) {
+    return Optional.ofNullable(type.getAnnotation(MessageType.class)).map(MessageType::value)
+        .orElseThrow(() -> new IllegalArgumentException(type.getName() + " has no @MessageType"));
   }
 
   @Override
@@ -104,35 +94,22 @@ public final class RecordCodec<T> implements MessageCodec<T> {
 
   @Override
   public T decode(ByteBuffer in) throws MessageException {
+    return decode(in, binding);
+  }
+
+  T decode(ByteBuffer in, RecordBinding<T> version) throws MessageException {
     MessageReader bytes = new MessageReader(in);
-    T value = reader.read(bytes);
+    T value = version.read(bytes);
     bytes.end();
     return value;
   }
 
+  RecordBinding<T> version(MessageSchema other) {
+    return RecordBinding.ofVersion(type, schema, other, Encoding.ROS1, lookup);
+  }
+
   @Override
   public void encode(T value, MessageWriter out) {
-    writer.write(value, out);
-  }
-
-  /**
-   * Writes messages as an array of variable length.
-   *
-   * @param values the messages
-   * @param out    where the count and the messages go
-   */
-  public void encodeAll(List<T> values, MessageWriter out) {
-    out.array(values.size());
-    for (T each : values) {
-      writer.write(each, out);
-    }
-  }
-
-  T read(MessageReader in) throws MessageException {
-    return reader.read(in);
-  }
-
-  long minSize() {
-    return schema.minSize();
+    binding.write(value, out);
   }
 }

@@ -1,20 +1,32 @@
 package org.robotui.ros.message;
 
 import java.nio.ByteBuffer;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Objects;
 
 /**
- * Reads a type in whatever version the publisher speaks: the version of a codec by that codec, another one field by field, by name. Fields
- * that the other version lacks are zero or empty, those that ours lacks are left out. For types whose definition has grown over the years,
- * so that old robots and old recordings are understood.
+ * Reads a type in whatever version the publisher speaks, by the names of the fields. Fields that the other version lacks are zero or
+ * empty, those that ours lacks are left out. For types whose definition has grown over the years, so that old robots and old recordings
+ * are understood.
  *
- * @param <T> the Java value of a message
+ * @param <T> the record that holds a message
  */
-public final class VersionTolerantCodec<T> implements MessageCodec<T> {
+public final class VersionTolerantCodec<T extends Record> implements MessageCodec<T> {
 
-  private final MessageCodec<T> codec;
+  private static final int MAX_VERSIONS = 16;
+
+  private final RecordCodec<T> codec;
   private final MessageRegistry registry;
   private final MessageInfo info;
+  private final Map<MessageSchema, RecordBinding<T>> versions = new LinkedHashMap<>() {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<MessageSchema, RecordBinding<T>> eldest) {
+      return size() > MAX_VERSIONS;
+    }
+  };
 
   /**
    * Wraps a codec.
@@ -22,7 +34,7 @@ public final class VersionTolerantCodec<T> implements MessageCodec<T> {
    * @param codec    reads one version
    * @param registry remembers the others
    */
-  public VersionTolerantCodec(MessageCodec<T> codec, MessageRegistry registry) {
+  public VersionTolerantCodec(RecordCodec<T> codec, MessageRegistry registry) {
     this.codec = Objects.requireNonNull(codec, "codec");
     this.registry = Objects.requireNonNull(registry, "registry");
     this.info = new MessageInfo(codec.info().type(), MessageInfo.ANY, codec.info().definition());
@@ -47,16 +59,20 @@ public final class VersionTolerantCodec<T> implements MessageCodec<T> {
     if (!peer.type().equals(codec.info().type())) {
       throw new MessageException("it is a " + peer.type() + ", not a " + codec.info().type(), "", 0);
     }
-    Layout theirs = layout(peer);
-    DynamicMessage message = DynamicMessage.check(theirs, in);
-    return codec.decode(Transcoder.transcode(message.bytes(), theirs, layout(codec.info())));
-  }
-
-  private Layout layout(MessageInfo version) throws MessageException {
-    return switch (registry.learn(version)) {
-      case SchemaLookup.Found<MessageSchema> found -> found.schema().layout();
+    return switch (registry.learn(peer)) {
+      case SchemaLookup.Found<MessageSchema> found -> codec.decode(in, version(found.schema()));
       case SchemaLookup.Missing<MessageSchema> missing -> throw new MessageException(missing.reason(), "", 0);
     };
+  }
+
+  private RecordBinding<T> version(MessageSchema schema) throws MessageException {
+    synchronized (versions) {
+      try {
+        return versions.computeIfAbsent(schema, codec::version);
+      } catch (IllegalArgumentException e) {
+        throw new MessageException(e.getMessage(), "", 0);
+      }
+    }
   }
 
   @Override

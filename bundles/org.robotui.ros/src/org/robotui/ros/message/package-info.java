@@ -1,7 +1,7 @@
 /**
  * What a ROS message is: its identity ({@link org.robotui.ros.message.MessageInfo}), its definition
  * ({@link org.robotui.ros.message.MessageSchema}), and codecs between its bytes and a Java value
- * ({@link org.robotui.ros.message.MessageCodec}): compiled ones for records
+ * ({@link org.robotui.ros.message.MessageCodec}): those of records that are bound to their definition
  * ({@link org.robotui.ros.message.RecordCodec}), and those that work from a definition
  * ({@link org.robotui.ros.message.AnyCodec}, {@link org.robotui.ros.message.DynamicCodec}).
  *

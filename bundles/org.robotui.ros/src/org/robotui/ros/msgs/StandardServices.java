@@ -13,24 +13,24 @@ import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 import org.robotui.ros.msgs.std_srvs.TriggerRequest;
 import org.robotui.ros.msgs.std_srvs.TriggerResponse;
 
-/** The service types with compiled codecs. */
+/** The service types whose requests and responses are records. */
 public final class StandardServices {
 
   /** An action without arguments or result. */
   public static final ServiceCodec<EmptyRequest, EmptyResponse> EMPTY =
-      RecordCodec.service("std_srvs/Empty", EmptyRequest.CODEC, EmptyResponse.CODEC);
+      RecordCodec.service("std_srvs/Empty", EmptyRequest.class, EmptyResponse.class);
   /** A switch. */
   public static final ServiceCodec<SetBoolRequest, SetBoolResponse> SET_BOOL =
-      RecordCodec.service("std_srvs/SetBool", SetBoolRequest.CODEC, SetBoolResponse.CODEC);
+      RecordCodec.service("std_srvs/SetBool", SetBoolRequest.class, SetBoolResponse.class);
   /** An action without arguments that may fail. */
   public static final ServiceCodec<TriggerRequest, TriggerResponse> TRIGGER =
-      RecordCodec.service("std_srvs/Trigger", TriggerRequest.CODEC, TriggerResponse.CODEC);
+      RecordCodec.service("std_srvs/Trigger", TriggerRequest.class, TriggerResponse.class);
   /** The current map. */
   public static final ServiceCodec<GetMapRequest, GetMapResponse> GET_MAP =
-      RecordCodec.service("nav_msgs/GetMap", GetMapRequest.CODEC, GetMapResponse.CODEC);
+      RecordCodec.service("nav_msgs/GetMap", GetMapRequest.class, GetMapResponse.class);
   /** Changes parameters of a running node. */
   public static final ServiceCodec<ReconfigureRequest, ReconfigureResponse> RECONFIGURE = RecordCodec.service(
-      "dynamic_reconfigure/Reconfigure", ReconfigureRequest.CODEC, ReconfigureResponse.CODEC);
+      "dynamic_reconfigure/Reconfigure", ReconfigureRequest.class, ReconfigureResponse.class);
 
   private StandardServices() {
   }

@@ -14,6 +14,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.dynamic_reconfigure.Config;
 import org.robotui.ros.msgs.dynamic_reconfigure.ConfigDescription;
@@ -41,8 +42,8 @@ final class ReconfigureLinks implements ReconfigureClient {
     this.listener = listener;
     server = node.names().resolve(name.text());
     SubscriberOptions standard = SubscriberOptions.standard();
-    descriptions = node.subscriber(server + "/parameter_descriptions", ConfigDescription.CODEC, standard, (message, from) -> describe(message));
-    updates = node.subscriber(server + "/parameter_updates", Config.CODEC, standard, (message, from) -> update(Configs.values(message)));
+    descriptions = node.subscriber(server + "/parameter_descriptions", RecordCodec.of(ConfigDescription.class), standard, (message, from) -> describe(message));
+    updates = node.subscriber(server + "/parameter_updates", RecordCodec.of(Config.class), standard, (message, from) -> update(Configs.values(message)));
     service = node.serviceClient(server + "/set_parameters", StandardServices.RECONFIGURE, false);
   }
 

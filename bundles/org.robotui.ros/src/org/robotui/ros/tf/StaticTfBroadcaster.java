@@ -7,6 +7,7 @@ import java.util.Map;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
@@ -26,7 +27,7 @@ public final class StaticTfBroadcaster implements AutoCloseable {
    * @throws IllegalStateException if the node publishes the topic already, or is closed
    */
   public StaticTfBroadcaster(RosNode node, TfTopics topics) {
-    publisher = node.publisher(topics.fixed(), TFMessage.CODEC, PublisherOptions.latched());
+    publisher = node.publisher(topics.fixed(), RecordCodec.of(TFMessage.class), PublisherOptions.latched());
   }
 
   /**

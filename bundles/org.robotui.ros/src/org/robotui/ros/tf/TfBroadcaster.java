@@ -5,6 +5,7 @@ import java.util.List;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /** Sends transforms that change. Any thread may use it. */
@@ -22,7 +23,7 @@ public final class TfBroadcaster implements AutoCloseable {
    * @throws IllegalStateException if the node publishes the topic already, or is closed
    */
   public TfBroadcaster(RosNode node, TfTopics topics) {
-    publisher = node.publisher(topics.moving(), TFMessage.CODEC, PublisherOptions.standard().withQueue(QUEUE));
+    publisher = node.publisher(topics.moving(), RecordCodec.of(TFMessage.class), PublisherOptions.standard().withQueue(QUEUE));
   }
 
   /**

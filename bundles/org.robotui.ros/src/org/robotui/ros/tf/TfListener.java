@@ -10,6 +10,7 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
@@ -40,9 +41,9 @@ public final class TfListener implements AutoCloseable {
     this.buffer = buffer;
     this.refusals = refusals;
     jumps = node.clock().onJumpBack((from, to) -> buffer.clear());
-    moving = node.subscriber(topics.moving(), TFMessage.CODEC, SubscriberOptions.standard(),
+    moving = node.subscriber(topics.moving(), RecordCodec.of(TFMessage.class), SubscriberOptions.standard(),
         (message, reception) -> take(message, reception, topics.moving(), this::put));
-    fixed = node.subscriber(topics.fixed(), TFMessage.CODEC, SubscriberOptions.standard(),
+    fixed = node.subscriber(topics.fixed(), RecordCodec.of(TFMessage.class), SubscriberOptions.standard(),
         (message, reception) -> take(message, reception, topics.fixed(), this::putStatic));
   }
 

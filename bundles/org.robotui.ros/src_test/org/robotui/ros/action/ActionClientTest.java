@@ -20,6 +20,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.message.LocalDefinitions;
 import org.robotui.ros.message.MessageRegistry;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.SchemaLookup;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
@@ -239,8 +240,8 @@ class ActionClientTest {
   void resultsAndFeedbackOfAnotherTypeAreIgnored() throws Exception {
     GoalHandle goal = sendAndReport(GoalStatus.ACTIVE);
     RosNode liar = graph.node("liar");
-    Publisher<StdString> result = liar.publisher("/drive/result", StdString.CODEC, PublisherOptions.latched());
-    Publisher<GoalStatusArray> feedback = liar.publisher("/drive/feedback", GoalStatusArray.CODEC, PublisherOptions.latched());
+    Publisher<StdString> result = liar.publisher("/drive/result", RecordCodec.of(StdString.class), PublisherOptions.latched());
+    Publisher<GoalStatusArray> feedback = liar.publisher("/drive/feedback", RecordCodec.of(GoalStatusArray.class), PublisherOptions.latched());
     result.publish(new StdString(goal.id()));
     feedback.publish(new GoalStatusArray(ScriptedServer.HEADER, List.of(ScriptedServer.about(goal.id(), 3, ""))));
     Eventually.await("the liar's links", () -> result.numSubscribers() == 1 && feedback.numSubscribers() == 1);

@@ -6,6 +6,7 @@ import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.actionlib_msgs.GoalID;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
@@ -32,11 +33,11 @@ final class ScriptedServer {
   private final Publisher<MoveBaseActionResult> result;
 
   ScriptedServer(RosNode node) {
-    node.subscriber("/drive/goal", MoveBaseActionGoal.CODEC, SubscriberOptions.standard(), (goal, from) -> goals.add(goal));
-    node.subscriber("/drive/cancel", GoalID.CODEC, SubscriberOptions.standard(), (id, from) -> cancelled.add(id));
-    status = node.publisher("/drive/status", GoalStatusArray.CODEC, PublisherOptions.standard());
-    feedback = node.publisher("/drive/feedback", MoveBaseActionFeedback.CODEC, PublisherOptions.standard());
-    result = node.publisher("/drive/result", MoveBaseActionResult.CODEC, PublisherOptions.standard());
+    node.subscriber("/drive/goal", RecordCodec.of(MoveBaseActionGoal.class), SubscriberOptions.standard(), (goal, from) -> goals.add(goal));
+    node.subscriber("/drive/cancel", RecordCodec.of(GoalID.class), SubscriberOptions.standard(), (id, from) -> cancelled.add(id));
+    status = node.publisher("/drive/status", RecordCodec.of(GoalStatusArray.class), PublisherOptions.standard());
+    feedback = node.publisher("/drive/feedback", RecordCodec.of(MoveBaseActionFeedback.class), PublisherOptions.standard());
+    result = node.publisher("/drive/result", RecordCodec.of(MoveBaseActionResult.class), PublisherOptions.standard());
   }
 
   static GoalStatus about(String id, int code, String text) {

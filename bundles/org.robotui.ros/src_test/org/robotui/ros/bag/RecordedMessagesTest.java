@@ -54,7 +54,7 @@ class RecordedMessagesTest {
     return counts;
   }
 
-  private static <T> byte[] reencode(RecordCodec<T> codec, ByteBuffer bytes) throws MessageException {
+  private static <T extends Record> byte[] reencode(RecordCodec<T> codec, ByteBuffer bytes) throws MessageException {
     MessageWriter out = new MessageWriter();
     codec.encode(codec.decode(bytes.duplicate()), out);
     return out.toByteArray();
@@ -97,13 +97,13 @@ class RecordedMessagesTest {
   @Test
   void theValuesOfTheMobileRobotAreThoseOfItsPage() throws Exception {
     List<BagReader.Recorded> messages = BagReader.read(SharedData.bag("sena_loop.bag"));
-    LaserScan scan = LaserScan.CODEC.decode(on("/scan", messages).getFirst().bytes());
+    LaserScan scan = RecordCodec.of(LaserScan.class).decode(on("/scan", messages).getFirst().bytes());
     assertEquals(361, scan.ranges().length);
     assertEquals(6.96f, scan.ranges()[180], 0.005f);
     assertEquals("laser", scan.header().frameId());
-    Odometry last = Odometry.CODEC.decode(on("/odom", messages).getLast().bytes());
+    Odometry last = RecordCodec.of(Odometry.class).decode(on("/odom", messages).getLast().bytes());
     assertEquals(-4.802438, last.pose().pose().position().x(), 1e-6);
-    OccupancyGrid map = OccupancyGrid.CODEC.decode(on("/map", messages).getFirst().bytes());
+    OccupancyGrid map = RecordCodec.of(OccupancyGrid.class).decode(on("/map", messages).getFirst().bytes());
     assertEquals(651 * 717, map.data().remaining());
     assertEquals(321479, count(map.data(), (byte) -1));
     assertEquals(-43.536954, map.info().origin().position().y(), 1e-6);
@@ -121,13 +121,13 @@ class RecordedMessagesTest {
   void imageBytesAreNotCopied() throws Exception {
     List<BagReader.Recorded> messages = BagReader.read(SharedData.bag("stereo_jpeg.bag"));
     ByteBuffer frame = on("/stereo/left/image_raw/compressed", messages).getFirst().bytes();
-    CompressedImage image = CompressedImage.CODEC.decode(frame.duplicate());
+    CompressedImage image = RecordCodec.of(CompressedImage.class).decode(frame.duplicate());
     assertEquals((byte) 0xff, image.data().get(0));
     int start = frame.remaining() - image.data().remaining();
     frame.put(start, (byte) 1);
     assertEquals(1, image.data().get(0), "the slice shows the frame's memory");
     BagReader.Recorded info = on("/stereo/left/camera_info", messages).getFirst();
-    assertEquals(835.757, CameraInfo.CODEC.decode(info.bytes()).k()[0], 1e-3);
+    assertEquals(835.757, RecordCodec.of(CameraInfo.class).decode(info.bytes()).k()[0], 1e-3);
     RosValue k = any.decode(info.bytes(), info.info()).at("K[4]").orElseThrow();
     assertTrue(k instanceof RosValue.Real real && Math.abs(real.value() - 838.058) < 1e-3);
   }

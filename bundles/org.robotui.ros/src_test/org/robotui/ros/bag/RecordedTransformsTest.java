@@ -13,6 +13,7 @@ import org.robotui.geometry.TransformLimits;
 import org.robotui.geometry.TransformLookup;
 import org.robotui.geometry.TransformPut;
 import org.robotui.ros.message.MessageException;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.nav_msgs.Odometry;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
@@ -28,7 +29,7 @@ class RecordedTransformsTest {
   private void fill(List<BagReader.Recorded> messages) throws MessageException {
     for (BagReader.Recorded each : messages) {
       if (each.topic().startsWith("/tf")) {
-        for (TransformStamped t : TFMessage.CODEC.decode(each.bytes().duplicate()).transforms()) {
+        for (TransformStamped t : RecordCodec.of(TFMessage.class).decode(each.bytes().duplicate()).transforms()) {
           assertInstanceOf(TransformPut.Accepted.class, put(each.topic(), FrameTransform.of(t)));
         }
       }
@@ -48,7 +49,7 @@ class RecordedTransformsTest {
     int compared = 0;
     for (BagReader.Recorded each : messages) {
       if (each.topic().equals("/odom")) {
-        Odometry odometry = Odometry.CODEC.decode(each.bytes());
+        Odometry odometry = RecordCodec.of(Odometry.class).decode(each.bytes());
         RigidTransform base = found(buffer.lookup("odom", "base_link", odometry.header().stamp()));
         assertEquals(odometry.pose().pose().position().x(), base.translation().x(), 1e-9);
         assertEquals(odometry.pose().pose().position().y(), base.translation().y(), 1e-9);

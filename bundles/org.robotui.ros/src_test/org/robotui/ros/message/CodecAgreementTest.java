@@ -51,7 +51,7 @@ class CodecAgreementTest {
     }
   }
 
-  private static <T> byte[] reencode(RecordCodec<T> codec, byte[] bytes) throws MessageException {
+  private static <T extends Record> byte[] reencode(RecordCodec<T> codec, byte[] bytes) throws MessageException {
     MessageWriter out = new MessageWriter();
     codec.encode(codec.decode(ByteBuffer.wrap(bytes)), out);
     return out.toByteArray();

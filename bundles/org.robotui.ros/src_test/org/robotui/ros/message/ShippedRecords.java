@@ -24,7 +24,7 @@ public final class ShippedRecords {
         String name = root.relativize(each).toString().replace('/', '.').replaceFirst("\\.class$", "");
         Class<?> type = Class.forName(name);
         if (type.isRecord()) {
-          RecordCodec<?> codec = (RecordCodec<?>) type.getField("CODEC").get(null);
+          RecordCodec<?> codec = RecordCodec.of(type.asSubclass(Record.class));
           codecs.put(codec.info().type(), codec);
         }
       }

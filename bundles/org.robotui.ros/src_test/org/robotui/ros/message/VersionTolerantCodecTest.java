@@ -1,9 +1,11 @@
 package org.robotui.ros.message;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.invoke.MethodHandles;
 import java.nio.ByteBuffer;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -24,25 +26,14 @@ class VersionTolerantCodecTest {
     return MessageSchema.parse("lab_msgs/Box", definition);
   }
 
-  /** Our version, as a codec of dynamic messages. */
-  private MessageCodec<DynamicMessage> ours() throws DefinitionException {
-    MessageSchema schema = schema(NEW);
-    return new MessageCodec<>() {
-      @Override
-      public MessageInfo info() {
-        return schema.info();
-      }
+  private record Part(int kind, String label) {
+  }
 
-      @Override
-      public DynamicMessage decode(ByteBuffer in) throws MessageException {
-        return DynamicMessage.check(schema.layout(), in);
-      }
+  private record Box(String name, double weight, List<Part> parts, int[] code, boolean checked) {
+  }
 
-      @Override
-      public void encode(DynamicMessage value, MessageWriter out) {
-        out.bytes(value.bytes());
-      }
-    };
+  private VersionTolerantCodec<Box> ours() throws DefinitionException {
+    return new VersionTolerantCodec<>(RecordCodec.of(Box.class, schema(NEW), MethodHandles.lookup()), registry);
   }
 
   private static ByteBuffer old() {
@@ -56,18 +47,17 @@ class VersionTolerantCodecTest {
 
   @Test
   void anOlderVersionIsReadByTheNamesOfItsFields() throws Exception {
-    DynamicMessage box = new VersionTolerantCodec<>(ours(), registry).decode(old(), schema(OLD).info());
-    assertEquals("crate", box.text("name").orElseThrow());
-    assertEquals(2.5, box.number("weight").orElseThrow());
-    assertEquals("bottom", box.text("parts[1].label").orElseThrow());
-    assertEquals(0, box.number("parts[1].kind").orElseThrow());
-    assertEquals(0, box.number("code[2]").orElseThrow());
-    assertEquals(0, box.number("checked").orElseThrow());
+    Box box = ours().decode(old(), schema(OLD).info());
+    assertEquals("crate", box.name());
+    assertEquals(2.5, box.weight());
+    assertEquals(List.of(new Part(0, "lid"), new Part(0, "bottom")), box.parts());
+    assertEquals(3, box.code().length);
+    assertFalse(box.checked());
   }
 
   @Test
   void anyVersionIsAskedFor() throws Exception {
-    MessageInfo info = new VersionTolerantCodec<>(ours(), registry).info();
+    MessageInfo info = ours().info();
     assertEquals("lab_msgs/Box", info.type());
     assertTrue(info.accepts(schema(OLD).info().md5()));
   }
@@ -77,13 +67,13 @@ class VersionTolerantCodecTest {
     MessageInfo other = schema("float32 weight\n").info();
     ByteBuffer bytes = ByteBuffer.wrap(new byte[4]);
     MessageException e = assertThrows(MessageException.class,
-        () -> new VersionTolerantCodec<>(ours(), registry).decode(bytes, other));
+        () -> ours().decode(bytes, other));
     assertTrue(e.getMessage().contains("weight"), e.getMessage());
   }
 
   @Test
   void anotherTypeAndOneWithNothingInCommonAreRefused() throws Exception {
-    VersionTolerantCodec<DynamicMessage> codec = new VersionTolerantCodec<>(ours(), registry);
+    VersionTolerantCodec<Box> codec = ours();
     MessageInfo stranger = schema("int8 x\n").info();
     assertThrows(MessageException.class, () -> codec.decode(ByteBuffer.wrap(new byte[1]), stranger));
     MessageInfo elsewhere = MessageSchema.parse("lab_msgs/Cup", OLD).info();
@@ -92,7 +82,7 @@ class VersionTolerantCodecTest {
 
   @Test
   void damagedBytesOfAnOlderVersionAreRefusedWhereverTheyEnd() throws Exception {
-    VersionTolerantCodec<DynamicMessage> codec = new VersionTolerantCodec<>(ours(), registry);
+    VersionTolerantCodec<Box> codec = ours();
     MessageInfo info = schema(OLD).info();
     for (int length = 0; length < old().limit(); length++) {
       ByteBuffer cut = old().slice(0, length);

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageWriter;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.dynamic_reconfigure.BoolParameter;
 import org.robotui.ros.msgs.dynamic_reconfigure.Config;
 import org.robotui.ros.msgs.dynamic_reconfigure.ConfigDescription;
@@ -37,7 +38,7 @@ class DamagedDescriptionsTest {
         List.of(new DoubleParameter("gain", 0.5)), List.of(new GroupState("Default", true, 0, 0)));
     List<Group> groups = List.of(new Group("Default", "", List.of(rate, gain), 0, 0), new Group("Inner", "tab", List.of(rate), 0, 1));
     MessageWriter out = new MessageWriter();
-    ConfigDescription.CODEC.encode(new ConfigDescription(groups, config, config, config), out);
+    RecordCodec.of(ConfigDescription.class).encode(new ConfigDescription(groups, config, config, config), out);
     return out.toByteArray();
   }
 
@@ -70,7 +71,7 @@ class DamagedDescriptionsTest {
 
   private static boolean isRead(byte[] bytes) {
     try {
-      ConfigDescription message = ConfigDescription.CODEC.decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
+      ConfigDescription message = RecordCodec.of(ConfigDescription.class).decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
       ServerDescription read = Configs.description(message).orElseThrow();
       return read.parameters().size() <= 3 && Configs.values(message.dflt()).values().size() <= 4;
     } catch (MessageException e) {

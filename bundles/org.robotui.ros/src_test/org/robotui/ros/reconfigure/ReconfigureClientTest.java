@@ -20,6 +20,7 @@ import org.robotui.ros.GraphName;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.dynamic_reconfigure.BoolParameter;
 import org.robotui.ros.msgs.dynamic_reconfigure.Config;
@@ -49,8 +50,8 @@ class ReconfigureClientTest {
   void start() throws Exception {
     graph = new Graph();
     RosNode server = graph.node("server");
-    descriptions = server.publisher("~parameter_descriptions", ConfigDescription.CODEC, PublisherOptions.latched());
-    updates = server.publisher("~parameter_updates", Config.CODEC, PublisherOptions.latched());
+    descriptions = server.publisher("~parameter_descriptions", RecordCodec.of(ConfigDescription.class), PublisherOptions.latched());
+    updates = server.publisher("~parameter_updates", RecordCodec.of(Config.class), PublisherOptions.latched());
     server.serviceServer("~set_parameters", StandardServices.RECONFIGURE, (request, caller) -> {
       asked.add(request.config());
       return new ReconfigureResponse(config(9, true));

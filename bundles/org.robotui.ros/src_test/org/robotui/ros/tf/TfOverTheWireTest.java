@@ -20,6 +20,7 @@ import org.robotui.ros.Graph;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.tf.TfMessage;
 
 /** Transforms between nodes, ours and those of rospy. */
@@ -84,7 +85,7 @@ class TfOverTheWireTest {
   @Test
   void theOldMessageTypeIsUnderstood() throws Exception {
     RosNode old = graph.node("old");
-    Publisher<TfMessage> publisher = old.publisher("/tf", TfMessage.CODEC, PublisherOptions.latched());
+    Publisher<TfMessage> publisher = old.publisher("/tf", RecordCodec.of(TfMessage.class), PublisherOptions.latched());
     publisher.publish(new TfMessage(List.of(ahead("/odom", "/base").toMessage())));
     try (TfListener listener = listen(); TfBroadcaster other = new TfBroadcaster(graph.node("new"), TfTopics.STANDARD)) {
       Eventually.await("both publishers", () -> listener.numPublishers() == 2);

@@ -9,6 +9,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
@@ -22,8 +23,8 @@ final class DoomedNode {
   public static void main(String[] arguments) throws Exception {
     NodeOptions options = NodeOptions.standard(Thread.ofPlatform().factory()).withRecords(Path.of(arguments[1]));
     RosNode node = RosNode.open(RosEnvironment.of(URI.create(arguments[0])), GraphName.of("doomed"), options);
-    node.publisher("/chatter", StdString.CODEC, PublisherOptions.standard());
-    node.subscriber("/chatter", StdString.CODEC, SubscriberOptions.standard(), (text, reception) -> { });
+    node.publisher("/chatter", RecordCodec.of(StdString.class), PublisherOptions.standard());
+    node.subscriber("/chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> { });
     node.serviceServer("~switch", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(true, ""));
     if (!node.awaitRegistered(Duration.ofSeconds(20))) {
       throw new IllegalStateException("not registered");

@@ -20,6 +20,7 @@ import org.robotui.ros.ServiceException;
 import org.robotui.ros.ServiceIdentity;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
@@ -50,7 +51,7 @@ class InteroperationTest {
   void weHearRospyAndRoscppPublishersOfOneTopic() throws Exception {
     Set<String> heard = ConcurrentHashMap.newKeySet();
     RosNode node = world.node("listener");
-    node.subscriber("chatter", StdString.CODEC, SubscriberOptions.standard(), (text, reception) ->
+    node.subscriber("chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) ->
         heard.add(reception.callerId() + " said " + text.data().replaceAll("\\d+", "n")));
     world.python("talker.py", "pythonist", "/chatter");
     world.roscpp("talker", "cplusplus", "/chatter");
@@ -62,7 +63,7 @@ class InteroperationTest {
   void weHearTopicsWhoseNamesRosOnlyWarnsOf() throws Exception {
     Set<String> heard = ConcurrentHashMap.newKeySet();
     world.python("talker.py", "pythonist", "/front-left/chatter");
-    world.node("listener").subscriber("/front-left/chatter", StdString.CODEC, SubscriberOptions.standard(),
+    world.node("listener").subscriber("/front-left/chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
         (text, reception) -> heard.add(reception.callerId()));
     Eventually.await("the talker", () -> heard.contains("/pythonist"));
   }
@@ -71,7 +72,7 @@ class InteroperationTest {
   void weGetLatchedMessagesOfRospy() throws Exception {
     List<String> heard = new CopyOnWriteArrayList<>();
     world.python("latcher.py", "latcher", "/map", "the map");
-    world.node("listener").subscriber("map", StdString.CODEC, SubscriberOptions.standard(), (text, reception) -> {
+    world.node("listener").subscriber("map", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> {
       assertTrue(reception.latched());
       heard.add(text.data());
     });
@@ -82,7 +83,7 @@ class InteroperationTest {
   void rospyAndRoscppHearUs() throws Exception {
     Peer python = world.python("listener.py", "pythonist", "/chatter");
     Peer cplusplus = world.roscpp("listener", "cplusplus", "/chatter");
-    Publisher<StdString> publisher = world.node("talker").publisher("chatter", StdString.CODEC, PublisherOptions.latched());
+    Publisher<StdString> publisher = world.node("talker").publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
     publisher.publish(new StdString("hello"));
     python.awaitLine("/talker hello");
     cplusplus.awaitLine("/talker hello");
@@ -157,7 +158,7 @@ class InteroperationTest {
     List<String> reasons = new CopyOnWriteArrayList<>();
     world.roscpp("talker", "cplusplus", "/chatter");
     world.node("listener", event -> reasons.add(event.toString())).subscriber("chatter",
-        org.robotui.ros.msgs.std_msgs.StdFloat64.CODEC, SubscriberOptions.standard(), (number, reception) -> { });
+        RecordCodec.of(org.robotui.ros.msgs.std_msgs.StdFloat64.class), SubscriberOptions.standard(), (number, reception) -> { });
     Eventually.await(() -> "a refusal among " + reasons, () -> reasons.stream().anyMatch(reason ->
         reason.contains("Failed") && reason.contains("/chatter") && reason.contains("std_msgs/Int32") && reason.contains("std_msgs/String")));
   }

@@ -17,6 +17,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
@@ -46,7 +47,7 @@ class RestartTest {
 
   private RosNode listen() throws Exception {
     RosNode node = world.node("listener", events::add);
-    node.subscriber("chatter", StdString.CODEC, SubscriberOptions.standard(), (text, reception) -> heard.incrementAndGet());
+    node.subscriber("chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> heard.incrementAndGet());
     return node;
   }
 
@@ -129,7 +130,7 @@ class RestartTest {
   @Test
   void ourPublisherRegistersAgainAtANewMaster() throws Exception {
     Peer master = world.rosmaster();
-    Publisher<StdString> publisher = world.node("talker", events::add).publisher("chatter", StdString.CODEC, PublisherOptions.latched());
+    Publisher<StdString> publisher = world.node("talker", events::add).publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
     publisher.publish(new StdString("the map"));
     world.python("listener.py", "early", "/chatter").awaitLine("the map");
     master.kill();
@@ -170,7 +171,7 @@ class RestartTest {
   @Test
   void rospyKeepsHearingUsWhenOurMasterComesAgain() throws Exception {
     org.robotui.ros.master.RosMaster master = world.ourMaster();
-    Publisher<StdString> publisher = world.node("talker").publisher("chatter", StdString.CODEC, PublisherOptions.latched());
+    Publisher<StdString> publisher = world.node("talker").publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
     publisher.publish(new StdString("one"));
     Peer listener = world.python("listener.py", "pythonist", "/chatter").awaitLine("one");
     master.close();

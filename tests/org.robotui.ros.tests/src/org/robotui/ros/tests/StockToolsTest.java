@@ -22,6 +22,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosLog;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
@@ -39,7 +40,7 @@ class StockToolsTest {
     world = new RosWorld();
     world.ourMaster();
     robot = world.node("robot");
-    Publisher<StdString> publisher = robot.publisher("chatter", StdString.CODEC, PublisherOptions.standard());
+    Publisher<StdString> publisher = robot.publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.standard());
     robot.serviceServer("~switch", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(request.data(), "by us"));
     timer = Executors.newSingleThreadScheduledExecutor();
     timer.scheduleAtFixedRate(() -> publisher.publish(new StdString("tick")), 0, 50, TimeUnit.MILLISECONDS);
@@ -77,7 +78,7 @@ class StockToolsTest {
   @Test
   void rostopicPublishesToUs() throws Exception {
     List<String> heard = new CopyOnWriteArrayList<>();
-    robot.subscriber("command", StdString.CODEC, SubscriberOptions.standard(), (text, reception) -> heard.add(text.data()));
+    robot.subscriber("command", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> heard.add(text.data()));
     world.start("rostopic", "pub", "-r", "10", "/command", "std_msgs/String", "data: go");
     Eventually.await("the command", () -> heard.contains("go"));
   }
@@ -151,7 +152,7 @@ class StockToolsTest {
   @Test
   void rosnodeKillEndsOurNodeByTheMaster() throws Exception {
     RosNode victim = world.node("victim");
-    victim.publisher("something", StdString.CODEC, PublisherOptions.standard());
+    victim.publisher("something", RecordCodec.of(StdString.class), PublisherOptions.standard());
     assertTrue(victim.awaitRegistered(Duration.ofSeconds(10)));
     world.tool("rosnode", "kill", "/victim");
     String reason = victim.whenClosed().toCompletableFuture().get(10, TimeUnit.SECONDS);
@@ -165,7 +166,7 @@ class StockToolsTest {
     record.finish();
     expect(world.tool("rosbag", "info", bag.toString()), "/chatter", "std_msgs/String");
     Set<String> heard = ConcurrentHashMap.newKeySet();
-    robot.subscriber("replay", StdString.CODEC, SubscriberOptions.standard(), (text, reception) -> heard.add(text.data()));
+    robot.subscriber("replay", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> heard.add(text.data()));
     Peer play = world.start("rosbag", "play", "--delay=1", bag.toString(), "/chatter:=/replay");
     Eventually.await(() -> "the recorded message; rosbag printed " + play.output(), () -> heard.equals(Set.of("tick")));
   }

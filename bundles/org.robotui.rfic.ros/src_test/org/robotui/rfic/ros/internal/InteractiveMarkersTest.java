@@ -41,6 +41,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
@@ -63,10 +64,10 @@ class InteractiveMarkersTest {
     master = RosMaster.open(MasterOptions.standard(DAEMONS));
     server = RosNode.open(RosEnvironment.of(master.uri()), GraphName.of("server"), NodeOptions.standard(DAEMONS));
     rfic = new RosRfic(context, settings(), new SharedMasters(), new Guards());
-    updates = server.publisher("/goals/update", InteractiveMarkerUpdate.CODEC, PublisherOptions.standard());
-    server.publisher("/goals/update_full", InteractiveMarkerInit.CODEC, PublisherOptions.latched())
+    updates = server.publisher("/goals/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard());
+    server.publisher("/goals/update_full", RecordCodec.of(InteractiveMarkerInit.class), PublisherOptions.latched())
         .publish(new InteractiveMarkerInit("s", 4, List.of(SampleMarkers.interactive("goal", 2))));
-    server.subscriber("/goals/feedback", InteractiveMarkerFeedback.CODEC, SubscriberOptions.standard(), (m, from) -> heard.add(m));
+    server.subscriber("/goals/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(), (m, from) -> heard.add(m));
   }
 
   @AfterEach

@@ -19,6 +19,7 @@ import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.SystemState;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.ros.msgs.sensor_msgs.LaserScan;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
@@ -46,15 +47,15 @@ class ManyRobotsTest extends RosRficCase {
     line = new SlowLine(master.uri());
     for (int i = 0; i < ROBOTS; i++) {
       String name = "r" + i;
-      robot.publisher("/" + name + "/scan", LaserScan.CODEC, PublisherOptions.standard());
-      VALUES.forEach(value -> robot.publisher("/" + name + "/" + value, StdFloat64.CODEC, PublisherOptions.standard()));
+      robot.publisher("/" + name + "/scan", RecordCodec.of(LaserScan.class), PublisherOptions.standard());
+      VALUES.forEach(value -> robot.publisher("/" + name + "/" + value, RecordCodec.of(StdFloat64.class), PublisherOptions.standard()));
       List.of("/cmd_vel", "/turn").forEach(command ->
-          robot.subscriber("/" + name + command, Twist.CODEC, SubscriberOptions.standard(), (message, reception) -> { }));
+          robot.subscriber("/" + name + command, RecordCodec.of(Twist.class), SubscriberOptions.standard(), (message, reception) -> { }));
       FakeRficContext its = new FakeRficContext();
       contexts.add(its);
       rfics.add(new RosRfic(its, settings(Map.of("master", line.uri(), "namespace", name)), masters, new Guards()));
     }
-    robot.publisher("/tf", TFMessage.CODEC, PublisherOptions.standard());
+    robot.publisher("/tf", RecordCodec.of(TFMessage.class), PublisherOptions.standard());
     assertTrue(robot.awaitRegistered(PATIENCE));
     look();
   }

@@ -31,6 +31,7 @@ import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
@@ -42,7 +43,7 @@ class RosCommandsTest extends RosRficCase {
   @Test
   void commandsOnlyThoseWhoListen() {
     Deque<Twist> heard = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> heard.add(t));
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> heard.add(t));
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel"));
     assertTrue(context.commands.get("cmd_vel").isMotion());
@@ -66,8 +67,8 @@ class RosCommandsTest extends RosRficCase {
   void sendsWaypointsToTheTopicsThatAreNamed() {
     Deque<org.robotui.ros.msgs.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
     Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/follow", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> paths.add(p));
-    robot.subscriber("/visit", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, SubscriberOptions.standard(), (p, r) -> arrays.add(p));
+    robot.subscriber("/follow", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(), (p, r) -> paths.add(p));
+    robot.subscriber("/visit", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class), SubscriberOptions.standard(), (p, r) -> arrays.add(p));
     rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))), new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
@@ -84,10 +85,10 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void aPlanThatOthersLookAtStaysNewsAndIsNoCommand() throws IOException {
-    robot.publisher("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, PublisherOptions.standard());
+    robot.publisher("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), PublisherOptions.standard());
     RosNode viewer = node("viewer");
-    viewer.subscriber("/plan", org.robotui.ros.msgs.nav_msgs.Path.CODEC, SubscriberOptions.standard(), (p, r) -> { });
-    viewer.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    viewer.subscriber("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(), (p, r) -> { });
+    viewer.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel") && context.streams.containsKey("plan"));
     assertFalse(context.commands.containsKey("plan"));
@@ -96,11 +97,11 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void doesNotTakeOrdersOfOthersForNewsOfTheRobot() throws IOException {
-    robot.subscriber("/initialpose", PoseWithCovarianceStamped.CODEC, SubscriberOptions.standard(), (m, r) -> { });
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (m, r) -> { });
+    robot.subscriber("/initialpose", RecordCodec.of(PoseWithCovarianceStamped.class), SubscriberOptions.standard(), (m, r) -> { });
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (m, r) -> { });
     RosNode other = node("other_workbench");
-    other.publisher("/initialpose", PoseWithCovarianceStamped.CODEC, PublisherOptions.standard());
-    other.publisher("/cmd_vel", Twist.CODEC, PublisherOptions.standard());
+    other.publisher("/initialpose", RecordCodec.of(PoseWithCovarianceStamped.class), PublisherOptions.standard());
+    other.publisher("/cmd_vel", RecordCodec.of(Twist.class), PublisherOptions.standard());
     rfic.start();
     await(() -> context.commands.containsKey("initialpose") && context.streams.containsKey("cmd_vel"));
     assertFalse(context.streams.containsKey("initialpose"));
@@ -127,9 +128,9 @@ class RosCommandsTest extends RosRficCase {
   void saysAMessageOnceToAllWhoListenAndNeverOnTopicsThatMoveTheRobot() {
     Deque<Double> first = new ConcurrentLinkedDeque<>();
     Deque<Double> second = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> first.add(m.data()));
-    robot.subscriber("/gain", StdFloat64.CODEC, SubscriberOptions.standard(), (m, r) -> second.add(m.data()));
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    robot.subscriber("/gain", RecordCodec.of(StdFloat64.class), SubscriberOptions.standard(), (m, r) -> first.add(m.data()));
+    robot.subscriber("/gain", RecordCodec.of(StdFloat64.class), SubscriberOptions.standard(), (m, r) -> second.add(m.data()));
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel"));
     await(() -> say("/gain", "std_msgs/Float64", Map.of("data", 2.5)) instanceof Sent.Out);

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.URI;
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -43,6 +44,8 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.message.RawCodec;
+import org.robotui.ros.message.RawMessage;
 import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
@@ -129,10 +132,10 @@ final class RosPeer implements Peer {
     RosMaster master = RosMaster.open(MasterOptions.standard(THREADS));
     RosNode node = node(master, "robot");
     running = Optional.of(new Running(master, node,
-        node.publisher("/odom", org.robotui.ros.msgs.nav_msgs.Odometry.CODEC, PublisherOptions.standard()),
-        node.publisher("/scan", org.robotui.ros.msgs.sensor_msgs.LaserScan.CODEC, PublisherOptions.standard()),
+        node.publisher("/odom", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Odometry.class), PublisherOptions.standard()),
+        node.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.standard()),
         new ServerSocket(0, 50, InetAddress.getLoopbackAddress())));
-    node.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> heard.add(new VelocityCommand(vector(t.linear()), vector(t.angular()))));
+    node.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> heard.add(new VelocityCommand(vector(t.linear()), vector(t.angular()))));
     if (!node.awaitRegistered(PATIENCE)) {
       throw new IOException("the robot's node does not get registered");
     }
@@ -180,11 +183,11 @@ final class RosPeer implements Peer {
 
   @Override
   public void garble() throws IOException {
-    RecordCodec<Integer> broken = RecordCodec.of("sensor_msgs/LaserScan", in -> 0, (value, out) -> out.string("no scan"));
+    RawCodec broken = new RawCodec(RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class).info());
     try (RosNode mad = node(running.orElseThrow().master(), "mad")) {
-      Publisher<Integer> scans = mad.publisher("/scan", broken, PublisherOptions.standard());
+      Publisher<RawMessage> scans = mad.publisher("/scan", broken, PublisherOptions.standard());
       RosRficCase.await(() -> scans.numSubscribers() > 0);
-      scans.publish(1);
+      scans.publish(new RawMessage(broken.info(), ByteBuffer.wrap(new byte[] {1, 2, 3})));
       RosRficCase.await(() -> scans.numSubscribers() == 0);
     }
   }

@@ -33,6 +33,7 @@ import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
 import org.robotui.testkit.FakeRficContext;
@@ -42,7 +43,7 @@ class RosRficTest extends RosRficCase {
   @Test
   void offersTopicsWhileTheyArePublishedAndAsksForThemOnlyWhenWanted() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
-        robot.publisher("/scan", org.robotui.ros.msgs.sensor_msgs.LaserScan.CODEC, PublisherOptions.standard());
+        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
     assertEquals(LaserScan.class, context.streams.get("scan").type());
@@ -65,7 +66,7 @@ class RosRficTest extends RosRficCase {
   @Test
   void saysWhyAWantedTopicIsMissingAndTakesItUpAgain() throws IOException {
     RosNode driver = node("driver");
-    driver.publisher("/value", StdFloat64.CODEC, PublisherOptions.latched()).publish(new StdFloat64(1));
+    driver.publisher("/value", RecordCodec.of(StdFloat64.class), PublisherOptions.latched()).publish(new StdFloat64(1));
     rfic.start();
     await(() -> context.streams.containsKey("value"));
     context.demand("value", true);
@@ -76,7 +77,7 @@ class RosRficTest extends RosRficCase {
     await(() -> context.links.getLast() instanceof LinkState.Degraded);
     context.published.get("value").clear();
     driver = node("driver");
-    driver.publisher("/value", StdFloat64.CODEC, PublisherOptions.latched()).publish(new StdFloat64(2));
+    driver.publisher("/value", RecordCodec.of(StdFloat64.class), PublisherOptions.latched()).publish(new StdFloat64(2));
     assertEquals(2.0, number(first("value")));
     driver.close();
   }
@@ -84,14 +85,14 @@ class RosRficTest extends RosRficCase {
   @Test
   void takesItsComplaintBackWhenARareTopicIsThereAgainThoughItSaysNothingYet() throws IOException {
     RosNode driver = node("driver");
-    driver.publisher("/rare", StdFloat64.CODEC, PublisherOptions.standard());
+    driver.publisher("/rare", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("rare"));
     context.demand("rare", true);
     driver.close();
     await(() -> context.complaints.get("rare").contains("nobody publishes /rare any more"));
     driver = node("driver");
-    driver.publisher("/rare", StdFloat64.CODEC, PublisherOptions.standard());
+    driver.publisher("/rare", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     await(() -> "".equals(context.complaints.get("rare").peekLast()));
     driver.close();
   }
@@ -99,7 +100,7 @@ class RosRficTest extends RosRficCase {
   @Test
   void refusesMessagesThatAreNotWhatTheyShouldBeAndGoesOn() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
-        robot.publisher("/scan", org.robotui.ros.msgs.sensor_msgs.LaserScan.CODEC, PublisherOptions.standard());
+        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
     context.demand("scan", true);
@@ -113,8 +114,8 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void seesOnlyItsNamespace() throws IOException {
-    robot.publisher("/r1/value", StdFloat64.CODEC, PublisherOptions.standard());
-    robot.publisher("/r2/value", StdFloat64.CODEC, PublisherOptions.standard());
+    robot.publisher("/r1/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
+    robot.publisher("/r2/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "namespace", "r1")), new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.streams.containsKey("value"));
@@ -123,7 +124,7 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void browsesTheGraph() throws Exception {
-    robot.publisher("/value", StdFloat64.CODEC, PublisherOptions.standard());
+    robot.publisher("/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     rfic.start();
     await(() -> context.browsers.containsKey("graph"));
     assertTrue(robot.awaitRegistered(PATIENCE));
@@ -141,7 +142,7 @@ class RosRficTest extends RosRficCase {
   @Test
   void keepsTheRobotsNamesBesideTheDataType() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans = robot.publisher(
-        "/scan", org.robotui.ros.msgs.sensor_msgs.LaserScan.CODEC, PublisherOptions.latched());
+        "/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.latched());
     scans.publish(scan(new float[] {1, 2}));
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
@@ -154,7 +155,7 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void describesTheFormOfMessages() throws Exception {
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel"));
     Browser browser = context.browsers.get("graph");
@@ -192,8 +193,8 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void leavesNothingBehind() {
-    robot.publisher("/value", StdFloat64.CODEC, PublisherOptions.standard());
-    robot.subscriber("/cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (t, r) -> { });
+    robot.publisher("/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
     rfic.start();
     await(() -> context.streams.containsKey("value") && context.commands.containsKey("cmd_vel"));
     context.demand("value", true);

@@ -17,6 +17,7 @@ import org.robotui.guard.Guards;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.Quaternion;
 import org.robotui.ros.msgs.geometry_msgs.Transform;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
@@ -38,10 +39,10 @@ class SharedMasterTest extends RosRficCase {
   void openBoth() {
     rfic = new RosRfic(context, in("r1"), masters, new Guards());
     other = new RosRfic(second, in("r2"), masters, new Guards());
-    moving = robot.publisher("/tf", TFMessage.CODEC, PublisherOptions.standard());
-    fixed = robot.publisher("/tf_static", TFMessage.CODEC, PublisherOptions.latched());
-    robot.publisher("/r1/value", StdFloat64.CODEC, PublisherOptions.standard());
-    robot.publisher("/r3/value", StdFloat64.CODEC, PublisherOptions.standard());
+    moving = robot.publisher("/tf", RecordCodec.of(TFMessage.class), PublisherOptions.standard());
+    fixed = robot.publisher("/tf_static", RecordCodec.of(TFMessage.class), PublisherOptions.latched());
+    robot.publisher("/r1/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
+    robot.publisher("/r3/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     fixed.publish(message("r1/base_link", "r1/laser", "base_link", "laser"));
   }
 
@@ -101,7 +102,7 @@ class SharedMasterTest extends RosRficCase {
     other.start();
     await(() -> context.streams.containsKey("value"));
     assertTrue(!second.streams.containsKey("value"));
-    Publisher<StdFloat64> late = robot.publisher("/r2/value", StdFloat64.CODEC, PublisherOptions.standard());
+    Publisher<StdFloat64> late = robot.publisher("/r2/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     await(() -> second.streams.containsKey("value"));
     late.close();
     await(() -> !second.streams.containsKey("value"));

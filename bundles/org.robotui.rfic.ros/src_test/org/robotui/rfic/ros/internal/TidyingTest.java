@@ -39,6 +39,7 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.std_msgs.StdFloat64;
 import org.robotui.testkit.FakeRficContext;
 
@@ -62,7 +63,7 @@ class TidyingTest {
     try (RosMaster master = RosMaster.open(MasterOptions.standard(DAEMONS));
         RosNode node = RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of("killed"),
             NodeOptions.standard(DAEMONS).withRecords(context.stateFolder()))) {
-      node.publisher("/value", StdFloat64.CODEC, PublisherOptions.standard());
+      node.publisher("/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
       node.awaitRegistered(Duration.ofSeconds(10));
       Set<Path> mine = notes(context.stateFolder());
       mine.removeAll(others);

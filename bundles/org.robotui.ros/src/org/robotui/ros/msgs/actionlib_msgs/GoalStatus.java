@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.actionlib_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * State of one goal of an action ({@code actionlib_msgs/GoalStatus}).
@@ -12,6 +9,7 @@ import org.robotui.ros.message.RecordCodec;
  * @param status one of the constants, such as {@link #ACTIVE}
  * @param text   the state in words
  */
+@MessageType("actionlib_msgs/GoalStatus")
 public record GoalStatus(GoalID goalId, int status, String text) {
 
   /** The constant {@code PENDING} of the definition. */
@@ -34,18 +32,4 @@ public record GoalStatus(GoalID goalId, int status, String text) {
   public static final int RECALLED = 8;
   /** The constant {@code LOST} of the definition. */
   public static final int LOST = 9;
-
-  /** Between records and bytes. */
-  public static final RecordCodec<GoalStatus> CODEC =
-      RecordCodec.of("actionlib_msgs/GoalStatus", GoalStatus::read, GoalStatus::write);
-
-  private static GoalStatus read(MessageReader in) throws MessageException {
-    return new GoalStatus(in.nested("goal_id", GoalID.CODEC), in.uint8("status"), in.string("text"));
-  }
-
-  private static void write(GoalStatus m, MessageWriter out) {
-    GoalID.CODEC.encode(m.goalId, out);
-    out.u8(m.status);
-    out.string(m.text);
-  }
 }

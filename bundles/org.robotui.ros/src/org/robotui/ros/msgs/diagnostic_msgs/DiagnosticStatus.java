@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.diagnostic_msgs;
 
 import java.util.List;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * State of one part of a robot ({@code diagnostic_msgs/DiagnosticStatus}).
@@ -16,6 +13,7 @@ import org.robotui.ros.message.RecordCodec;
  * @param hardwareId the device
  * @param values     details
  */
+@MessageType("diagnostic_msgs/DiagnosticStatus")
 public record DiagnosticStatus(int level, String name, String message, String hardwareId, List<KeyValue> values) {
 
   /** The constant {@code OK} of the definition. */
@@ -27,29 +25,8 @@ public record DiagnosticStatus(int level, String name, String message, String ha
   /** The constant {@code STALE} of the definition. */
   public static final int STALE = 3;
 
-  /** Between records and bytes. */
-  public static final RecordCodec<DiagnosticStatus> CODEC =
-      RecordCodec.of("diagnostic_msgs/DiagnosticStatus", DiagnosticStatus::read, DiagnosticStatus::write);
-
   /** Keeps immutable copies of lists. */
   public DiagnosticStatus {
     values = List.copyOf(values);
-  }
-
-  private static DiagnosticStatus read(MessageReader in) throws MessageException {
-    return new DiagnosticStatus(
-        in.int8("level"),
-        in.string("name"),
-        in.string("message"),
-        in.string("hardware_id"),
-        in.list("values", KeyValue.CODEC));
-  }
-
-  private static void write(DiagnosticStatus m, MessageWriter out) {
-    out.u8(m.level);
-    out.string(m.name);
-    out.string(m.message);
-    out.string(m.hardwareId);
-    KeyValue.CODEC.encodeAll(m.values, out);
   }
 }

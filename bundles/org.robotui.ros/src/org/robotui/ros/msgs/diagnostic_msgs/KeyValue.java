@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.diagnostic_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * A named value ({@code diagnostic_msgs/KeyValue}).
@@ -11,18 +8,6 @@ import org.robotui.ros.message.RecordCodec;
  * @param key   the name
  * @param value the value as text
  */
+@MessageType("diagnostic_msgs/KeyValue")
 public record KeyValue(String key, String value) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<KeyValue> CODEC =
-      RecordCodec.of("diagnostic_msgs/KeyValue", KeyValue::read, KeyValue::write);
-
-  private static KeyValue read(MessageReader in) throws MessageException {
-    return new KeyValue(in.string("key"), in.string("value"));
-  }
-
-  private static void write(KeyValue m, MessageWriter out) {
-    out.string(m.key);
-    out.string(m.value);
-  }
 }

@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.geometry_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * A point ({@code geometry_msgs/Point}).
@@ -12,19 +9,6 @@ import org.robotui.ros.message.RecordCodec;
  * @param y metres
  * @param z metres
  */
+@MessageType("geometry_msgs/Point")
 public record Point(double x, double y, double z) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<Point> CODEC =
-      RecordCodec.of("geometry_msgs/Point", Point::read, Point::write);
-
-  private static Point read(MessageReader in) throws MessageException {
-    return new Point(in.float64("x"), in.float64("y"), in.float64("z"));
-  }
-
-  private static void write(Point m, MessageWriter out) {
-    out.f64(m.x);
-    out.f64(m.y);
-    out.f64(m.z);
-  }
 }

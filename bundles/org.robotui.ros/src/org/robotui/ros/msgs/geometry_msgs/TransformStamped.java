@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.geometry_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -13,22 +10,6 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param childFrameId the child frame
  * @param transform    parent from child
  */
+@MessageType("geometry_msgs/TransformStamped")
 public record TransformStamped(Header header, String childFrameId, Transform transform) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<TransformStamped> CODEC =
-      RecordCodec.of("geometry_msgs/TransformStamped", TransformStamped::read, TransformStamped::write);
-
-  private static TransformStamped read(MessageReader in) throws MessageException {
-    return new TransformStamped(
-        in.nested("header", Header.CODEC),
-        in.string("child_frame_id"),
-        in.nested("transform", Transform.CODEC));
-  }
-
-  private static void write(TransformStamped m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    out.string(m.childFrameId);
-    Transform.CODEC.encode(m.transform, out);
-  }
 }

@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.geometry_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -12,18 +9,6 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param header time and frame
  * @param twist  the velocity
  */
+@MessageType("geometry_msgs/TwistStamped")
 public record TwistStamped(Header header, Twist twist) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<TwistStamped> CODEC =
-      RecordCodec.of("geometry_msgs/TwistStamped", TwistStamped::read, TwistStamped::write);
-
-  private static TwistStamped read(MessageReader in) throws MessageException {
-    return new TwistStamped(in.nested("header", Header.CODEC), in.nested("twist", Twist.CODEC));
-  }
-
-  private static void write(TwistStamped m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    Twist.CODEC.encode(m.twist, out);
-  }
 }

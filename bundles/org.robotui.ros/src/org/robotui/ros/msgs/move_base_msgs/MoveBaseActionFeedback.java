@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.move_base_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
 import org.robotui.ros.msgs.std_msgs.Header;
 
@@ -14,22 +11,6 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param status   names the goal, and its state
  * @param feedback the feedback
  */
+@MessageType("move_base_msgs/MoveBaseActionFeedback")
 public record MoveBaseActionFeedback(Header header, GoalStatus status, MoveBaseFeedback feedback) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<MoveBaseActionFeedback> CODEC =
-      RecordCodec.of("move_base_msgs/MoveBaseActionFeedback", MoveBaseActionFeedback::read, MoveBaseActionFeedback::write);
-
-  private static MoveBaseActionFeedback read(MessageReader in) throws MessageException {
-    return new MoveBaseActionFeedback(
-        in.nested("header", Header.CODEC),
-        in.nested("status", GoalStatus.CODEC),
-        in.nested("feedback", MoveBaseFeedback.CODEC));
-  }
-
-  private static void write(MoveBaseActionFeedback m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    GoalStatus.CODEC.encode(m.status, out);
-    MoveBaseFeedback.CODEC.encode(m.feedback, out);
-  }
 }

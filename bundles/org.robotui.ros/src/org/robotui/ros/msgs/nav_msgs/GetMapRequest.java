@@ -1,11 +1,8 @@
 package org.robotui.ros.msgs.nav_msgs;
 
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /** Asks for the current map ({@code nav_msgs/GetMapRequest}). */
+@MessageType("nav_msgs/GetMapRequest")
 public record GetMapRequest() {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<GetMapRequest> CODEC =
-      RecordCodec.of("nav_msgs/GetMapRequest", in -> new GetMapRequest(), (m, out) -> { });
 }

@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.nav_msgs;
 
 import java.nio.ByteBuffer;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -15,11 +12,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param info   size and place
  * @param data   row by row from the origin: 0 to 100 percent occupied, -1 unknown
  */
+@MessageType("nav_msgs/OccupancyGrid")
 public record OccupancyGrid(Header header, MapMetaData info, ByteBuffer data) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<OccupancyGrid> CODEC =
-      RecordCodec.of("nav_msgs/OccupancyGrid", OccupancyGrid::read, OccupancyGrid::write);
 
   /** Keeps read-only views of bytes. */
   public OccupancyGrid {
@@ -34,18 +28,5 @@ public record OccupancyGrid(Header header, MapMetaData info, ByteBuffer data) {
   @Override
   public ByteBuffer data() {
     return data.duplicate();
-  }
-
-  private static OccupancyGrid read(MessageReader in) throws MessageException {
-    return new OccupancyGrid(
-        in.nested("header", Header.CODEC),
-        in.nested("info", MapMetaData.CODEC),
-        in.bytes("data"));
-  }
-
-  private static void write(OccupancyGrid m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    MapMetaData.CODEC.encode(m.info, out);
-    out.array(m.data.remaining()).bytes(m.data);
   }
 }

@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.rosgraph_msgs;
 
 import java.util.List;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -20,6 +17,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param line     line in it
  * @param topics   topics the node publishes
  */
+@MessageType("rosgraph_msgs/Log")
 public record Log(
     Header header, int level, String name, String msg, String file, String function, long line, List<String>
     topics) {
@@ -35,36 +33,8 @@ public record Log(
   /** The constant {@code FATAL} of the definition. */
   public static final int FATAL = 16;
 
-  /** Between records and bytes. */
-  public static final RecordCodec<Log> CODEC =
-      RecordCodec.of("rosgraph_msgs/Log", Log::read, Log::write);
-
   /** Keeps immutable copies of lists. */
   public Log {
     topics = List.copyOf(topics);
-  }
-
-  private static Log read(MessageReader in) throws MessageException {
-    return new Log(
-        in.nested("header", Header.CODEC),
-        in.int8("level"),
-        in.string("name"),
-        in.string("msg"),
-        in.string("file"),
-        in.string("function"),
-        in.uint32("line"),
-        in.strings("topics"));
-  }
-
-  private static void write(Log m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    out.u8(m.level);
-    out.string(m.name);
-    out.string(m.msg);
-    out.string(m.file);
-    out.string(m.function);
-    out.i32((int) m.line);
-    out.array(m.topics.size());
-    m.topics.forEach(out::string);
   }
 }

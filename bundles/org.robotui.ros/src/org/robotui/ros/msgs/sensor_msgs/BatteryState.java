@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.sensor_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -26,6 +23,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param location              where the battery sits
  * @param serialNumber          the battery's serial number
  */
+@MessageType("sensor_msgs/BatteryState")
 public record BatteryState(
     Header header, float voltage, float temperature, float current, float charge, float capacity, float
     designCapacity, float percentage, int powerSupplyStatus, int powerSupplyHealth, int powerSupplyTechnology,
@@ -73,47 +71,4 @@ public record BatteryState(
   public static final int POWER_SUPPLY_TECHNOLOGY_NICD = 5;
   /** The constant {@code POWER_SUPPLY_TECHNOLOGY_LIMN} of the definition. */
   public static final int POWER_SUPPLY_TECHNOLOGY_LIMN = 6;
-
-  /** Between records and bytes. */
-  public static final RecordCodec<BatteryState> CODEC =
-      RecordCodec.of("sensor_msgs/BatteryState", BatteryState::read, BatteryState::write);
-
-  private static BatteryState read(MessageReader in) throws MessageException {
-    return new BatteryState(
-        in.nested("header", Header.CODEC),
-        in.float32("voltage"),
-        in.float32("temperature"),
-        in.float32("current"),
-        in.float32("charge"),
-        in.float32("capacity"),
-        in.float32("design_capacity"),
-        in.float32("percentage"),
-        in.uint8("power_supply_status"),
-        in.uint8("power_supply_health"),
-        in.uint8("power_supply_technology"),
-        in.bool("present"),
-        in.floats("cell_voltage", in.count("cell_voltage", 4)),
-        in.floats("cell_temperature", in.count("cell_temperature", 4)),
-        in.string("location"),
-        in.string("serial_number"));
-  }
-
-  private static void write(BatteryState m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    out.f32(m.voltage);
-    out.f32(m.temperature);
-    out.f32(m.current);
-    out.f32(m.charge);
-    out.f32(m.capacity);
-    out.f32(m.designCapacity);
-    out.f32(m.percentage);
-    out.u8(m.powerSupplyStatus);
-    out.u8(m.powerSupplyHealth);
-    out.u8(m.powerSupplyTechnology);
-    out.bool(m.present);
-    out.array(m.cellVoltage.length).floats(m.cellVoltage);
-    out.array(m.cellTemperature.length).floats(m.cellTemperature);
-    out.string(m.location);
-    out.string(m.serialNumber);
-  }
 }

@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.sensor_msgs;
 
 import java.nio.ByteBuffer;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -15,11 +12,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param format such as {@code jpeg}
  * @param data   the compressed bytes
  */
+@MessageType("sensor_msgs/CompressedImage")
 public record CompressedImage(Header header, String format, ByteBuffer data) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<CompressedImage> CODEC =
-      RecordCodec.of("sensor_msgs/CompressedImage", CompressedImage::read, CompressedImage::write);
 
   /** Keeps read-only views of bytes. */
   public CompressedImage {
@@ -34,15 +28,5 @@ public record CompressedImage(Header header, String format, ByteBuffer data) {
   @Override
   public ByteBuffer data() {
     return data.duplicate();
-  }
-
-  private static CompressedImage read(MessageReader in) throws MessageException {
-    return new CompressedImage(in.nested("header", Header.CODEC), in.string("format"), in.bytes("data"));
-  }
-
-  private static void write(CompressedImage m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    out.string(m.format);
-    out.array(m.data.remaining()).bytes(m.data);
   }
 }

@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.sensor_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * Kind of a satellite fix ({@code sensor_msgs/NavSatStatus}).
@@ -11,6 +8,7 @@ import org.robotui.ros.message.RecordCodec;
  * @param status  one of the constants {@code STATUS_...}
  * @param service sum of the constants {@code SERVICE_...}
  */
+@MessageType("sensor_msgs/NavSatStatus")
 public record NavSatStatus(int status, int service) {
 
   /** The constant {@code STATUS_NO_FIX} of the definition. */
@@ -29,17 +27,4 @@ public record NavSatStatus(int status, int service) {
   public static final int SERVICE_COMPASS = 4;
   /** The constant {@code SERVICE_GALILEO} of the definition. */
   public static final int SERVICE_GALILEO = 8;
-
-  /** Between records and bytes. */
-  public static final RecordCodec<NavSatStatus> CODEC =
-      RecordCodec.of("sensor_msgs/NavSatStatus", NavSatStatus::read, NavSatStatus::write);
-
-  private static NavSatStatus read(MessageReader in) throws MessageException {
-    return new NavSatStatus(in.int8("status"), in.uint16("service"));
-  }
-
-  private static void write(NavSatStatus m, MessageWriter out) {
-    out.u8(m.status);
-    out.i16(m.service);
-  }
 }

@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.sensor_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
@@ -16,6 +13,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param maxRange      longest valid distance, metres
  * @param range         the distance, metres
  */
+@MessageType("sensor_msgs/Range")
 public record Range(
     Header header, int radiationType, float fieldOfView, float minRange, float maxRange, float range) {
 
@@ -23,27 +21,4 @@ public record Range(
   public static final int ULTRASOUND = 0;
   /** The constant {@code INFRARED} of the definition. */
   public static final int INFRARED = 1;
-
-  /** Between records and bytes. */
-  public static final RecordCodec<Range> CODEC =
-      RecordCodec.of("sensor_msgs/Range", Range::read, Range::write);
-
-  private static Range read(MessageReader in) throws MessageException {
-    return new Range(
-        in.nested("header", Header.CODEC),
-        in.uint8("radiation_type"),
-        in.float32("field_of_view"),
-        in.float32("min_range"),
-        in.float32("max_range"),
-        in.float32("range"));
-  }
-
-  private static void write(Range m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    out.u8(m.radiationType);
-    out.f32(m.fieldOfView);
-    out.f32(m.minRange);
-    out.f32(m.maxRange);
-    out.f32(m.range);
-  }
 }

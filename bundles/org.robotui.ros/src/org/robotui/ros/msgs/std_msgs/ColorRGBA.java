@@ -1,9 +1,6 @@
 package org.robotui.ros.msgs.std_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * A colour ({@code std_msgs/ColorRGBA}).
@@ -13,20 +10,6 @@ import org.robotui.ros.message.RecordCodec;
  * @param b blue, 0 to 1
  * @param a opacity, 0 to 1
  */
+@MessageType("std_msgs/ColorRGBA")
 public record ColorRGBA(float r, float g, float b, float a) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<ColorRGBA> CODEC =
-      RecordCodec.of("std_msgs/ColorRGBA", ColorRGBA::read, ColorRGBA::write);
-
-  private static ColorRGBA read(MessageReader in) throws MessageException {
-    return new ColorRGBA(in.float32("r"), in.float32("g"), in.float32("b"), in.float32("a"));
-  }
-
-  private static void write(ColorRGBA m, MessageWriter out) {
-    out.f32(m.r);
-    out.f32(m.g);
-    out.f32(m.b);
-    out.f32(m.a);
-  }
 }

@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.tf;
 
 import java.util.List;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 
 /**
@@ -13,22 +10,11 @@ import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
  *
  * @param transforms the transforms
  */
+@MessageType("tf/tfMessage")
 public record TfMessage(List<TransformStamped> transforms) {
-
-  /** Between records and bytes. */
-  public static final RecordCodec<TfMessage> CODEC =
-      RecordCodec.of("tf/tfMessage", TfMessage::read, TfMessage::write);
 
   /** Keeps immutable copies of lists. */
   public TfMessage {
     transforms = List.copyOf(transforms);
-  }
-
-  private static TfMessage read(MessageReader in) throws MessageException {
-    return new TfMessage(in.list("transforms", TransformStamped.CODEC));
-  }
-
-  private static void write(TfMessage m, MessageWriter out) {
-    TransformStamped.CODEC.encodeAll(m.transforms, out);
   }
 }

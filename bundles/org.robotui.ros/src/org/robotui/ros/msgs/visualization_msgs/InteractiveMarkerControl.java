@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.visualization_msgs;
 
 import java.util.List;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.geometry_msgs.Quaternion;
 
 /**
@@ -20,6 +17,7 @@ import org.robotui.ros.msgs.geometry_msgs.Quaternion;
  * @param independentMarkerOrientation whether the markers keep their orientation where the control faces the viewer
  * @param description                  a hint for users
  */
+@MessageType("visualization_msgs/InteractiveMarkerControl")
 public record InteractiveMarkerControl(
     String name,
     Quaternion orientation,
@@ -57,35 +55,8 @@ public record InteractiveMarkerControl(
   /** Moves and turns in space. */
   public static final int MOVE_ROTATE_3D = 9;
 
-  /** Between records and bytes. */
-  public static final RecordCodec<InteractiveMarkerControl> CODEC =
-      RecordCodec.of("visualization_msgs/InteractiveMarkerControl", InteractiveMarkerControl::read, InteractiveMarkerControl::write);
-
   /** Keeps immutable copies of lists. */
   public InteractiveMarkerControl {
     markers = List.copyOf(markers);
-  }
-
-  private static InteractiveMarkerControl read(MessageReader in) throws MessageException {
-    return new InteractiveMarkerControl(
-        in.string("name"),
-        in.nested("orientation", Quaternion.CODEC),
-        in.uint8("orientation_mode"),
-        in.uint8("interaction_mode"),
-        in.bool("always_visible"),
-        in.list("markers", Marker.CODEC),
-        in.bool("independent_marker_orientation"),
-        in.string("description"));
-  }
-
-  private static void write(InteractiveMarkerControl m, MessageWriter out) {
-    out.string(m.name);
-    Quaternion.CODEC.encode(m.orientation, out);
-    out.u8(m.orientationMode);
-    out.u8(m.interactionMode);
-    out.bool(m.alwaysVisible);
-    Marker.CODEC.encodeAll(m.markers, out);
-    out.bool(m.independentMarkerOrientation);
-    out.string(m.description);
   }
 }

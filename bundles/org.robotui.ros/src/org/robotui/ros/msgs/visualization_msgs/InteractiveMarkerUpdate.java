@@ -2,10 +2,7 @@ package org.robotui.ros.msgs.visualization_msgs;
 
 import java.util.List;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.ros.message.MessageType;
 
 /**
  * What changed at a server of interactive markers ({@code visualization_msgs/InteractiveMarkerUpdate}).
@@ -17,6 +14,7 @@ import org.robotui.ros.message.RecordCodec;
  * @param poses    of those that only moved
  * @param erases   names of those that are gone
  */
+@MessageType("visualization_msgs/InteractiveMarkerUpdate")
 public record InteractiveMarkerUpdate(
     String serverId,
     long seqNum,
@@ -30,34 +28,10 @@ public record InteractiveMarkerUpdate(
   /** Something changed. */
   public static final int UPDATE = 1;
 
-  /** Between records and bytes. */
-  public static final RecordCodec<InteractiveMarkerUpdate> CODEC =
-      RecordCodec.of("visualization_msgs/InteractiveMarkerUpdate", InteractiveMarkerUpdate::read, InteractiveMarkerUpdate::write);
-
   /** Keeps immutable copies of lists. */
   public InteractiveMarkerUpdate {
     markers = List.copyOf(markers);
     poses = List.copyOf(poses);
     erases = List.copyOf(erases);
-  }
-
-  private static InteractiveMarkerUpdate read(MessageReader in) throws MessageException {
-    return new InteractiveMarkerUpdate(
-        in.string("server_id"),
-        in.int64("seq_num"),
-        in.uint8("type"),
-        in.list("markers", InteractiveMarker.CODEC),
-        in.list("poses", InteractiveMarkerPose.CODEC),
-        in.strings("erases"));
-  }
-
-  private static void write(InteractiveMarkerUpdate m, MessageWriter out) {
-    out.string(m.serverId);
-    out.i64(m.seqNum);
-    out.u8(m.type);
-    InteractiveMarker.CODEC.encodeAll(m.markers, out);
-    InteractiveMarkerPose.CODEC.encodeAll(m.poses, out);
-    out.array(m.erases.size());
-    m.erases.forEach(out::string);
   }
 }

@@ -1,10 +1,6 @@
 package org.robotui.ros.msgs.visualization_msgs;
 
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageReader;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.message.Stamps;
+import org.robotui.ros.message.MessageType;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
 import org.robotui.ros.msgs.geometry_msgs.Vector3;
 import org.robotui.ros.msgs.std_msgs.ColorRGBA;
@@ -29,6 +25,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param meshResource             address of the file of a mesh
  * @param meshUseEmbeddedMaterials whether the file's own colours count
  */
+@MessageType("visualization_msgs/Marker")
 public record Marker(
     Header header,
     String ns,
@@ -76,54 +73,4 @@ public record Marker(
   public static final int DELETE = 2;
   /** Takes all of the topic away. */
   public static final int DELETEALL = 3;
-
-  private static final int POINT = 3 * Double.BYTES;
-  private static final int COLOR = 4 * Float.BYTES;
-
-  /** Between records and bytes. */
-  public static final RecordCodec<Marker> CODEC =
-      RecordCodec.of("visualization_msgs/Marker", Marker::read, Marker::write);
-
-  /** Keeps immutable copies of lists, and checks that numbers come in whole points and colours. */
-  public Marker {
-    RecordCodec.requireLength("points", points.length, points.length / 3 * 3);
-    RecordCodec.requireLength("colors", colors.length, colors.length / 4 * 4);
-  }
-
-  private static Marker read(MessageReader in) throws MessageException {
-    return new Marker(
-        in.nested("header", Header.CODEC),
-        in.string("ns"),
-        in.int32("id"),
-        in.int32("type"),
-        in.int32("action"),
-        in.nested("pose", Pose.CODEC),
-        in.nested("scale", Vector3.CODEC),
-        in.nested("color", ColorRGBA.CODEC),
-        in.duration("lifetime"),
-        in.bool("frame_locked"),
-        in.doubles("points", 3 * in.count("points", POINT)),
-        in.floats("colors", 4 * in.count("colors", COLOR)),
-        in.string("text"),
-        in.string("mesh_resource"),
-        in.bool("mesh_use_embedded_materials"));
-  }
-
-  private static void write(Marker m, MessageWriter out) {
-    Header.CODEC.encode(m.header, out);
-    out.string(m.ns);
-    out.i32(m.id);
-    out.i32(m.type);
-    out.i32(m.action);
-    Pose.CODEC.encode(m.pose, out);
-    Vector3.CODEC.encode(m.scale, out);
-    ColorRGBA.CODEC.encode(m.color, out);
-    Stamps.write(m.lifetime, out);
-    out.bool(m.frameLocked);
-    out.array(m.points.length / 3).doubles(m.points);
-    out.array(m.colors.length / 4).floats(m.colors);
-    out.string(m.text);
-    out.string(m.meshResource);
-    out.bool(m.meshUseEmbeddedMaterials);
-  }
 }

@@ -27,6 +27,7 @@ import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.std_msgs.StdString;
 
 /** What a node leaves to be said to its master, said by somebody else. */
@@ -74,8 +75,8 @@ class FarewellsTest {
 
   @Test
   void the_master_forgets_what_is_said_to_it_and_is_told_again_by_a_node_that_lives() throws Exception {
-    node.publisher("/said", StdString.CODEC, PublisherOptions.standard());
-    node.subscriber("/heard", StdString.CODEC, SubscriberOptions.standard(), (value, reception) -> { });
+    node.publisher("/said", RecordCodec.of(StdString.class), PublisherOptions.standard());
+    node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (value, reception) -> { });
     assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
     assertEquals(List.of("/careful"), state().publishers().get("/said"));
     assertEquals(List.of("/careful"), state().subscribers().get("/heard"));
@@ -93,7 +94,7 @@ class FarewellsTest {
 
   @Test
   void nothing_is_left_of_what_the_node_ended_itself() throws Exception {
-    Subscriber subscriber = node.subscriber("/heard", StdString.CODEC, SubscriberOptions.standard(), (value, reception) -> { });
+    Subscriber subscriber = node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (value, reception) -> { });
     assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
     int before = left.size();
     subscriber.close();

@@ -27,6 +27,7 @@ import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.ros.msgs.std_srvs.EmptyResponse;
@@ -48,7 +49,7 @@ class LeftoversTest {
   void start() throws Exception {
     graph = new Graph();
     witness = graph.node("witness");
-    witness.publisher("/chatter", StdString.CODEC, PublisherOptions.standard());
+    witness.publisher("/chatter", RecordCodec.of(StdString.class), PublisherOptions.standard());
     assertTrue(witness.awaitRegistered(TIME));
     Process ended = new ProcessBuilder("true").start();
     assertEquals(0, ended.waitFor());
@@ -151,7 +152,7 @@ class LeftoversTest {
   @Test
   void aNodeIsNotedWhileItIsRegisteredAndNoLonger() throws Exception {
     RosNode node = graph.open(RosEnvironment.of(graph.master().uri()), "noted", graph.options().withRecords(folder.resolve("new/state")));
-    node.subscriber("/other", StdString.CODEC, SubscriberOptions.standard(), (text, from) -> { });
+    node.subscriber("/other", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, from) -> { });
     node.serviceServer("~s", StandardServices.EMPTY, (request, caller) -> new EmptyResponse());
     node.parameters().subscribe("/limits", (key, value) -> { });
     assertTrue(node.awaitRegistered(TIME));
@@ -178,7 +179,7 @@ class LeftoversTest {
   @Test
   void aNodeThatTheMasterCouldNotForgetStaysNoted() throws Exception {
     RosNode node = graph.open(RosEnvironment.of(graph.master().uri()), "noted", graph.options().withRecords(folder));
-    node.publisher("/other", StdString.CODEC, PublisherOptions.standard());
+    node.publisher("/other", RecordCodec.of(StdString.class), PublisherOptions.standard());
     assertTrue(node.awaitRegistered(TIME));
     graph.master().close();
     node.close();

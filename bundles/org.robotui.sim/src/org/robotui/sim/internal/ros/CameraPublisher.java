@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.ros.msgs.sensor_msgs.CompressedImage;
 import org.robotui.ros.msgs.sensor_msgs.Image;
@@ -31,9 +32,9 @@ final class CameraPublisher implements AutoCloseable {
     this.lens = lens;
     messages = new CameraMessages(frames, lens);
     PublisherOptions options = PublisherOptions.standard().withQueue(QUEUE);
-    raw = node.publisher("camera/image_raw", Image.CODEC, options);
-    compressed = node.publisher("camera/image_raw/compressed", CompressedImage.CODEC, options);
-    shutter = new Shutter("camera", Rate.CAMERA, messages, node.publisher("camera/camera_info", CameraInfo.CODEC, options),
+    raw = node.publisher("camera/image_raw", RecordCodec.of(Image.class), options);
+    compressed = node.publisher("camera/image_raw/compressed", RecordCodec.of(CompressedImage.class), options);
+    shutter = new Shutter("camera", Rate.CAMERA, messages, node.publisher("camera/camera_info", RecordCodec.of(CameraInfo.class), options),
         () -> raw.numSubscribers() + compressed.numSubscribers() > 0, this::take);
   }
 

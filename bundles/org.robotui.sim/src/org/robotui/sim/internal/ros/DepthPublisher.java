@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.ros.msgs.sensor_msgs.Image;
 import org.robotui.sim.internal.Rate;
@@ -28,8 +29,8 @@ final class DepthPublisher implements AutoCloseable {
     this.lens = lens;
     messages = new CameraMessages(frames, lens);
     PublisherOptions options = PublisherOptions.standard().withQueue(QUEUE);
-    raw = node.publisher("camera/depth/image_raw", Image.CODEC, options);
-    shutter = new Shutter("depth camera", Rate.DEPTH, messages, node.publisher("camera/depth/camera_info", CameraInfo.CODEC, options),
+    raw = node.publisher("camera/depth/image_raw", RecordCodec.of(Image.class), options);
+    shutter = new Shutter("depth camera", Rate.DEPTH, messages, node.publisher("camera/depth/camera_info", RecordCodec.of(CameraInfo.class), options),
         () -> raw.numSubscribers() > 0, this::take);
   }
 

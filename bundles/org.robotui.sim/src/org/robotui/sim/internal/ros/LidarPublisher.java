@@ -6,6 +6,7 @@ import java.util.List;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.sensor_msgs.PointCloud2;
 import org.robotui.ros.msgs.sensor_msgs.PointField;
 import org.robotui.sim.internal.Rate;
@@ -30,7 +31,7 @@ final class LidarPublisher implements AutoCloseable {
   LidarPublisher(RosNode node, Lidar lidar, Frames frames) {
     this.lidar = lidar;
     frame = frames.lidar();
-    points = node.publisher("lidar/points", PointCloud2.CODEC, PublisherOptions.standard().withQueue(QUEUE));
+    points = node.publisher("lidar/points", RecordCodec.of(PointCloud2.class), PublisherOptions.standard().withQueue(QUEUE));
   }
 
   /** @param world with everybody in it at this moment */

@@ -3,6 +3,7 @@ package org.robotui.sim.internal.ros;
 import java.util.function.Consumer;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.actionlib_msgs.GoalID;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
@@ -36,13 +37,13 @@ final class MoveBase {
     this.clock = clock;
     this.events = events;
     name = node.names().resolve("move_base").text();
-    status = Topic.plain(node, "move_base/status", GoalStatusArray.CODEC);
-    feedback = Topic.plain(node, "move_base/feedback", MoveBaseActionFeedback.CODEC);
-    result = Topic.plain(node, "move_base/result", MoveBaseActionResult.CODEC);
+    status = Topic.plain(node, "move_base/status", RecordCodec.of(GoalStatusArray.class));
+    feedback = Topic.plain(node, "move_base/feedback", RecordCodec.of(MoveBaseActionFeedback.class));
+    result = Topic.plain(node, "move_base/result", RecordCodec.of(MoveBaseActionResult.class));
     SubscriberOptions options = SubscriberOptions.standard();
-    node.subscriber("move_base/goal", MoveBaseActionGoal.CODEC, options, (goal, from) -> take(named(goal), goal.goal().targetPose()));
-    node.subscriber("move_base/cancel", GoalID.CODEC, options, (id, from) -> cancel(id));
-    node.subscriber("move_base_simple/goal", PoseStamped.CODEC, options, (goal, from) -> drive(goal));
+    node.subscriber("move_base/goal", RecordCodec.of(MoveBaseActionGoal.class), options, (goal, from) -> take(named(goal), goal.goal().targetPose()));
+    node.subscriber("move_base/cancel", RecordCodec.of(GoalID.class), options, (id, from) -> cancel(id));
+    node.subscriber("move_base_simple/goal", RecordCodec.of(PoseStamped.class), options, (goal, from) -> drive(goal));
   }
 
   /** Drives to a place, as with a simple goal. */

@@ -3,6 +3,7 @@ package org.robotui.sim.internal.ros;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
@@ -63,20 +64,20 @@ final class Publications {
     base = new BaseMessages(frames, robot.model());
     sensors = new SensorMessages(frames);
     diagnostics = new DiagnosticMessages(node.name().text().substring(1));
-    tf = Topic.plain(node, "/tf", TFMessage.CODEC);
-    odometry = Topic.plain(node, "odom", Odometry.CODEC);
-    scan = Topic.plain(node, "scan", LaserScan.CODEC);
-    sonar = sonars.count() == 0 ? Optional.empty() : Optional.of(Topic.plain(node, "sonar", Range.CODEC));
-    imu = Topic.plain(node, "imu/data", Imu.CODEC);
-    joints = Topic.plain(node, "joint_states", JointState.CODEC);
-    battery = Topic.latched(node, "battery_state", BatteryState.CODEC);
-    footprint = Topic.plain(node, "footprint", PolygonStamped.CODEC);
-    estimate = Topic.latched(node, "amcl_pose", PoseWithCovarianceStamped.CODEC);
-    diagnostic = Topic.plain(node, "/diagnostics", DiagnosticArray.CODEC);
-    plan = Topic.latched(node, "plan", Path.CODEC);
-    fix = Topic.plain(node, "fix", NavSatFix.CODEC);
+    tf = Topic.plain(node, "/tf", RecordCodec.of(TFMessage.class));
+    odometry = Topic.plain(node, "odom", RecordCodec.of(Odometry.class));
+    scan = Topic.plain(node, "scan", RecordCodec.of(LaserScan.class));
+    sonar = sonars.count() == 0 ? Optional.empty() : Optional.of(Topic.plain(node, "sonar", RecordCodec.of(Range.class)));
+    imu = Topic.plain(node, "imu/data", RecordCodec.of(Imu.class));
+    joints = Topic.plain(node, "joint_states", RecordCodec.of(JointState.class));
+    battery = Topic.latched(node, "battery_state", RecordCodec.of(BatteryState.class));
+    footprint = Topic.plain(node, "footprint", RecordCodec.of(PolygonStamped.class));
+    estimate = Topic.latched(node, "amcl_pose", RecordCodec.of(PoseWithCovarianceStamped.class));
+    diagnostic = Topic.plain(node, "/diagnostics", RecordCodec.of(DiagnosticArray.class));
+    plan = Topic.latched(node, "plan", RecordCodec.of(Path.class));
+    fix = Topic.plain(node, "fix", RecordCodec.of(NavSatFix.class));
     objects = new ObjectMarkers(simulation.world());
-    objectMarkers = Topic.plain(node, "objects", MarkerArray.CODEC);
+    objectMarkers = Topic.plain(node, "objects", RecordCodec.of(MarkerArray.class));
   }
 
   /** What the robot is made of. */
@@ -86,8 +87,8 @@ final class Publications {
 
   /** Publishes what never changes. */
   void publishOnce(GridMap map, long nanos) {
-    Topic.latched(node, "map", OccupancyGrid.CODEC).publish(nanos, stamp -> sensors.map(map, stamp));
-    Topic.latched(node, "/tf_static", TFMessage.CODEC).publish(
+    Topic.latched(node, "map", RecordCodec.of(OccupancyGrid.class)).publish(nanos, stamp -> sensors.map(map, stamp));
+    Topic.latched(node, "/tf_static", RecordCodec.of(TFMessage.class)).publish(
         nanos, stamp -> new StaticTransforms(frames).message(robot.model(), stamp));
     plan.publish(nanos, stamp -> base.path(List.of(), stamp));
   }

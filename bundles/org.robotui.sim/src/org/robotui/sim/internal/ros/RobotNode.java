@@ -5,6 +5,7 @@ import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.rosgraph_msgs.Clock;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.SimulatedRobot;
@@ -37,7 +38,7 @@ final class RobotNode implements AutoCloseable {
     publications = new Publications(node, robot, frames);
     camera = new CameraPublisher(node, simulation.world(), model.lens(), frames);
     simulatedTime = simTime
-        ? Optional.of(node.publisher("/clock", Clock.CODEC, PublisherOptions.standard()))
+        ? Optional.of(node.publisher("/clock", RecordCodec.of(Clock.class), PublisherOptions.standard()))
         : Optional.empty();
     node.parameters().set("robot_description", XmlRpcValue.of(publications.description()));
     publications.publishOnce(robot.map(), stamp);

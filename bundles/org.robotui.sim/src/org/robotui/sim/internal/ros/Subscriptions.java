@@ -3,6 +3,7 @@ package org.robotui.sim.internal.ros;
 import java.util.function.Consumer;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
 import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.sim.internal.Command;
@@ -21,9 +22,9 @@ final class Subscriptions {
     this.places = places;
     this.events = events;
     SubscriberOptions options = SubscriberOptions.standard();
-    node.subscriber("cmd_vel", Twist.CODEC, options, (twist, from) -> drive(twist));
+    node.subscriber("cmd_vel", RecordCodec.of(Twist.class), options, (twist, from) -> drive(twist));
     node.subscriber(
-        "initialpose", PoseWithCovarianceStamped.CODEC, options, (pose, from) -> initialPose(pose));
+        "initialpose", RecordCodec.of(PoseWithCovarianceStamped.class), options, (pose, from) -> initialPose(pose));
   }
 
   private void drive(Twist twist) {

@@ -6,6 +6,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceException;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.dynamic_reconfigure.Config;
 import org.robotui.ros.msgs.dynamic_reconfigure.ConfigDescription;
@@ -26,9 +27,9 @@ final class Tuner {
     this.simulation = simulation;
     parameters = node.parameters();
     tuning = simulation.state().tuning();
-    node.publisher("~parameter_descriptions", ConfigDescription.CODEC, PublisherOptions.latched())
+    node.publisher("~parameter_descriptions", RecordCodec.of(ConfigDescription.class), PublisherOptions.latched())
         .publish(TuningMessages.description(tuning));
-    updates = node.publisher("~parameter_updates", Config.CODEC, PublisherOptions.latched());
+    updates = node.publisher("~parameter_updates", RecordCodec.of(Config.class), PublisherOptions.latched());
     updates.publish(TuningMessages.config(tuning));
     node.serviceServer("~set_parameters", StandardServices.RECONFIGURE, (request, caller) -> set(request));
   }

@@ -6,6 +6,7 @@ import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
 import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
@@ -43,9 +44,9 @@ final class Waypoint {
     this.events = events;
     server = node.name().text() + "/waypoint";
     place = world.start().times(new Pose2(AHEAD, 0, 0));
-    update = node.publisher("waypoint/update", InteractiveMarkerUpdate.CODEC, PublisherOptions.standard().withQueue(QUEUE));
-    all = node.publisher("waypoint/update_full", InteractiveMarkerInit.CODEC, PublisherOptions.latched().withQueue(QUEUE));
-    node.subscriber("waypoint/feedback", InteractiveMarkerFeedback.CODEC, SubscriberOptions.standard(), (m, from) -> take(m));
+    update = node.publisher("waypoint/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard().withQueue(QUEUE));
+    all = node.publisher("waypoint/update_full", RecordCodec.of(InteractiveMarkerInit.class), PublisherOptions.latched().withQueue(QUEUE));
+    node.subscriber("waypoint/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(), (m, from) -> take(m));
     publishAll();
   }
 

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
 import org.robotui.ros.msgs.geometry_msgs.Quaternion;
@@ -21,7 +22,7 @@ final class HallMap {
 
   /** Until the node ends. */
   static void publish(RosNode node, Hall hall, long stamp) {
-    Publisher<OccupancyGrid> map = node.publisher("/map", OccupancyGrid.CODEC, PublisherOptions.latched());
+    Publisher<OccupancyGrid> map = node.publisher("/map", RecordCodec.of(OccupancyGrid.class), PublisherOptions.latched());
     map.publish(map(hall, stamp));
   }
 

@@ -5,6 +5,7 @@ import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
@@ -37,14 +38,14 @@ final class SwarmRobot {
     this.walker = walker;
     this.messages = new SwarmMessages(name, walker);
     PublisherOptions options = PublisherOptions.standard();
-    odometry = node.publisher("odom", Odometry.CODEC, options);
-    transforms = node.publisher("/tf", TFMessage.CODEC, options);
-    scan = node.publisher("scan", LaserScan.CODEC, options);
-    battery = node.publisher("battery_state", BatteryState.CODEC, options);
-    status = node.publisher("move_base/status", GoalStatusArray.CODEC, options);
-    plan = node.publisher("plan", Path.CODEC, options);
-    node.subscriber("cmd_vel", Twist.CODEC, SubscriberOptions.standard(), (twist, from) -> drive(twist));
-    node.subscriber("move_base_simple/goal", PoseStamped.CODEC, SubscriberOptions.standard(), (goal, from) -> go(goal));
+    odometry = node.publisher("odom", RecordCodec.of(Odometry.class), options);
+    transforms = node.publisher("/tf", RecordCodec.of(TFMessage.class), options);
+    scan = node.publisher("scan", RecordCodec.of(LaserScan.class), options);
+    battery = node.publisher("battery_state", RecordCodec.of(BatteryState.class), options);
+    status = node.publisher("move_base/status", RecordCodec.of(GoalStatusArray.class), options);
+    plan = node.publisher("plan", RecordCodec.of(Path.class), options);
+    node.subscriber("cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (twist, from) -> drive(twist));
+    node.subscriber("move_base_simple/goal", RecordCodec.of(PoseStamped.class), SubscriberOptions.standard(), (goal, from) -> go(goal));
     node.whenClosed().thenRun(() -> gone = true);
   }
 

@@ -20,6 +20,7 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
@@ -58,14 +59,14 @@ class SwarmTest {
     AtomicLong second = new AtomicLong();
     AtomicReference<OccupancyGrid> map = new AtomicReference<>();
     try (Swarm swarm = Swarm.start(3, at(Optional.empty()), 1); RosNode client = node(swarm, "/", "client")) {
-      client.subscriber("/r2/move_base/status", GoalStatusArray.CODEC, SubscriberOptions.standard(),
+      client.subscriber("/r2/move_base/status", RecordCodec.of(GoalStatusArray.class), SubscriberOptions.standard(),
           (m, r) -> task.set(m.statusList().getFirst().text()));
-      client.subscriber("/r1/odom", Odometry.CODEC, SubscriberOptions.standard(), (m, r) -> first.incrementAndGet());
-      client.subscriber("/r2/odom", Odometry.CODEC, SubscriberOptions.standard(), (m, r) -> second.incrementAndGet());
-      client.subscriber("/map", OccupancyGrid.CODEC, SubscriberOptions.standard(), (m, r) -> map.set(m));
+      client.subscriber("/r1/odom", RecordCodec.of(Odometry.class), SubscriberOptions.standard(), (m, r) -> first.incrementAndGet());
+      client.subscriber("/r2/odom", RecordCodec.of(Odometry.class), SubscriberOptions.standard(), (m, r) -> second.incrementAndGet());
+      client.subscriber("/map", RecordCodec.of(OccupancyGrid.class), SubscriberOptions.standard(), (m, r) -> map.set(m));
       await(() -> "patrolling".equals(task.get()) && first.get() > 3 && map.get() != null, "nothing comes");
       assertEquals(246, map.get().info().width());
-      Publisher<PoseStamped> goal = client.publisher("/r2/move_base_simple/goal", PoseStamped.CODEC, PublisherOptions.standard());
+      Publisher<PoseStamped> goal = client.publisher("/r2/move_base_simple/goal", RecordCodec.of(PoseStamped.class), PublisherOptions.standard());
       await(() -> goal.numSubscribers() == 1, "nobody takes goals");
       goal.publish(new PoseStamped(new Header(0, 0, "map"), new Pose(new Point(4, 12, 0), new Quaternion(0, 0, 0, 1))));
       await(() -> "going to 4.0 12.0".equals(task.get()), task.get());

@@ -34,7 +34,7 @@ public final class Adapters {
    */
   public Adapter<?, ?> of(String type) {
     Adapter<?, ?> known = byType.get(type);
-    return known != null ? known : Adapter.of(type, new RawCodec(), DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
+    return known != null ? known : Adapter.of(type, RawCodec::new, DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
   }
 
   /**

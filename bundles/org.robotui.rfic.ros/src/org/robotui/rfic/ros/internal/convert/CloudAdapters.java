@@ -17,9 +17,9 @@ final class CloudAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of("sensor_msgs/PointCloud2", PointCloud2.CODEC, PointCloud.class, CloudAdapters::cloud,
+        Adapter.of(PointCloud2.class, PointCloud.class, CloudAdapters::cloud,
             m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/PointCloud", org.robotui.ros.msgs.sensor_msgs.PointCloud.CODEC, PointCloud.class,
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.PointCloud.class, PointCloud.class,
             CloudAdapters::oldCloud, m -> m.header().stamp()));
   }
 

@@ -12,6 +12,7 @@ import org.robotui.data.PoseArray;
 import org.robotui.data.PoseEstimate;
 import org.robotui.data.VelocityCommand;
 import org.robotui.ros.message.MessageCodec;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
 import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
@@ -52,18 +53,18 @@ public record CommandType<D extends Data, M>(
   }
 
   private static final List<CommandType<?, ?>> ALL = List.of(
-      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, Twist.CODEC, (c, now) -> twist(c), false,
+      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, RecordCodec.of(Twist.class), (c, now) -> twist(c), false,
           "Velocity of the base."),
-      new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, TwistStamped.CODEC,
+      new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, RecordCodec.of(TwistStamped.class),
           (c, now) -> new TwistStamped(new Header(0, now, ""), twist(c)), false, "Velocity of the base."),
-      new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, PoseStamped.CODEC,
+      new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, RecordCodec.of(PoseStamped.class),
           (c, now) -> new PoseStamped(new Header(0, now, c.frame().name()), Geometry.pose(c.pose())), false,
           "Where the robot shall go."),
-      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, PoseWithCovarianceStamped.CODEC,
+      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, RecordCodec.of(PoseWithCovarianceStamped.class),
           CommandType::estimate, false, "Where the robot is, for its localisation."),
-      new CommandType<>("nav_msgs/Path", Path.class, org.robotui.ros.msgs.nav_msgs.Path.CODEC, CommandType::path, true,
+      new CommandType<>("nav_msgs/Path", Path.class, RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), CommandType::path, true,
           "Poses to drive to, one after the other."),
-      new CommandType<>("geometry_msgs/PoseArray", PoseArray.class, org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC,
+      new CommandType<>("geometry_msgs/PoseArray", PoseArray.class, RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class),
           (c, now) -> new org.robotui.ros.msgs.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
               c.poses().stream().map(Geometry::pose).toList()), true, "Poses to drive to, one after the other."));
 

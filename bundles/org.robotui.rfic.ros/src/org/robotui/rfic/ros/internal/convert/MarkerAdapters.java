@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.ToLongFunction;
 import org.robotui.data.Bytes;
 import org.robotui.data.Color;
 import org.robotui.data.Floats;
@@ -14,6 +15,7 @@ import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ros.message.MessageRegistry;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.message.VersionTolerantCodec;
 import org.robotui.ros.msgs.geometry_msgs.Pose;
 import org.robotui.ros.msgs.std_msgs.ColorRGBA;
@@ -29,11 +31,16 @@ final class MarkerAdapters {
   /** In all their versions: the definition of markers has grown with rviz, and is found in old recordings. */
   static List<Adapter<?, ?>> all(MessageRegistry registry) {
     return List.of(
-        Adapter.of("visualization_msgs/Marker",
-            new VersionTolerantCodec<>(org.robotui.ros.msgs.visualization_msgs.Marker.CODEC, registry), MarkerSet.class,
-            (m, names) -> set(List.of(m), names), m -> m.header().stamp()),
-        Adapter.of("visualization_msgs/MarkerArray", new VersionTolerantCodec<>(MarkerArray.CODEC, registry), MarkerSet.class, (m, names) -> set(m.markers(), names),
+        versions(org.robotui.ros.msgs.visualization_msgs.Marker.class, registry, (m, names) -> set(List.of(m), names),
+            m -> m.header().stamp()),
+        versions(MarkerArray.class, registry, (m, names) -> set(m.markers(), names),
             m -> m.markers().isEmpty() ? 0 : m.markers().getFirst().header().stamp()));
+  }
+
+  private static <M extends Record> Adapter<M, MarkerSet> versions(
+      Class<M> message, MessageRegistry registry, Adapter.Simple<M, MarkerSet> convert, ToLongFunction<M> stamp) {
+    return Adapter.of(RecordCodec.typeOf(message), () -> new VersionTolerantCodec<>(RecordCodec.of(message), registry),
+        MarkerSet.class, convert, stamp);
   }
 
   private static MarkerSet set(List<org.robotui.ros.msgs.visualization_msgs.Marker> markers, FrameNames names) {

@@ -24,21 +24,21 @@ final class MotionAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of("nav_msgs/Odometry", org.robotui.ros.msgs.nav_msgs.Odometry.CODEC, Odometry.class,
+        Adapter.of(org.robotui.ros.msgs.nav_msgs.Odometry.class, Odometry.class,
             MotionAdapters::odometry, m -> m.header().stamp()),
-        Adapter.of("nav_msgs/Path", org.robotui.ros.msgs.nav_msgs.Path.CODEC, Path.class, MotionAdapters::path,
+        Adapter.of(org.robotui.ros.msgs.nav_msgs.Path.class, Path.class, MotionAdapters::path,
             m -> m.header().stamp()),
-        Adapter.of("nav_msgs/OccupancyGrid", OccupancyGrid.CODEC, GridMap.class, MotionAdapters::map,
+        Adapter.of(OccupancyGrid.class, GridMap.class, MotionAdapters::map,
             m -> m.header().stamp()),
-        Adapter.of("geometry_msgs/PoseStamped", PoseStamped.CODEC, StampedPose.class,
+        Adapter.of(PoseStamped.class, StampedPose.class,
             (m, names) -> new StampedPose(names.frame(m.header().frameId()), Geometry.transform(m.pose())),
             m -> m.header().stamp()),
-        Adapter.of("geometry_msgs/PoseWithCovarianceStamped", PoseWithCovarianceStamped.CODEC, PoseEstimate.class,
+        Adapter.of(PoseWithCovarianceStamped.class, PoseEstimate.class,
             MotionAdapters::estimate, m -> m.header().stamp()),
-        Adapter.of("geometry_msgs/Twist", Twist.CODEC, VelocityCommand.class, (m, names) -> velocity(m), m -> 0),
-        Adapter.of("geometry_msgs/TwistStamped", TwistStamped.CODEC, VelocityCommand.class,
+        Adapter.of(Twist.class, VelocityCommand.class, (m, names) -> velocity(m), m -> 0),
+        Adapter.of(TwistStamped.class, VelocityCommand.class,
             (m, names) -> velocity(m.twist()), m -> m.header().stamp()),
-        Adapter.of("geometry_msgs/PolygonStamped", PolygonStamped.CODEC, Footprint.class, MotionAdapters::footprint,
+        Adapter.of(PolygonStamped.class, Footprint.class, MotionAdapters::footprint,
             m -> m.header().stamp()));
   }
 

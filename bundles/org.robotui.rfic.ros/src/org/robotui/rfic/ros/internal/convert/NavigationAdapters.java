@@ -13,9 +13,9 @@ final class NavigationAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of("move_base_msgs/MoveBaseActionFeedback", MoveBaseActionFeedback.CODEC, NavigationStatus.class,
+        Adapter.of(MoveBaseActionFeedback.class, NavigationStatus.class,
             (m, names) -> status(m.status()), m -> m.header().stamp()),
-        Adapter.of("move_base_msgs/MoveBaseActionResult", MoveBaseActionResult.CODEC, NavigationStatus.class,
+        Adapter.of(MoveBaseActionResult.class, NavigationStatus.class,
             (m, names) -> status(m.status()), m -> m.header().stamp()));
   }
 

@@ -25,18 +25,17 @@ final class PlanAdapters {
 
   static List<Adapter<?, ?>> all(RecordDecoder records) {
     return List.of(
-        Adapter.of("geometry_msgs/PoseArray", org.robotui.ros.msgs.geometry_msgs.PoseArray.CODEC, PoseArray.class,
+        Adapter.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class, PoseArray.class,
             (m, names) -> new PoseArray(names.frame(m.header().frameId()), m.poses().stream().map(Geometry::transform).toList()),
             m -> m.header().stamp()),
-        Adapter.of("geometry_msgs/WrenchStamped", WrenchStamped.CODEC, Wrench.class,
+        Adapter.of(WrenchStamped.class, Wrench.class,
             (m, names) -> new Wrench(names.frame(m.header().frameId()), Geometry.vector(m.wrench().force()),
                 Geometry.vector(m.wrench().torque())),
             m -> m.header().stamp()),
-        Adapter.of("trajectory_msgs/JointTrajectory", org.robotui.ros.msgs.trajectory_msgs.JointTrajectory.CODEC,
-            JointTrajectory.class,
+        Adapter.of(org.robotui.ros.msgs.trajectory_msgs.JointTrajectory.class, JointTrajectory.class,
             (m, names) -> new JointTrajectory(m.jointNames(), m.points().stream().map(PlanAdapters::point).toList()),
             m -> m.header().stamp()),
-        Adapter.of("moveit_msgs/DisplayTrajectory", new RawCodec(), DisplayedTrajectory.class,
+        Adapter.of("moveit_msgs/DisplayTrajectory", RawCodec::new, DisplayedTrajectory.class,
             (m, names) -> displayed(records.decode(m)), m -> 0));
   }
 

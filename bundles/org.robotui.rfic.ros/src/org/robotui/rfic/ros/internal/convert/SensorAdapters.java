@@ -27,17 +27,16 @@ final class SensorAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of("sensor_msgs/LaserScan", org.robotui.ros.msgs.sensor_msgs.LaserScan.CODEC, LaserScan.class,
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class, LaserScan.class,
             SensorAdapters::scan, m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/Range", Range.CODEC, RangeReadings.class, SensorAdapters::range, m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/Image", Image.CODEC, RawImage.class, SensorAdapters::image, m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/CompressedImage", org.robotui.ros.msgs.sensor_msgs.CompressedImage.CODEC,
-            CompressedImage.class, SensorAdapters::compressed, m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/CameraInfo", org.robotui.ros.msgs.sensor_msgs.CameraInfo.CODEC, CameraInfo.class,
+        Adapter.of(Range.class, RangeReadings.class, SensorAdapters::range, m -> m.header().stamp()),
+        Adapter.of(Image.class, RawImage.class, SensorAdapters::image, m -> m.header().stamp()),
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.CompressedImage.class, CompressedImage.class, SensorAdapters::compressed, m -> m.header().stamp()),
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.CameraInfo.class, CameraInfo.class,
             SensorAdapters::cameraInfo, m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/Imu", org.robotui.ros.msgs.sensor_msgs.Imu.CODEC, Imu.class, SensorAdapters::imu,
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.Imu.class, Imu.class, SensorAdapters::imu,
             m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/NavSatFix", NavSatFix.CODEC, GpsFix.class, SensorAdapters::fix, m -> m.header().stamp()));
+        Adapter.of(NavSatFix.class, GpsFix.class, SensorAdapters::fix, m -> m.header().stamp()));
   }
 
   private static LaserScan scan(org.robotui.ros.msgs.sensor_msgs.LaserScan m, FrameNames names) {

@@ -12,6 +12,7 @@ import org.robotui.data.JointState;
 import org.robotui.data.LogEntry;
 import org.robotui.data.Severity;
 import org.robotui.data.TransformSet;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
 import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticStatus;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
@@ -30,16 +31,16 @@ public final class StateAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of("sensor_msgs/BatteryState", BatteryState.CODEC, Battery.class, (m, names) -> battery(m),
+        Adapter.of(BatteryState.class, Battery.class, (m, names) -> battery(m),
             m -> m.header().stamp()),
-        Adapter.of("sensor_msgs/JointState", org.robotui.ros.msgs.sensor_msgs.JointState.CODEC, JointState.class,
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.JointState.class, JointState.class,
             (m, names) -> joints(m), m -> m.header().stamp()),
-        Adapter.of("diagnostic_msgs/DiagnosticArray", DiagnosticArray.CODEC, Diagnostics.class,
+        Adapter.of(DiagnosticArray.class, Diagnostics.class,
             (m, names) -> diagnostics(m), m -> m.header().stamp()),
-        Adapter.of("rosgraph_msgs/Log", Log.CODEC, LogEntry.class, (m, names) -> log(m), m -> m.header().stamp()),
-        new Adapter<>("tf2_msgs/TFMessage", TFMessage.CODEC, TransformSet.class,
+        Adapter.of(Log.class, LogEntry.class, (m, names) -> log(m), m -> m.header().stamp()),
+        new Adapter<>("tf2_msgs/TFMessage", () -> RecordCodec.of(TFMessage.class), TransformSet.class,
             (m, names) -> transforms(m, names, false), StateAdapters::stampOf),
-        new Adapter<>("tf/tfMessage", org.robotui.ros.msgs.tf.TfMessage.CODEC, TransformSet.class,
+        new Adapter<>("tf/tfMessage", () -> RecordCodec.of(org.robotui.ros.msgs.tf.TfMessage.class), TransformSet.class,
             (m, names) -> transforms(new TFMessage(m.transforms()), names, false), m -> 0));
   }
 

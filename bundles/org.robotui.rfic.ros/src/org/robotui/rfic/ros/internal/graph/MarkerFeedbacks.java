@@ -9,6 +9,7 @@ import org.robotui.rfic.ros.internal.convert.InteractiveMarkers;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
 
 /**
@@ -29,7 +30,7 @@ final class MarkerFeedbacks implements CommandSink<MarkerFeedback> {
   }
 
   void open(String topic) {
-    topics.computeIfAbsent(topic, t -> node.publisher(t, InteractiveMarkerFeedback.CODEC, PublisherOptions.commands().withQueue(MOST_WAITING)));
+    topics.computeIfAbsent(topic, t -> node.publisher(t, RecordCodec.of(InteractiveMarkerFeedback.class), PublisherOptions.commands().withQueue(MOST_WAITING)));
   }
 
   void close(String topic) {

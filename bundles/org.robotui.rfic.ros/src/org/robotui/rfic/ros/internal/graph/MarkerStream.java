@@ -18,6 +18,7 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 
@@ -101,8 +102,8 @@ final class MarkerStream implements Followed {
       heardAt = System.nanoTime();
       feedbacks.open(feedback());
       SubscriberOptions options = SubscriberOptions.observing();
-      subscribers.add(node.subscriber(topic, InteractiveMarkerUpdate.CODEC, options, this::updated));
-      subscribers.add(node.subscriber(base() + "/update_full", InteractiveMarkerInit.CODEC, options, this::begun));
+      subscribers.add(node.subscriber(topic, RecordCodec.of(InteractiveMarkerUpdate.class), options, this::updated));
+      subscribers.add(node.subscriber(base() + "/update_full", RecordCodec.of(InteractiveMarkerInit.class), options, this::begun));
     } else if (!wanted) {
       end();
     }

@@ -16,6 +16,7 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
@@ -59,7 +60,7 @@ final class TransformFeed implements AutoCloseable {
   }
 
   private void subscribe(boolean fixed) {
-    subscribers.add(node.subscriber(topic(fixed), TFMessage.CODEC, SubscriberOptions.observing(),
+    subscribers.add(node.subscriber(topic(fixed), RecordCodec.of(TFMessage.class), SubscriberOptions.observing(),
         (message, reception) -> master.heard(message, reception, fixed)));
   }
 

@@ -28,6 +28,7 @@ import org.robotui.ros.message.MessageRegistry;
 import org.robotui.ros.message.MessageSchema;
 import org.robotui.ros.message.MessageWriter;
 import org.robotui.ros.message.RawMessage;
+import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.geometry_msgs.WrenchStamped;
 import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.ros.msgs.trajectory_msgs.JointTrajectoryPoint;
@@ -169,13 +170,13 @@ class MarkerAdaptersTest {
   @Test
   void damagedMessagesAreConvertedOrRefused() {
     Random random = new Random(5);
-    byte[] array = encoded(MarkerArray.CODEC, new MarkerArray(List.of(marker(1, Marker.POINTS, 0, SIX, new float[24]), marker(2, 0, 0, SIX, new float[0]))));
-    byte[] init = encoded(InteractiveMarkerInit.CODEC, new InteractiveMarkerInit("server", 1, List.of(SampleMarkers.interactive("goal", 1))));
+    byte[] array = encoded(RecordCodec.of(MarkerArray.class), new MarkerArray(List.of(marker(1, Marker.POINTS, 0, SIX, new float[24]), marker(2, 0, 0, SIX, new float[0]))));
+    byte[] init = encoded(RecordCodec.of(InteractiveMarkerInit.class), new InteractiveMarkerInit("server", 1, List.of(SampleMarkers.interactive("goal", 1))));
     int converted = 0;
     for (int round = 0; round < 4_000; round++) {
-      converted += accepts(() -> convert("visualization_msgs/MarkerArray", MarkerArray.CODEC.decode(damaged(array, random)))) ? 1 : 0;
+      converted += accepts(() -> convert("visualization_msgs/MarkerArray", RecordCodec.of(MarkerArray.class).decode(damaged(array, random)))) ? 1 : 0;
       converted += accepts(() -> {
-        for (InteractiveMarker m : InteractiveMarkerInit.CODEC.decode(damaged(init, random)).markers()) {
+        for (InteractiveMarker m : RecordCodec.of(InteractiveMarkerInit.class).decode(damaged(init, random)).markers()) {
           InteractiveMarkers.marker(m, "/feedback", NAMES);
         }
       }) ? 1 : 0;
