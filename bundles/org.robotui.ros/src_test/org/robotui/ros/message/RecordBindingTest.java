@@ -77,7 +77,7 @@ class RecordBindingTest {
     Map<String, Object> spot = Map.of("x", 1, "y", 2);
     return new DynamicCodec(schema()).build(Map.of("name", "loop", "begin", 5_000_000_007L, "count", 4_000_000_000L,
         "waits", List.of(1_000, 2_000), "spots", List.of(spot, spot), "codes", List.of(-1, 2),
-        "labels", List.of(Map.of("text", "start", "spot", spot)), "big", -1)).bytes();
+        "labels", List.of(Map.of("text", "start", "spot", spot)), "big", "18446744073709551615")).bytes();
   }
 
   @Test
