@@ -32,4 +32,13 @@ public interface SwtUic extends Uic {
   default List<ViewAction> actions() {
     return List.of();
   }
+
+  /**
+   * The keys that the view takes while it has the focus, the most used first; for the list of shortcuts (? and F1).
+   *
+   * @return the keys, without those that every table and every text field has
+   */
+  default List<ViewKey> keys() {
+    return List.of();
+  }
 }

@@ -9,6 +9,7 @@ import org.robotui.api.port.BrowsePort;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 
 /** A view that asks. What it has asked ends with the robot interface that was asked, not with the view. */
 public final class AskUic implements SwtUic {
@@ -47,6 +48,11 @@ public final class AskUic implements SwtUic {
   @Override
   public void refresh() {
     pane.ifPresent(AskPane::refresh);
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(new ViewKey("Ctrl+Enter", words.verb()), new ViewKey("Ctrl+F, /", "Filter"));
   }
 
   @Override

@@ -13,6 +13,7 @@ import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.alert.AlertWords;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewKey;
 
 /** The view: the tick looks, the surface lists. */
 final class AlertsUic implements SwtUic, Hands {
@@ -43,6 +44,13 @@ final class AlertsUic implements SwtUic, Hands {
     surface = Optional.of(made);
     made.show(page);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("A", "Acknowledge the selected alerts"),
+        new ViewKey("M", "Mute them, or unmute them"));
   }
 
   @Override

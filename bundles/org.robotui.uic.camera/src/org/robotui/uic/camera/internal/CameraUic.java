@@ -12,6 +12,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 
 /** The view: the tick decodes, the surface paints what was decoded last. */
 final class CameraUic implements SwtUic {
@@ -62,6 +63,19 @@ final class CameraUic implements SwtUic {
     surface = Optional.of(made);
     made.show(shot);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("0, 1, 2", "Show all, actual pixels, fill the view"),
+        new ViewKey("+, -", "Zoom"),
+        new ViewKey("Arrows", "Move"),
+        new ViewKey("C", "Change the colour map"),
+        new ViewKey("R", "Fix the colour range, or let it follow"),
+        new ViewKey("I", "Show the pixel under the pointer"),
+        new ViewKey("D", "Show details"),
+        new ViewKey("L", "Show the legend"));
   }
 
   @Override

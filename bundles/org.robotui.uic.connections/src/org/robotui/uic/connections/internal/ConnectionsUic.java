@@ -13,6 +13,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.connections.internal.model.ConnectionsModel;
 import org.robotui.uic.connections.internal.model.Filter;
@@ -47,6 +48,14 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
     search("");
     made.show(model.shown());
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Enter", "Expand or collapse, or choose a port"),
+        new ViewKey("Ctrl+F, /", "Filter"),
+        new ViewKey("Ctrl+C", "Copy the selected line"));
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.robotui.data.Diagnostics;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.uic.diagnostics.internal.model.Ask;
 import org.robotui.uic.diagnostics.internal.model.DiagnosticsModel;
 import org.robotui.uic.diagnostics.internal.view.DiagnosticsHands;
@@ -50,6 +51,15 @@ final class DiagnosticsUic implements SwtUic {
     surface = Optional.of(made);
     made.show(frame);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Enter, arrows", "Expand or collapse a group"),
+        new ViewKey("Ctrl+F, /", "Search"),
+        new ViewKey("Left, right", "Step through the history, on its strip"),
+        new ViewKey("Esc", "Return to now, close the details"));
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.robotui.api.UicContext;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.uic.gps.internal.model.GpsModel;
 import org.robotui.uic.gps.internal.view.Choices;
 import org.robotui.uic.gps.internal.view.GpsActions;
@@ -35,6 +36,19 @@ final class GpsUic implements SwtUic {
     GpsCanvas made = new GpsCanvas(parent, context, model, choices, actions);
     canvas = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("F", "Follow the receiver"),
+        new ViewKey("M", "Measure"),
+        new ViewKey("C", "Copy the coordinates"),
+        new ViewKey("D", "Show degrees, minutes, seconds"),
+        new ViewKey("0", "Show all"),
+        new ViewKey("+, -", "Zoom"),
+        new ViewKey("Arrows", "Move"),
+        new ViewKey("Esc", "End measuring"));
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.diagram.TextWidths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.graph.internal.model.Ask;
@@ -45,6 +46,17 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
     surface = Optional.of(made);
     made.show(model.look(), model.ask());
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("0, Home", "Show the whole graph"),
+        new ViewKey("+, -", "Zoom"),
+        new ViewKey("Arrows", "Move"),
+        new ViewKey("Enter", "Expand or collapse a namespace"),
+        new ViewKey("Ctrl+F", "Filter"),
+        new ViewKey("Esc", "Clear the selection"));
   }
 
   @Override

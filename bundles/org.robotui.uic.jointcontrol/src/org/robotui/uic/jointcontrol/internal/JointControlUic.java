@@ -10,6 +10,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.uic.jointcontrol.internal.model.ControlModel;
 import org.robotui.uic.jointcontrol.internal.model.JointDriver;
 import org.robotui.uic.jointcontrol.internal.view.JointsSurface;
@@ -46,6 +47,17 @@ final class JointControlUic implements SwtUic, Wishes {
     surface = Optional.of(made);
     made.show();
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Left, right", "Move the joint by a fine step"),
+        new ViewKey("Shift+Left, right", "Move it by ten steps"),
+        new ViewKey("Digits, Enter", "Type a target"),
+        new ViewKey("Space", "Stop the robot"),
+        new ViewKey("Esc", "End driving, and release control"),
+        new ViewKey("Ctrl+F, /", "Filter"));
   }
 
   @Override

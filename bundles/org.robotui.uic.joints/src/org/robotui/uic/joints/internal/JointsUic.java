@@ -13,6 +13,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.joints.internal.model.JointTracks;
 import org.robotui.uic.joints.internal.model.JointsLook;
@@ -68,6 +69,14 @@ final class JointsUic implements SwtUic {
     made.prepare(look);
     made.refresh();
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Ctrl+1 \u2026 Ctrl+7", "Sort by a column"),
+        new ViewKey("Ctrl+F, /", "Filter"),
+        new ViewKey("Ctrl+C", "Copy the selected rows"));
   }
 
   @Override

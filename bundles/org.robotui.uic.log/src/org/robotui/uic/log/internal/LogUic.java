@@ -16,6 +16,7 @@ import org.robotui.data.LogEntry;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFile;
@@ -73,6 +74,15 @@ final class LogUic implements SwtUic {
     surface = Optional.of(made);
     made.show(frame);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("P", "Pause or resume"),
+        new ViewKey("Ctrl+F, /", "Search"),
+        new ViewKey("Ctrl+C", "Copy the selected entries"),
+        new ViewKey("Esc", "Close the details"));
   }
 
   @Override

@@ -9,6 +9,7 @@ import org.robotui.api.show.Subject;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.scene.Commander;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.view.Choices;
@@ -43,6 +44,20 @@ final class MapUic implements SwtUic {
     MapCanvas made = new MapCanvas(parent, context, model, choices, commander, goals, actions);
     canvas = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("G", "Send a goal"),
+        new ViewKey("P", "Set the pose estimate"),
+        new ViewKey("M", "Measure"),
+        new ViewKey("F", "Follow the robot"),
+        new ViewKey("L", "Choose layers"),
+        new ViewKey("0, Home", "Show all"),
+        new ViewKey("+, -", "Zoom"),
+        new ViewKey("Arrows", "Move"),
+        new ViewKey("Esc", "End the tool"));
   }
 
   @Override

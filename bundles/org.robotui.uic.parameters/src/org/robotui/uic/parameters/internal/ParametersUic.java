@@ -8,6 +8,7 @@ import org.robotui.api.UicContext;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
 import org.robotui.uic.parameters.internal.view.ParametersActions;
 import org.robotui.uic.parameters.internal.view.ParametersSurface;
@@ -35,6 +36,15 @@ final class ParametersUic implements SwtUic {
     ParametersSurface made = new ParametersSurface(parent, ui, model);
     surface = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Enter, F2", "Edit, or expand a namespace"),
+        new ViewKey("Ctrl+Z", "Undo the last change"),
+        new ViewKey("F5", "Read all again"),
+        new ViewKey("Ctrl+F, /", "Filter"));
   }
 
   @Override

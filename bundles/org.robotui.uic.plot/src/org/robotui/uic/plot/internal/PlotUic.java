@@ -18,6 +18,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.NumberPaths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.FieldTree;
@@ -97,6 +98,18 @@ final class PlotUic implements SwtUic {
     PlotSurface made = new PlotSurface(parent, ui, scene, state, edits, exporter, new Robot());
     surface = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("A, Insert", "Add a trace"),
+        new ViewKey("P", "Pause"),
+        new ViewKey("C", "Show cursors"),
+        new ViewKey("0, Home", "Return to live"),
+        new ViewKey("+, -", "Zoom time"),
+        new ViewKey("Left, right", "Move in time"),
+        new ViewKey("Shift+Up, down", "Zoom values"));
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.uic.plugins.internal.model.PluginsModel;
 import org.robotui.uic.plugins.internal.view.PluginsSurface;
 
@@ -42,6 +43,14 @@ final class PluginsUic implements SwtUic {
     surface = Optional.of(made);
     made.refresh();
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Enter", "Type a command for the plugin"),
+        new ViewKey("Tab", "Go to start, stop and reload"),
+        new ViewKey("Ctrl+C", "Copy the row"));
   }
 
   @Override

@@ -13,6 +13,7 @@ import org.robotui.gl.render.Gl;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.scene.Commander;
 import org.robotui.ui.scene.Told;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
@@ -140,6 +141,23 @@ final class Scene3dUic implements SwtUic {
     SceneSurface made = new SceneSurface(parent, context, parts, actions);
     surface = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("F", "Focus on the selection"),
+        new ViewKey("0, Home", "Show all"),
+        new ViewKey("1, 2, 3", "Orbit, fly, top down"),
+        new ViewKey("V", "Choose camera and view"),
+        new ViewKey("G", "Send a goal"),
+        new ViewKey("P", "Set the pose estimate"),
+        new ViewKey("M", "Measure"),
+        new ViewKey("R", "Place waypoints"),
+        new ViewKey("L", "Show the list of displays"),
+        new ViewKey("W A S D, Q E", "Move the camera"),
+        new ViewKey("+, -", "Zoom"),
+        new ViewKey("Esc", "Clear the selection, end the tool"));
   }
 
   @Override

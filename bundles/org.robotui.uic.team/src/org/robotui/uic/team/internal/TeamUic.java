@@ -7,6 +7,7 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewKey;
 import org.robotui.uic.team.internal.model.Commands;
 import org.robotui.uic.team.internal.model.TeamLook;
 import org.robotui.uic.team.internal.model.TeamModel;
@@ -42,6 +43,14 @@ final class TeamUic implements SwtUic {
     made.refresh();
     surface = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Enter", "Open the UI of the robot"),
+        new ViewKey("Ctrl+F, /", "Filter"),
+        new ViewKey("Esc", "Cancel the question"));
   }
 
   @Override

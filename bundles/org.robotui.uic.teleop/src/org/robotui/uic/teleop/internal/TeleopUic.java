@@ -1,11 +1,13 @@
 package org.robotui.uic.teleop.internal;
 
+import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewKey;
 
 /** The view: a driver that the tick lets send, and a surface while it is shown. */
 final class TeleopUic implements SwtUic {
@@ -33,6 +35,17 @@ final class TeleopUic implements SwtUic {
     TeleopSurface made = new TeleopSurface(parent, context, driver, settings);
     surface = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("W A S D", "Drive, while held"),
+        new ViewKey("Arrows", "Drive, while held"),
+        new ViewKey("Q, E", "Turn, while held"),
+        new ViewKey("Shift", "Halve the speed"),
+        new ViewKey("Space", "Stop"),
+        new ViewKey("Esc", "Let go"));
   }
 
   @Override

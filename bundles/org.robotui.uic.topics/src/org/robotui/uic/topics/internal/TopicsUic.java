@@ -9,6 +9,7 @@ import org.robotui.api.show.Subject;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.TopicsModel;
 import org.robotui.uic.topics.internal.view.TopicsActions;
@@ -38,6 +39,16 @@ final class TopicsUic implements SwtUic {
         context.ruic().name(), new SubjectMenu(context.ruic(), ui.theme(), context.background()));
     surface = Optional.of(made);
     return made.control();
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(
+        new ViewKey("Enter", "Echo the topic"),
+        new ViewKey("M", "Measure its rate"),
+        new ViewKey("Ctrl+F, /", "Filter"),
+        new ViewKey("H", "Pause the echo"),
+        new ViewKey("Ctrl+Enter", "Publish once, in the form"));
   }
 
   @Override

@@ -77,7 +77,7 @@ final class NewRobotPage extends Composite {
     connect.setLayoutData(new GridData(SWT.END, SWT.CENTER, false, false));
     ports = new RowTable<>(this, theme, List.of(
         Column.<PortStatus>words("Port", p -> p.port().port()).weight(1.3),
-        Column.<PortStatus>words("What passes", PortStatus::typeName).role(Role.DIM).weight(1),
+        Column.<PortStatus>words("Type", PortStatus::typeName).role(Role.DIM).weight(1),
         Column.<PortStatus>words("Way", NewRobotPage::way).role(Role.DIM).width(120).weight(0)),
         p -> p.kind() + " " + p.port());
     ports.list().named("What the robot offers");

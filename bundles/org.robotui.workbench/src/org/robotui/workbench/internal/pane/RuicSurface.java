@@ -65,7 +65,7 @@ public final class RuicSurface extends Composite {
   public List<ViewEntry> views() {
     List<String> failed = ruic.snapshot().components().stream().filter(c -> c.state() == RuicState.FAILED).map(ComponentStatus::id).toList();
     return stacks.stream().flatMap(s -> s.holders()
-        .map(h -> new ViewEntry(h.id(), ruic.title(h.id()), failed.contains(h.id()), s.isSeen(h), h.actions()))).toList();
+        .map(h -> new ViewEntry(h.id(), ruic.title(h.id()), failed.contains(h.id()), s.isSeen(h), h.actions(), h.keys()))).toList();
   }
 
   /** Brings a view to the front of its tabs and gives it the keys. */

@@ -29,7 +29,7 @@ import org.robotui.workbench.internal.model.SearchEntry;
  * moves within a window at once, so no key that is typed after the one that opens it goes elsewhere. Display thread only.
  */
 public final class SearchPane extends Composite {
-  private static final int WIDTH = 560;
+  private static final int WIDTH = 640;
   private static final int HEIGHT = 420;
   private static final int LEAST_HEIGHT = 120;
   private static final int HEAD = 26 + 3 * Theme.STEP + 6;
@@ -41,7 +41,7 @@ public final class SearchPane extends Composite {
   private final Optional<Control> former;
   private final Listener pressed = this::pressedElsewhere;
 
-  private SearchPane(Shell shell, Theme theme, List<SearchEntry> all) {
+  private SearchPane(Shell shell, Theme theme, String hint, List<SearchEntry> all) {
     super(shell, SWT.NONE);
     this.all = all;
     former = Optional.ofNullable(shell.getDisplay().getFocusControl());
@@ -52,7 +52,7 @@ public final class SearchPane extends Composite {
     setLayout(frame);
     Composite body = Boxes.inset(this, theme, 1, Theme.STEP, Theme.STEP);
     body.setLayoutData(Boxes.fill());
-    field = new FilterField(body, theme, "Search commands, views, robots", this::find);
+    field = new FilterField(body, theme, hint, this::find);
     field.setLayoutData(Boxes.line());
     list = new RowList<>(body, theme, new Look(theme)).named("Found").onOpen(this::run);
     list.control().setLayoutData(Boxes.fill());
@@ -63,12 +63,21 @@ public final class SearchPane extends Composite {
 
   /** Opens it in a window, or has the one that is open there take the keys again. */
   public static SearchPane open(Shell shell, Theme theme, List<SearchEntry> all) {
-    SearchPane pane = in(shell).orElseGet(() -> new SearchPane(shell, theme, all));
-    pane.place();
-    pane.moveAbove(null);
-    pane.layout(true, true);
-    pane.field.focus();
-    return pane;
+    return in(shell).orElseGet(() -> new SearchPane(shell, theme, "Search commands, views, robots", all)).take();
+  }
+
+  /** Opens the list of shortcuts in a window, in place of a search that is open there. */
+  public static SearchPane openShortcuts(Shell shell, Theme theme, List<SearchEntry> all) {
+    in(shell).ifPresent(SearchPane::close);
+    return new SearchPane(shell, theme, "Search keyboard shortcuts", all).take();
+  }
+
+  private SearchPane take() {
+    place();
+    moveAbove(null);
+    layout(true, true);
+    field.focus();
+    return this;
   }
 
   /** The one that is open in a window. */
@@ -106,7 +115,7 @@ public final class SearchPane extends Composite {
     list.rows().stream().findFirst().ifPresentOrElse(first -> {
       list.noMessage();
       list.select(first);
-    }, () -> list.message(Health.NONE, "Nothing is called that", "Search by words of a command, a view or a robot."));
+    }, () -> list.message(Health.NONE, "No match", "Search by words of a command, a view or a robot."));
     place();
   }
 
@@ -169,7 +178,7 @@ public final class SearchPane extends Composite {
   /** What it does at the left, then where it belongs, and its keys at the right. */
   private static final class Look implements RowLook<SearchEntry> {
     private static final int GROUP = 110;
-    private static final int KEYS = 110;
+    private static final int KEYS = 150;
 
     private final RowWords words;
 

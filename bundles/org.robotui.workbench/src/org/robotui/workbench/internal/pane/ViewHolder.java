@@ -20,6 +20,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -63,6 +64,10 @@ final class ViewHolder extends Composite implements UiContext {
 
   List<ViewAction> actions() {
     return shown.map(SwtUic::actions).orElse(List.of());
+  }
+
+  List<ViewKey> keys() {
+    return shown.map(SwtUic::keys).orElse(List.of());
   }
 
   /** How near to a failure code of the view lies; none where it took no part. */

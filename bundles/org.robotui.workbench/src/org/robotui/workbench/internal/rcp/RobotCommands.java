@@ -20,7 +20,7 @@ public final class RobotCommands extends AbstractHandler {
     WindowActions actions = new WindowActions(session, window);
     switch (event.getCommand().getId().substring(PREFIX.length())) {
       case "search" -> actions.search();
-      case "keys" -> actions.keys();
+      case "keys" -> actions.shortcuts();
       case "new" -> actions.create();
       case "open" -> actions.open();
       case "reload" -> actions.reload();

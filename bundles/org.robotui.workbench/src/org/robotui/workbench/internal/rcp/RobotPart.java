@@ -15,6 +15,7 @@ import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.display.HostHub;
+import org.robotui.workbench.internal.display.ShortcutsKey;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.RobotArea;
 import org.robotui.workbench.internal.pane.RuicSurface;
@@ -45,6 +46,7 @@ public final class RobotPart extends ViewPart {
         session.hub().add(client()),
         session.configurations().onChange(this::problems));
     parent.addListener(SWT.Dispose, e -> ends.forEach(Runnable::run));
+    ShortcutsKey.listen(parent, () -> new WindowActions(session, getSite().getWorkbenchWindow()).shortcuts());
   }
 
   @Override

@@ -9,6 +9,7 @@ import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.model.SearchEntry;
 import org.robotui.workbench.internal.pane.Menus;
 import org.robotui.workbench.internal.pane.RuicSurface;
+import org.robotui.workbench.internal.pane.ViewEntry;
 
 /** What the search of a window finds: robots, views and what they can do, and all that is in the menus. Display thread only. */
 final class SearchEntries {
@@ -20,14 +21,30 @@ final class SearchEntries {
     this.window = window;
   }
 
-  /** Those that keys do as well. */
-  List<SearchEntry> withKeys() {
-    return all().stream().filter(entry -> !entry.keys().isEmpty()).toList();
+  /** All shortcuts: of the view that has the focus, of the window, then of the other views. Choosing one of a view shows that view. */
+  List<SearchEntry> shortcuts() {
+    Optional<RuicSurface> surface = surface();
+    Optional<String> focused = surface.flatMap(RuicSurface::focused).map(ViewEntry::id);
+    List<SearchEntry> entries = new ArrayList<>();
+    surface.ifPresent(shown -> shown.views().stream().filter(view -> focused.filter(view.id()::equals).isPresent())
+        .forEach(view -> entries.addAll(keys(shown, view))));
+    all().stream().filter(entry -> !entry.keys().isEmpty()).forEach(entries::add);
+    surface.ifPresent(shown -> shown.views().stream().filter(view -> focused.filter(view.id()::equals).isEmpty())
+        .forEach(view -> entries.addAll(keys(shown, view))));
+    return entries;
+  }
+
+  private static List<SearchEntry> keys(RuicSurface shown, ViewEntry view) {
+    return view.keys().stream().map(key -> new SearchEntry(view.title(), key.does(), key.keys(), () -> shown.reveal(view.id()))).toList();
+  }
+
+  private Optional<RuicSurface> surface() {
+    return RobotPart.in(window).flatMap(part -> part.area().surface());
   }
 
   List<SearchEntry> all() {
     List<SearchEntry> entries = new ArrayList<>();
-    Optional<RuicSurface> surface = RobotPart.in(window).flatMap(part -> part.area().surface());
+    Optional<RuicSurface> surface = surface();
     // The views themselves are in the menu View.
     surface.ifPresent(shown -> shown.views().forEach(view -> view.actions().forEach(action ->
         entries.add(new SearchEntry(view.title(), action.label(), "", () -> {

@@ -50,9 +50,9 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
     SearchPane.open(window.getShell(), session.look().theme(), new SearchEntries(session, window).all());
   }
 
-  /** Shows which keys do what in the window, whatever has the focus. */
-  void keys() {
-    SearchPane.open(window.getShell(), session.look().theme(), new SearchEntries(session, window).withKeys());
+  /** Shows all shortcuts, those of the view that has the focus first. */
+  void shortcuts() {
+    SearchPane.openShortcuts(window.getShell(), session.look().theme(), new SearchEntries(session, window).shortcuts());
   }
 
   @Override

@@ -9,6 +9,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewKey;
 
 /** A view that counts what is done to it; it can be made to throw. */
 class PaintedView implements SwtUic {
@@ -56,6 +57,11 @@ class PaintedView implements SwtUic {
     return note.isEmpty() ? List.of() : List.of(
         new ViewAction("follow", "Follow", "follow", Optional.of(() -> followed), () -> followed = !followed),
         new ViewAction("fit", "Fit", "fit", Optional.empty(), () -> { }));
+  }
+
+  @Override
+  public List<ViewKey> keys() {
+    return List.of(new ViewKey("F", "Follow"));
   }
 
   @Override

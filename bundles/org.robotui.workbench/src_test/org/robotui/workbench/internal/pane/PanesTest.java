@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -31,7 +32,9 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.control.QuietButton;
+import org.robotui.workbench.internal.display.ShortcutsKey;
 import org.robotui.workbench.internal.display.StopKeys;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
@@ -277,6 +280,43 @@ class PanesTest {
     assertEquals(List.of("stop"), actions.calls);
     assertTrue(pane.isDisposed());
     TestDisplay.until(map.control::isFocusControl);
+  }
+
+  @Test
+  void viewsTellTheirKeys() {
+    RuicSurface surface = show(new Layout.View("map")).surface().orElseThrow();
+
+    assertEquals(List.of(new ViewKey("F", "Follow")), surface.views().getFirst().keys());
+  }
+
+  @Test
+  void theListOfShortcutsTakesThePlaceOfASearch() {
+    SearchPane search = SearchPane.open(shell, theme, List.of());
+    SearchPane shortcuts = SearchPane.openShortcuts(shell, theme, List.of(new SearchEntry("Map", "Follow", "F", () -> { })));
+
+    assertTrue(search.isDisposed());
+    assertEquals(List.of("F"), shortcuts.found().stream().map(SearchEntry::keys).toList());
+  }
+
+  @Test
+  void theQuestionMarkOpensTheShortcutsWhereItIsNoText() {
+    show(new Layout.View("map"));
+    Text text = new Text(shell, SWT.NONE);
+    List<String> opened = new ArrayList<>();
+    ShortcutsKey.listen(shell, () -> opened.add("shortcuts"));
+
+    text.notifyListeners(SWT.KeyDown, questionMark(0));
+    map.control.notifyListeners(SWT.KeyDown, questionMark(SWT.CTRL));
+    assertEquals(List.of(), opened);
+    map.control.notifyListeners(SWT.KeyDown, questionMark(SWT.SHIFT));
+    assertEquals(List.of("shortcuts"), opened);
+  }
+
+  private static Event questionMark(int modifiers) {
+    Event event = new Event();
+    event.character = '?';
+    event.stateMask = modifiers;
+    return event;
   }
 
   @Test
