@@ -68,7 +68,7 @@ final class EntryList {
     } else if (listing.entries().isEmpty()) {
       table.list().message(Health.NONE, "No " + words.things(), "The robot offers none now.");
     } else {
-      table.list().message(Health.NONE, "Nothing matches", "None of " + listing.entries().size() + " contains the words of the filter.");
+      table.list().message(Health.NONE, "No match", "None of " + listing.entries().size() + " contains the words of the filter.");
     }
   }
 

@@ -91,7 +91,7 @@ final class Rehearsal {
       ghost.trail((int) settings.integer(TrajectoryType.TRAIL), fixedFromRoot, Material.lit(color.withAlpha(TRAIL * opacity)), parts);
     }
     if (settings.flag(TrajectoryType.PATH)) {
-      parts.add(new Part("path", line, fixedFromRoot, Material.flat(color), (element, place) -> describe("Planned way")));
+      parts.add(new Part("path", line, fixedFromRoot, Material.flat(color), (element, place) -> describe("Planned path")));
     }
     if (settings.flag(TrajectoryType.EXECUTED) && trace.size() > 1) {
       parts.add(new Part("executed", trace.line(line.width()), fixedFromRoot,

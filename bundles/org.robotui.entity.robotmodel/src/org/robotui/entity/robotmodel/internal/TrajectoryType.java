@@ -41,7 +41,7 @@ public final class TrajectoryType implements DisplayType {
       Setting.of(OPACITY, new ValueType.Num(0, 1, ""), 0.4, "Of the ghost, 0 invisible to 1 opaque."),
       ColorSetting.of(COLOR, "#f5b83d", "The colour of what is planned."),
       Setting.of(TRAIL, new ValueType.Int(0, 10_000), 0L, "A paler figure at every n-th point of the trajectory; 0 for none."),
-      Setting.of(LINK, TEXT, "", "The link whose way is drawn; empty for the tip, which most of the planned joints move."),
+      Setting.of(LINK, TEXT, "", "The link whose path is drawn; empty for the tip, which most of the planned joints move."),
       Setting.of(PATH, FLAG, true, "Whether the planned path of the link is drawn."),
       Setting.of(EXECUTED, FLAG, true, "Whether the path is drawn that the link has travelled since the plan came."),
       ColorSetting.of(EXECUTED_COLOR, "#3ecf8e", "The colour of what was executed."),

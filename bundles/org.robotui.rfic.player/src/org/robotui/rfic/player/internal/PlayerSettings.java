@@ -67,7 +67,7 @@ public record PlayerSettings(
       Setting.of("base_frame", FRAME, "base_link", "name of the frame of the robot's base"),
       Setting.of("odom_frame", FRAME, "odom", "name of the frame of its odometry; where odometry is true on the map: map"),
       Setting.of("map_frame", FRAME, "map", "name of the frame of maps, plans and localisation"),
-      Setting.of("sonar_cone", new ValueType.Num(0, Math.PI, "rad"), 0.26, "opening of sonars, which the interface sonar does not tell"),
+      Setting.of("sonar_cone", new ValueType.Num(0, Math.PI, "rad"), 0.26, "opening angle of sonars, which the interface sonar does not tell"),
       Setting.of("sonar_range", new ValueType.Num(0, 1000, "m"), 5.0, "how far sonars see, which the interface sonar does not tell"),
       Setting.of("clock", new ValueType.Choice(List.of("auto", "robot", "simulated")), "auto",
           "whose time the server's stamps are; auto: that of a robot if they are after 2001, else simulated"),

@@ -60,7 +60,7 @@ class RosCommandsTest extends RosRficCase {
     rfic.start();
     await(() -> context.commands.containsKey("base/cmd"));
     Sent sent = send("base/cmd", VelocityCommand.ZERO);
-    assertEquals("nobody listens on /base/cmd now", assertInstanceOf(Sent.Refused.class, sent).reason());
+    assertEquals("nobody subscribes to /base/cmd now", assertInstanceOf(Sent.Refused.class, sent).reason());
   }
 
   @Test
@@ -140,7 +140,7 @@ class RosCommandsTest extends RosRficCase {
     await(() -> first.size() == 2);
     assertTrue(refusal(say("/gain", "std_msgs/String", Map.of())).contains("carries std_msgs/Float64"));
     assertTrue(refusal(say("/gain", "std_msgs/Float64", Map.of("data", "much"))).contains("data"));
-    assertTrue(refusal(say("/nobody", "std_msgs/Float64", Map.of())).contains("nobody listens on /nobody"));
+    assertTrue(refusal(say("/nobody", "std_msgs/Float64", Map.of())).contains("nobody subscribes to /nobody"));
     assertTrue(refusal(say("/cmd_vel", "geometry_msgs/Twist", Map.of())).contains("moves the robot"));
   }
 

@@ -102,7 +102,7 @@ final class AlertsSurface {
       actions.add(action("mute_hour", "Mute for an hour", () -> hands.mute(selected, Optional.of(HOUR))));
       actions.add(action("mute_endless", "Mute until it is unmuted", () -> hands.mute(selected, ENDLESS)));
       if (selected.stream().anyMatch(alert -> alert.mutedUntil().isPresent())) {
-        actions.add(action("unmute", "Let it be heard again", () -> hands.mute(selected, HEARD)));
+        actions.add(action("unmute", "Unmute", () -> hands.mute(selected, HEARD)));
       }
     }
     actions.add(action("mute_all_hour", "Mute all for an hour", () -> hands.muteAll(Optional.of(HOUR))));

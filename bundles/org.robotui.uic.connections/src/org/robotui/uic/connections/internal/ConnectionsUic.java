@@ -31,8 +31,8 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
     this.context = context;
     this.actions = List.of(
         new ViewAction("copy", "Copy all of the list as text", Icon.COPY.id(), Optional.empty(), () -> surface.ifPresent(ConnectionsSurface::copy)),
-        new ViewAction("fold", "Fold all robots", Icon.CLOSED.id(), Optional.empty(), () -> foldAll(true)),
-        new ViewAction("unfold", "Unfold everything", Icon.OPEN.id(), Optional.empty(), () -> foldAll(false)));
+        new ViewAction("fold", "Collapse all robots", Icon.CLOSED.id(), Optional.empty(), () -> foldAll(true)),
+        new ViewAction("unfold", "Expand all", Icon.OPEN.id(), Optional.empty(), () -> foldAll(false)));
     model.filter(wanted());
   }
 

@@ -75,7 +75,7 @@ public record GpsOptions(
             "Where metres are counted from: the first fix, or origin_latitude and origin_longitude."),
         Setting.of(ORIGIN_LATITUDE, new ValueType.Num(-90, 90, "\u00b0"), 0.0, "Degrees, north is positive."),
         Setting.of(ORIGIN_LONGITUDE, new ValueType.Num(-180, 180, "\u00b0"), 0.0, "Degrees, east is positive."),
-        Setting.of(TRAIL_MINUTES, new ValueType.Num(0, LONGEST_MINUTES, "min"), 240.0, "How long the ways gone are kept."),
+        Setting.of(TRAIL_MINUTES, new ValueType.Num(0, LONGEST_MINUTES, "min"), 240.0, "How long tracks are kept."),
         Setting.of(WAY_COLORS, new ValueType.Choice(List.of(Ways.AUTO.id(), Ways.RECEIVER.id(), Ways.QUALITY.id())), Ways.AUTO.id(),
             "Colour of tracks: by quality of the fixes, by receiver, or auto: by quality where there is one receiver."),
         Setting.of(COORDINATES, new ValueType.Choice(List.of(DECIMAL, DMS)), DECIMAL,

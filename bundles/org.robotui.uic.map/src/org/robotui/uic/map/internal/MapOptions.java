@@ -48,7 +48,7 @@ public record MapOptions(
   public static Schema schema() {
     List<Setting> settings = new ArrayList<>();
     settings.add(Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,
-        "The frame that is drawn at rest; 'auto' takes map, else odom, else the first root."));
+        "The fixed frame; 'auto' takes map, else odom, else the first root."));
     settings.add(Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep the robot in the middle."));
     for (Kind kind : Kind.values()) {
       settings.add(Setting.of(kind.setting(), new ValueType.Flag(), true, "Show: " + kind.label().toLowerCase(Locale.ROOT) + "."));

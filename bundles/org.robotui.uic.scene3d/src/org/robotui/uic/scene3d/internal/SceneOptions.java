@@ -90,7 +90,7 @@ public final class SceneOptions {
           "What is shown, in the order of the list; without, what the robot offers."),
       Setting.of(AUTOMATIC, new ValueType.Flag(), true, "Show what the robot offers while no displays are listed."),
       Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,
-          "The frame that is drawn at rest; auto takes map, else odom, else the first root."),
+          "The fixed frame; auto takes map, else odom, else the first root."),
       Setting.of(FRAMES, new ValueType.ListOf(new ValueType.Section(FRAME)), List.of(),
           "Transforms between the frames of robots that no robot publishes."),
       Setting.of(COLORS, new ValueType.MapOf(new ValueType.Text(ROBOT_COLOR)), Map.of(), "Colours of robots by name, as #4da3ff."),

@@ -18,7 +18,7 @@ public final class TopicsPorts {
       new StreamPort<>("all", Data.class, Arity.MANY, "what is looked into or measured", Intake.CHOSEN);
 
   public static final CommandPort<MessageCommand> PUBLISH =
-      new CommandPort<>("publish", MessageCommand.class, Arity.OPTIONAL, "takes the messages that the user says");
+      new CommandPort<>("publish", MessageCommand.class, Arity.OPTIONAL, "takes the messages that the user publishes");
 
   private TopicsPorts() {}
 

@@ -16,7 +16,7 @@ import org.robotui.gl.display.DisplayType;
 @Component(service = DisplayType.class)
 public final class PathType implements DisplayType {
   private static final Schema SCHEMA = Schema.of(
-      ColorSetting.of("color", "#f5b83d", "The colour of the way."),
+      ColorSetting.of("color", "#f5b83d", "The colour of the path."),
       Setting.of("width", new ValueType.Num(0.5, 50, "px"), 3.0, "Width of the line."),
       Setting.of("opacity", new ValueType.Num(0, 1, ""), 1.0, "0 invisible to 1 opaque."),
       Setting.of("height", new ValueType.Num(-1000, 1000, "m"), 0.01, "How far above its own place it is drawn."),

@@ -17,7 +17,7 @@ final class FrameWords {
     Quaternion q = place.rotation();
     return Properties.of(frame.name(),
         new Entry("robot", frame.robot()),
-        new Entry("carried by", parent.equals(frame) ? "nothing that is shown" : parent.name()),
+        new Entry("parent", parent.equals(frame) ? "none that is shown" : parent.name()),
         new Entry("position", String.format(Locale.ROOT, "%.3f, %.3f, %.3f m", at.x(), at.y(), at.z())),
         new Entry("roll, pitch, yaw", String.format(Locale.ROOT, "%.1f, %.1f, %.1f\u00b0",
             Math.toDegrees(q.roll()), Math.toDegrees(q.pitch()), Math.toDegrees(q.yaw()))),

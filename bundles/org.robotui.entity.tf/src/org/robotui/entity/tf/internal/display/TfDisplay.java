@@ -110,7 +110,7 @@ final class TfDisplay implements Display {
     axes.ifPresent(shape -> parts.add(new Part("axes", shape, RigidTransform.IDENTITY, Material.lit(Rgba.WHITE), describer(order))));
     if (settings.flag(TfType.LINKS)) {
       links.ifPresent(shape -> parts.add(new Part("links", shape, RigidTransform.IDENTITY,
-          Material.flat(ColorSetting.read(settings, TfType.LINK_COLOR)), Describer.of("Lines to the frames that carry others"))));
+          Material.flat(ColorSetting.read(settings, TfType.LINK_COLOR)), Describer.of("Lines to parent frames"))));
     }
     if (settings.flag(TfType.NAMES)) {
       Material color = Material.flat(ColorSetting.read(settings, TfType.NAME_COLOR)).onTop();

@@ -68,7 +68,7 @@ class TfDisplayTest implements Places {
     assertEquals(5, result.parts().size());
     Properties words = part(result, "axes").describer().describe(2, Vector3.ZERO);
     assertEquals("laser", words.title());
-    assertTrue(words.entries().contains(new Properties.Entry("carried by", "base_link")));
+    assertTrue(words.entries().contains(new Properties.Entry("parent", "base_link")));
     assertEquals("base_link", part(result, id("base_link")).describer().describe(0, Vector3.ZERO).title());
   }
 

@@ -12,7 +12,7 @@ public final class LcmPorts {
 
   /** Says single messages. */
   public static final CommandPort<MessageCommand> PUBLISH = new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
-      "Says a message on a channel by its name; not on channels that move the robot.");
+      "Publishes a message on a channel by its name; not on channels that move the robot.");
 
   private LcmPorts() {}
 }

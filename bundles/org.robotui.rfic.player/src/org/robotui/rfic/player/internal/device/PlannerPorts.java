@@ -23,7 +23,7 @@ final class PlannerPorts {
   PlannerPorts(DeviceFeed feed) {
     this.feed = feed;
     this.map = feed.around().tree().names().map();
-    this.outlet = feed.outlet("", Path.class, "the way it has planned");
+    this.outlet = feed.outlet("", Path.class, "the path that it has planned");
     feed.on(Planner.STATE, outlet, this::told);
     feed.records("/state", feed.around().layouts().byName("planner").flatMap(p -> p.message(Planner.STATE.wireType(), "state")));
     feed.onOpen(() -> asked = Optional.empty());

@@ -27,7 +27,7 @@ public final class RosPorts {
 
   /** Says single messages. */
   public static final CommandPort<MessageCommand> PUBLISH = new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
-      "Says a message on a topic by its name; not on topics that move the robot.");
+      "Publishes a message on a topic by its name; not on topics that move the robot.");
 
   /** Handles interactive markers. */
   public static final CommandPort<MarkerFeedback> MARKER_FEEDBACK = new CommandPort<>("marker_feedback", MarkerFeedback.class,

@@ -85,7 +85,7 @@ final class CommandTopic implements AutoCloseable {
     @Override
     public Sent send(D value) {
       if (publisher.numSubscribers() == 0) {
-        return new Sent.Refused("nobody listens on " + topic + " now");
+        return new Sent.Refused("nobody subscribes to " + topic + " now");
       }
       boolean stops = value instanceof Motion<?> motion && motion.equals(motion.stopped());
       long silence = stops ? 0 : pulse.silentFor(System.nanoTime());

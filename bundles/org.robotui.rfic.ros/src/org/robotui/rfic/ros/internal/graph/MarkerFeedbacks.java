@@ -47,7 +47,7 @@ final class MarkerFeedbacks implements CommandSink<MarkerFeedback> {
       return new Sent.Refused("no interactive markers are looked at on " + feedback.topic());
     }
     if (publisher.numSubscribers() == 0) {
-      return new Sent.Refused("nobody listens on " + feedback.topic() + " now");
+      return new Sent.Refused("nobody subscribes to " + feedback.topic() + " now");
     }
     if (pulse.silentFor(System.nanoTime()) > 0) {
       return new Sent.Refused("the robot is not heard; nothing is sent into a network that may keep it");

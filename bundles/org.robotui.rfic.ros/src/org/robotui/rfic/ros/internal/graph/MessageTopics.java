@@ -53,7 +53,7 @@ final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable 
   private Optional<String> obstacle(MessageCommand command) {
     String expected = listened.getOrDefault(command.topic(), "");
     if (expected.isEmpty()) {
-      return Optional.of("nobody listens on " + command.topic());
+      return Optional.of("nobody subscribes to " + command.topic());
     }
     if (!expected.equals(command.type())) {
       return Optional.of(command.topic() + " carries " + expected + ", not " + command.type());

@@ -153,7 +153,7 @@ public final class ConnectionsSurface {
     } else if (next.filter().words().isEmpty() && next.filter().problems()) {
       list.message(Health.OK, "No problems", next.look().summary());
     } else {
-      list.message(Health.NONE, "Nothing fits", "No line contains these words. Esc clears the filter.");
+      list.message(Health.NONE, "No match", "No line contains these words. Esc clears the filter.");
     }
   }
 

@@ -35,7 +35,7 @@ public record Frame(Shown shown, Ask ask, InputState state) {
     if (shown.ask().search().isBlank()) {
       return Optional.of(new Notice(Health.OK, "No problems", shown.parts() == 1 ? "The one part is OK." : "All " + shown.parts() + " parts are OK."));
     }
-    return Optional.of(new Notice(Health.NONE, "Nothing matches", (shown.ask().problems() ? "No part with a problem" : "No part")
+    return Optional.of(new Notice(Health.NONE, "No match", (shown.ask().problems() ? "No part with a problem" : "No part")
         + " contains \u201c" + shown.ask().search().strip() + "\u201d."));
   }
 

@@ -129,9 +129,9 @@ public final class GraphModel {
     if (!net.vertices().isEmpty()) {
       return Optional.empty();
     }
-    String what = wanted.words().isEmpty() ? "There are no topics here besides those of tools. The eye lists what is left out."
+    String what = wanted.words().isEmpty() ? "There are no topics here besides those of tools. The eye lists what is hidden."
         : "No node or topic that is shown contains these words. Esc clears the filter.";
-    return Optional.of(new Look.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "Nothing fits", what));
+    return Optional.of(new Look.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "No match", what));
   }
 
   private static boolean same(Look one, Look other) {

@@ -70,7 +70,7 @@ public final class GraphSurface {
     topics = new QuietButton(bar, theme, () -> show(true)).text("Nodes and topics").hint("Draw nodes and topics");
     rates = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().measure(!wishes.asked().measuring()))).text("Rates")
         .hint("Measure what is drawn: all topics, or those of what is selected, up to a number that can be configured");
-    eye = new QuietButton(bar, theme, this::choose).icon(Icon.EYE).hint("What is left out");
+    eye = new QuietButton(bar, theme, this::choose).icon(Icon.EYE).hint("What is hidden");
     filter = new FilterField(bar, theme, "Filter", words -> wishes.ask(wishes.asked().search(words)));
     filter.setLayoutData(Boxes.end(WIDEST_FILTER));
     notice = new NoticeLine(root, theme, Face.BODY);
@@ -150,9 +150,9 @@ public final class GraphSurface {
   private void choose() {
     Ask ask = wishes.asked();
     PopupMenu menu = new PopupMenu(eye);
-    menu.check("Leave out tools (rviz, rqt, /rosout, ...)", ask.tools(), on -> wishes.ask(ask.show(ask.topics(), on, ask.tf(), ask.ends(), ask.groups())));
-    menu.check("Leave out /tf", ask.tf(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), on, ask.ends(), ask.groups())));
-    menu.check("Leave out dead ends: topics without a publisher or without a subscriber", ask.ends(),
+    menu.check("Hide tools (rviz, rqt, /rosout, ...)", ask.tools(), on -> wishes.ask(ask.show(ask.topics(), on, ask.tf(), ask.ends(), ask.groups())));
+    menu.check("Hide /tf", ask.tf(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), on, ask.ends(), ask.groups())));
+    menu.check("Hide dead ends: topics without a publisher or without a subscriber", ask.ends(),
         on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), on, ask.groups())));
     menu.line();
     menu.check("Frame namespaces", ask.groups(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), ask.ends(), on)));

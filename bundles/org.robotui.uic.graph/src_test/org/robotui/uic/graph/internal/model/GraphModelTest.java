@@ -154,7 +154,7 @@ class GraphModelTest {
     Look look = look(Robots.base(), ask -> ask.search("detector"));
     assertEquals(Set.of("/detector", "/camera/rectify", "/mission"), names(look, Box.Form.ROUNDED));
     Look none = look(Robots.base(), ask -> ask.search("nonsense"));
-    assertEquals("Nothing fits", none.empty().orElseThrow().title());
+    assertEquals("No match", none.empty().orElseThrow().title());
   }
 
   @Test

@@ -136,7 +136,7 @@ public final class JointsSurface implements TableHands.Deeds {
     } else if (now.look().joints().byName().isEmpty()) {
       list.message(Health.NONE, "No joints", "The robot's control has no joints.");
     } else {
-      list.message(Health.NONE, "Nothing fits", "No joint contains these words in its name, chain, owner or source. Esc clears the filter.");
+      list.message(Health.NONE, "No match", "No joint contains these words in its name, chain, owner or source. Esc clears the filter.");
     }
   }
 

@@ -127,7 +127,7 @@ public final class JointsSurface {
     } else if (next.look().joints().isEmpty()) {
       table.list().message(Health.NONE, "No joints", "The robot sends joint states without a joint in them.");
     } else {
-      table.list().message(Health.NONE, "Nothing fits", "No joint contains these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "No match", "No joint contains these words. Esc clears the filter.");
     }
   }
 

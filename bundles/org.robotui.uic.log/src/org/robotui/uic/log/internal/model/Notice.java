@@ -28,7 +28,7 @@ public record Notice(Health health, String title, String sentence) {
     if (shown.held() == shown.kept()) {
       return Optional.of(new Notice(Health.NONE, "Paused", shown.held() + " entries came meanwhile."));
     }
-    return Optional.of(new Notice(Health.NONE, "Nothing matches",
+    return Optional.of(new Notice(Health.NONE, "No match",
         shown.kept() + " entries are hidden by " + shown.filter().words() + ". \u201cShow all\u201d brings them back."));
   }
 

@@ -66,7 +66,7 @@ final class ParameterTree {
     } else if (!look.rows().isEmpty()) {
       table.list().noMessage();
     } else if (look.parameters() > 0) {
-      table.list().message(Health.NONE, "Nothing fits", "None of " + look.parameters() + " contains these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "No match", "None of " + look.parameters() + " contains these words. Esc clears the filter.");
     } else {
       table.list().message(Health.NONE, "No parameters", "The robot has none now.");
     }

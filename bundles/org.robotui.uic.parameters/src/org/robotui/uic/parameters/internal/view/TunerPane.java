@@ -79,7 +79,7 @@ final class TunerPane {
     } else if (look.servers().isEmpty()) {
       servers.list().message(Health.NONE, "Nothing to tune", "No program of the robot lets its settings be changed while it runs.");
     } else if (fitting.isEmpty()) {
-      servers.list().message(Health.NONE, "Nothing fits", "Esc clears the filter.");
+      servers.list().message(Health.NONE, "No match", "Esc clears the filter.");
     } else {
       servers.list().noMessage();
     }

@@ -141,7 +141,7 @@ final class SceneMenus {
     menu.push("Send all as a path", some && parts.sender().takesPath(), () -> scene.say(parts.sender().path(route)));
     menu.push("Send all as poses", some && parts.sender().takesPoses(), () -> scene.say(parts.sender().poses(route)));
     menu.line();
-    menu.push("Take the last change back (Ctrl+Z)", keys::undo);
+    menu.push("Undo the last change (Ctrl+Z)", keys::undo);
     menu.push("Load from a file\u2026", () -> new WaypointFiles(scene, parts).load());
     menu.push("Save to a file\u2026", some, () -> new WaypointFiles(scene, parts).save());
     menu.push("Copy all as YAML", some, () -> Clipboards.copy(route.yaml()));
@@ -157,8 +157,8 @@ final class SceneMenus {
     follows(menu.under("Follow"));
     menu.line();
     parts.edits().views().forEach((name, pose) -> menu.push(name, () -> scene.go(pose)));
-    menu.push("Keep this view\u2026", () -> NameDialog.ask(scene.canvas(), "Keep this view", "").ifPresent(n -> parts.edits().keep(n, parts.rig().aim())));
-    menu.push("Begin with this view", () -> parts.edits().keep(Edits.START, parts.rig().aim()));
+    menu.push("Save this view\u2026", () -> NameDialog.ask(scene.canvas(), "Save this view", "").ifPresent(n -> parts.edits().keep(n, parts.rig().aim())));
+    menu.push("Start with this view", () -> parts.edits().keep(Edits.START, parts.rig().aim()));
     if (!parts.edits().views().isEmpty()) {
       PopupMenu forget = menu.under("Forget");
       parts.edits().views().keySet().forEach(name -> forget.push(name, () -> parts.edits().forget(name)));

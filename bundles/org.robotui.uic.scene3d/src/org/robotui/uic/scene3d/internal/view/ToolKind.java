@@ -6,7 +6,7 @@ enum ToolKind {
   GOAL("goal", "Send a goal (G)", "Goal: press at the place, drag in the direction the robot shall face \u00b7 Esc ends"),
   POSE("initial_pose", "Pose estimate (P)", "Pose estimate: press where the robot is, drag in the direction it faces \u00b7 Esc ends"),
   WAYPOINTS("waypoints", "Waypoints (R)",
-      "Waypoints: press at a place, drag in the direction to face \u00b7 discs move, arrows turn \u00b7 Ctrl+Z takes back \u00b7 Enter drives \u00b7 Esc ends");
+      "Waypoints: press at a place, drag in the direction to face \u00b7 discs move, arrows turn \u00b7 Ctrl+Z undoes \u00b7 Enter drives \u00b7 Esc ends");
 
   private final String id;
   private final String label;

@@ -62,7 +62,7 @@ final class WaypointLook {
       parts.add(new Part(new Key("number", i), numbers.get(i), at.times(above), Material.flat(color).onTop(), words));
     }
     if (poses.size() > 1) {
-      parts.add(new Part(new Key("line", 0), line, fixedFromFrame.times(lift), Material.flat(COLOR), Describer.of("Way through the waypoints")));
+      parts.add(new Part(new Key("line", 0), line, fixedFromFrame.times(lift), Material.flat(COLOR), Describer.of("Path through the waypoints")));
     }
     return parts;
   }
@@ -96,6 +96,6 @@ final class WaypointLook {
     String yaw = String.format(Locale.ROOT, "%.1f\u00b0", Math.toDegrees(pose.rotation().yaw()));
     return (element, hit) -> Properties.of("Waypoint " + (index + 1) + " of " + route.poses().size(),
         new Properties.Entry("Frame", route.frame().map(f -> f.name()).orElse("")), new Properties.Entry("Place", place),
-        new Properties.Entry("Looks to", yaw));
+        new Properties.Entry("Heading", yaw));
   }
 }

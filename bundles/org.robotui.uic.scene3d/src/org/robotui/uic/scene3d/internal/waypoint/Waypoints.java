@@ -90,7 +90,7 @@ public final class Waypoints {
     } else {
       change(route.plus(fixedFromFrame.get().inverse().times(pose)));
     }
-    return new Told(Health.OK, "Waypoint " + route.poses().size() + " added \u00b7 Ctrl+Z takes it back");
+    return new Told(Health.OK, "Waypoint " + route.poses().size() + " added \u00b7 Ctrl+Z undoes it");
   }
 
   /** Takes those of a file in place of what there is. */
@@ -101,7 +101,7 @@ public final class Waypoints {
     int count = read.poses().size();
     return drawnIn.map(fixed -> {
       change(read.route(fixed));
-      return new Told(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in " + frame(fixed).name() + " \u00b7 Ctrl+Z takes it back");
+      return new Told(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in " + frame(fixed).name() + " \u00b7 Ctrl+Z undoes it");
     }).orElse(new Told(Health.BAD, "Not loaded: no frame is known yet"));
   }
 
@@ -128,8 +128,8 @@ public final class Waypoints {
   public Told undo() {
     Optional<Route> last = Optional.ofNullable(before.pollLast());
     last.ifPresent(this::keep);
-    return last.map(r -> new Told(Health.OK, "Taken back: " + r.poses().size() + (r.poses().size() == 1 ? " waypoint" : " waypoints")))
-        .orElse(new Told(Health.NONE, "There is nothing to take back"));
+    return last.map(r -> new Told(Health.OK, "Undone: " + r.poses().size() + (r.poses().size() == 1 ? " waypoint" : " waypoints")))
+        .orElse(new Told(Health.NONE, "There is nothing to undo"));
   }
 
   /** The frame of the waypoints; that of the scene where none is written. */

@@ -97,9 +97,9 @@ class TourTest {
 
   @Test
   void aRefusedGoalOrALostLinkEndsItWithTheReason() {
-    goals.outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.ROBOT, "nobody listens on /goal"));
+    goals.outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.ROBOT, "nobody subscribes to /goal"));
     begin();
-    assertEquals("Waypoint 1: Not sent: nobody listens on /goal", told.getLast().text());
+    assertEquals("Waypoint 1: Not sent: nobody subscribes to /goal", told.getLast().text());
     assertEquals(OptionalInt.empty(), tour.driving());
     goals.outcome(CommandOutcome.Accepted::new);
     begin();

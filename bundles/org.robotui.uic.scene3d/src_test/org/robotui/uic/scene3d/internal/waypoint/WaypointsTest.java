@@ -196,7 +196,7 @@ class WaypointsTest {
     assertEquals(Health.BAD, waypoints.take(read).health(), "no frame is known yet");
     add(1, 0, 0);
     add(2, 0, 0);
-    assertEquals("1 waypoint loaded in odom \u00b7 Ctrl+Z takes it back", waypoints.take(read).text());
+    assertEquals("1 waypoint loaded in odom \u00b7 Ctrl+Z undoes it", waypoints.take(read).text());
     assertEquals(List.of(5.0), xs(Route.read(context.settings().current())));
     assertEquals(Optional.of(FakePlaces.frame("odom")), Route.read(context.settings().current()).frame());
     waypoints.tick(places);

@@ -136,7 +136,7 @@ public final class TeamSurface {
     List<String> robots = look.rows().stream().map(TeamRow::robot).toList();
     bar.show(robots, robots.stream().filter(selected::contains).toList());
     if (next.rows().isEmpty() && StateView.showsContent(look.state())) {
-      table.list().message(Health.NONE, "Nothing fits", "No robot contains these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "No match", "No robot contains these words. Esc clears the filter.");
     } else {
       table.list().noMessage();
     }

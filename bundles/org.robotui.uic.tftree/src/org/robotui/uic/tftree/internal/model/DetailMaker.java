@@ -75,7 +75,7 @@ final class DetailMaker {
 
   private static void rivals(FrameLink link, List<Value> values) {
     if (!link.rivals().isEmpty()) {
-      values.add(new Value("also said by", link.rivals().stream()
+      values.add(new Value("also published by", link.rivals().stream()
           .map(rival -> rival.authority() + " in " + rival.parent().name()).collect(Collectors.joining(", "))));
     }
   }

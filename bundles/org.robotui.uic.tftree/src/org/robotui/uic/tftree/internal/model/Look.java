@@ -40,6 +40,6 @@ public record Look(
       return Optional.empty();
     }
     return Optional.of(ask.words().isEmpty() ? new Nothing(Health.OK, "No problems", "All " + frames + " frames are as they should be.")
-        : new Nothing(Health.NONE, "Nothing fits", "No frame contains these words. Esc clears the filter."));
+        : new Nothing(Health.NONE, "No match", "No frame contains these words. Esc clears the filter."));
   }
 }

@@ -22,7 +22,7 @@ final class Notices {
         notices.add(new Notice(Health.BAD, "Refused of " + sender(refusal.authority()) + ": " + refusal.reason()
             + (refusal.count() > 1 ? " (" + refusal.count() + " times)" : ""))));
     counted(notices, Health.BAD, rows.stream().filter(row -> row.health() == Health.BAD).toList(),
-        " is said by two at once: ", " are said by two at once: ");
+        " is published by two at once: ", " are published by two at once: ");
     counted(notices, Health.STALE, rows.stream().filter(row -> row.health() == Health.STALE).toList(), " is stale: ", " are stale: ");
     trees(forest, notices);
     return List.copyOf(notices);

@@ -33,7 +33,7 @@ public record Row(FrameId id, String title, int depth, Optional<FrameLink> link,
       return "";
     }
     FrameLink.Rival rival = link.rivals().getFirst();
-    String also = rival.authority() + " also says it";
+    String also = rival.authority() + " also publishes it";
     return rival.parent().equals(link.parent()) ? also : also + ", in " + rival.parent().name();
   }
 

@@ -98,7 +98,7 @@ final class DetailPane {
     Reference now = wishes.asked().reference();
     PopupMenu menu = new PopupMenu(reference);
     menu.radio("In the root of its tree", now instanceof Reference.Root, () -> in(new Reference.Root()));
-    menu.radio("In the frame that carries it", now instanceof Reference.Parent, () -> in(new Reference.Parent()));
+    menu.radio("In its parent frame", now instanceof Reference.Parent, () -> in(new Reference.Parent()));
     if (now instanceof Reference.Pinned pinned) {
       menu.radio("Always in " + pinned.frame(), true, () -> in(pinned));
     }

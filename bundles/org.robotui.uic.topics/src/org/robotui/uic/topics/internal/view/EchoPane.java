@@ -54,7 +54,7 @@ final class EchoPane {
     root = Boxes.panel(parent, theme, 1);
     Composite bar = Boxes.bar(root, theme, 4);
     figures = new NoticeLine(bar, theme, Face.SMALL_FIGURES);
-    pause = new QuietButton(bar, theme, this::pause).icon(Icon.PAUSE).hint("Hold (H)");
+    pause = new QuietButton(bar, theme, this::pause).icon(Icon.PAUSE).hint("Pause (H)");
     new QuietButton(bar, theme, this::history).icon(Icon.TEXT).hint("Messages before this one");
     new QuietButton(bar, theme, this::copy).icon(Icon.COPY).hint("Copy the message as text");
     Composite body = Boxes.panel(root, theme, 3);
@@ -88,7 +88,7 @@ final class EchoPane {
   void show(Look look) {
     shown = look.echo();
     boolean held = look.wishes().paused();
-    pause.checked(held).icon(held ? Icon.PLAY : Icon.PAUSE).hint(held ? "Go on (H)" : "Hold (H)");
+    pause.checked(held).icon(held ? Icon.PLAY : Icon.PAUSE).hint(held ? "Resume (H)" : "Pause (H)");
     figures.show(shown.source().isEmpty() ? Health.NONE : StateView.health(shown.state()), figures(held));
     history.show(shown.history());
     if (!held) {
@@ -126,7 +126,7 @@ final class EchoPane {
 
   private String figures(boolean held) {
     String measure = Words.measure(shown.measure());
-    return held && shown.missed() > 0 ? "held, " + shown.missed() + " more came  \u00b7  " + measure : held ? "held  \u00b7  " + measure : measure;
+    return held && shown.missed() > 0 ? "paused, " + shown.missed() + " more came  \u00b7  " + measure : held ? "paused  \u00b7  " + measure : measure;
   }
 
   private void pause() {

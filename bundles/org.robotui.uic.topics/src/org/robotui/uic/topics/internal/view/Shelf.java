@@ -115,7 +115,7 @@ final class Shelf {
     } else if (!look.rows().isEmpty()) {
       table.list().noMessage();
     } else if (look.total() > 0) {
-      table.list().message(Health.NONE, "Nothing fits", "None of " + look.total() + " contains these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "No match", "None of " + look.total() + " contains these words. Esc clears the filter.");
     } else {
       table.list().message(Health.NONE, "No " + Words.section(section).toLowerCase(Locale.ROOT), "The robot has none now.");
     }

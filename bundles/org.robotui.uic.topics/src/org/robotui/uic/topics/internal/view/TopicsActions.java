@@ -13,7 +13,7 @@ public final class TopicsActions {
   /** Over the model. */
   public TopicsActions(TopicsModel model) {
     all = List.of(
-        new ViewAction("pause", "Hold the echo", Icon.PAUSE.id(), Optional.of(() -> model.look().wishes().paused()),
+        new ViewAction("pause", "Pause the echo", Icon.PAUSE.id(), Optional.of(() -> model.look().wishes().paused()),
             () -> model.pause(!model.look().wishes().paused())),
         new ViewAction("refresh", "Refresh", Icon.RESTART.id(), Optional.empty(), model::refresh));
   }

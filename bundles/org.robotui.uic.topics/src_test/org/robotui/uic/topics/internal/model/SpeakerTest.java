@@ -88,11 +88,11 @@ class SpeakerTest {
 
   @Test
   void aRefusalEndsItAndIsShown() {
-    output.outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.ROBOT, "nobody listens on /chatter"));
+    output.outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.ROBOT, "nobody subscribes to /chatter"));
     speaker.repeat(HELLO, 10, now);
     run(500);
     assertEquals(1, output.sent().size());
-    assertEquals("Not published: nobody listens on /chatter", speaker.look().outcome());
+    assertEquals("Not published: nobody subscribes to /chatter", speaker.look().outcome());
     assertEquals(Health.BAD, speaker.look().health());
   }
 
