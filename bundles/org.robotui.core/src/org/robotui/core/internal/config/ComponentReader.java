@@ -25,7 +25,7 @@ final class ComponentReader {
     return section.entries().stream().flatMap(e -> rfic(e, ruic).stream()).toList();
   }
 
-  List<ComponentConfig> uics(YamlValue.Section section, Known brought) {
+  List<ComponentConfig> uics(YamlValue.Section section, Brought brought) {
     return section.entries().stream().flatMap(e -> uic(e, brought).stream()).toList();
   }
 
@@ -42,13 +42,12 @@ final class ComponentReader {
     });
   }
 
-  private Optional<ComponentConfig> uic(YamlValue.Entry entry, Known brought) {
+  private Optional<ComponentConfig> uic(YamlValue.Entry entry, Brought brought) {
     return body(entry).map(section -> {
-      String type = text(section, "type").orElse(brought.mayHave(entry.key()) ? "" : entry.key());
+      String type = text(section, "type").orElse(brought.views().mayHave(entry.key()) ? "" : entry.key());
       YamlValue.Section own = section.without(List.of("type", "title"));
-      if (!type.isEmpty()) {
-        check(types.uic(type), type, "view", types.uicIds(), section, own);
-      }
+      Optional<String> judged = type.isEmpty() ? brought.typeOf(entry.key()) : Optional.of(type);
+      judged.ifPresent(t -> check(types.uic(t), t, "view", types.uicIds(), section, own));
       return component(entry, type, text(section, "title").orElse(""), "", own);
     });
   }

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.robotui.api.RuicType;
-import org.robotui.api.config.Settings;
 import org.robotui.api.host.Problem;
 import org.robotui.api.layout.Layout;
 import org.robotui.core.internal.config.model.CheckedSettings;
@@ -42,14 +41,14 @@ final class RuicReader {
     String name = entry.key();
     String type = section.get("type").flatMap(v -> Shape.text(v, "'type'", problems)).orElse("");
     WrittenSection raw = new WrittenSection(section.without(OWN));
-    Known ofType = broughtViews(section, type, raw);
-    List<String> without = section.get("without").map(v -> without(v, ofType)).orElse(List.of());
-    Known brought = new Known(ofType.ids().stream().filter(id -> !without.contains(id)).toList(), ofType.all());
+    Brought ofType = broughtViews(section, type, raw);
+    List<String> without = section.get("without").map(v -> without(v, ofType.views())).orElse(List.of());
+    Brought brought = ofType.without(without);
     ComponentReader components = new ComponentReader(types, problems);
     List<ComponentConfig> rfics = components.rfics(part(section, "rfics"), name);
     List<ComponentConfig> uics = components.uics(part(section, "uics"), brought);
     uniqueIds(rfics, uics);
-    Set<String> ids = new TreeSet<>(brought.ids());
+    Set<String> ids = new TreeSet<>(brought.types().keySet());
     uics.forEach(u -> ids.add(u.id()));
     Known views = new Known(ids, brought.all());
     needed(entry, type, rfics, ids);
@@ -91,17 +90,17 @@ final class RuicReader {
   }
 
   /** The views that the RUIC's type brings along; checks the settings of the type on the way. */
-  private Known broughtViews(YamlValue.Section section, String type, WrittenSection raw) {
+  private Brought broughtViews(YamlValue.Section section, String type, WrittenSection raw) {
     Optional<RuicType> found = types.ruic(type);
     if (found.isEmpty()) {
       unknownType(section, type);
-      return new Known(List.of(), type.isEmpty());
+      return new Brought(Map.of(), type.isEmpty());
     }
     return switch (new SchemaCheck().check(found.get().schema(), raw)) {
-      case CheckedSettings.Valid v -> Known.all(idsOf(found.get(), v.settings()));
+      case CheckedSettings.Valid v -> Brought.of(found.get().uics(v.settings()));
       case CheckedSettings.Invalid i -> {
         i.problems().forEach(p -> problems.add(withOwnWords(p)));
-        yield new Known(List.of(), false);
+        yield new Brought(Map.of(), false);
       }
     };
   }
@@ -117,12 +116,6 @@ final class RuicReader {
         .map(near -> new Problem(problem.file(), problem.line(), problem.column(), problem.severity(),
             "unknown word '" + word + "' in a RUIC; did you mean '" + near + "'?" + Repeated.behind(problem.message())))
         .orElse(problem);
-  }
-
-  private static Set<String> idsOf(RuicType type, Settings settings) {
-    Set<String> ids = new TreeSet<>();
-    type.uics(settings).forEach(u -> ids.add(u.id()));
-    return ids;
   }
 
   private void unknownType(YamlValue.Section section, String type) {

@@ -64,6 +64,14 @@ class HostileConfigTest {
   }
 
   @Test
+  void settingsOfAViewThatTheTypeBringsAreJudged() {
+    String view = "ruics: {A: {type: base, rfics: {r: {type: ros, master: x}}, uics: {map: {%s}}}}";
+    assertEquals(List.of(), messages(view.formatted("follow: true")));
+    assertEquals(List.of("1:82: 'follow' must be true or false, not 'maybe'"), messages(view.formatted("follow: maybe")));
+    assertEquals(List.of("1:74: unknown setting 'folow'; did you mean 'follow'?"), messages(view.formatted("folow: true")));
+  }
+
+  @Test
   void everyWeightOfALayoutIsChecked() {
     String layout = "ruics: {A: {type: base, rfics: {r: {type: ros, master: x}}, layout: %s}}";
     assertEquals(List.of("1:89: 'weight' must be a number from 0.01 to 1000, not '-1'"), messages(layout.formatted("{view: map, weight: -1}")));
