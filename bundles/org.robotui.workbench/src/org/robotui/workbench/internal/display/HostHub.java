@@ -10,10 +10,13 @@ import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.show.Subject;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Brings what core tells to the display thread: each thing once for any number of calls, and never more than one pending
- * task, so that a slow display cannot be flooded.
+ * task, so that a slow display cannot be flooded. A client that throws keeps
+ * neither the others from being told, nor itself from being told what comes next.
  */
 public final class HostHub implements HostListener, AutoCloseable {
   /** Is told on the display thread. */
@@ -43,6 +46,7 @@ public final class HostHub implements HostListener, AutoCloseable {
     default void configurationChanged(ConfigChange change) {}
   }
 
+  private static final Logger LOG = LoggerFactory.getLogger(HostHub.class);
   private static final int MOST_EVENTS = 10_000;
 
   /** What happened; equal events are one. */
@@ -175,6 +179,14 @@ public final class HostHub implements HostListener, AutoCloseable {
       case Event.Config c -> client -> client.configurationChanged(c.change());
       case Event.Notice n -> client -> client.notice(n.message());
     };
-    clients.forEach(call);
+    clients.forEach(client -> tell(client, call, event));
+  }
+
+  private static void tell(Client client, Consumer<Client> call, Event event) {
+    try {
+      call.accept(client);
+    } catch (RuntimeException | Error e) { // views are foreign code, which may throw anything
+      LOG.error("{} failed when told of {}", client.getClass().getName(), event, e);
+    }
   }
 }

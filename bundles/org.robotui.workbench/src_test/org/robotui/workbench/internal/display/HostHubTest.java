@@ -72,6 +72,38 @@ class HostHubTest {
   }
 
   @Test
+  void aClientThatThrowsKeepsNobodyFromBeingTold() {
+    List<String> heard = new ArrayList<>();
+    hub.add(new HostHub.Client() {
+      @Override
+      public void ruicsChanged() {
+        throw new NoClassDefFoundError("a view whose bundle is incomplete");
+      }
+
+      @Override
+      public void ruicChanged(String ruic) {
+        heard.add(ruic);
+        throw new IllegalStateException("a broken view");
+      }
+    });
+    List<String> later = new ArrayList<>();
+    hub.add(new HostHub.Client() {
+      @Override
+      public void ruicsChanged() {
+        later.add("ruics");
+      }
+    });
+    host.tell(l -> l.ruicsChanged());
+    host.tell(l -> l.ruicChanged("a"));
+    host.tell(l -> l.ruicChanged("b"));
+    run();
+
+    assertEquals(List.of("ruics", "a", "b"), told);
+    assertEquals(List.of("a", "b"), heard);
+    assertEquals(List.of("ruics"), later);
+  }
+
+  @Test
   void aClosedHubListensNoMore() {
     hub.close();
 
