@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -34,7 +33,6 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.control.QuietButton;
-import org.robotui.workbench.internal.display.ShortcutsKey;
 import org.robotui.workbench.internal.display.StopKeys;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
@@ -296,27 +294,6 @@ class PanesTest {
 
     assertTrue(search.isDisposed());
     assertEquals(List.of("F"), shortcuts.found().stream().map(SearchEntry::keys).toList());
-  }
-
-  @Test
-  void theQuestionMarkOpensTheShortcutsWhereItIsNoText() {
-    show(new Layout.View("map"));
-    Text text = new Text(shell, SWT.NONE);
-    List<String> opened = new ArrayList<>();
-    ShortcutsKey.listen(shell, () -> opened.add("shortcuts"));
-
-    text.notifyListeners(SWT.KeyDown, questionMark(0));
-    map.control.notifyListeners(SWT.KeyDown, questionMark(SWT.CTRL));
-    assertEquals(List.of(), opened);
-    map.control.notifyListeners(SWT.KeyDown, questionMark(SWT.SHIFT));
-    assertEquals(List.of("shortcuts"), opened);
-  }
-
-  private static Event questionMark(int modifiers) {
-    Event event = new Event();
-    event.character = '?';
-    event.stateMask = modifiers;
-    return event;
   }
 
   @Test
