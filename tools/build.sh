@@ -14,7 +14,8 @@ need_product() {
   mkdir -p "$KEEP"
   exec {build_lock}>"$KEEP/build.lock"
   flock "$build_lock"                     # another ./robotui may be building the same
-  is_product_fresh || build_product
+  # Its children do not hold the lock: one that outlives a build which was killed would lock the next one out.
+  is_product_fresh || build_product {build_lock}>&-
   exec {build_lock}>&-
 }
 

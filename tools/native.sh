@@ -20,7 +20,7 @@ need_native() {
   mkdir -p "$KEEP" "$NATIVE/target"
   exec {native_lock}>"$KEEP/native.lock"
   flock "$native_lock"
-  is_native_fresh || build_native
+  is_native_fresh || build_native {native_lock}>&-
   exec {native_lock}>&-
 }
 
