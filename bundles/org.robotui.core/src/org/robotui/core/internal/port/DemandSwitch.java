@@ -3,13 +3,9 @@ package org.robotui.core.internal.port;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.api.port.Demand;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
-/** Counts consumers and tells a producer when the first comes and the last goes, on a serial executor. */
+/** Counts consumers and tells a producer when the first comes and the last goes, on a serial executor that outlives what is thrown at it. */
 final class DemandSwitch {
-  private static final Logger LOG = LoggerFactory.getLogger(DemandSwitch.class);
-
   private final Demand demand;
   private final Executor serial;
   private final AtomicInteger consumers = new AtomicInteger();
@@ -39,11 +35,7 @@ final class DemandSwitch {
     boolean wanted = wanted();
     if (wanted != told && !ended) {
       told = wanted;
-      try {
-        demand.changed(wanted);
-      } catch (RuntimeException e) {
-        LOG.warn("A robot interface failed when told that its stream is {}", wanted ? "wanted" : "not wanted", e);
-      }
+      demand.changed(wanted);
     }
   }
 }
