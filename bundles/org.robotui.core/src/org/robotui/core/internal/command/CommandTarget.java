@@ -34,14 +34,13 @@ public final class CommandTarget<T extends Data> implements Offered {
   private final NanoClock clock;
   private final Withdrawal withdrawal;
   private final Fan<T> sent;
-  private final Outbox<T> outbox = new Outbox<>();
+  private final Outbox<T> outbox;
   private final AtomicBoolean closed = new AtomicBoolean();
   private final AtomicBoolean warned = new AtomicBoolean();
   private volatile Optional<T> zero;
   private volatile boolean ending;
   private volatile String problem = "";
   private volatile StopAnswer stopAnswer = StopAnswer.TAKEN;
-  private volatile String fence = "";
 
   /** Made by the table of offers. */
   public CommandTarget(
@@ -55,6 +54,7 @@ public final class CommandTarget<T extends Data> implements Offered {
     this.sender = sender;
     this.clock = clock;
     this.withdrawal = withdrawal;
+    this.outbox = new Outbox<>(id.port(), this::deliver);
     this.sent = new Fan<>(id, DataType.of(port.type()), clock.nanos());
     this.zero = port.isMotion() ? Zeros.of(port.type()) : Optional.empty();
     if (port.isMotion() && zero.isEmpty()) {
@@ -66,7 +66,7 @@ public final class CommandTarget<T extends Data> implements Offered {
   /** Gives a command to the sender. */
   boolean post(T command, long deadline) {
     Zeros.of(command).ifPresent(z -> zero = Optional.of(z));
-    return sender.post(this, new Outbox.Pending<>(command, deadline, link.generation(), Purpose.COMMAND));
+    return sender.post(outbox, new Outbox.Pending<>(command, deadline, link.generation(), Purpose.COMMAND));
   }
 
   /** Gives the stop to the sender, before all else. */
@@ -80,20 +80,16 @@ public final class CommandTarget<T extends Data> implements Offered {
   }
 
   private void postZero(Purpose purpose) {
-    zero.ifPresent(z -> sender.postStop(this, new Outbox.Pending<>(z, Long.MAX_VALUE, link.generation(), purpose)));
+    zero.ifPresent(z -> sender.postStop(outbox, new Outbox.Pending<>(z, Long.MAX_VALUE, link.generation(), purpose)));
   }
 
   /** Forgets what was not sent yet. */
   void clear() {
-    sender.clear(this);
+    sender.clear(outbox);
   }
 
-  Outbox<T> outbox() {
-    return outbox;
-  }
-
-  /** Sends the next one. On the sender's thread, without its lock. */
-  void deliver(Outbox.Pending<T> next) {
+  /** Sends one. The sender calls it on its thread, without its lock. */
+  private void deliver(Outbox.Pending<T> next) {
     if (next.generation() != link.generation() || clock.nanos() > next.deadline() || closed.get()) {
       return;
     }
@@ -149,19 +145,14 @@ public final class CommandTarget<T extends Data> implements Offered {
     return stopAnswer;
   }
 
-  /** Sends nothing here any more. */
-  void fence(String reason) {
-    fence = reason;
-  }
-
   /** Why nothing is sent here any more; empty where that is not so. */
   public String fence() {
-    return fence;
+    return outbox.fence();
   }
 
   /** Why the last command did not go out; empty where it did. */
   public String problem() {
-    return fence.isEmpty() ? problem : fence;
+    return outbox.fence().isEmpty() ? problem : outbox.fence();
   }
 
   /** Who decides. */

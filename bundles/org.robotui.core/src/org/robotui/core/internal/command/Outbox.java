@@ -3,12 +3,13 @@ package org.robotui.core.internal.command;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.function.Consumer;
 import org.robotui.data.Data;
 import org.robotui.data.Motion;
 
 /**
- * What one command port still has to send: a stop before all else, then the newest motion, then other commands in order.
- * Guarded by the sender.
+ * What one command port still has to send: a stop before all else, then the newest motion, then other commands in order. The
+ * port makes it, and only its sender touches it, under the lock of the sender.
  */
 final class Outbox<T extends Data> {
   /** What a command is for. */
@@ -33,9 +34,41 @@ final class Outbox<T extends Data> {
 
   private static final int WAITING = 16;
 
+  private final String port;
+  private final Consumer<Pending<T>> delivery;
   private Optional<Pending<T>> stop = Optional.empty();
   private Optional<Pending<T>> motion = Optional.empty();
   private final Queue<Pending<T>> others = new ArrayDeque<>();
+  private volatile String fence = "";
+
+  /**
+   * Without anything to send.
+   *
+   * @param port its name, for messages
+   * @param delivery sends one command to the robot; on the thread of the sender, without its lock
+   */
+  Outbox(String port, Consumer<Pending<T>> delivery) {
+    this.port = port;
+    this.delivery = delivery;
+  }
+
+  String port() {
+    return port;
+  }
+
+  /** Why nothing is sent here any more; empty where that is not so. Any thread. */
+  String fence() {
+    return fence;
+  }
+
+  void fence(String reason) {
+    fence = reason;
+  }
+
+  /** Sends what was taken. On the thread of the sender, without its lock. */
+  void deliver(Pending<T> taken) {
+    delivery.accept(taken);
+  }
 
   /** Adds; false where too many wait. */
   boolean add(Pending<T> pending) {

@@ -21,12 +21,12 @@ public final class Sender implements AutoCloseable {
   private static final long RETRY_NANOS = 10_000_000L;
   private static final long HANGS_NANOS = Duration.ofSeconds(1).toNanos();
 
-  private record Busy(CommandTarget<?> target, long since) {}
+  private record Busy(Outbox<?> outbox, long since) {}
 
   private final String name;
   private final ThreadFactory threads;
   private final NanoClock clock;
-  private final List<CommandTarget<?>> waiting = new ArrayList<>();
+  private final List<Outbox<?>> waiting = new ArrayList<>();
   private Optional<Thread> worker = Optional.empty();
   private Optional<Busy> busy = Optional.empty();
   private boolean closed;
@@ -44,28 +44,31 @@ public final class Sender implements AutoCloseable {
     this.clock = clock;
   }
 
-  synchronized <T extends Data> boolean post(CommandTarget<T> target, Outbox.Pending<T> pending) {
-    boolean taken = !closed && target.fence().isEmpty() && target.outbox().add(pending);
+  /** Adds a command; false where nothing is sent there any more, or too many wait. */
+  synchronized <T extends Data> boolean post(Outbox<T> outbox, Outbox.Pending<T> pending) {
+    boolean taken = !closed && outbox.fence().isEmpty() && outbox.add(pending);
     if (taken) {
-      wake(target);
+      wake(outbox);
     }
     return taken;
   }
 
-  synchronized <T extends Data> void postStop(CommandTarget<T> target, Outbox.Pending<T> zero) {
-    if (!closed && target.fence().isEmpty()) {
-      target.outbox().stop(zero);
-      wake(target);
+  /** Puts a stop before all else. */
+  synchronized <T extends Data> void postStop(Outbox<T> outbox, Outbox.Pending<T> zero) {
+    if (!closed && outbox.fence().isEmpty()) {
+      outbox.stop(zero);
+      wake(outbox);
     }
   }
 
-  synchronized void clear(CommandTarget<?> target) {
-    target.outbox().clear();
+  /** Forgets what was not sent yet, save a stop. */
+  synchronized void clear(Outbox<?> outbox) {
+    outbox.clear();
   }
 
-  private void wake(CommandTarget<?> target) {
-    if (!waiting.contains(target)) {
-      waiting.add(target);
+  private void wake(Outbox<?> outbox) {
+    if (!waiting.contains(outbox)) {
+      waiting.add(outbox);
     }
     if (worker.isEmpty()) {
       startWorker();
@@ -89,7 +92,7 @@ public final class Sender implements AutoCloseable {
   /** Where there is no memory even for this, it is tried again: nobody else sends the stop, which the arbiter repeats. */
   private boolean sendNext() {
     try {
-      Optional<CommandTarget<?>> next = next();
+      Optional<Outbox<?>> next = next();
       next.ifPresent(this::sendOne);
       return next.isPresent();
     } catch (InterruptedException e) {
@@ -102,7 +105,7 @@ public final class Sender implements AutoCloseable {
     }
   }
 
-  private synchronized Optional<CommandTarget<?>> next() throws InterruptedException {
+  private synchronized Optional<Outbox<?>> next() throws InterruptedException {
     while (isMine() && waiting.isEmpty()) {
       busy = Optional.empty();
       notifyAll();
@@ -111,26 +114,25 @@ public final class Sender implements AutoCloseable {
     if (!isMine()) {
       return Optional.empty();
     }
-    CommandTarget<?> target = waiting.stream().filter(t -> t.outbox().hasStop()).findFirst()
-        .orElseGet(waiting::getFirst);
-    waiting.remove(target);
-    busy = Optional.of(new Busy(target, clock.nanos()));
-    return Optional.of(target);
+    Outbox<?> outbox = waiting.stream().filter(Outbox::hasStop).findFirst().orElseGet(waiting::getFirst);
+    waiting.remove(outbox);
+    busy = Optional.of(new Busy(outbox, clock.nanos()));
+    return Optional.of(outbox);
   }
 
   private boolean isMine() {
     return !closed && worker.filter(w -> w == Thread.currentThread()).isPresent();
   }
 
-  private <T extends Data> void sendOne(CommandTarget<T> target) {
-    Optional<Outbox.Pending<T>> pending = take(target);
-    pending.ifPresent(target::deliver);
+  private <T extends Data> void sendOne(Outbox<T> outbox) {
+    Optional<Outbox.Pending<T>> pending = take(outbox);
+    pending.ifPresent(outbox::deliver);
   }
 
-  private synchronized <T extends Data> Optional<Outbox.Pending<T>> take(CommandTarget<T> target) {
-    Optional<Outbox.Pending<T>> pending = isMine() ? target.outbox().take() : Optional.empty();
-    if (!target.outbox().isEmpty() && !waiting.contains(target)) {
-      waiting.add(target);
+  private synchronized <T extends Data> Optional<Outbox.Pending<T>> take(Outbox<T> outbox) {
+    Optional<Outbox.Pending<T>> pending = isMine() ? outbox.take() : Optional.empty();
+    if (!outbox.isEmpty() && !waiting.contains(outbox)) {
+      waiting.add(outbox);
     }
     return pending;
   }
@@ -138,13 +140,13 @@ public final class Sender implements AutoCloseable {
   /** Fences a port that hangs. Called now and then by the watch. Returns what to tell the user. */
   public synchronized Optional<String> check(long now) {
     Optional<Busy> hanging = busy.filter(b -> now - b.since() > HANGS_NANOS);
-    return hanging.map(b -> fence(b.target()));
+    return hanging.map(b -> fence(b.outbox()));
   }
 
-  private String fence(CommandTarget<?> target) {
-    String reason = name + " hangs while sending on '" + target.id().port() + "'; nothing more is sent there";
-    target.fence(reason);
-    waiting.remove(target);
+  private String fence(Outbox<?> outbox) {
+    String reason = name + " hangs while sending on '" + outbox.port() + "'; nothing more is sent there";
+    outbox.fence(reason);
+    waiting.remove(outbox);
     worker.ifPresent(Thread::interrupt);
     worker = Optional.empty();
     busy = Optional.empty();
