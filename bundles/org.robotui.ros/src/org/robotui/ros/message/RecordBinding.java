@@ -3,6 +3,7 @@ package org.robotui.ros.message;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.util.function.Supplier;
 
 /**
  * A Java record that holds the messages of a type, in one encoding. The record is compared with the definition when it is
@@ -16,11 +17,12 @@ import java.lang.invoke.MethodType;
 public final class RecordBinding<T extends Record> {
 
   private final MethodHandle read;
-  private final MethodHandle write;
+  private final Supplier<MethodHandle> writePlan;
+  private volatile MethodHandle write;
 
-  private RecordBinding(MethodHandle read, MethodHandle write) {
+  private RecordBinding(MethodHandle read, Supplier<MethodHandle> writePlan) {
     this.read = read;
-    this.write = write;
+    this.writePlan = writePlan;
   }
 
   /**
@@ -64,9 +66,21 @@ public final class RecordBinding<T extends Record> {
   private static <T extends Record> RecordBinding<T> bind(
       Class<T> type, MessageSchema own, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
     MethodHandle read = new ReadPlan(encoding.reader(), lookup).of(type, schema.layout(), own.layout());
-    MethodHandle write = new WritePlan(encoding.writer(), lookup).of(type, schema.layout());
     return new RecordBinding<>(read.asType(MethodType.methodType(Object.class, FieldReader.class)),
-        write.asType(MethodType.methodType(void.class, Object.class, FieldWriter.class)));
+        () -> new WritePlan(encoding.writer(), lookup).of(type, schema.layout())
+            .asType(MethodType.methodType(void.class, Object.class, FieldWriter.class)));
+  }
+
+  /** Most records are only ever read, and a plan takes time to make. */
+  private MethodHandle writing() {
+    if (write == null) {
+      synchronized (this) {
+        if (write == null) {
+          write = writePlan.get();
+        }
+      }
+    }
+    return write;
   }
 
   /**
@@ -97,8 +111,9 @@ public final class RecordBinding<T extends Record> {
    * @throws IllegalArgumentException if an array has not the length that the definition gives
    */
   public void write(T value, FieldWriter out) {
+    MethodHandle plan = writing();
     try {
-      write.invokeExact((Object) value, out);
+      plan.invokeExact((Object) value, out);
     } catch (RuntimeException | Error e) {
       throw e;
     } catch (Throwable e) {

@@ -11,13 +11,31 @@ import java.util.Optional;
  */
 public final class RecordCodec<T extends Record> implements MessageCodec<T> {
 
-  /** A record is bound once; what comes of it depends on the record's class alone. */
-  private static final ClassValue<RecordCodec<?>> SHIPPED = new ClassValue<>() {
+  /** What comes of a record depends on its class alone. */
+  private static final ClassValue<Shipped> SHIPPED = new ClassValue<>() {
     @Override
-    protected RecordCodec<?> computeValue(Class<?> type) {
-      return new RecordCodec<>(type.asSubclass(Record.class), ShippedDefinitions.schema(typeOf(type)), MethodHandles.publicLookup());
+    protected Shipped computeValue(Class<?> type) {
+      return new Shipped(type.asSubclass(Record.class));
     }
   };
+
+  /** Binds a record when it is first asked for, once: the threads of many robots ask at the same time. */
+  private static final class Shipped {
+
+    private final Class<? extends Record> type;
+    private RecordCodec<?> codec;
+
+    Shipped(Class<? extends Record> type) {
+      this.type = type;
+    }
+
+    synchronized RecordCodec<?> codec() {
+      if (codec == null) {
+        codec = new RecordCodec<>(type, ShippedDefinitions.schema(typeOf(type)), MethodHandles.publicLookup());
+      }
+      return codec;
+    }
+  }
 
   private final Class<T> type;
   private final MessageSchema schema;
@@ -41,7 +59,7 @@ public final class RecordCodec<T extends Record> implements MessageCodec<T> {
    */
   @SuppressWarnings("unchecked")
   public static <T extends Record> RecordCodec<T> of(Class<T> type) {
-    return (RecordCodec<T>) SHIPPED.get(type);
+    return (RecordCodec<T>) SHIPPED.get(type).codec();
   }
 
   /**
