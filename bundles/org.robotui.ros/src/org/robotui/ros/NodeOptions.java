@@ -18,13 +18,13 @@ import javax.net.SocketFactory;
  * @param masterCheck      how often the node checks that the master still knows it
  * @param minBackoff       the pause after the first failed attempt to reach a peer; doubles with each further one
  * @param maxBackoff       the longest pause between attempts
- * @param records          a folder where the node keeps a note of itself while it is registered, see {@link Leftovers}; none if empty
+ * @param records          a folder where the node keeps a note of itself while it is registered, see {@link StaleRegistrations}; none if empty
  * @param sockets          makes the sockets to publishers and services, not yet connected
  * @param farewells        takes what shall be said to the master when this process cannot say it itself
  */
 public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMessageBytes, int maxHeaderBytes,
     Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records,
-    SocketFactory sockets, Farewells farewells) {
+    SocketFactory sockets, UnregisterHandler farewells) {
 
   /** Checks the bounds. */
   public NodeOptions {
@@ -49,7 +49,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    */
   public static NodeOptions standard(ThreadFactory threads) {
     return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5), Duration.ofSeconds(2),
-        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty(), SocketFactory.getDefault(), Farewells.none());
+        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty(), SocketFactory.getDefault(), UnregisterHandler.none());
   }
 
   /**
@@ -90,7 +90,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
   /**
    * The same options with a folder for notes.
    *
-   * @param folder where the node keeps a note of itself, so that {@link Leftovers} can clear up after a kill; made if
+   * @param folder where the node keeps a note of itself, so that {@link StaleRegistrations} can clear up after a kill; made if
    *               it is not there
    * @return the changed options
    */
@@ -106,7 +106,7 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    * @param taker what shall be said to the master when this process cannot say it itself
    * @return the changed options
    */
-  public NodeOptions withCare(SocketFactory made, Farewells taker) {
+  public NodeOptions withCare(SocketFactory made, UnregisterHandler taker) {
     return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records,
         made, taker);
   }

@@ -3,7 +3,7 @@ package org.robotui.entity.gps;
 import java.util.Arrays;
 import java.util.Optional;
 import org.robotui.data.GpsFix;
-import org.robotui.ui.scene.Way;
+import org.robotui.ui.scene.PositionHistory;
 
 /**
  * Where a receiver has been: a way of which each place has its time and quality. The places are kept, so that they can be put on
@@ -12,13 +12,13 @@ import org.robotui.ui.scene.Way;
 final class Track {
   private static final double FINEST = 0.1;
 
-  private final Way way;
+  private final PositionHistory way;
   private final GeoPoint[] places;
   private final long[] nanos;
   private final byte[] qualities;
 
   Track(int capacity) {
-    way = new Way(capacity, FINEST, this::move);
+    way = new PositionHistory(capacity, FINEST, this::move);
     places = new GeoPoint[capacity];
     nanos = new long[capacity];
     qualities = new byte[capacity];

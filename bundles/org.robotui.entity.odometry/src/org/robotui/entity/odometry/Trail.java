@@ -1,15 +1,15 @@
 package org.robotui.entity.odometry;
 
-import org.robotui.ui.scene.Way;
+import org.robotui.ui.scene.PositionHistory;
 
 /** Where a robot has been, as far back as its length. Not safe for several threads. */
 final class Trail {
   private static final double FINEST = 0.02;
 
-  private final Way way;
+  private final PositionHistory way;
 
   Trail(int capacity) {
-    way = new Way(capacity, FINEST, Way.Moves.NOTHING);
+    way = new PositionHistory(capacity, FINEST, PositionHistory.Moves.NOTHING);
   }
 
   void add(double x, double y) {

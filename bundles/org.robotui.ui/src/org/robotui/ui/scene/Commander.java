@@ -50,7 +50,7 @@ public final class Commander {
    * @param pose where, and where it shall look
    * @return what became of it
    */
-  public Told goal(FrameId frame, RigidTransform pose) {
+  public CommandNotice goal(FrameId frame, RigidTransform pose) {
     return send(goals, new NavigationGoal(frame, pose), "Goal " + words(pose) + " sent");
   }
 
@@ -61,7 +61,7 @@ public final class Commander {
    * @param pose where, and where it looks
    * @return what became of it
    */
-  public Told initialPose(FrameId frame, RigidTransform pose) {
+  public CommandNotice initialPose(FrameId frame, RigidTransform pose) {
     return send(poses, roughly(frame, pose), "Pose " + words(pose) + " sent");
   }
 
@@ -89,17 +89,17 @@ public final class Commander {
    * @param done what is said where it was taken
    * @return what became of it
    */
-  public <T extends Data> Told send(Output<T> output, T command, String done) {
+  public <T extends Data> CommandNotice send(Output<T> output, T command, String done) {
     if (output.state() instanceof InputState.Unconnected u) {
-      return new Told(Health.BAD, "Not sent: " + u.explanation());
+      return new CommandNotice(Health.BAD, "Not sent: " + u.explanation());
     }
     if (output.authority().take(principal, false) instanceof LeaseOutcome.HeldBy held) {
-      return new Told(Health.BAD,
+      return new CommandNotice(Health.BAD,
           "Not sent: " + held.holder().label() + " controls " + output.authority().robot() + "; take over first");
     }
     return switch (output.send(command, VALID)) {
-      case CommandOutcome.Accepted a -> new Told(Health.OK, done);
-      case CommandOutcome.Refused r -> new Told(Health.BAD, "Not sent: " + r.explanation());
+      case CommandOutcome.Accepted a -> new CommandNotice(Health.OK, done);
+      case CommandOutcome.Refused r -> new CommandNotice(Health.BAD, "Not sent: " + r.explanation());
     };
   }
 

@@ -7,7 +7,7 @@ public final class Toast {
   /** How long it is shown, milliseconds. */
   public static final int MILLIS = 4000;
 
-  private Optional<Told> told = Optional.empty();
+  private Optional<CommandNotice> told = Optional.empty();
   private long untilNanos;
 
   /** Nothing is said. */
@@ -21,7 +21,7 @@ public final class Toast {
    * @param message what became of something
    * @param nowNanos {@link System#nanoTime()}
    */
-  public void say(Told message, long nowNanos) {
+  public void say(CommandNotice message, long nowNanos) {
     told = Optional.of(message);
     untilNanos = nowNanos + MILLIS * 1_000_000L;
   }
@@ -37,7 +37,7 @@ public final class Toast {
    * @param nowNanos {@link System#nanoTime()}
    * @return the message, or none
    */
-  public Optional<Told> at(long nowNanos) {
+  public Optional<CommandNotice> at(long nowNanos) {
     return told.filter(t -> nowNanos - untilNanos < 0);
   }
 }

@@ -116,14 +116,14 @@ public final class WorkbenchApplication implements IApplication {
     UserState state = new UserState(UserState.usualFolder());
     String theme = arguments.theme().or(() -> state.get(THEME)).orElse(Themes.DARK);
     host.open(Surface.WINDOW, USER);
-    try (Look look = new Look(display, theme, new PlatformTheme(display)::set)) {
-      Session session = new Session(host, USER, display, arguments, state, look, components);
+    try (ActiveTheme look = new ActiveTheme(display, theme, new PlatformTheme(display)::set)) {
+      WorkbenchSession session = new WorkbenchSession(host, USER, display, arguments, state, look, components);
       look.onChange(() -> state.put(THEME, look.theme().id()));
       return run(session, display);
     }
   }
 
-  private static Object run(Session session, Display display) {
+  private static Object run(WorkbenchSession session, Display display) {
     Runnable withdraw = WorkbenchServices.publish(session);
     Optional<Measurement> measurement =
         session.arguments().measure().map(file -> new Measurement(session.host(), display, file));

@@ -39,13 +39,13 @@ public final class WorkbenchServices {
   }
 
   /** Makes the session of the running application known to parts and handlers. */
-  public static Runnable publish(Session session) {
-    return context().registerService(Session.class, session, null)::unregister;
+  public static Runnable publish(WorkbenchSession session) {
+    return context().registerService(WorkbenchSession.class, session, null)::unregister;
   }
 
   /** The session of the running application. */
-  public static Session session() {
-    return service(Session.class)
+  public static WorkbenchSession session() {
+    return service(WorkbenchSession.class)
         .orElseThrow(() -> new IllegalStateException("the workbench was not started by its application"));
   }
 

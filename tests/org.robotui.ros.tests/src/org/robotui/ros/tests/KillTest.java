@@ -15,8 +15,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.Leftovers;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.StaleRegistrations;
 import org.slf4j.LoggerFactory;
 
 /** What the real master has of one of our processes after a kill, and after the next one cleared up. */
@@ -67,7 +67,7 @@ class KillTest {
     doomed.kill();
     assertTrue(world.tool("rosnode", "list").contains("/doomed"));
     assertTrue(world.tool("rostopic", "info", "/chatter").contains("* /doomed"));
-    assertEquals(List.of("/doomed"), Leftovers.clear(records, TIME).nodes());
+    assertEquals(List.of("/doomed"), StaleRegistrations.clear(records, TIME).nodes());
     assertFalse(world.tool("rosnode", "list").contains("/doomed"));
     assertFalse(world.tool("rosservice", "list").contains("/doomed"));
     String chatter = world.tool("rostopic", "info", "/chatter");
@@ -78,7 +78,7 @@ class KillTest {
   @Test
   void aProcessThatRunsIsLeftAlone() throws Exception {
     Peer running = doomed();
-    assertEquals(List.of(), Leftovers.clear(records, TIME).nodes());
+    assertEquals(List.of(), StaleRegistrations.clear(records, TIME).nodes());
     assertTrue(world.tool("rosnode", "ping", "-c", "1", "/doomed").contains("xmlrpc reply"));
     assertTrue(world.tool("rostopic", "info", "/chatter").contains("* /doomed"));
     running.kill();

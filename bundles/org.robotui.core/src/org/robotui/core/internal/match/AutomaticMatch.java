@@ -32,7 +32,7 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
   }
 
   private boolean hasMyName(Have have) {
-    return Words.lastSegment(have.port().name()).equals(want.port().name());
+    return MatchSentences.lastSegment(have.port().name()).equals(want.port().name());
   }
 
   private Match connect(List<Have> one, String reason) {
@@ -41,7 +41,7 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
 
   private Match ambiguous(List<Have> fitting, List<Have> best) {
     String list = fitting.stream().map(h -> h.id().toString()).collect(Collectors.joining(", "));
-    return Matches.ambiguous(want, ids(fitting), Words.need(want) + "; " + fitting.size() + " are of this type: " + list
+    return Matches.ambiguous(want, ids(fitting), MatchSentences.need(want) + "; " + fitting.size() + " are of this type: " + list
         + ". Write under 'connect':  " + want.id() + ": " + best.getFirst().id());
   }
 
@@ -50,13 +50,13 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
     String optional = want.port().arity() == Arity.OPTIONAL ? "; it works without" : "";
     if (!open.isEmpty()) {
       String status = open.stream().map(s -> s.component() + " " + s.status()).collect(Collectors.joining(", "));
-      return Matches.without(want, MatchState.PENDING, Words.need(want) + "; " + status + optional);
+      return Matches.without(want, MatchState.PENDING, MatchSentences.need(want) + "; " + status + optional);
     }
     String offers = suppliers.stream()
-        .map(s -> Words.offer(s.component(), want.port().kind(), haves)).collect(Collectors.joining("; "));
+        .map(s -> MatchSentences.offer(s.component(), want.port().kind(), haves)).collect(Collectors.joining("; "));
     String found = suppliers.isEmpty() ? "there is no robot interface"
         : want.port().kind() == PortKind.COMMAND ? unheard(offers) : offers;
-    return Matches.without(want, MatchState.REFUSED, Words.need(want) + "; " + found + optional);
+    return Matches.without(want, MatchState.REFUSED, MatchSentences.need(want) + "; " + found + optional);
   }
 
   /** Names the remedy first: what else the robot accepts helps only who looks for a wrong type. */

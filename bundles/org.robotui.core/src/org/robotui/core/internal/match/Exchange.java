@@ -33,6 +33,6 @@ public final class Exchange {
    * @return a sentence
    */
   public static String sentence(Want want) {
-    return Words.need(want) + "; the replacement has nothing that fits";
+    return MatchSentences.need(want) + "; the replacement has nothing that fits";
   }
 }

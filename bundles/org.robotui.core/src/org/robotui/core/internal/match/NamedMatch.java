@@ -19,7 +19,7 @@ record NamedMatch(Want want, Choice choice, List<Have> haves, List<Supplier> sup
       return Matches.without(want, MatchState.REFUSED, "left unconnected by " + choice.by());
     }
     if (choice.peers().size() > 1 && want.port().arity() != Arity.MANY) {
-      return Matches.without(want, MatchState.REFUSED, Words.need(want) + ", one connection only; " + choice.by()
+      return Matches.without(want, MatchState.REFUSED, MatchSentences.need(want) + ", one connection only; " + choice.by()
           + " names " + choice.peers().size());
     }
     return result(choice.peers().stream().map(this::peer).toList());
@@ -50,7 +50,7 @@ record NamedMatch(Want want, Choice choice, List<Have> haves, List<Supplier> sup
   private Peer typed(Have have) {
     return Legal.connection(want.port(), have.port())
         ? new Peer(have.id(), MatchState.CONNECTED, "")
-        : new Peer(have.id(), MatchState.REFUSED, Words.need(want) + "; " + have.id() + ", named by " + choice.by()
+        : new Peer(have.id(), MatchState.REFUSED, MatchSentences.need(want) + "; " + have.id() + ", named by " + choice.by()
             + ", is " + have.port().typeName());
   }
 
@@ -63,9 +63,9 @@ record NamedMatch(Want want, Choice choice, List<Have> haves, List<Supplier> sup
           + choice.by() + "; there are: " + known);
     }
     String sofar = supplier.get().settled()
-        ? Words.offer(id.component(), want.port().kind(), haves)
+        ? MatchSentences.offer(id.component(), want.port().kind(), haves)
         : id.component() + " " + supplier.get().status();
-    return new Peer(id, MatchState.PENDING, Words.need(want) + "; " + id + ", named by " + choice.by()
+    return new Peer(id, MatchState.PENDING, MatchSentences.need(want) + "; " + id + ", named by " + choice.by()
         + ", is not there; " + sofar);
   }
 }

@@ -84,7 +84,7 @@ final class Chunk {
     Placings placings = new Placings(members.size());
     List<Marker> markers = new ArrayList<>(members.size());
     members.forEach((member, held) -> {
-      Look.Piece piece = held.look().pieces().get(member.piece());
+      MarkerShapes.Piece piece = held.look().pieces().get(member.piece());
       Rgba color = Looks.color(held.marker());
       placings.add(piece.at(), piece.scale(), color);
       markers.add(held.marker());
@@ -93,6 +93,6 @@ final class Chunk {
   }
 
   private static Properties described(List<Marker> markers, int element) {
-    return element >= 0 && element < markers.size() ? Words.of(markers.get(element), element) : Properties.of("Marker");
+    return element >= 0 && element < markers.size() ? MarkerText.of(markers.get(element), element) : Properties.of("Marker");
   }
 }

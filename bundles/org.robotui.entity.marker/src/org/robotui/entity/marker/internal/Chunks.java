@@ -19,7 +19,7 @@ final class Chunks {
 
   /** Adds the pieces of a marker whose spot is known. */
   void add(Held held, Spot spot) {
-    List<Look.Piece> pieces = held.look().pieces();
+    List<MarkerShapes.Piece> pieces = held.look().pieces();
     boolean translucent = held.marker().color().alpha() < 1;
     for (int i = 0; i < pieces.size(); i++) {
       Group group = new Group(held.id().source(), held.id().key().namespace(), spot, pieces.get(i).form(), translucent);

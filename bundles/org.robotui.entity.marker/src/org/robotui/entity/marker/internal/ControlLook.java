@@ -45,7 +45,7 @@ final class ControlLook {
   private static List<Piece> given(List<Marker> markers) {
     List<Piece> pieces = new ArrayList<>();
     for (Marker marker : markers) {
-      Look look = Looks.of(marker);
+      MarkerShapes look = Looks.of(marker);
       Optional<FrameId> frame = marker.frame().name().isEmpty() ? Optional.empty() : Optional.of(marker.frame());
       Material paint = Material.lit(Looks.color(marker));
       look.pieces().forEach(p -> pieces.add(new Piece(one(p), RigidTransform.IDENTITY, paint, frame)));
@@ -54,7 +54,7 @@ final class ControlLook {
     return pieces;
   }
 
-  private static Shape one(Look.Piece piece) {
+  private static Shape one(MarkerShapes.Piece piece) {
     return new Placings(1).add(piece.at(), piece.scale()).of(piece.form().mesh());
   }
 

@@ -38,12 +38,12 @@ final class Crowds {
     return marker.colors().size() == 0 ? Looks.color(marker) : Rgba.WHITE;
   }
 
-  static Look spheres(Marker marker, RigidTransform at) {
+  static MarkerShapes spheres(Marker marker, RigidTransform at) {
     return of(marker.points().size() / 3 > MANY_SPHERES ? Meshes.coarseSphere() : Meshes.sphere(), marker, at);
   }
 
   /** A point that is not finite stays in the list, where nothing is drawn of it, so that elements keep their numbers. */
-  static Look of(TriangleMesh mesh, Marker marker, RigidTransform at) {
+  static MarkerShapes of(TriangleMesh mesh, Marker marker, RigidTransform at) {
     int all = marker.points().size() / 3;
     int count = Math.min(all, MOST);
     FloatBuffer placings = ByteBuffer.allocateDirect(4 * Instances.PLACING * count).order(ByteOrder.nativeOrder()).asFloatBuffer();
@@ -54,11 +54,11 @@ final class Crowds {
       put(placings, fine ? p : Vector3.ZERO, fine ? scale : Vector3.ZERO);
     }
     Optional<ByteBuffer> colors = colors(marker).map(c -> c.slice(0, 4 * count));
-    Look look = Look.of(Instances.of(mesh, placings.flip(), colors), at, Material.lit(paint(marker)));
+    MarkerShapes look = MarkerShapes.of(Instances.of(mesh, placings.flip(), colors), at, Material.lit(paint(marker)));
     return all > count ? look.but("only " + count + " of its " + all + " solids are shown") : zero(look, scale);
   }
 
-  private static Look zero(Look look, Vector3 scale) {
+  private static MarkerShapes zero(MarkerShapes look, Vector3 scale) {
     return scale.x() == 0 || scale.y() == 0 || scale.z() == 0 ? look.but("its scale is 0 along an axis") : look;
   }
 
@@ -69,10 +69,10 @@ final class Crowds {
     placings.put((float) scale.x()).put((float) scale.y()).put((float) scale.z());
   }
 
-  static Look triangles(Marker marker, RigidTransform at) {
+  static MarkerShapes triangles(Marker marker, RigidTransform at) {
     int count = marker.points().size() / 3;
     if (count == 0 || count % 3 != 0) {
-      return Look.nothing("a list of triangles needs points in threes, this one has " + count);
+      return MarkerShapes.nothing("a list of triangles needs points in threes, this one has " + count);
     }
     FloatBuffer xyz = scaled(marker);
     IntBuffer corners = ByteBuffer.allocateDirect(4 * count).order(ByteOrder.nativeOrder()).asIntBuffer();
@@ -80,7 +80,7 @@ final class Crowds {
       corners.put(i, i);
     }
     TriangleMesh mesh = new TriangleMesh(xyz, Optional.empty(), Optional.empty(), colors(marker), corners, Box3.around(xyz));
-    return zero(Look.of(mesh, at, Material.lit(paint(marker))), marker.scale());
+    return zero(MarkerShapes.of(mesh, at, Material.lit(paint(marker))), marker.scale());
   }
 
   private static FloatBuffer scaled(Marker marker) {

@@ -18,7 +18,7 @@ final class Held {
   record Id(SourceId source, Marker.Key key) {}
 
   private final Id id;
-  private final Look look;
+  private final MarkerShapes look;
   private final List<Chunk> chunks = new ArrayList<>();
   private Marker marker;
   private Optional<Spot> spot = Optional.empty();
@@ -38,7 +38,7 @@ final class Held {
     return marker;
   }
 
-  Look look() {
+  MarkerShapes look() {
     return look;
   }
 
@@ -62,7 +62,7 @@ final class Held {
   /** Takes one that looks the same: only its lifetime begins anew. */
   void renew(Marker same) {
     marker = same;
-    describer = (element, place) -> Words.of(same, element);
+    describer = (element, place) -> MarkerText.of(same, element);
   }
 
   boolean over(long nowNanos) {

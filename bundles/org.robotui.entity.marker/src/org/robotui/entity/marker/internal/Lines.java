@@ -20,25 +20,25 @@ final class Lines {
 
   private Lines() {}
 
-  static Look of(Marker marker, RigidTransform at, boolean pairs) {
+  static MarkerShapes of(Marker marker, RigidTransform at, boolean pairs) {
     int points = marker.points().size() / 3;
     if (points < 2 || pairs && points % 2 != 0) {
-      return Look.nothing(pairs ? "a list of lines needs pairs of points, this one has " + points : "a line needs two points, this one has " + points);
+      return MarkerShapes.nothing(pairs ? "a list of lines needs pairs of points, this one has " + points : "a line needs two points, this one has " + points);
     }
     if (marker.scale().x() <= 0) {
-      return Look.nothing("the width of its lines, scale x, must be more than 0");
+      return MarkerShapes.nothing("the width of its lines, scale x, must be more than 0");
     }
     return marker.scale().x() >= WIDE && points <= MOST_WIDE ? wide(marker, at, pairs) : thin(marker, at, pairs);
   }
 
-  private static Look thin(Marker marker, RigidTransform at, boolean pairs) {
+  private static MarkerShapes thin(Marker marker, RigidTransform at, boolean pairs) {
     FloatBuffer xyz = marker.points().buffer();
     LineSet.Kind kind = pairs ? LineSet.Kind.SEGMENTS : LineSet.Kind.STRIP;
-    return Look.of(new LineSet(xyz, Crowds.colors(marker), kind, PIXELS, Box3.around(xyz)), at, Material.flat(Crowds.paint(marker)));
+    return MarkerShapes.of(new LineSet(xyz, Crowds.colors(marker), kind, PIXELS, Box3.around(xyz)), at, Material.flat(Crowds.paint(marker)));
   }
 
   /** A bar each, coloured by its first point. */
-  private static Look wide(Marker marker, RigidTransform at, boolean pairs) {
+  private static MarkerShapes wide(Marker marker, RigidTransform at, boolean pairs) {
     int points = marker.points().size() / 3;
     Placings bars = new Placings(points);
     double width = marker.scale().x();
@@ -51,7 +51,7 @@ final class Lines {
         bars.add(middle, new Vector3(length, width, width), color(marker, i));
       }
     }
-    return Look.of(bars.of(Meshes.cube()), at, Material.flat(Rgba.WHITE));
+    return MarkerShapes.of(bars.of(Meshes.cube()), at, Material.flat(Rgba.WHITE));
   }
 
   private static Rgba color(Marker marker, int index) {

@@ -24,18 +24,18 @@ final class Looks {
     return new Rgba(c.red(), c.green(), c.blue(), c.alpha());
   }
 
-  static Look of(Marker marker) {
+  static MarkerShapes of(Marker marker) {
     RigidTransform pose = marker.pose();
     double length = pose.rotation().norm();
     if (!pose.translation().isFinite() || !Double.isFinite(length)) {
-      return Look.nothing("its pose is not finite");
+      return MarkerShapes.nothing("its pose is not finite");
     }
     if (!marker.scale().isFinite()) {
-      return Look.nothing("its scale is not finite");
+      return MarkerShapes.nothing("its scale is not finite");
     }
     boolean none = length < 1e-9;
     RigidTransform at = new RigidTransform(pose.translation(), none ? Quaternion.IDENTITY : pose.rotation().normalized());
-    Look look = shape(marker, at);
+    MarkerShapes look = shape(marker, at);
     return none ? look.but(UNTURNED) : !ownColors(marker) && color(marker).alpha() == 0 ? look.but("its alpha is 0: it is invisible") : look;
   }
 
@@ -43,7 +43,7 @@ final class Looks {
     return marker.colors().size() > 0 || marker.type() == Marker.Type.MESH;
   }
 
-  private static Look shape(Marker marker, RigidTransform at) {
+  private static MarkerShapes shape(Marker marker, RigidTransform at) {
     return switch (marker.type()) {
       case ARROW -> arrow(marker, at);
       case CUBE -> solid(Form.CUBE, marker, at);
@@ -57,13 +57,13 @@ final class Looks {
       case TEXT -> text(marker, at);
       case TRIANGLE_LIST -> Crowds.triangles(marker, at);
       case MESH -> mesh(marker, at);
-      case UNKNOWN -> Look.nothing("its type is not known");
+      case UNKNOWN -> MarkerShapes.nothing("its type is not known");
     };
   }
 
-  private static Look solid(Form form, Marker marker, RigidTransform at) {
+  private static MarkerShapes solid(Form form, Marker marker, RigidTransform at) {
     Vector3 s = marker.scale();
-    Look look = Look.solid(form, at, s);
+    MarkerShapes look = MarkerShapes.solid(form, at, s);
     return s.x() == 0 || s.y() == 0 || s.z() == 0 ? look.but("its scale is 0 in " + zeros(s)) : look;
   }
 
@@ -72,31 +72,31 @@ final class Looks {
     return String.join(", ", axes.stream().filter(a -> !a.isEmpty()).toList());
   }
 
-  private static Look arrow(Marker marker, RigidTransform at) {
+  private static MarkerShapes arrow(Marker marker, RigidTransform at) {
     int points = marker.points().size() / 3;
     if (points == 0) {
       return solid(Form.ARROW, marker, at);
     }
     if (points != 2) {
-      return Look.nothing("an arrow has no points or two, this one " + points);
+      return MarkerShapes.nothing("an arrow has no points or two, this one " + points);
     }
     Vector3 from = at.apply(point(marker, 0));
     Vector3 to = at.apply(point(marker, 1));
     double length = to.minus(from).norm();
     if (!(length > 0) || !Double.isFinite(length)) {
-      return Look.nothing("its two points are the same or not finite");
+      return MarkerShapes.nothing("its two points are the same or not finite");
     }
     return between(from, to, length, marker.scale());
   }
 
   /** Shaft and head have proportions of their own, so an arrow between points is a cylinder and a cone. */
-  private static Look between(Vector3 from, Vector3 to, double length, Vector3 scale) {
+  private static MarkerShapes between(Vector3 from, Vector3 to, double length, Vector3 scale) {
     Vector3 along = to.minus(from).times(1 / length);
     double head = scale.z() > 0 ? Math.min(scale.z(), length) : HEAD * length;
     RigidTransform shaft = new RigidTransform(from.plus(along.times((length - head) / 2)), Turns.between(new Vector3(0, 0, 1), along));
     RigidTransform tip = new RigidTransform(to, Turns.between(new Vector3(1, 0, 0), along.times(-1)));
-    Look look = new Look(List.of(new Look.Piece(Form.CYLINDER, shaft, new Vector3(scale.x(), scale.x(), length - head)),
-        new Look.Piece(Form.CONE, tip, new Vector3(head, scale.y(), scale.y()))), Optional.empty(), Optional.empty(), "");
+    MarkerShapes look = new MarkerShapes(List.of(new MarkerShapes.Piece(Form.CYLINDER, shaft, new Vector3(scale.x(), scale.x(), length - head)),
+        new MarkerShapes.Piece(Form.CONE, tip, new Vector3(head, scale.y(), scale.y()))), Optional.empty(), Optional.empty(), "");
     return scale.x() == 0 || scale.y() == 0 ? look.but("the diameters of its shaft and head, scale x and y, must not be 0") : look;
   }
 
@@ -104,27 +104,27 @@ final class Looks {
     return new Vector3(marker.points().get(3 * index), marker.points().get(3 * index + 1), marker.points().get(3 * index + 2));
   }
 
-  private static Look mesh(Marker marker, RigidTransform at) {
+  private static MarkerShapes mesh(Marker marker, RigidTransform at) {
     Vector3 s = marker.scale();
-    Look look = marker.mesh().isBlank() ? Look.nothing("it names no mesh") : Look.mesh(at);
+    MarkerShapes look = marker.mesh().isBlank() ? MarkerShapes.nothing("it names no mesh") : MarkerShapes.mesh(at);
     return s.x() == 0 || s.y() == 0 || s.z() == 0 ? look.but("its scale is 0 in " + zeros(s)) : look;
   }
 
-  private static Look points(Marker marker, RigidTransform at) {
+  private static MarkerShapes points(Marker marker, RigidTransform at) {
     if (marker.scale().x() <= 0) {
-      return Look.nothing("the width of its points, scale x, must be more than 0");
+      return MarkerShapes.nothing("the width of its points, scale x, must be more than 0");
     }
     PointSet set = PointSet.of(marker.points().buffer(), Crowds.colors(marker), (float) marker.scale().x(), PointSet.Unit.METRES);
-    return Look.of(set, at, Material.flat(Crowds.paint(marker)));
+    return MarkerShapes.of(set, at, Material.flat(Crowds.paint(marker)));
   }
 
-  private static Look text(Marker marker, RigidTransform at) {
+  private static MarkerShapes text(Marker marker, RigidTransform at) {
     if (marker.scale().z() <= 0) {
-      return Look.nothing("the height of its letters, scale z, must be more than 0");
+      return MarkerShapes.nothing("the height of its letters, scale z, must be more than 0");
     }
     if (marker.text().isBlank()) {
-      return Look.nothing("its text is empty");
+      return MarkerShapes.nothing("its text is empty");
     }
-    return Look.of(new Label(marker.text(), (float) marker.scale().z(), PointSet.Unit.METRES), at, Material.flat(color(marker)));
+    return MarkerShapes.of(new Label(marker.text(), (float) marker.scale().z(), PointSet.Unit.METRES), at, Material.flat(color(marker)));
   }
 }

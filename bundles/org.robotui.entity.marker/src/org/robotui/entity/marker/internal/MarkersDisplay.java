@@ -59,7 +59,7 @@ final class MarkersDisplay implements Display {
     }
     for (Held held : store.markers()) {
       if (held.look().own().isPresent() && visible.shows(held.id().key().namespace())) {
-        Look.Own own = held.look().own().get();
+        MarkerShapes.Own own = held.look().own().get();
         held.spot().flatMap(spots::at).ifPresent(place -> parts.add(part(held, own, place, opacity)));
       }
       if (held.look().mesh().isPresent() && visible.shows(held.id().key().namespace())) {
@@ -69,7 +69,7 @@ final class MarkersDisplay implements Display {
     return parts;
   }
 
-  private static Part part(Held held, Look.Own own, RigidTransform place, double opacity) {
+  private static Part part(Held held, MarkerShapes.Own own, RigidTransform place, double opacity) {
     Material m = own.material();
     Material paint = opacity >= 1 ? m : new Material(m.color().withAlpha(m.color().alpha() * opacity), m.lit(), m.texture(), m.depth());
     return new Part(held.id(), own.shape(), place.times(own.at()), paint, held.describer());

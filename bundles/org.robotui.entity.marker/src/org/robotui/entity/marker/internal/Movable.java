@@ -29,7 +29,7 @@ final class Movable {
   private Map<String, ControlHandle> handles = Map.of();
   private Optional<RigidTransform> fixedFromFrame = Optional.empty();
   private RigidTransform pose;
-  private Optional<Grip> grip = Optional.empty();
+  private Optional<HandleDrag> grip = Optional.empty();
   private Control gripped;
   private Vector3 touched = Vector3.ZERO;
   private boolean moved;
@@ -126,7 +126,7 @@ final class Movable {
       refused = false;
       Vector3 axis = frame.rotation().times(base(control).rotation()).times(ControlLook.rotation(control)).rotate(new Vector3(1, 0, 0));
       boolean faces = control.orientation() == Orientation.VIEW_FACING;
-      grip = Optional.of(new Grip(control.mode(), faces ? ray.direction() : axis, frame.times(pose), place, ray));
+      grip = Optional.of(new HandleDrag(control.mode(), faces ? ray.direction() : axis, frame.times(pose), place, ray));
       say(Event.MOUSE_DOWN, 0);
     });
   }

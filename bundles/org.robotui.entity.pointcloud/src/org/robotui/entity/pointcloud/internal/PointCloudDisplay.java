@@ -23,7 +23,7 @@ final class PointCloudDisplay implements Display {
 
   @Override
   public DisplayResult update(DisplayTick tick) {
-    Look look = Look.of(tick.settings());
+    PointStyle look = PointStyle.of(tick.settings());
     recent.update(tick, tick.settings().number("decay"), look.most());
     double opacity = tick.settings().number("opacity");
     float paleness = Recent.paleness(tick);
@@ -39,7 +39,7 @@ final class PointCloudDisplay implements Display {
     recent.clear();
   }
 
-  private static Optional<Part> part(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, Look look, double opacity, float pale) {
+  private static Optional<Part> part(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, PointStyle look, double opacity, float pale) {
     Prepared prepared = prepare(entry, place, look);
     return prepared.shape().map(shape -> {
       Rgba color = shape.rgba().isPresent() ? Rgba.WHITE : look.flat();
@@ -47,13 +47,13 @@ final class PointCloudDisplay implements Display {
     });
   }
 
-  private static Prepared prepare(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, Look look) {
+  private static Prepared prepare(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, PointStyle look) {
     // The place counts only where the colours depend on it; else the shape stays the same while the cloud is moved.
     boolean placed = look.fixedAxis() && look.colorBy(entry.value()).equals("axis");
     return entry.prepared(List.of(look, placed ? place : ""), cloud -> Prepared.of(cloud, look, place));
   }
 
-  private DisplayStatus status(List<Part> parts, Look look) {
+  private DisplayStatus status(List<Part> parts, PointStyle look) {
     Optional<Prepared> newest = recent.newest().flatMap(e -> e.anchor().found().map(place -> prepare(e, place, look)));
     Optional<String> complaint = newest.flatMap(Prepared::complaint);
     long points = parts.stream().mapToLong(part -> part.shape().elements()).sum();

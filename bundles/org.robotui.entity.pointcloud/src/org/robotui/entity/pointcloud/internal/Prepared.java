@@ -16,7 +16,7 @@ import org.robotui.gl.shape.PointSet;
  * @param complaint why it is not drawn, or not as it was asked
  */
 record Prepared(Optional<PointSet> shape, Optional<Order> order, Optional<String> complaint) {
-  static Prepared of(PointCloud cloud, Look look, RigidTransform fixedFromCloud) {
+  static Prepared of(PointCloud cloud, PointStyle look, RigidTransform fixedFromCloud) {
     return CloudPoints.of(cloud, look.most())
         .map(points -> draw(cloud, look, fixedFromCloud, points))
         .orElseGet(() -> new Prepared(Optional.empty(), Optional.empty(),
@@ -28,7 +28,7 @@ record Prepared(Optional<PointSet> shape, Optional<Order> order, Optional<String
     return order.filter(o -> o.count() < o.total()).isPresent();
   }
 
-  private static Prepared draw(PointCloud cloud, Look look, RigidTransform fixedFromCloud, CloudPoints points) {
+  private static Prepared draw(PointCloud cloud, PointStyle look, RigidTransform fixedFromCloud, CloudPoints points) {
     Optional<ByteBuffer> rgba;
     Optional<String> complaint = Optional.empty();
     switch (look.colorBy(cloud)) {

@@ -45,7 +45,7 @@ final class Values {
   }
 
   /** The colours of numbers: between limits that are set, else between their own least and greatest. */
-  static ByteBuffer colors(float[] values, Look look) {
+  static ByteBuffer colors(float[] values, PointStyle look) {
     Range own = look.min().isPresent() && look.max().isPresent() ? Range.NONE : Range.of(values);
     float low = look.min().map(Double::floatValue).orElse(own.least());
     float high = look.max().map(Double::floatValue).orElse(own.greatest());

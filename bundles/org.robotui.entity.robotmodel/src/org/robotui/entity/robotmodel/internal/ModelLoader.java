@@ -36,13 +36,13 @@ final class ModelLoader {
 
   private final LoadRequest request;
   private final List<String> problems = new ArrayList<>();
-  private final Shapes shapes;
+  private final ModelShapes shapes;
 
   private ModelLoader(LoadRequest request) {
     this.request = request;
     List<Path> roots = Stream.concat(request.packages().stream(), request.description().packageRoots().stream())
         .flatMap(text -> path(text).stream()).toList();
-    this.shapes = new Shapes(new MeshCache(new PackageFolders(roots), problems));
+    this.shapes = new ModelShapes(new MeshCache(new PackageFolders(roots), problems));
   }
 
   static Loaded load(LoadRequest request) {
@@ -59,7 +59,7 @@ final class ModelLoader {
         return new Loaded.Broken("the load was ended");
       }
       if (shapes.full()) {
-        problems.add("the meshes take more than " + (Shapes.MOST_BYTES >> 20) + " MB; the rest is left out. Coarser meshes would help");
+        problems.add("the meshes take more than " + (ModelShapes.MOST_BYTES >> 20) + " MB; the rest is left out. Coarser meshes would help");
         break;
       }
       forms.put(link.name(), forms(link));
@@ -100,7 +100,7 @@ final class ModelLoader {
   }
 
   private List<Form> visual(Visual visual, int index) {
-    Rgba painted = visual.surface().flatMap(Surface::color).map(Shapes::rgba).orElse(UNPAINTED);
+    Rgba painted = visual.surface().flatMap(Surface::color).map(ModelShapes::rgba).orElse(UNPAINTED);
     List<Form> forms = new ArrayList<>();
     for (Skin skin : shapes.skins(visual.geometry(), painted, visual.surface().flatMap(Surface::texture))) {
       forms.add(new Form(Form.Kind.VISUAL, index + forms.size(), visual.linkFromForm(), skin.shape(), skin.plain(), skin.own() ? Rgba.WHITE : painted,

@@ -72,7 +72,7 @@ final class Skins {
       normals.put(file.mesh().normals().slice(3 * part.firstCorner(), 3 * part.corners()));
       file.mesh().uv().ifPresent(places -> places(places, part, uv));
       int color = (texture.isPresent() ? part.color().map(c -> Rgba.WHITE.withAlpha(c.alpha())).orElse(Rgba.WHITE)
-          : part.color().map(Shapes::rgba).orElse(otherwise)).packed();
+          : part.color().map(ModelShapes::rgba).orElse(otherwise)).packed();
       for (int i = 0; i < part.corners(); i++) {
         rgba.putInt(color);
       }

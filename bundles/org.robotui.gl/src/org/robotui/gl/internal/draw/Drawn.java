@@ -57,7 +57,7 @@ public interface Drawn {
    * @param look how it looks in it
    * @return false where OpenGL is to draw it
    */
-  default boolean paint(Pass pass, Look look) {
+  default boolean paint(Pass pass, DrawState look) {
     return false;
   }
 
@@ -67,7 +67,7 @@ public interface Drawn {
    * @param pass the picture
    * @param look how it looks in it
    */
-  void draw(Pass pass, Look look);
+  void draw(Pass pass, DrawState look);
 
   /**
    * What it takes.

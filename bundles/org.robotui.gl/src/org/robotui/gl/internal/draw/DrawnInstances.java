@@ -71,7 +71,7 @@ final class DrawnInstances implements Drawn {
   }
 
   @Override
-  public void draw(Pass pass, Look look) {
+  public void draw(Pass pass, DrawState look) {
     surface.bind(look);
     if (!colored) {
       surface.array().white(OWN_COLOR);

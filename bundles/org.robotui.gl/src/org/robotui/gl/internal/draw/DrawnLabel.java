@@ -45,7 +45,7 @@ final class DrawnLabel implements Drawn {
   }
 
   @Override
-  public void draw(Pass pass, Look look) {
+  public void draw(Pass pass, DrawState look) {
     array.bind();
     layOut(pass);
     pass.glyphs().bind();

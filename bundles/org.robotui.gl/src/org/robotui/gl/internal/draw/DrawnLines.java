@@ -40,7 +40,7 @@ final class DrawnLines implements Drawn {
   }
 
   @Override
-  public void draw(Pass pass, Look look) {
+  public void draw(Pass pass, DrawState look) {
     array.bind();
     corners.whiten(array);
     pass.use(SHADER, look);

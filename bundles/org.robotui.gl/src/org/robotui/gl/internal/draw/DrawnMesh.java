@@ -28,12 +28,12 @@ final class DrawnMesh implements Drawn {
   }
 
   @Override
-  public boolean paint(Pass pass, Look look) {
+  public boolean paint(Pass pass, DrawState look) {
     return surface.paint(pass, look);
   }
 
   @Override
-  public void draw(Pass pass, Look look) {
+  public void draw(Pass pass, DrawState look) {
     surface.bind(look);
     pass.light(pass.use(surface.shader(look), look), look);
     surface.draw(pass, look);

@@ -48,7 +48,7 @@ final class DrawnPoints implements Drawn {
   }
 
   @Override
-  public void draw(Pass pass, Look look) {
+  public void draw(Pass pass, DrawState look) {
     int every = Math.min(pass.every(), pass.gpu().limits().stride() / ROW);
     array.bind();
     lay(every);

@@ -88,7 +88,7 @@ public final class Pass {
   }
 
   /** What is mixed into colours, as much as its alpha says. */
-  Rgba glow(Look look) {
+  Rgba glow(DrawState look) {
     return look.selected() ? GLOW : background.withAlpha(look.pale());
   }
 
@@ -101,7 +101,7 @@ public final class Pass {
   }
 
   /** What a pixel shows of the nearest end of a shape; metres. */
-  double metresPerPixel(Look look, Optional<Box3> bounds) {
+  double metresPerPixel(DrawState look, Optional<Box3> bounds) {
     double distance = camera.perspective()
         ? bounds.map(box -> look.eyeFromShape().apply(box.center())[0] - box.radius()).orElse(0.0)
         : 1;
@@ -138,7 +138,7 @@ public final class Pass {
   }
 
   /** Makes shaders the ones that are drawn with, with what all of them know of a part. */
-  Program use(Shader shader, Look look) {
+  Program use(Shader shader, DrawState look) {
     Program program = programs.get(picking ? shader.with(Shader.Trait.PICK) : shader);
     program.use();
     program.matrix("clipFromShape", look.clipFromShape().floats());
@@ -149,7 +149,7 @@ public final class Pass {
   }
 
   /** What shaders of surfaces in light know besides. */
-  void light(Program program, Look look) {
+  void light(Program program, DrawState look) {
     program.matrix("eyeFromShape", look.eyeFromShape().floats());
     float[] up = up();
     program.triple("up", up[0], up[1], up[2]);

@@ -41,12 +41,12 @@ final class Settled {
   }
 
   /** The level that is drawn. */
-  Level now(Pass pass, Look look) {
+  Level now(Pass pass, DrawState look) {
     return levels.within(pass.fineness().pixels() * pass.metresPerPixel(look, mesh.bounds()));
   }
 
   /** How many of its triangles are left out while the camera moves. */
-  int leftOut(Pass pass, Look look, Level now) {
+  int leftOut(Pass pass, DrawState look, Level now) {
     Level rest = levels.within(Fineness.AT_REST.pixels() * pass.metresPerPixel(look, mesh.bounds()));
     return Math.max(0, rest.count() - now.count()) / CORNERS;
   }
@@ -57,7 +57,7 @@ final class Settled {
   }
 
   /** Paints it into splats, where its triangles are small and all of it is ahead of the eye; answers whether it did. */
-  boolean paint(Pass pass, Look look, Splats splats) {
+  boolean paint(Pass pass, DrawState look, Splats splats) {
     Level level = now(pass, look);
     if (isLarge(level, pass.metresPerPixel(look, mesh.bounds())) || mesh.bounds().filter(box -> Clip.holds(look.clipFromShape(), box)).isEmpty()) {
       return false;
@@ -85,7 +85,7 @@ final class Settled {
     return levels.indices().slice(level.first(), level.count());
   }
 
-  private FacetBrush brush(Pass pass, Look look) {
+  private FacetBrush brush(Pass pass, DrawState look) {
     return new FacetBrush(look.clipFromShape().floats(), look.eyeFromShape().floats(), pass.up(), look.lit(), look.color(),
         pass.glow(look), (float) look.near(), (float) look.far(), hidesBacks(pass));
   }

@@ -40,7 +40,7 @@ final class SplattedPoints implements Drawn {
   }
 
   @Override
-  public boolean paint(Pass pass, Look look) {
+  public boolean paint(Pass pass, DrawState look) {
     Optional<Splats> splats = pass.splats();
     boolean painted = splats.isPresent() && (pass.picking() || !translucent && look.color().alpha() == 1);
     if (painted) {
@@ -52,7 +52,7 @@ final class SplattedPoints implements Drawn {
   }
 
   @Override
-  public void draw(Pass pass, Look look) {
+  public void draw(Pass pass, DrawState look) {
     inOpenGl().draw(pass, look);
   }
 
@@ -64,7 +64,7 @@ final class SplattedPoints implements Drawn {
     return inOpenGl.get();
   }
 
-  private Brush brush(Pass pass, Look look) {
+  private Brush brush(Pass pass, DrawState look) {
     boolean metres = points.unit() == Unit.METRES;
     int pixels = metres ? 0 : Math.max(1, Math.round(points.size() * pass.camera().scale()));
     float reach = (float) (points.size() * pass.camera().reach());

@@ -71,14 +71,14 @@ final class Surface {
   }
 
   /** Which shaders draw it. */
-  Shader shader(Look look) {
+  Shader shader(DrawState look) {
     return SHADER
         .with(Trait.LIT, look.lit())
         .with(Trait.FACETS, look.lit() && mesh.normals().isEmpty())
         .with(Trait.TEXTURED, isTextured(look));
   }
 
-  private boolean isTextured(Look look) {
+  private boolean isTextured(DrawState look) {
     return look.texture().isPresent() && mesh.uv().isPresent();
   }
 
@@ -87,20 +87,20 @@ final class Surface {
   }
 
   /** Makes it the one that is drawn. */
-  void bind(Look look) {
+  void bind(DrawState look) {
     array.bind();
     corners.whiten(array);
     look.texture().ifPresent(texture -> texture.bind());
   }
 
   /** Writes it into the splats of a picture, where the processor is quicker with it; answers whether it did. */
-  boolean paint(Pass pass, Look look) {
+  boolean paint(Pass pass, DrawState look) {
     boolean plain = !pass.picking() && !pass.fineness().isExact() && !translucent() && look.color().alpha() == 1 && !isTextured(look);
     return plain && pass.splats().flatMap(splats -> settled.map(form -> form.paint(pass, look, splats))).orElse(false);
   }
 
   /** As fine as is seen. */
-  void draw(Pass pass, Look look) {
+  void draw(Pass pass, DrawState look) {
     if (!pass.fineness().isExact()) {
       settle();
     }
@@ -124,7 +124,7 @@ final class Surface {
     draw(pass, 0, mesh.triangles().remaining(), 0);
   }
 
-  private void draw(Pass pass, Look look, Settled form) {
+  private void draw(Pass pass, DrawState look, Settled form) {
     Levels.Level now = form.now(pass, look);
     boolean body = form.hidesBacks(pass) && !translucent() && look.color().alpha() == 1;
     if (body) {

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.robotui.gl.internal.draw.Camera;
-import org.robotui.gl.internal.draw.Look;
+import org.robotui.gl.internal.draw.DrawState;
 import org.robotui.gl.internal.draw.Matrix;
 import org.robotui.gl.internal.draw.Pass;
 import org.robotui.gl.internal.gpu.Gpu;
@@ -60,7 +60,7 @@ final class Canvas {
   /** Writes what the processor paints beside OpenGL into splats. */
   void paint(Order order) {
     for (Resident resident : order.opaque()) {
-      Look look = resident.onTop() ? look(resident, 0, TOP) : look(resident, TOP, 1);
+      DrawState look = resident.onTop() ? look(resident, 0, TOP) : look(resident, TOP, 1);
       if (resident.drawn().paint(pass, look)) {
         painted.add(resident);
       }
@@ -100,18 +100,18 @@ final class Canvas {
   }
 
   private void draw(Resident resident, double near, double far) {
-    Look look = look(resident, near, far);
+    DrawState look = look(resident, near, far);
     if (!pass.picking() || !resident.drawn().paint(pass, look)) {
       resident.drawn().draw(pass, look);
     }
   }
 
-  private Look look(Resident resident, double near, double far) {
+  private DrawState look(Resident resident, double near, double far) {
     int id = byId.size() + 1;
     byId.put(id, resident);
     Matrix eyeFromShape = Matrix.of(camera.eyeFromFixed().times(resident.part().fixedFromShape()));
     boolean selected = selection.contains(new Selected(resident.display(), resident.part().key()));
-    return new Look(
+    return new DrawState(
         eyeFromShape, camera.clipFromEye().times(eyeFromShape), resident.part().material().color(), resident.part().material().lit(),
         resident.picture().map(Pool.Picture::texture), selected, resident.part().material().pale(), near, far, id);
   }

@@ -24,7 +24,7 @@ public final class GuardMain {
     if (answer.length < Wire.SECRET) {
       throw new IOException("the secrets are missing");
     }
-    Voice voice = new Voice(System.out);
+    LineSender voice = new LineSender(System.out);
     try (Relay relay = new Relay(knock, answer, Limits.standard(), voice, () -> guarded.map(ProcessHandle::isAlive).orElse(false))) {
       voice.say(Wire.PORT + relay.port());
       Thread orders = new Thread(() -> new Orders(in).follow(relay), "orders");

@@ -27,7 +27,7 @@ final class Relay implements Orders.Taker, AutoCloseable {
   private final byte[] knock;
   private final byte[] answer;
   private final Limits limits;
-  private final Voice voice;
+  private final LineSender voice;
   private final BooleanSupplier guardedLives;
   private final Selector selector = Selector.open();
   private final ServerSocketChannel server = ServerSocketChannel.open();
@@ -35,13 +35,13 @@ final class Relay implements Orders.Taker, AutoCloseable {
   private final Map<Integer, Calls.Farewell> farewells = new LinkedHashMap<>();
   private final Chunks chunks;
   private final Calls calls;
-  private final Silence silence = new Silence(System.nanoTime());
+  private final HeartbeatTimer silence = new HeartbeatTimer(System.nanoTime());
   private long lastTick = System.nanoTime();
   private boolean silent;
   private boolean over;
   private boolean goodbye;
 
-  Relay(byte[] knock, byte[] answer, Limits limits, Voice voice, BooleanSupplier guardedLives) throws IOException {
+  Relay(byte[] knock, byte[] answer, Limits limits, LineSender voice, BooleanSupplier guardedLives) throws IOException {
     this.knock = knock;
     this.answer = answer;
     this.limits = limits;
@@ -131,13 +131,13 @@ final class Relay implements Orders.Taker, AutoCloseable {
     if (near == null) {
       return;
     }
-    List<Handler> greetings = handlers().stream().filter(Greeting.class::isInstance).toList();
+    List<Handler> greetings = handlers().stream().filter(ConnectionHandshake.class::isInstance).toList();
     if (greetings.size() >= MOST_GREETINGS) {
       greetings.getFirst().close();
     }
     near.configureBlocking(false);
     near.setOption(StandardSocketOptions.TCP_NODELAY, true);
-    Greeting.on(near.register(selector, SelectionKey.OP_READ), knock, answer, this::stream);
+    ConnectionHandshake.on(near.register(selector, SelectionKey.OP_READ), knock, answer, this::stream);
   }
 
   private Stream stream(SelectionKey near, SelectionKey far) {

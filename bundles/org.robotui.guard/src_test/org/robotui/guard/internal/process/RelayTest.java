@@ -37,7 +37,7 @@ class RelayTest {
   void start() throws IOException {
     Arrays.fill(knock, (byte) 1);
     Arrays.fill(answer, (byte) 2);
-    relay = new Relay(knock, answer, LIMITS, new Voice(new PrintStream(OutputStream.nullOutputStream())), () -> true);
+    relay = new Relay(knock, answer, LIMITS, new LineSender(new PrintStream(OutputStream.nullOutputStream())), () -> true);
     thread = new Thread(() -> {
       try {
         relay.run();

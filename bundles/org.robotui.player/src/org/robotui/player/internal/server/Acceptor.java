@@ -28,7 +28,7 @@ public final class Acceptor implements Closeable {
   private final ServerOptions options;
   private final Workers workers;
   private final TcpListener listener;
-  private final Set<Session> sessions = ConcurrentHashMap.newKeySet();
+  private final Set<ClientSession> sessions = ConcurrentHashMap.newKeySet();
   private final LogThrottle refused = new LogThrottle();
 
   /** Listens at once. */
@@ -54,7 +54,7 @@ public final class Acceptor implements Closeable {
       return;
     }
     Sockets.prepare(socket);
-    Session session = new Session(socket, layouts, registry, options);
+    ClientSession session = new ClientSession(socket, layouts, registry, options);
     sessions.add(session);
     workers.start("player to " + socket.getRemoteSocketAddress(), () -> send(session));
     workers.start("player from " + socket.getRemoteSocketAddress(), () -> receive(session, socket));
@@ -63,7 +63,7 @@ public final class Acceptor implements Closeable {
     }
   }
 
-  private void receive(Session session, Socket socket) {
+  private void receive(ClientSession session, Socket socket) {
     try {
       session.receive();
     } catch (PlayerException e) {
@@ -78,7 +78,7 @@ public final class Acceptor implements Closeable {
     }
   }
 
-  private static void send(Session session) {
+  private static void send(ClientSession session) {
     try {
       session.send();
     } catch (IOException e) {
@@ -98,7 +98,7 @@ public final class Acceptor implements Closeable {
   @Override
   public void close() {
     listener.close();
-    sessions.forEach(Session::close);
+    sessions.forEach(ClientSession::close);
     workers.join(System.nanoTime() + END.toNanos());
   }
 }

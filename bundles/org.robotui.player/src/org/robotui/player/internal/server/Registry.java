@@ -21,7 +21,7 @@ public final class Registry {
   private static final Logger LOG = LoggerFactory.getLogger(Registry.class);
 
   /** Clients by each time that they have opened it: who has opened it twice is sent all data twice, as by real servers, and has to close it twice. */
-  private record Entry(String driver, DeviceHandler handler, List<Session> clients) { }
+  private record Entry(String driver, DeviceHandler handler, List<ClientSession> clients) { }
 
   private final Map<DeviceId, Entry> devices =
       new ConcurrentSkipListMap<>(Comparator.comparingInt(DeviceId::interfaceCode).thenComparingInt(DeviceId::index));
@@ -56,24 +56,24 @@ public final class Registry {
     return Optional.ofNullable(devices.get(id)).map(Entry::driver);
   }
 
-  boolean isOpen(DeviceId id, Session client) {
+  boolean isOpen(DeviceId id, ClientSession client) {
     return Optional.ofNullable(devices.get(id)).filter(entry -> entry.clients.contains(client)).isPresent();
   }
 
-  void open(DeviceId id, Session client) {
+  void open(DeviceId id, ClientSession client) {
     Entry entry = devices.get(id);
     entry.clients.add(client);
     tell(id, entry);
   }
 
-  void close(DeviceId id, Session client) {
+  void close(DeviceId id, ClientSession client) {
     Entry entry = devices.get(id);
     if (entry.clients.remove(client)) {
       tell(id, entry);
     }
   }
 
-  void closeAll(Session client) {
+  void closeAll(ClientSession client) {
     devices.forEach((id, entry) -> {
       if (entry.clients.removeIf(each -> each == client)) {
         tell(id, entry);

@@ -24,7 +24,7 @@ final class ServerRequests {
 
   private final Layouts layouts;
   private final Registry registry;
-  private final Session client;
+  private final ClientSession client;
   private final SendQueue out;
   private final Optional<byte[]> key;
   private final TypedHandler strange;
@@ -33,7 +33,7 @@ final class ServerRequests {
   private final int fetch;
   private boolean trusts;
 
-  ServerRequests(Layouts layouts, Registry registry, Session client, SendQueue out, Optional<byte[]> key) {
+  ServerRequests(Layouts layouts, Registry registry, ClientSession client, SendQueue out, Optional<byte[]> key) {
     this.layouts = layouts;
     this.registry = registry;
     this.client = client;

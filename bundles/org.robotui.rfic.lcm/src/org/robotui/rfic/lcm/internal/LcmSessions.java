@@ -13,7 +13,7 @@ import org.robotui.api.session.SessionScope;
 import org.robotui.guard.Guard;
 import org.robotui.guard.Guards;
 import org.robotui.lcm.type.TypeFolder;
-import org.robotui.rfic.lcm.internal.session.Session;
+import org.robotui.rfic.lcm.internal.session.LcmSession;
 
 /** Sessions with robots that speak LCM at one URL. Each reads the types, and ends when their files have changed. */
 record LcmSessions(RficContext context, LcmSettings settings, Guards guards) implements SessionFactory {
@@ -29,6 +29,6 @@ record LcmSessions(RficContext context, LcmSettings settings, Guards guards) imp
     // a recording would begin anew, or be written over
     TypeFiles files = new TypeFiles(settings.url().provider().equals("file") ? List.of() : settings.types());
     files.reading(System.nanoTime());
-    return new Session(context, settings, TypeFolder.read(settings.types()), sockets, () -> files.changed(System.nanoTime()));
+    return new LcmSession(context, settings, TypeFolder.read(settings.types()), sockets, () -> files.changed(System.nanoTime()));
   }
 }

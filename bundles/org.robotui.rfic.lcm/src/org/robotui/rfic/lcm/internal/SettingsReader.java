@@ -15,8 +15,8 @@ import org.robotui.api.config.Settings;
 import org.robotui.lcm.Lcm;
 import org.robotui.lcm.LcmUrl;
 import org.robotui.rfic.lcm.internal.convert.CommandForm;
+import org.robotui.rfic.lcm.internal.convert.LcmShapes;
 import org.robotui.rfic.lcm.internal.convert.Shape;
-import org.robotui.rfic.lcm.internal.convert.Shapes;
 import org.robotui.rfic.lcm.internal.language.FaultException;
 import org.robotui.rfic.lcm.internal.language.Form;
 import org.robotui.rfic.lcm.internal.language.Mapping;
@@ -116,9 +116,9 @@ final class SettingsReader {
 
   private void stream(String channel, Placed written) throws FaultException {
     Map<String, Placed> entries = entries(written, "odometry");
-    Placed as = word(entries, AS, written, "what the messages of " + channel + " become, one of " + Shapes.words());
-    Shape<?> shape = Shapes.of(as.value().toString())
-        .orElseThrow(() -> new FaultException(as.fault("'" + as.value() + "' is nothing that messages become; write one of " + Shapes.words())));
+    Placed as = word(entries, AS, written, "what the messages of " + channel + " become, one of " + LcmShapes.words());
+    Shape<?> shape = LcmShapes.of(as.value().toString())
+        .orElseThrow(() -> new FaultException(as.fault("'" + as.value() + "' is nothing that messages become; write one of " + LcmShapes.words())));
     Optional<Placed> type = Optional.ofNullable(entries.remove(TYPE));
     Placed port = Optional.ofNullable(entries.remove(PORT)).orElse(as);
     String name = port == as ? unused(channel, as.value().toString()) : port.value().toString();

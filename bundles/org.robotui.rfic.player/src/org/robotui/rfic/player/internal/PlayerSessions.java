@@ -11,7 +11,7 @@ import org.robotui.api.session.SessionRfic;
 import org.robotui.api.session.SessionScope;
 import org.robotui.guard.Guard;
 import org.robotui.guard.Guards;
-import org.robotui.rfic.player.internal.link.Session;
+import org.robotui.rfic.player.internal.link.PlayerSession;
 
 /** Sessions with a robot behind a Player server. A session lasts as long as the robot interface; its client reconnects by itself. */
 record PlayerSessions(RficContext context, PlayerSettings settings, Guards guards) implements SessionFactory {
@@ -24,6 +24,6 @@ record PlayerSessions(RficContext context, PlayerSettings settings, Guards guard
   @Override
   public RobotSession open(SessionScope scope) throws IOException {
     SocketFactory sockets = settings.guard() ? scope.closing(guards.open(), Guard::close).sockets() : SocketFactory.getDefault();
-    return new Session(context, settings, sockets);
+    return new PlayerSession(context, settings, sockets);
   }
 }

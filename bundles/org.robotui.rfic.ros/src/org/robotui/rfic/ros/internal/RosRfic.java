@@ -11,7 +11,7 @@ import org.robotui.api.session.SessionRfic;
 import org.robotui.api.session.SessionScope;
 import org.robotui.guard.Guard;
 import org.robotui.guard.Guards;
-import org.robotui.rfic.ros.internal.graph.Session;
+import org.robotui.rfic.ros.internal.graph.RosSession;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.message.MessageRegistry;
@@ -28,7 +28,7 @@ final class RosRfic implements Rfic {
   private final SharedMasters masters;
   private final Guards guards;
   private final SessionRfic sessions;
-  private final Tidying tidying;
+  private final RepeatedCleanup tidying;
   private Optional<MessageRegistry> registry = Optional.empty(); // only on the thread of the sessions
 
   RosRfic(RficContext context, RosSettings settings, SharedMasters masters, Guards guards) {
@@ -37,7 +37,7 @@ final class RosRfic implements Rfic {
     this.masters = masters;
     this.guards = guards;
     this.sessions = new SessionRfic(context, settings.master().toString(), RETRY, this::open);
-    this.tidying = new Tidying(context, masters.sweep());
+    this.tidying = new RepeatedCleanup(context, masters.sweep());
   }
 
   @Override
@@ -50,7 +50,7 @@ final class RosRfic implements Rfic {
     MessageRegistry types = registry.orElseGet(MessageRegistry::fromEnvironment);
     registry = Optional.of(types);
     try {
-      return new Session(context, settings, types, masters, settings.guard() ? guarded(scope) : UnaryOperator.identity());
+      return new RosSession(context, settings, types, masters, settings.guard() ? guarded(scope) : UnaryOperator.identity());
     } catch (IOException e) {
       throw new IOException("no node can be opened here: " + e.getMessage(), e);
     }

@@ -20,6 +20,6 @@ record XbotSessions(RficContext context, XbotSettings settings) implements Sessi
 
   @Override
   public RobotSession open(SessionScope scope) throws IOException {
-    return new Session(context, settings, scope.closing(RtClient.connect(settings.robot()), RtClient::close));
+    return new XbotSession(context, settings, scope.closing(RtClient.connect(settings.robot()), RtClient::close));
   }
 }

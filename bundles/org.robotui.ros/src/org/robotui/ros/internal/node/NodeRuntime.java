@@ -59,7 +59,7 @@ public final class NodeRuntime implements RosNode {
   /** Sockets of calls that belong to no topic or service of this node. */
   private final CloseableSet sockets = new CloseableSet();
   private final HostPort masterAddress;
-  private final Leaving leaving;
+  private final Unregistration leaving;
   private final AtomicBoolean closing = new AtomicBoolean();
   private final CompletableFuture<String> closed = new CompletableFuture<>();
 
@@ -69,7 +69,7 @@ public final class NodeRuntime implements RosNode {
     masterAddress = HostPort.ofUri(environment.masterUri().toString(), "http");
     master = new RosApi(masterAddress, "master", MASTER_TIMEOUT);
     registrar = new Registrar(context, master, environment.masterUri().toString());
-    leaving = new Leaving(context, registrar, masterAddress);
+    leaving = new Unregistration(context, registrar, masterAddress);
     LocalAddress address = LocalAddress.of(environment.host());
     tcp = new TcpServer(context, address.bind(), parts::serve);
     http = new XmlRpcServer(address.bind(), 0, XmlRpcLimits.standard(), context.workers(), "ros " + name);
@@ -263,7 +263,7 @@ public final class NodeRuntime implements RosNode {
     }
     boolean forgotten = new NodeShutdown(context, leaving)
         .run(List.of(parts::close, tcp::close, http::close, sockets::close), master);
-    registrar.withdrawFarewells();
+    registrar.withdrawUnregisterCalls();
     if (forgotten) {
       record.delete();
     }

@@ -6,7 +6,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Ends a node in bounded time: the master hears of it while everything else closes; then the threads are waited for. */
-record NodeShutdown(NodeContext context, Leaving leaving) {
+record NodeShutdown(NodeContext context, Unregistration leaving) {
 
   private static final Logger LOG = LoggerFactory.getLogger(NodeShutdown.class);
   private static final Duration FOR_ALL = Duration.ofMillis(900);

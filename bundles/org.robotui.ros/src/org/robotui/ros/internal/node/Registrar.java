@@ -40,7 +40,7 @@ final class Registrar {
   /** What should be known, and whether it is. */
   private final Map<Registration, Boolean> wanted = new LinkedHashMap<>();
   private final List<Registration> unwanted = new ArrayList<>();
-  private final LastWords lastWords;
+  private final UnregisterCalls lastWords;
   private final CountDownLatch ended = new CountDownLatch(1);
   private boolean dirty;
   private boolean closed;
@@ -53,7 +53,7 @@ final class Registrar {
     this.context = context;
     this.master = master;
     this.masterName = masterName;
-    this.lastWords = new LastWords(context.options().farewells(), master);
+    this.lastWords = new UnregisterCalls(context.options().farewells(), master);
   }
 
   void start() {
@@ -155,7 +155,7 @@ final class Registrar {
   }
 
   /** After the master was told all, or cannot be told. */
-  void withdrawFarewells() {
+  void withdrawUnregisterCalls() {
     lastWords.withdrawAll();
   }
 

@@ -18,10 +18,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robotui.net.socket.HostPort;
 import org.robotui.ros.Eventually;
 import org.robotui.ros.Graph;
-import org.robotui.ros.Leftovers;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
+import org.robotui.ros.StaleRegistrations;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
@@ -93,18 +93,18 @@ class LeftoversTest {
   void allThatADeadNodeLeftIsRemovedAndNothingElse() throws Exception {
     registerAll(DEAD_URI);
     Path file = record(gone, master());
-    assertEquals(new Leftovers.Cleared(List.of("/dead"), true), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of("/dead"), true), StaleRegistrations.clear(folder, TIME));
     assertFalse(state().nodes().contains("/dead"), state().toString());
     assertEquals(List.of("/witness"), state().publishers().get("/chatter"));
     assertFalse(Files.exists(file));
-    assertEquals(new Leftovers.Cleared(List.of(), true), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
   }
 
   @Test
   void aNodeThatTookTheNameIsNotTouched() throws Exception {
     registerAll("http://127.0.0.1:10/");
     Path file = record(gone, master());
-    assertEquals(new Leftovers.Cleared(List.of(), true), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
     assertEquals(List.of("/dead"), state().services().get("/dead/switch"));
     assertTrue(state().publishers().get("/chatter").contains("/dead"));
     assertFalse(Files.exists(file));
@@ -115,7 +115,7 @@ class LeftoversTest {
     registerAll(DEAD_URI);
     for (Owner other : List.of(Owner.current(), new Owner("elsewhere", gone.pid(), gone.started()))) {
       Path file = record(other, master());
-      assertEquals(new Leftovers.Cleared(List.of(), true), Leftovers.clear(folder, TIME));
+      assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
       assertTrue(state().nodes().contains("/dead"));
       assertTrue(Files.exists(file));
     }
@@ -126,7 +126,7 @@ class LeftoversTest {
     registerAll(DEAD_URI);
     Owner same = Owner.current();
     record(new Owner(same.host(), same.pid(), same.started().minusSeconds(3600)), master());
-    assertEquals(new Leftovers.Cleared(List.of("/dead"), true), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of("/dead"), true), StaleRegistrations.clear(folder, TIME));
   }
 
   @Test
@@ -134,7 +134,7 @@ class LeftoversTest {
     Owner same = Owner.current();
     Path file = folder.resolve("node-1-3" + NodeRecord.SUFFIX);
     new NodeRecord("/witness", witness.uri(), DEAD_RPC, master(), new Owner(same.host(), same.pid(), Instant.EPOCH), List.of()).write(file);
-    assertEquals(new Leftovers.Cleared(List.of(), true), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
     assertEquals(List.of("/witness"), state().publishers().get("/chatter"));
     assertTrue(Files.exists(file));
   }
@@ -143,10 +143,10 @@ class LeftoversTest {
   void aMasterThatIsAwayIsTriedAgain() throws Exception {
     registerAll(DEAD_URI);
     Path file = record(gone, "http://127.0.0.1:9/");
-    assertEquals(new Leftovers.Cleared(List.of(), false), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of(), false), StaleRegistrations.clear(folder, TIME));
     assertTrue(Files.exists(file));
     record(gone, master());
-    assertEquals(new Leftovers.Cleared(List.of("/dead"), true), Leftovers.clear(folder, TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of("/dead"), true), StaleRegistrations.clear(folder, TIME));
   }
 
   @Test
@@ -161,7 +161,7 @@ class LeftoversTest {
     assertEquals(node.uri(), note.uri());
     assertEquals(List.of("/limits", "/use_sim_time"), note.parameters());
     assertTrue(note.process().isAlive() && note.process().isOnThisHost());
-    assertEquals(new Leftovers.Cleared(List.of(), true), Leftovers.clear(folder.resolve("new/state"), TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder.resolve("new/state"), TIME));
     node.close();
     try (Stream<Path> files = Files.list(folder.resolve("new/state"))) {
       assertEquals(List.of(), files.toList());
@@ -199,7 +199,7 @@ class LeftoversTest {
     }
     Files.write(folder.resolve("node-long" + NodeRecord.SUFFIX), new byte[100_000]);
     Files.writeString(folder.resolve("other.txt"), "not ours");
-    assertEquals(List.of(), Leftovers.clear(folder, Duration.ofSeconds(30)).nodes());
+    assertEquals(List.of(), StaleRegistrations.clear(folder, Duration.ofSeconds(30)).nodes());
     assertFalse(Files.exists(folder.resolve("node-long" + NodeRecord.SUFFIX)));
     assertTrue(Files.exists(folder.resolve("other.txt")));
     Eventually.await("the witness", () -> state().publishers().get("/chatter").equals(List.of("/witness")));

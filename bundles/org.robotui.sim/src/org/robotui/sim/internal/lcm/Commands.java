@@ -68,9 +68,9 @@ final class Commands {
     }
     RobotState state = robot.state();
     return switch (message.text(path + "frame").orElse("")) {
-      case "", Telling.MAP -> Optional.of(pose);
-      case Telling.ODOMETRY -> Optional.of(state.mapFromOdometry().times(pose));
-      case Telling.BASE -> Optional.of(state.estimate().times(pose));
+      case "", LcmRecords.MAP -> Optional.of(pose);
+      case LcmRecords.ODOMETRY -> Optional.of(state.mapFromOdometry().times(pose));
+      case LcmRecords.BASE -> Optional.of(state.estimate().times(pose));
       default -> Optional.empty();
     };
   }

@@ -14,7 +14,7 @@ import org.robotui.sim.internal.Face;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.SimulatedRobot;
-import org.robotui.sim.internal.camera.Studio;
+import org.robotui.sim.internal.camera.CameraRenderer;
 import org.robotui.sim.internal.world.Pose2;
 
 /** The robot as messages on LCM's channels, which are sent whether or not somebody listens, as LCM cannot tell. */
@@ -34,13 +34,13 @@ public final class LcmFace implements Face {
   private final Types types;
   private final String namespace;
   private final ThreadFactory threads;
-  private Optional<Air> air = Optional.empty();
+  private Optional<LcmTransport> air = Optional.empty();
   private Optional<Shown> shown = Optional.empty();
   private volatile long utime;
   private List<Pose2> lastPath = List.of();
 
   /** What there is once the robot is shown. */
-  private record Shown(SimulatedRobot robot, Channels channels, Telling telling, Studio studio) {}
+  private record Shown(SimulatedRobot robot, Channels channels, LcmRecords telling, CameraRenderer studio) {}
 
   /**
    * Reads the types.
@@ -60,13 +60,13 @@ public final class LcmFace implements Face {
   @Override
   public void show(SimulatedRobot robot, long stamp) throws IOException {
     utime = stamp / NANOS_A_MICROSECOND;
-    Air opened = Air.open(url, threads);
+    LcmTransport opened = LcmTransport.open(url, threads);
     air = Optional.of(opened);
     Channels channels = new Channels(opened.lcm(), types, namespace);
-    Telling telling = new Telling(types, robot);
+    LcmRecords telling = new LcmRecords(types, robot);
     robot.events().listen(event -> channels.send("LOG", telling.log(event, utime)));
     new Commands(robot, channels);
-    shown = Optional.of(new Shown(robot, channels, telling, new Studio(robot.simulation().world(), robot.model().lens())));
+    shown = Optional.of(new Shown(robot, channels, telling, new CameraRenderer(robot.simulation().world(), robot.model().lens())));
   }
 
   @Override
@@ -77,7 +77,7 @@ public final class LcmFace implements Face {
 
   private void step(Shown all, long step, RobotState state) {
     Channels to = all.channels();
-    Telling telling = all.telling();
+    LcmRecords telling = all.telling();
     long now = utime;
     if (ODOMETRY.isDue(step)) {
       to.send("ODOMETRY", telling.odometry(state, now));
@@ -135,6 +135,6 @@ public final class LcmFace implements Face {
   @Override
   public void close() {
     shown.ifPresent(all -> all.studio().close());
-    air.ifPresent(Air::close);
+    air.ifPresent(LcmTransport::close);
   }
 }

@@ -6,8 +6,8 @@ import org.robotui.player.interfaces.Camera;
 import org.robotui.player.server.ServedDevice;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
+import org.robotui.sim.internal.camera.CameraRenderer;
 import org.robotui.sim.internal.camera.Lens;
-import org.robotui.sim.internal.camera.Studio;
 
 /** The camera: pixels as {@code camera:0}, JPEG as {@code camera:1}. Pictures are only made while somebody has one of them open. */
 final class Cameras implements Part {
@@ -17,12 +17,12 @@ final class Cameras implements Part {
   private static final int RAW = 0;
   private static final int JPEG = 1;
 
-  private final Studio studio;
+  private final CameraRenderer studio;
   private final Eye raw;
   private final Eye jpeg;
 
   Cameras(Bench bench) {
-    studio = new Studio(bench.robot().simulation().world(), bench.robot().model().lens());
+    studio = new CameraRenderer(bench.robot().simulation().world(), bench.robot().model().lens());
     raw = new Eye(bench, 0);
     jpeg = new Eye(bench, 1);
   }
@@ -54,7 +54,7 @@ final class Cameras implements Part {
     }
   }
 
-  private void show(Studio.Shot shot, double stamp) {
+  private void show(CameraRenderer.Shot shot, double stamp) {
     if (raw.isOpen()) {
       raw.show(studio.lens(), RAW, shot.rgb(), stamp);
     }

@@ -11,7 +11,7 @@ import org.robotui.ros.msgs.sensor_msgs.PointCloud2;
 import org.robotui.ros.msgs.sensor_msgs.PointField;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
-import org.robotui.sim.internal.camera.Darkroom;
+import org.robotui.sim.internal.camera.PictureWorker;
 import org.robotui.sim.internal.sensor.Lidar;
 import org.robotui.sim.internal.world.World;
 
@@ -25,7 +25,7 @@ final class LidarPublisher implements AutoCloseable {
   private final Lidar lidar;
   private final String frame;
   private final Publisher<PointCloud2> points;
-  private final Darkroom darkroom = new Darkroom("lidar");
+  private final PictureWorker darkroom = new PictureWorker("lidar");
   private long sequence;
 
   LidarPublisher(RosNode node, Lidar lidar, Frames frames) {

@@ -6,7 +6,7 @@ import org.robotui.ros.Publisher;
 import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
-import org.robotui.sim.internal.camera.Darkroom;
+import org.robotui.sim.internal.camera.PictureWorker;
 
 /** When a camera says what it is, always, and takes a picture, while somebody wants it. */
 final class Shutter implements AutoCloseable {
@@ -15,7 +15,7 @@ final class Shutter implements AutoCloseable {
   private final Publisher<CameraInfo> info;
   private final BooleanSupplier wanted;
   private final BiConsumer<RobotState, Stamp> take;
-  private final Darkroom darkroom;
+  private final PictureWorker darkroom;
   private long sequence;
 
   Shutter(String name, Rate rate, CameraMessages messages, Publisher<CameraInfo> info, BooleanSupplier wanted, BiConsumer<RobotState, Stamp> take) {
@@ -24,7 +24,7 @@ final class Shutter implements AutoCloseable {
     this.info = info;
     this.wanted = wanted;
     this.take = take;
-    this.darkroom = new Darkroom(name);
+    this.darkroom = new PictureWorker(name);
   }
 
   void press(long step, RobotState state, long nanos) {

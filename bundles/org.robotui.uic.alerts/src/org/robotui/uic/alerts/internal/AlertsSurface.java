@@ -24,7 +24,7 @@ final class AlertsSurface {
   private static final Optional<Long> HEARD = Optional.of(0L);
 
   private final UiContext context;
-  private final Hands hands;
+  private final AlertActions hands;
   private final AlertWords words;
   private final Composite root;
   private final QuietButton muteAll;
@@ -33,7 +33,7 @@ final class AlertsSurface {
   private final RowTable<Alert> table;
   private Page page = new Page(List.of(), Optional.empty(), 0);
 
-  AlertsSurface(Composite parent, UiContext context, Hands hands, AlertWords words) {
+  AlertsSurface(Composite parent, UiContext context, AlertActions hands, AlertWords words) {
     this.context = context;
     this.hands = hands;
     this.words = words;

@@ -16,7 +16,7 @@ import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewKey;
 
 /** The view: the tick looks, the surface lists. */
-final class AlertsUic implements SwtUic, Hands {
+final class AlertsUic implements SwtUic, AlertActions {
   private final UicContext context;
   private final AlertBoard board;
   private final Clock clock;

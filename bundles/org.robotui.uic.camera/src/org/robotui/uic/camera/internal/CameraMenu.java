@@ -10,9 +10,9 @@ import org.robotui.ui.control.PopupMenu;
 /** The menu of the view, made when opened and disposed when closed. Display thread. */
 final class CameraMenu {
   private final CameraSurface surface;
-  private final Choices choices;
+  private final CameraChoices choices;
 
-  CameraMenu(CameraSurface surface, Choices choices) {
+  CameraMenu(CameraSurface surface, CameraChoices choices) {
     this.surface = surface;
     this.choices = choices;
   }

@@ -36,7 +36,7 @@ final class CameraSurface {
   private static final double PERCENT = 100;
 
   private final UiContext context;
-  private final Choices choices;
+  private final CameraChoices choices;
   private final Saver saver;
   private final IntConsumer seenFrom;
   private final StateView states;
@@ -57,7 +57,7 @@ final class CameraSurface {
    * @param chosen is given what the user wants connected
    * @param seenFrom is given the edge of blocks of pixels that are one on the screen
    */
-  CameraSurface(Composite parent, UiContext context, Choices choices, Saver saver, Consumer<SourceId> chosen, IntConsumer seenFrom) {
+  CameraSurface(Composite parent, UiContext context, CameraChoices choices, Saver saver, Consumer<SourceId> chosen, IntConsumer seenFrom) {
     this.context = context;
     this.choices = choices;
     this.saver = saver;

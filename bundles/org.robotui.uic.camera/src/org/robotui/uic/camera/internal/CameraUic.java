@@ -21,7 +21,7 @@ final class CameraUic implements SwtUic {
   private final UicContext context;
   private final SourceId port;
   private final CameraModel model;
-  private final Choices choices;
+  private final CameraChoices choices;
   private final Saver saver;
   private final AtomicInteger blocks = new AtomicInteger(1);
   private final List<ViewAction> actions;
@@ -34,7 +34,7 @@ final class CameraUic implements SwtUic {
     this.port = new SourceId(context.instance(), CameraType.IMAGE.name());
     this.model = new CameraModel(
         context.input(CameraType.IMAGE), context.input(CameraType.CAMERA_INFO), context.ruic(), port);
-    this.choices = new Choices(context.settings());
+    this.choices = new CameraChoices(context.settings());
     this.saver = new Saver(context.background());
     this.actions = List.of(
         action("fit", "Show all (0)", Icon.FIT, s -> s.see(ZoomMode.FIT)),

@@ -117,7 +117,7 @@ class CameraUicTest {
 
   @Test
   void whatWasChosenIsKept() {
-    Choices choices = new Choices(context.settings());
+    CameraChoices choices = new CameraChoices(context.settings());
     choices.range(Optional.of(new Span(0.5, 4)));
     choices.nextMap(ColorMap.TURBO);
     choices.zoom(ZoomMode.ACTUAL);

@@ -31,7 +31,7 @@ final class DiagnosticsUic implements SwtUic {
     this.context = context;
     this.input = context.input(DiagnosticsType.DIAGNOSTICS);
     this.model = new DiagnosticsModel(input, context.settings().current().integer(DiagnosticsType.HISTORY));
-    model.ask(Preferences.read(context.settings().current()));
+    model.ask(DiagnosticsPreferences.read(context.settings().current()));
     this.frame = frame();
     this.actions = List.of(new ViewAction("forget", "Forget parts that do not report any more", "minus", Optional.empty(), hands::forgetSilent));
   }
@@ -86,7 +86,7 @@ final class DiagnosticsUic implements SwtUic {
     @Override
     public void ask(Ask next) {
       model.ask(next);
-      Preferences.write(context.settings(), next);
+      DiagnosticsPreferences.write(context.settings(), next);
       frame = frame();
       refresh();
     }

@@ -88,8 +88,8 @@ class DiagnosticsSwtTest {
   void settingsAreReadAtTheBeginning() {
     context.settings().set(DiagnosticsType.PROBLEMS, true);
     context.settings().set(DiagnosticsType.OPENED, List.of("a"));
-    assertTrue(Preferences.read(context.settings().current()).problems());
-    assertTrue(Preferences.read(context.settings().current()).isOpen("a", 3));
+    assertTrue(DiagnosticsPreferences.read(context.settings().current()).problems());
+    assertTrue(DiagnosticsPreferences.read(context.settings().current()).isOpen("a", 3));
   }
 
   private void say(int second, Diagnostics.Level level) {

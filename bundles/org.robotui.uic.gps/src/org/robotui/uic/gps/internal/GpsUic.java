@@ -10,20 +10,20 @@ import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.uic.gps.internal.model.GpsModel;
-import org.robotui.uic.gps.internal.view.Choices;
 import org.robotui.uic.gps.internal.view.GpsActions;
 import org.robotui.uic.gps.internal.view.GpsCanvas;
+import org.robotui.uic.gps.internal.view.GpsChoices;
 
 /** Satellite positions: the model is prepared by ticks, the canvas paints it. */
 final class GpsUic implements SwtUic {
   private final GpsModel model;
-  private final Choices choices;
+  private final GpsChoices choices;
   private final GpsActions actions = new GpsActions();
   private Optional<GpsCanvas> canvas = Optional.empty();
 
   GpsUic(UicContext context) {
     model = new GpsModel(context);
-    choices = new Choices(context.settings());
+    choices = new GpsChoices(context.settings());
   }
 
   @Override

@@ -27,7 +27,7 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
   GraphUic(UicContext context) {
     this.context = context;
     this.model = new GraphModel(context);
-    model.ask(Preferences.read(context.settings().current()));
+    model.ask(GraphPreferences.read(context.settings().current()));
     this.actions = List.of(
         new ViewAction("fit", "Show the whole graph", Icon.FIT.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::fit)),
         new ViewAction("anew", "Refresh, and lay out from scratch", Icon.RESTART.id(), Optional.empty(), model::anew),
@@ -84,7 +84,7 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
   @Override
   public void ask(Ask next) {
     model.ask(next);
-    Preferences.write(context.settings(), next);
+    GraphPreferences.write(context.settings(), next);
     refresh();
   }
 

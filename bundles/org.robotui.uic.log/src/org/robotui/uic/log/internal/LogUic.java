@@ -18,9 +18,9 @@ import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
-import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFile;
 import org.robotui.uic.log.internal.model.LogFilter;
+import org.robotui.uic.log.internal.model.LogLine;
 import org.robotui.uic.log.internal.model.LogModel;
 import org.robotui.uic.log.internal.model.Wording;
 import org.robotui.uic.log.internal.view.Frame;
@@ -45,7 +45,7 @@ final class LogUic implements SwtUic {
     this.context = context;
     this.input = context.input(LogType.LOG);
     this.model = new LogModel(input, Clock.systemUTC(), System::nanoTime);
-    model.filter(Preferences.read(context.settings().current()));
+    model.filter(LogPreferences.read(context.settings().current()));
     this.frame = frame();
     this.actions = List.of(
         new ViewAction("pause", "Pause", "pause", Optional.of(model::paused), () -> hands.pause(!model.paused())),
@@ -120,7 +120,7 @@ final class LogUic implements SwtUic {
     @Override
     public void filter(LogFilter next) {
       model.filter(next);
-      Preferences.write(context.settings(), next);
+      LogPreferences.write(context.settings(), next);
       now();
     }
 
@@ -147,7 +147,7 @@ final class LogUic implements SwtUic {
     }
 
     @Override
-    public void save(List<Line> lines, Path file) {
+    public void save(List<LogLine> lines, Path file) {
       context.background().execute(() -> told = Optional.of(new Told(LogFile.write(lines, wording, file), System.nanoTime())));
     }
 

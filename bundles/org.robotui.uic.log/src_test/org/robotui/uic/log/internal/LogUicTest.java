@@ -32,14 +32,14 @@ class LogUicTest {
   @Test
   void theFilterIsKeptAsSettingsAndComesBack() {
     LogFilter filter = LogFilter.ALL.level(Severity.DEBUG, false).onlyOrigin("/a").search(Search.of("x+", true)).collapse(true);
-    Preferences.write(context.settings(), filter);
-    assertEquals(filter, Preferences.read(context.settings().current()));
+    LogPreferences.write(context.settings(), filter);
+    assertEquals(filter, LogPreferences.read(context.settings().current()));
     assertEquals(List.of("info", "warning", "error", "fatal"), context.settings().current().list(LogType.LEVELS));
   }
 
   @Test
   void withoutSettingsAllIsShown() {
-    assertEquals(LogFilter.ALL, Preferences.read(context.settings().current()));
+    assertEquals(LogFilter.ALL, LogPreferences.read(context.settings().current()));
     assertEquals(Set.of(), LogFilter.ALL.hidden());
   }
 

@@ -12,15 +12,15 @@ import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.scene.Commander;
 import org.robotui.uic.map.internal.model.MapModel;
-import org.robotui.uic.map.internal.view.Choices;
 import org.robotui.uic.map.internal.view.MapActions;
 import org.robotui.uic.map.internal.view.MapCanvas;
+import org.robotui.uic.map.internal.view.MapChoices;
 import org.robotui.uic.map.internal.view.TeamGoals;
 
 /** A map: the model is prepared by ticks, the canvas paints it. */
 final class MapUic implements SwtUic {
   private final MapModel model;
-  private final Choices choices;
+  private final MapChoices choices;
   private final Commander commander;
   private final TeamGoals goals;
   private final MapActions actions;
@@ -29,7 +29,7 @@ final class MapUic implements SwtUic {
   MapUic(UicContext context) {
     model = new MapModel(context);
     actions = new MapActions(context.ruic()::reset);
-    choices = new Choices(context.settings());
+    choices = new MapChoices(context.settings());
     goals = new TeamGoals(context);
     commander = new Commander(context, MapPorts.GOAL, MapPorts.INITIAL_POSE);
   }

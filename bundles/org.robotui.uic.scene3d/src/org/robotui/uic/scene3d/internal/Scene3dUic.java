@@ -14,16 +14,16 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Told;
+import org.robotui.uic.scene3d.internal.camera.CameraMotion;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
-import org.robotui.uic.scene3d.internal.camera.Rig;
 import org.robotui.uic.scene3d.internal.model.Edits;
 import org.robotui.uic.scene3d.internal.model.Followed;
 import org.robotui.uic.scene3d.internal.model.Picks;
 import org.robotui.uic.scene3d.internal.model.SceneModel;
 import org.robotui.uic.scene3d.internal.model.Stage;
-import org.robotui.uic.scene3d.internal.studio.Studio;
+import org.robotui.uic.scene3d.internal.render.FrameScheduler;
 import org.robotui.uic.scene3d.internal.view.SceneActions;
 import org.robotui.uic.scene3d.internal.view.SceneSurface;
 import org.robotui.uic.scene3d.internal.waypoint.Tour;
@@ -61,9 +61,9 @@ final class Scene3dUic implements SwtUic {
     actions = new SceneActions(context.ruic()::reset);
     driver = new Driver(context, waypoints);
     Edits edits = new Edits(context.settings(), model::specs);
-    Rig rig = new Rig(edits.start().orElse(CameraPose.START));
+    CameraMotion rig = new CameraMotion(edits.start().orElse(CameraPose.START));
     fits = edits.start().isPresent() ? 2 : 0;
-    Studio studio = new Studio(graphics, rig, System::nanoTime,
+    FrameScheduler studio = new FrameScheduler(graphics, rig, System::nanoTime,
         (picture, from) -> surface.ifPresent(s -> s.take(picture, from)), () -> surface.ifPresent(SceneSurface::paintSoon));
     followed = new Followed(context.frames(), rig);
     parts = new SceneParts(model, studio, rig, new Picks(), edits, commander, waypoints,
@@ -103,7 +103,7 @@ final class Scene3dUic implements SwtUic {
   }
 
   /** In the scene where it is seen, else wherever the workbench says such things. */
-  private void tell(UicContext context, Told told) {
+  private void tell(UicContext context, CommandNotice told) {
     surface.filter(SceneSurface::seen).ifPresentOrElse(shown -> shown.say(told), () -> context.alert(told.text()));
   }
 

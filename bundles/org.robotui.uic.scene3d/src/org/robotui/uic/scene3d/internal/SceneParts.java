@@ -6,11 +6,11 @@ import java.util.function.Supplier;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.ui.scene.Commander;
-import org.robotui.uic.scene3d.internal.camera.Rig;
+import org.robotui.uic.scene3d.internal.camera.CameraMotion;
 import org.robotui.uic.scene3d.internal.model.Edits;
 import org.robotui.uic.scene3d.internal.model.Picks;
 import org.robotui.uic.scene3d.internal.model.SceneModel;
-import org.robotui.uic.scene3d.internal.studio.Studio;
+import org.robotui.uic.scene3d.internal.render.FrameScheduler;
 import org.robotui.uic.scene3d.internal.waypoint.WaypointSender;
 import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
@@ -29,5 +29,5 @@ import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
  * @param kinds of displays that are there
  * @param background for files
  */
-public record SceneParts(SceneModel model, Studio studio, Rig rig, Picks picks, Edits edits, Commander commander, Waypoints waypoints,
+public record SceneParts(SceneModel model, FrameScheduler studio, CameraMotion rig, Picks picks, Edits edits, Commander commander, Waypoints waypoints,
     WaypointSender sender, SettingsStore settings, Supplier<List<DisplayType>> kinds, Executor background) {}

@@ -43,7 +43,7 @@ import org.robotui.ui.Themes;
 import org.robotui.uic.scene3d.internal.model.DisplayCodec;
 import org.robotui.uic.scene3d.internal.model.DisplaySpec;
 import org.robotui.uic.scene3d.internal.model.FakeKind;
-import org.robotui.uic.scene3d.internal.studio.FakeGl;
+import org.robotui.uic.scene3d.internal.render.FakeGl;
 import org.robotui.uic.scene3d.internal.waypoint.Route;
 import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 

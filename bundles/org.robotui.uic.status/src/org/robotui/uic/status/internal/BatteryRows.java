@@ -27,14 +27,14 @@ final class BatteryRows {
    * @param state of the source
    * @param low the fraction below which the charge is a warning
    */
-  static Row of(SourceId source, String name, Optional<Battery> battery, InputState state, double low) {
+  static StatusRow of(SourceId source, String name, Optional<Battery> battery, InputState state, double low) {
     Health health = StateView.health(state);
     if (health == Health.OK) {
       health = battery.map(b -> health(b.charge(), low)).orElse(Health.WAITING);
     }
     String age = health == Health.STALE ? StateView.word(state) : "";
     List<String> texts = battery.map(b -> texts(b, age)).orElseGet(() -> List.of(StateView.word(state)));
-    return new Row.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN), texts,
+    return new StatusRow.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN), texts,
         source + "\nBattery, charge in % of full, V, A (negative when discharging)\n" + texts.getFirst());
   }
 

@@ -9,15 +9,15 @@ import org.robotui.ui.LinkLook;
 final class LinkRows {
   private LinkRows() {}
 
-  static Stream<Row> of(ComponentStatus component) {
+  static Stream<StatusRow> of(ComponentStatus component) {
     boolean shown = component.state() == RuicState.FAILED || component.link().isPresent();
     return shown ? Stream.of(row(component)) : Stream.empty();
   }
 
-  private static Row row(ComponentStatus component) {
+  private static StatusRow row(ComponentStatus component) {
     String name = component.kind() == ComponentStatus.Kind.RFIC ? LinkLook.name(component) : component.id();
     String word = LinkLook.word(component);
     String text = LinkLook.text(component);
-    return new Row.Said("component " + component.id(), LinkLook.health(component), name, word, text, name + "\n" + word + "\n" + text);
+    return new StatusRow.Said("component " + component.id(), LinkLook.health(component), name, word, text, name + "\n" + word + "\n" + text);
   }
 }

@@ -8,12 +8,12 @@ import org.robotui.ui.Role;
 final class MatchRows {
   private MatchRows() {}
 
-  static Row note(Match match) {
-    return new Row.Note("note " + match.kind() + " " + match.port(), Role.WARNING, match.port() + ": " + match.reason());
+  static StatusRow note(Match match) {
+    return new StatusRow.Note("note " + match.kind() + " " + match.port(), Role.WARNING, match.port() + ": " + match.reason());
   }
 
-  static Row of(Match match) {
-    return new Row.Said("match " + match.kind() + " " + match.port(), MatchLook.health(match), match.port().toString(),
+  static StatusRow of(Match match) {
+    return new StatusRow.Said("match " + match.kind() + " " + match.port(), MatchLook.health(match), match.port().toString(),
         MatchLook.word(match), MatchLook.text(match), MatchLook.details(match));
   }
 }

@@ -14,7 +14,7 @@ import org.robotui.ui.Health;
  * @param stoppedBy who latched the stop
  * @param connections whether connections are shown in place of ports
  */
-record Page(List<Row> rows, Optional<Trouble> trouble, String note, Optional<String> stoppedBy, boolean connections) {
+record Page(List<StatusRow> rows, Optional<Trouble> trouble, String note, Optional<String> stoppedBy, boolean connections) {
   /**
    * Why there is nothing to list.
    *

@@ -12,7 +12,7 @@ import org.robotui.ui.PortLook;
  * @param port the port
  * @param several whether there are several robot interfaces, so that its name needs theirs
  */
-record PortRow(PortStatus port, boolean several) implements Row.Item {
+record PortRow(PortStatus port, boolean several) implements StatusRow.Item {
   private record Key(PortKind kind, SourceId port) {}
 
   @Override
@@ -58,7 +58,7 @@ record PortRow(PortStatus port, boolean several) implements Row.Item {
   /** Looks at what does not change with every value, so that a line does not come and go while it is sought. */
   @Override
   public boolean says(String words) {
-    return Row.contains(name(), words) || Row.contains(port.port().component(), words) || Row.contains(port.kind().name(), words)
-        || Row.contains(port.typeName(), words) || Row.contains(port.value(), words) || Row.contains(port.problem(), words);
+    return StatusRow.contains(name(), words) || StatusRow.contains(port.port().component(), words) || StatusRow.contains(port.kind().name(), words)
+        || StatusRow.contains(port.typeName(), words) || StatusRow.contains(port.value(), words) || StatusRow.contains(port.problem(), words);
   }
 }

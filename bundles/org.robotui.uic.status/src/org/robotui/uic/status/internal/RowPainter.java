@@ -14,7 +14,7 @@ import org.robotui.ui.control.RowLook;
 import org.robotui.ui.control.RowWords;
 
 /** Paints lines in columns that stay where they are while the values change. Display thread. */
-final class RowPainter implements RowLook<Row> {
+final class RowPainter implements RowLook<StatusRow> {
   private static final int ROW = 30;
 
   private static final int CHARGE_WIDTH = 64;
@@ -34,10 +34,10 @@ final class RowPainter implements RowLook<Row> {
   }
 
   /** Makes room for the names of lines. */
-  void show(List<Row> rows) {
+  void show(List<StatusRow> rows) {
     List<String> next = rows.stream().limit(MEASURED).flatMap(row -> switch (row) {
-      case Row.Item item -> Stream.of(item.name());
-      case Row.Charge charge -> Stream.of(charge.name());
+      case StatusRow.Item item -> Stream.of(item.name());
+      case StatusRow.Charge charge -> Stream.of(charge.name());
       default -> Stream.empty();
     }).toList();
     if (!next.equals(names)) {
@@ -60,39 +60,39 @@ final class RowPainter implements RowLook<Row> {
   }
 
   @Override
-  public Object key(Row row) {
+  public Object key(StatusRow row) {
     return row.key();
   }
 
   @Override
-  public String text(Row row) {
+  public String text(StatusRow row) {
     return row.details();
   }
 
   @Override
-  public String hint(GC gc, Rectangle at, Row row, int x) {
-    return row instanceof Row.Head ? "" : row.details();
+  public String hint(GC gc, Rectangle at, StatusRow row, int x) {
+    return row instanceof StatusRow.Head ? "" : row.details();
   }
 
   @Override
-  public void paint(GC gc, Rectangle at, Row row) {
+  public void paint(GC gc, Rectangle at, StatusRow row) {
     gc.setForeground(theme.color(Role.LINE));
     gc.setLineWidth(1);
     gc.drawLine(at.x + Theme.EDGE, at.y + at.height - 1, at.x + at.width - Theme.EDGE, at.y + at.height - 1);
     switch (row) {
-      case Row.Head head -> words.text(gc, at, Theme.EDGE, at.width - 2 * Theme.EDGE, head.key(), Face.SMALL_STRONG, Role.DIM);
-      case Row.Note note -> note(gc, at, note);
-      case Row.Item item -> item(gc, at, item);
-      case Row.Charge charge -> charge(gc, at, charge);
+      case StatusRow.Head head -> words.text(gc, at, Theme.EDGE, at.width - 2 * Theme.EDGE, head.key(), Face.SMALL_STRONG, Role.DIM);
+      case StatusRow.Note note -> note(gc, at, note);
+      case StatusRow.Item item -> item(gc, at, item);
+      case StatusRow.Charge charge -> charge(gc, at, charge);
     }
   }
 
-  private void note(GC gc, Rectangle at, Row.Note note) {
+  private void note(GC gc, Rectangle at, StatusRow.Note note) {
     dot(gc, at, Health.WARNING);
     words.text(gc, at, Columns.LEAD, at.width - Columns.LEAD - Theme.EDGE, note.details(), Face.BODY, note.role());
   }
 
-  private void item(GC gc, Rectangle at, Row.Item item) {
+  private void item(GC gc, Rectangle at, StatusRow.Item item) {
     dot(gc, at, item.health());
     Columns columns = columns(gc, at);
     name(gc, at, columns, item.name(), item.health());
@@ -115,7 +115,7 @@ final class RowPainter implements RowLook<Row> {
     }
   }
 
-  private void charge(GC gc, Rectangle at, Row.Charge charge) {
+  private void charge(GC gc, Rectangle at, StatusRow.Charge charge) {
     dot(gc, at, charge.health());
     Columns columns = columns(gc, at);
     name(gc, at, columns, charge.name(), charge.health());

@@ -34,7 +34,7 @@ final class StatusSurface {
   private final QuietButton stop;
   private final QuietButton release;
   private final RowPainter painter;
-  private final RowList<Row> list;
+  private final RowList<StatusRow> list;
 
   StatusSurface(Composite parent, UiContext context, StatusUic.Actions actions, String ruic, SubjectMenu subjects) {
     this.context = context;
@@ -58,11 +58,11 @@ final class StatusSurface {
     PortDrag.from(list.control(), at -> Optional.of(new DraggedPorts(ruic, list.selected().stream().flatMap(row -> stream(row).stream()).toList())));
   }
 
-  private static void menu(PopupMenu menu, Row row, SubjectMenu subjects) {
+  private static void menu(PopupMenu menu, StatusRow row, SubjectMenu subjects) {
     stream(row).ifPresentOrElse(stream -> subjects.fill(menu, stream), () -> menu.push("Copy text", () -> Clipboards.copy(row.details())));
   }
 
-  private static Optional<Subject.Stream> stream(Row row) {
+  private static Optional<Subject.Stream> stream(StatusRow row) {
     return row instanceof PortRow port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
   }
 

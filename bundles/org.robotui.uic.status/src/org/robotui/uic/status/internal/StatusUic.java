@@ -21,7 +21,7 @@ final class StatusUic implements SwtUic {
   private final Input<Battery> batteries;
   private volatile String filter = "";
   private volatile Page page;
-  private Look seen; // only on the tick's thread
+  private StatusViewState seen; // only on the tick's thread
   private String filtered = ""; // only on the tick's thread
   private Optional<StatusSurface> surface = Optional.empty();
 
@@ -34,7 +34,7 @@ final class StatusUic implements SwtUic {
 
   @Override
   public boolean tick(long nowNanos) {
-    Look next = look();
+    StatusViewState next = look();
     String words = filter;
     if (next.equals(seen) && words.equals(filtered)) {
       return false;
@@ -76,15 +76,15 @@ final class StatusUic implements SwtUic {
     return sources.size() < 2 ? "Battery" : several ? source.toString() : source.port();
   }
 
-  private Look look() {
+  private StatusViewState look() {
     double low = context.settings().current().number(StatusType.LOW_CHARGE);
     List<SourceId> sources = batteries.sources();
-    List<Row> rows = sources.stream()
+    List<StatusRow> rows = sources.stream()
         .map(source -> BatteryRows.of(source, name(source, sources), batteries.latest(source).map(Envelope::value), batteries.state(source), low))
         .toList();
     Optional<String> stopped = context.ruic().authorities().stream()
         .flatMap(authority -> authority.stoppedBy().stream()).map(Principal::label).findFirst();
-    return new Look(context.ruic().snapshot(), rows, stopped, context.settings().current().flag(StatusType.CONNECTIONS));
+    return new StatusViewState(context.ruic().snapshot(), rows, stopped, context.settings().current().flag(StatusType.CONNECTIONS));
   }
 
   /** What the user can do. Display thread. */

@@ -8,7 +8,7 @@ import org.robotui.api.UicContext;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewKey;
-import org.robotui.uic.team.internal.model.Commands;
+import org.robotui.uic.team.internal.model.TeamCommands;
 import org.robotui.uic.team.internal.model.TeamLook;
 import org.robotui.uic.team.internal.model.TeamModel;
 import org.robotui.uic.team.internal.view.TeamSurface;
@@ -16,13 +16,13 @@ import org.robotui.uic.team.internal.view.TeamSurface;
 /** The view: the tick takes what came, the surface lists and commands. */
 final class TeamUic implements SwtUic {
   private final TeamModel model;
-  private final Commands commands;
+  private final TeamCommands commands;
   private volatile TeamLook look = TeamLook.NONE;
   private volatile Optional<TeamSurface> surface = Optional.empty();
 
   TeamUic(UicContext context, List<String> leftOut, String task) {
     model = new TeamModel(context, leftOut, task);
-    commands = new Commands(context);
+    commands = new TeamCommands(context);
   }
 
   @Override

@@ -121,10 +121,10 @@ final class Driver {
     }
   }
 
-  synchronized Look look(long now) {
+  synchronized TeleopViewState look(long now) {
     Authority authority = authority();
-    return new Look(authority.robot(), model.held(now), model.stick(now), model.speed(), measured(), limits(),
-        lease(authority), authority.stoppedBy().map(Principal::label), asking && !(lease(authority) instanceof Look.Lease.Mine),
+    return new TeleopViewState(authority.robot(), model.held(now), model.stick(now), model.speed(), measured(), limits(),
+        lease(authority), authority.stoppedBy().map(Principal::label), asking && !(lease(authority) instanceof TeleopViewState.Lease.Mine),
         refusal, navigates(now), output.state());
   }
 
@@ -181,10 +181,10 @@ final class Driver {
         .filter(said -> said.value().state() == NavigationStatus.State.ACTIVE && said.ageSeconds(now) < MOMENT_SECONDS).isPresent();
   }
 
-  private Look.Lease lease(Authority authority) {
+  private TeleopViewState.Lease lease(Authority authority) {
     return authority.holder()
-        .map(holder -> holder.equals(principal) ? new Look.Lease.Mine() : new Look.Lease.Other(holder.label()))
-        .orElseGet(Look.Lease.Free::new);
+        .map(holder -> holder.equals(principal) ? new TeleopViewState.Lease.Mine() : new TeleopViewState.Lease.Other(holder.label()))
+        .orElseGet(TeleopViewState.Lease.Free::new);
   }
 
   private Limits limits() {

@@ -14,18 +14,18 @@ import org.robotui.ui.control.QuietButton;
 
 /** The buttons at the right of the footer; those that do not apply are hidden. Display thread. */
 final class FooterButtons {
-  private final Map<Footer.Button, QuietButton> buttons = new EnumMap<>(Footer.Button.class);
+  private final Map<TeleopFooter.Button, QuietButton> buttons = new EnumMap<>(TeleopFooter.Button.class);
   private int left;
 
-  FooterButtons(Composite parent, Theme theme, Consumer<Footer.Button> pressed) {
-    for (Footer.Button button : Footer.Button.values()) {
+  FooterButtons(Composite parent, Theme theme, Consumer<TeleopFooter.Button> pressed) {
+    for (TeleopFooter.Button button : TeleopFooter.Button.values()) {
       QuietButton made = new QuietButton(parent, theme, () -> pressed.accept(button));
       made.setVisible(false);
       buttons.put(button, button.urgent() ? made.fill(Role.ACCENT) : made);
     }
   }
 
-  void show(List<Footer.Button> shown, String robot, Rectangle footer) {
+  void show(List<TeleopFooter.Button> shown, String robot, Rectangle footer) {
     buttons.forEach((button, control) -> control.text(button.label(robot)));
     left = footer.x + footer.width - 2 * Theme.STEP;
     shown.forEach(button -> place(buttons.get(button), footer));

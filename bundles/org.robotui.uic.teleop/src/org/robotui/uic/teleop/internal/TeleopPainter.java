@@ -35,7 +35,7 @@ final class TeleopPainter {
     this.states = new StateView(theme);
   }
 
-  void paint(GC gc, TeleopLayout at, Look look, boolean focused) {
+  void paint(GC gc, TeleopLayout at, TeleopViewState look, boolean focused) {
     if (StateView.showsContent(look.output())) {
       gc.setAlpha(drivable(look) ? OPAQUE : FADED);
       disc(gc, at.stick(), focused);
@@ -50,7 +50,7 @@ final class TeleopPainter {
     }
   }
 
-  void footer(GC gc, Rectangle area, Footer footer, int room) {
+  void footer(GC gc, Rectangle area, TeleopFooter footer, int room) {
     gc.setForeground(theme.color(Role.LINE));
     gc.setLineWidth(1);
     gc.drawLine(area.x, area.y, area.x + area.width, area.y);
@@ -73,8 +73,8 @@ final class TeleopPainter {
     }
   }
 
-  private static boolean drivable(Look look) {
-    return look.stoppedBy().isEmpty() && !(look.lease() instanceof Look.Lease.Other)
+  private static boolean drivable(TeleopViewState look) {
+    return look.stoppedBy().isEmpty() && !(look.lease() instanceof TeleopViewState.Lease.Other)
         && StateView.contentAlpha(look.output()) == OPAQUE;
   }
 
@@ -93,7 +93,7 @@ final class TeleopPainter {
     gc.drawOval(disc.x, disc.y, disc.width - 1, disc.height - 1);
   }
 
-  private void knob(GC gc, Rectangle disc, Look look) {
+  private void knob(GC gc, Rectangle disc, TeleopViewState look) {
     Point centre = new Point(disc.x + disc.width / 2, disc.y + disc.height / 2);
     Point at = place(disc, onDisc(look.stick()));
     int size = Math.max(12, (int) (disc.width * KNOB_SHARE));
@@ -112,7 +112,7 @@ final class TeleopPainter {
     gc.fillOval(at.x - size / 2, at.y - size / 2, size, size);
   }
 
-  private void measured(GC gc, Rectangle disc, Look look) {
+  private void measured(GC gc, Rectangle disc, TeleopViewState look) {
     look.measured().filter(speed -> look.limits().linear() > 0 && look.limits().angular() > 0).ifPresent(speed -> {
       Stick stick = onDisc(new Stick(speed.forward() / look.limits().linear(), speed.turn() / look.limits().angular()));
       Point at = place(disc, stick);
@@ -122,7 +122,7 @@ final class TeleopPainter {
     });
   }
 
-  private void figures(GC gc, TeleopLayout at, Look look, boolean focused) {
+  private void figures(GC gc, TeleopLayout at, TeleopViewState look, boolean focused) {
     if (at.rows() >= 2) {
       speed(gc, at.row(0), "linear", look.commanded().forward(), look.measured().map(Speed::forward).orElse(Double.NaN), "m/s");
       speed(gc, at.row(1), "angular", look.commanded().turn(), look.measured().map(Speed::turn).orElse(Double.NaN), "rad/s");

@@ -14,7 +14,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.LimitBar;
-import org.robotui.uic.teleop.internal.Footer.Button;
+import org.robotui.uic.teleop.internal.TeleopFooter.Button;
 
 /** What is seen of the view while it is shown. Display thread. */
 final class TeleopSurface {
@@ -28,7 +28,7 @@ final class TeleopSurface {
   private final LimitBar linear;
   private final LimitBar angular;
   private final FooterButtons buttons;
-  private Look look;
+  private TeleopViewState look;
 
   TeleopSurface(Composite parent, UiContext context, Driver driver, SettingsStore settings) {
     this.context = context;
@@ -40,7 +40,7 @@ final class TeleopSurface {
     this.linear = bar(TeleopType.HIGHEST_LINEAR, TeleopType.MAX_LINEAR, settings, "Speed at full stick");
     this.angular = bar(TeleopType.HIGHEST_ANGULAR, TeleopType.MAX_ANGULAR, settings, "Turning speed at full stick");
     this.buttons = new FooterButtons(root, context.theme(), this::pressed);
-    new Hands(canvas, driver, this::drivable, this::refresh).listen();
+    new TeleopInput(canvas, driver, this::drivable, this::refresh).listen();
     root.addListener(SWT.Resize, e -> place());
     canvas.addListener(SWT.MouseMove, e -> tell(e.y));
     // The stick lies below the bars and buttons, and comes first when walking through by key.
@@ -107,7 +107,7 @@ final class TeleopSurface {
 
   /** The whole sentence of the footer, which may have been shortened, over the footer alone. */
   private void tell(int y) {
-    String text = y >= layout().footer().y ? Footer.of(look).text().replace("&", "&&") : "";
+    String text = y >= layout().footer().y ? TeleopFooter.of(look).text().replace("&", "&&") : "";
     if (!text.equals(canvas.getToolTipText())) {
       canvas.setToolTipText(text);
     }
@@ -123,7 +123,7 @@ final class TeleopSurface {
     boolean bars = at.bars() > 0 && StateView.showsContent(look.output());
     place(linear, at.bar(0), bars);
     place(angular, at.bar(1), bars);
-    buttons.show(Footer.of(look).buttons(), look.robot(), at.footer());
+    buttons.show(TeleopFooter.of(look).buttons(), look.robot(), at.footer());
   }
 
   private static void place(LimitBar bar, Rectangle at, boolean seen) {
@@ -134,7 +134,7 @@ final class TeleopSurface {
   private void paint(GC gc, Rectangle area) {
     TeleopLayout at = TeleopLayout.of(area.width, area.height);
     painter.paint(gc, at, look, canvas.isFocusControl());
-    painter.footer(gc, at.footer(), Footer.of(look), buttons.left());
+    painter.footer(gc, at.footer(), TeleopFooter.of(look), buttons.left());
   }
 
   private void pressed(Button button) {

@@ -14,7 +14,7 @@ final class TeleopUic implements SwtUic {
   private final Driver driver;
   private final SettingsStore settings;
   private Optional<TeleopSurface> surface = Optional.empty();
-  private Optional<Look> shown = Optional.empty();
+  private Optional<TeleopViewState> shown = Optional.empty();
 
   TeleopUic(Driver driver, SettingsStore settings) {
     this.driver = driver;
@@ -24,7 +24,7 @@ final class TeleopUic implements SwtUic {
   @Override
   public boolean tick(long nowNanos) {
     driver.tick(nowNanos);
-    Optional<Look> next = Optional.of(driver.look(nowNanos));
+    Optional<TeleopViewState> next = Optional.of(driver.look(nowNanos));
     boolean changed = !next.equals(shown);
     shown = next;
     return changed;

@@ -9,17 +9,17 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.api.port.SourceId;
-import org.robotui.data.NavigationStatus;
-import org.robotui.data.MotionLimits;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
+import org.robotui.api.port.SourceId;
+import org.robotui.data.MotionLimits;
+import org.robotui.data.NavigationStatus;
 import org.robotui.data.VelocityCommand;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
-import org.robotui.uic.teleop.internal.Footer.Button;
+import org.robotui.uic.teleop.internal.TeleopFooter.Button;
 
 class DriverTest {
   private static final long MS = 1_000_000;
@@ -44,23 +44,23 @@ class DriverTest {
     assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
     assertEquals(VelocityCommand.planar(0.05, 0), output.sent().getFirst().command());
     assertEquals(Duration.ofMillis(250), output.sent().getFirst().validFor());
-    assertEquals("You control Keira", Footer.of(driver.look(0)).text());
+    assertEquals("You control Keira", TeleopFooter.of(driver.look(0)).text());
   }
 
   @Test
   void whileNavigationDrivesToAGoalThatIsSaid() {
     driver.take();
     navigation("feedback", NavigationStatus.State.ACTIVE, 0);
-    assertEquals("Navigation drives Keira to a goal, within limits of its own", Footer.of(driver.look(MS)).text());
-    assertEquals("You control Keira", Footer.of(driver.look(2_000 * MS)).text(), "it has said nothing for a while");
+    assertEquals("Navigation drives Keira to a goal, within limits of its own", TeleopFooter.of(driver.look(MS)).text());
+    assertEquals("You control Keira", TeleopFooter.of(driver.look(2_000 * MS)).text(), "it has said nothing for a while");
 
     navigation("feedback", NavigationStatus.State.ACTIVE, 3_000 * MS);
     navigation("result", NavigationStatus.State.SUCCEEDED, 3_001 * MS);
-    assertEquals("You control Keira", Footer.of(driver.look(3_002 * MS)).text(), "it is there");
+    assertEquals("You control Keira", TeleopFooter.of(driver.look(3_002 * MS)).text(), "it is there");
 
     navigation("feedback", NavigationStatus.State.ACTIVE, 4_000 * MS);
     driver.drag(new Stick(1, 0), 4_001 * MS);
-    assertEquals("You control Keira", Footer.of(driver.look(4_002 * MS)).text(), "by hand");
+    assertEquals("You control Keira", TeleopFooter.of(driver.look(4_002 * MS)).text(), "by hand");
   }
 
   private void navigation(String port, NavigationStatus.State state, long at) {
@@ -141,7 +141,7 @@ class DriverTest {
     driver.press(DriveKey.FORWARD, 200 * MS);
     driver.tick(200 * MS);
     assertEquals(1, output.sent().size());
-    Footer footer = Footer.of(driver.look(200 * MS));
+    TeleopFooter footer = TeleopFooter.of(driver.look(200 * MS));
     assertEquals("Stopped by You", footer.text());
     assertEquals(List.of(Button.RELEASE_STOP), footer.buttons());
     driver.releaseStop();
@@ -171,7 +171,7 @@ class DriverTest {
     driver.drag(new Stick(1, 0), 0);
     driver.tick(0);
     assertEquals(List.of(), output.sent());
-    assertEquals("Anna has control. Take over?", Footer.of(driver.look(0)).text());
+    assertEquals("Anna has control. Take over?", TeleopFooter.of(driver.look(0)).text());
     driver.takeOver();
     assertEquals(Optional.of(FakeAuthority.YOU), authority.holder());
     driver.dragEnd(10 * MS);
@@ -186,7 +186,7 @@ class DriverTest {
     driver.take();
     assertTrue(driver.look(0).asking());
     driver.ask(false);
-    assertEquals("Anna has control", Footer.of(driver.look(0)).text());
+    assertEquals("Anna has control", TeleopFooter.of(driver.look(0)).text());
     assertEquals(Optional.of(FakeAuthority.ANNA), authority.holder());
   }
 
@@ -207,7 +207,7 @@ class DriverTest {
     driver.tick(0);
     driver.giveBack();
     assertEquals(1, output.releases());
-    assertInstanceOf(Look.Lease.Free.class, driver.look(0).lease());
+    assertInstanceOf(TeleopViewState.Lease.Free.class, driver.look(0).lease());
   }
 
   @Test
@@ -215,9 +215,9 @@ class DriverTest {
     output.outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.LINK_DOWN, "the link to base is down"));
     driver.drag(new Stick(1, 0), 0);
     driver.tick(0);
-    assertEquals("Not sent: the link to base is down", Footer.of(driver.look(0)).text());
+    assertEquals("Not sent: the link to base is down", TeleopFooter.of(driver.look(0)).text());
     driver.dragEnd(MS);
-    assertEquals("You control Keira", Footer.of(driver.look(0)).text());
+    assertEquals("You control Keira", TeleopFooter.of(driver.look(0)).text());
   }
 
   @Test
@@ -232,7 +232,7 @@ class DriverTest {
   @Test
   void nothingToDriveOffersNoButton() {
     output.state(new InputState.Unconnected("Keira offers no VelocityCommand"));
-    assertEquals(List.of(), Footer.of(driver.look(0)).buttons());
+    assertEquals(List.of(), TeleopFooter.of(driver.look(0)).buttons());
   }
 
   @Test
@@ -245,7 +245,7 @@ class DriverTest {
   @Test
   void neverPromisesMoreThanTheRobotMayBeCommanded() {
     authority.limit(new MotionLimits(0.1, 0.2));
-    Look look = driver.look(0);
+    TeleopViewState look = driver.look(0);
     assertEquals(0.1, look.limits().linear());
     assertEquals(0.2, look.limits().angular());
   }
@@ -253,26 +253,26 @@ class DriverTest {
   @Test
   void whoHoldsTheLeaseOfALostRobotDoesNotDriveIt() {
     driver.take();
-    assertEquals(Health.OK, Footer.of(driver.look(0)).health());
+    assertEquals(Health.OK, TeleopFooter.of(driver.look(0)).health());
     output.state(new InputState.Waiting("base.cmd: no link (retry 4 s)"));
-    Footer footer = Footer.of(driver.look(0));
+    TeleopFooter footer = TeleopFooter.of(driver.look(0));
     assertEquals(Health.WARNING, footer.health());
     assertEquals("Cannot drive: base.cmd: no link (retry 4 s)", footer.text());
     assertEquals(List.of(Button.GIVE_BACK), footer.buttons());
     output.state(new InputState.Stale(2, "the link is lost"));
-    assertEquals("Cannot drive: the link is lost", Footer.of(driver.look(0)).text());
+    assertEquals("Cannot drive: the link is lost", TeleopFooter.of(driver.look(0)).text());
   }
 
   @Test
   void theFooterLeavesOutWhatMattersLeastWhereItIsNarrow() {
-    Footer free = Footer.of(driver.look(0));
+    TeleopFooter free = TeleopFooter.of(driver.look(0));
     assertEquals("Nobody has control. Drag the stick or hold a key.", free.fitting(text -> true));
     assertEquals("Nobody has control", free.fitting(text -> text.length() < 20));
     assertEquals("Free", free.fitting(text -> false));
     driver.take();
     output.state(new InputState.Stale(2, "the link is lost"));
-    assertEquals("Cannot drive: the link is lost", Footer.of(driver.look(0)).fitting(text -> false), "a reason is cut, not left out");
+    assertEquals("Cannot drive: the link is lost", TeleopFooter.of(driver.look(0)).fitting(text -> false), "a reason is cut, not left out");
     output.state(new InputState.Waiting("base.cmd: no link (retry 4 s)"));
-    assertEquals("Cannot drive", Footer.of(driver.look(0)).fitting(text -> false), "but where it stands above already");
+    assertEquals("Cannot drive", TeleopFooter.of(driver.look(0)).fitting(text -> false), "but where it stands above already");
   }
 }

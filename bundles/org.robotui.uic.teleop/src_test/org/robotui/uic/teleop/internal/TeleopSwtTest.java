@@ -144,7 +144,7 @@ class TeleopSwtTest {
   void spaceLatchesTheStopAndTheButtonReleasesIt() {
     key(SWT.KeyDown, ' ', 0);
     assertEquals(Optional.of(FakeAuthority.YOU), context.authority().stoppedBy());
-    press(Footer.Button.RELEASE_STOP);
+    press(TeleopFooter.Button.RELEASE_STOP);
     assertEquals(Optional.empty(), context.authority().stoppedBy());
   }
 
@@ -152,11 +152,11 @@ class TeleopSwtTest {
   void whatAnnaDrivesIsAskedForInTheViewItself() {
     context.authority().take(FakeAuthority.ANNA, false);
     tick();
-    press(Footer.Button.ASK);
+    press(TeleopFooter.Button.ASK);
     assertEquals(Optional.of(FakeAuthority.ANNA), context.authority().holder());
-    press(Footer.Button.TAKE_OVER);
+    press(TeleopFooter.Button.TAKE_OVER);
     assertEquals(Optional.of(FakeAuthority.YOU), context.authority().holder());
-    press(Footer.Button.GIVE_BACK);
+    press(TeleopFooter.Button.GIVE_BACK);
     assertEquals(Optional.empty(), context.authority().holder());
   }
 
@@ -205,7 +205,7 @@ class TeleopSwtTest {
     canvas.notifyListeners(type, event);
   }
 
-  private void press(Footer.Button wanted) {
+  private void press(TeleopFooter.Button wanted) {
     settle();
     QuietButton button = Arrays.stream(root.getChildren()).filter(QuietButton.class::isInstance)
         .map(QuietButton.class::cast).toList().get(wanted.ordinal());

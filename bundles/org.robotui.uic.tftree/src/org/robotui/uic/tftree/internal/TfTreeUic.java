@@ -27,7 +27,7 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
   TfTreeUic(UicContext context) {
     this.context = context;
     this.model = new TfTreeModel(context);
-    model.ask(Preferences.read(context.settings().current()));
+    model.ask(FramePreferences.read(context.settings().current()));
     this.actions = List.of(
         new ViewAction("fit", "Show the whole tree", Icon.FIT.id(), Optional.empty(), () -> surface.ifPresent(TfTreeSurface::fit)),
         new ViewAction("open", "Expand all", Icon.OPEN.id(), Optional.empty(), () -> ask(model.ask().opened())),
@@ -85,7 +85,7 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
   @Override
   public void ask(Ask next) {
     model.ask(next);
-    Preferences.write(context.settings(), next);
+    FramePreferences.write(context.settings(), next);
     refresh();
   }
 

@@ -22,7 +22,7 @@ final class MtlReader {
 
   static Map<String, Look> read(byte[] bytes) throws Refusal {
     Map<String, Look> looks = new HashMap<>();
-    Words words = new Words(bytes);
+    WordReader words = new WordReader(bytes);
     Optional<String> name = Optional.empty();
     Color color = GREY;
     Optional<String> texture = Optional.empty();

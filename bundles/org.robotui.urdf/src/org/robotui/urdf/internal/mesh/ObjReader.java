@@ -29,7 +29,7 @@ public final class ObjReader {
 
   /** Adds all faces, cut into triangles. */
   public void read(byte[] bytes) throws Refusal {
-    Words words = new Words(bytes);
+    WordReader words = new WordReader(bytes);
     for (Optional<String> word = words.next(); word.isPresent(); word = words.next()) {
       switch (word.get()) {
         case "v" -> numbers(words, positions, 3);
@@ -45,7 +45,7 @@ public final class ObjReader {
     endPart();
   }
 
-  private static void numbers(Words words, FloatList into, int count) throws Refusal {
+  private static void numbers(WordReader words, FloatList into, int count) throws Refusal {
     for (int i = 0; i < count; i++) {
       Optional<String> word = words.nextInLine();
       if (word.isEmpty() && i == 0) {
@@ -55,7 +55,7 @@ public final class ObjReader {
     }
   }
 
-  private void face(Words words) throws Refusal {
+  private void face(WordReader words) throws Refusal {
     face.clear();
     for (Optional<String> word = words.nextInLine(); word.isPresent(); word = words.nextInLine()) {
       String[] parts = word.get().split("/", -1);

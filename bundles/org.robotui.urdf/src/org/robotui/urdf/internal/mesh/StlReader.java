@@ -27,7 +27,7 @@ public final class StlReader {
       }
       binary(data, (int) declared, builder);
     } else if (text) {
-      ascii(new Words(bytes), builder);
+      ascii(new WordReader(bytes), builder);
     } else {
       throw new Refusal(0, "the file is no STL: it has " + bytes.length + " bytes, and does not begin with 'solid'");
     }
@@ -50,7 +50,7 @@ public final class StlReader {
     }
   }
 
-  private static void ascii(Words words, MeshBuilder builder) throws Refusal {
+  private static void ascii(WordReader words, MeshBuilder builder) throws Refusal {
     words.skipLine();
     float[] numbers = new float[12];
     int filled = 3;
@@ -78,7 +78,7 @@ public final class StlReader {
     }
   }
 
-  private static void three(Words words, float[] into, int from) throws Refusal {
+  private static void three(WordReader words, float[] into, int from) throws Refusal {
     for (int i = 0; i < 3; i++) {
       into[from + i] = words.number();
     }

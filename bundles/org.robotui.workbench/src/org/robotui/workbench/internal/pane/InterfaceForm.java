@@ -93,7 +93,7 @@ final class InterfaceForm extends Composite {
   }
 
   private void heading(String words) {
-    Words heading = new Words(this, theme, Face.SMALL_STRONG, Role.DIM, words);
+    ShortenedLabel heading = new ShortenedLabel(this, theme, Face.SMALL_STRONG, Role.DIM, words);
     GridData data = new GridData(SWT.FILL, SWT.TOP, true, false);
     data.verticalIndent = Theme.STEP;
     heading.setLayoutData(data);

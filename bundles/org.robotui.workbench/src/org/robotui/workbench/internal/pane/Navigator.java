@@ -60,7 +60,7 @@ public final class Navigator extends Composite {
   private final Theme theme;
   private final Actions actions;
   private final RobotList robots;
-  private final Words portsHeading;
+  private final ShortenedLabel portsHeading;
   private final PortList ports;
   private final ScrolledComposite scroller;
   private String selected = "";
@@ -118,8 +118,8 @@ public final class Navigator extends Composite {
     return robots.setFocus();
   }
 
-  private Words heading(String text) {
-    Words words = new Words(this, theme, Face.SMALL_STRONG, Role.DIM, text);
+  private ShortenedLabel heading(String text) {
+    ShortenedLabel words = new ShortenedLabel(this, theme, Face.SMALL_STRONG, Role.DIM, text);
     GridData data = new GridData(SWT.FILL, SWT.TOP, true, false);
     data.heightHint = HEADING;
     data.horizontalIndent = Theme.EDGE + 2;
@@ -132,7 +132,7 @@ public final class Navigator extends Composite {
         .hint("Ask a robot what it offers, and write a configuration for it (Ctrl+Shift+N)"), 2 * Theme.STEP);
     place(new QuietButton(this, theme, actions::open).icon(Icon.TEXT).text("Open configuration\u2026")
         .hint("Open a configuration file and add its robots (Ctrl+O)"), 0);
-    Words gap = new Words(this, theme, Face.SMALL, Role.DIM, "");
+    ShortenedLabel gap = new ShortenedLabel(this, theme, Face.SMALL, Role.DIM, "");
     gap.setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
   }
 

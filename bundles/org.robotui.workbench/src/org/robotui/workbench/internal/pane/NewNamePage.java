@@ -161,7 +161,7 @@ final class NewNamePage extends Composite {
   }
 
   private void heading(String words) {
-    Words heading = new Words(this, theme, Face.SMALL_STRONG, Role.DIM, words);
+    ShortenedLabel heading = new ShortenedLabel(this, theme, Face.SMALL_STRONG, Role.DIM, words);
     GridData data = new GridData(SWT.FILL, "TEXT".equals(words) ? SWT.TOP : SWT.CENTER, false, false);
     data.widthHint = 60;
     heading.setLayoutData(data);

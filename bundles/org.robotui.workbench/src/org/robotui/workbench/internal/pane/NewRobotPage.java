@@ -181,7 +181,7 @@ final class NewRobotPage extends Composite {
   }
 
   private void heading(Composite parent, String words) {
-    Words heading = new Words(parent, theme, Face.SMALL_STRONG, Role.DIM, words);
+    ShortenedLabel heading = new ShortenedLabel(parent, theme, Face.SMALL_STRONG, Role.DIM, words);
     GridData data = new GridData(SWT.FILL, SWT.TOP, true, false);
     data.verticalIndent = Theme.STEP;
     heading.setLayoutData(data);

@@ -35,7 +35,7 @@ final class NewViewsPage extends Composite {
   private final NewRobotModel model;
   private final Runnable changed;
   private final ChoiceField ruic;
-  private final Words reason;
+  private final ShortenedLabel reason;
   private final RowTable<NewViewRow> table;
   private List<NewViewRow> rows = List.of();
 
@@ -50,13 +50,13 @@ final class NewViewsPage extends Composite {
     layout.marginHeight = Theme.EDGE;
     layout.horizontalSpacing = Theme.EDGE;
     setLayout(layout);
-    new Words(this, theme, Face.SMALL_STRONG, Role.DIM, "LAYOUT").setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, false));
+    new ShortenedLabel(this, theme, Face.SMALL_STRONG, Role.DIM, "LAYOUT").setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, false));
     ruic = new ChoiceField(this, theme, "The layout", this::chooseRuic);
     GridData field = new GridData(SWT.BEGINNING, SWT.CENTER, false, false);
     field.heightHint = FIELD_HEIGHT;
     field.widthHint = FIELD_WIDTH;
     ruic.control().setLayoutData(field);
-    reason = new Words(this, theme, Face.BODY, Role.DIM, "");
+    reason = new ShortenedLabel(this, theme, Face.BODY, Role.DIM, "");
     reason.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     table = new RowTable<>(this, theme, List.of(
         Column.words("", (NewViewRow r) -> r.port().isPresent() ? "" : r.chosen() ? "chosen" : "left out").painted(this::box).width(36).weight(0),

@@ -58,7 +58,7 @@ public final class ProblemsPane extends Composite {
     long errors = problems.stream().filter(p -> p.severity() == Problem.Severity.ERROR).count();
     String text = errors == 0 ? "The configuration is usable, but look at this"
         : "The configuration cannot be used as written";
-    Words title = new Words(this, theme, Face.TITLE, Role.TEXT, text);
+    ShortenedLabel title = new ShortenedLabel(this, theme, Face.TITLE, Role.TEXT, text);
     title.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     new QuietButton(this, theme, reload).icon(Icon.RESTART).text("Read again").hint("Read the configuration again");
     new QuietButton(this, theme, close).icon(Icon.CLOSE).hint("Close");

@@ -101,7 +101,7 @@ public final class ReuseDialog {
   }
 
   private void words(Composite parent, Face face, Role role, String text) {
-    new Words(parent, theme, face, role, text).setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
+    new ShortenedLabel(parent, theme, face, role, text).setLayoutData(new GridData(SWT.FILL, SWT.TOP, true, false));
   }
 
   private static String capital(String text) {

@@ -14,9 +14,9 @@ import org.robotui.workbench.internal.model.StatusText;
 public final class StatusBar extends Composite {
   private static final int HEIGHT = 24;
 
-  private final Words left;
-  private final Words alert;
-  private final Words right;
+  private final ShortenedLabel left;
+  private final ShortenedLabel alert;
+  private final ShortenedLabel right;
 
   /** Makes the line; {@code dismiss} runs when the user presses what went wrong. */
   public StatusBar(Composite parent, Theme theme, Runnable dismiss) {
@@ -54,8 +54,8 @@ public final class StatusBar extends Composite {
     return new Point(super.computeSize(widthHint, heightHint, changed).x, HEIGHT);
   }
 
-  private Words words(Theme theme, boolean grab) {
-    Words words = new Words(this, theme, Face.SMALL, Role.DIM, "");
+  private ShortenedLabel words(Theme theme, boolean grab) {
+    ShortenedLabel words = new ShortenedLabel(this, theme, Face.SMALL, Role.DIM, "");
     words.setLayoutData(new GridData(grab ? SWT.FILL : SWT.BEGINNING, SWT.CENTER, grab, true));
     return words;
   }

@@ -55,7 +55,7 @@ public final class TopBar extends Composite {
 
   private final Theme theme;
   private final LeaseLamp lease;
-  private final Words stopped;
+  private final ShortenedLabel stopped;
   private final QuietButton release;
   private final QuietButton stop;
   private final SearchField search;
@@ -76,7 +76,7 @@ public final class TopBar extends Composite {
     spring();
     search = search(actions);
     spring();
-    stopped = place(new Words(this, theme, Face.BODY_STRONG, Role.BAD, ""), 0);
+    stopped = place(new ShortenedLabel(this, theme, Face.BODY_STRONG, Role.BAD, ""), 0);
     of(stopped).heightHint = SWT.DEFAULT;
     of(stopped).horizontalIndent = 2 * Theme.STEP;
     release = place(new QuietButton(this, theme, actions::release), SWT.DEFAULT).text(stops.release());
@@ -113,7 +113,7 @@ public final class TopBar extends Composite {
   }
 
   private void product() {
-    Words name = new Words(this, theme, Face.TITLE, Role.TEXT, "RobotUI");
+    ShortenedLabel name = new ShortenedLabel(this, theme, Face.TITLE, Role.TEXT, "RobotUI");
     GridData data = new GridData(SWT.BEGINNING, SWT.CENTER, false, true);
     data.widthHint = name.computeSize(SWT.DEFAULT, SWT.DEFAULT).x + 2 * Theme.EDGE;
     name.setLayoutData(data);
@@ -164,7 +164,7 @@ public final class TopBar extends Composite {
   }
 
   private void spring() {
-    Words gap = new Words(this, theme, Face.BODY, Role.TEXT, "");
+    ShortenedLabel gap = new ShortenedLabel(this, theme, Face.BODY, Role.TEXT, "");
     GridData data = new GridData(SWT.FILL, SWT.CENTER, true, false);
     data.heightHint = 1;
     gap.setLayoutData(data);

@@ -11,7 +11,7 @@ import org.eclipse.ui.IWorkbench;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.WorkbenchException;
 import org.robotui.api.host.WindowConfig;
-import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.WindowPlaces;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,10 +24,10 @@ final class AskedWindows {
   private static final Logger LOG = LoggerFactory.getLogger(AskedWindows.class);
   private static final String KEY = "window.";
 
-  private final Session session;
+  private final WorkbenchSession session;
   private boolean done;
 
-  AskedWindows(Session session) {
+  AskedWindows(WorkbenchSession session) {
     this.session = session;
   }
 

@@ -5,8 +5,8 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.part.ViewPart;
 import org.robotui.api.host.Ruic;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.pane.Navigator;
 
@@ -15,7 +15,7 @@ public final class NavigatorPart extends ViewPart {
   /** As in plugin.xml. */
   static final String ID = "org.robotui.workbench.navigator";
 
-  private final Session session = WorkbenchServices.session();
+  private final WorkbenchSession session = WorkbenchServices.session();
   private Rebuilt<Navigator> pane;
 
   @Override

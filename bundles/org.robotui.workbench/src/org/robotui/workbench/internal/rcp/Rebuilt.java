@@ -7,7 +7,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.ui.Theme;
-import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchSession;
 
 /**
  * A control that is kept up to date, and made anew when the theme changes. It ends with its parent. Display thread only.
@@ -16,12 +16,12 @@ import org.robotui.workbench.internal.Session;
  */
 final class Rebuilt<C extends Control> {
   private final Composite parent;
-  private final Session session;
+  private final WorkbenchSession session;
   private final BiFunction<Composite, Theme, C> maker;
   private final Consumer<C> refresher;
   private C control;
 
-  Rebuilt(Composite parent, Session session, BiFunction<Composite, Theme, C> maker, Consumer<C> refresher) {
+  Rebuilt(Composite parent, WorkbenchSession session, BiFunction<Composite, Theme, C> maker, Consumer<C> refresher) {
     this.parent = parent;
     this.session = session;
     this.maker = maker;

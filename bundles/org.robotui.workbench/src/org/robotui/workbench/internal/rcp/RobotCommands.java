@@ -5,8 +5,8 @@ import org.eclipse.core.commands.ExecutionEvent;
 import org.eclipse.core.commands.ExecutionException;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.handlers.HandlerUtil;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 
 /** Our commands, so that menus, keys and the search find them. */
 public final class RobotCommands extends AbstractHandler {
@@ -16,7 +16,7 @@ public final class RobotCommands extends AbstractHandler {
   @Override
   public Object execute(ExecutionEvent event) throws ExecutionException {
     IWorkbenchWindow window = HandlerUtil.getActiveWorkbenchWindowChecked(event);
-    Session session = WorkbenchServices.session();
+    WorkbenchSession session = WorkbenchServices.session();
     WindowActions actions = new WindowActions(session, window);
     switch (event.getCommand().getId().substring(PREFIX.length())) {
       case "search" -> actions.search();

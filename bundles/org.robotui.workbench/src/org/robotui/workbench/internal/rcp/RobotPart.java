@@ -12,8 +12,8 @@ import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.Theme;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.display.HostHub;
 import org.robotui.workbench.internal.display.ShortcutsKey;
 import org.robotui.workbench.internal.model.WindowModel;
@@ -25,7 +25,7 @@ public final class RobotPart extends ViewPart {
   /** As in plugin.xml. */
   public static final String ID = "org.robotui.workbench.robot";
 
-  private final Session session = WorkbenchServices.session();
+  private final WorkbenchSession session = WorkbenchServices.session();
   private WindowModel model;
   private Rebuilt<RobotArea> pane;
 

@@ -9,7 +9,7 @@ import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
 import org.eclipse.ui.application.WorkbenchWindowAdvisor;
-import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.model.WindowPlaces;
 
@@ -19,9 +19,9 @@ final class RobotWindowAdvisor extends WorkbenchWindowAdvisor {
 
   private static final int LATE_MILLIS = 4000;
 
-  private final Session session;
+  private final WorkbenchSession session;
 
-  RobotWindowAdvisor(IWorkbenchWindowConfigurer configurer, Session session) {
+  RobotWindowAdvisor(IWorkbenchWindowConfigurer configurer, WorkbenchSession session) {
     super(configurer);
     this.session = session;
   }

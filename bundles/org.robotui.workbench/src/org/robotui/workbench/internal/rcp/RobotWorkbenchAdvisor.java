@@ -14,9 +14,9 @@ import org.eclipse.ui.application.IWorkbenchConfigurer;
 import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
 import org.eclipse.ui.application.WorkbenchAdvisor;
 import org.eclipse.ui.application.WorkbenchWindowAdvisor;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.Suspects;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.display.Screenshot;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,13 +25,13 @@ import org.slf4j.LoggerFactory;
 public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   private static final Logger LOG = LoggerFactory.getLogger(RobotWorkbenchAdvisor.class);
 
-  private final Session session;
+  private final WorkbenchSession session;
   private final Runnable started;
   private final Suspects suspects;
   private final boolean asks;
 
   /** For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again. */
-  public RobotWorkbenchAdvisor(Session session, Runnable started) {
+  public RobotWorkbenchAdvisor(WorkbenchSession session, Runnable started) {
     this.session = session;
     this.started = started;
     suspects = new Suspects(session.state().folder());

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.api.host.Ruic;
-import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.SearchEntry;
 import org.robotui.workbench.internal.pane.Menus;
 import org.robotui.workbench.internal.pane.RuicSurface;
@@ -13,10 +13,10 @@ import org.robotui.workbench.internal.pane.ViewEntry;
 
 /** What the search of a window finds: robots, views and what they can do, and all that is in the menus. Display thread only. */
 final class SearchEntries {
-  private final Session session;
+  private final WorkbenchSession session;
   private final IWorkbenchWindow window;
 
-  SearchEntries(Session session, IWorkbenchWindow window) {
+  SearchEntries(WorkbenchSession session, IWorkbenchWindow window) {
     this.session = session;
     this.window = window;
   }
@@ -56,7 +56,7 @@ final class SearchEntries {
         .forEach(name -> entries.add(new SearchEntry("Robot", "Show " + name, "", () -> actions.select(name))));
     Menus.ALL.forEach(menu -> entries.addAll(new PopupMenu(window, menu.id()).entries(menu.label())));
     entries.add(new SearchEntry("Platform", "Search everything of the platform\u2026", "",
-        () -> new Commands(window).run("org.eclipse.ui.window.quickAccess")));
+        () -> new WorkbenchCommands(window).run("org.eclipse.ui.window.quickAccess")));
     return entries;
   }
 }

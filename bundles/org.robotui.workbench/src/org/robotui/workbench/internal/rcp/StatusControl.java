@@ -4,15 +4,15 @@ import jakarta.annotation.PostConstruct;
 import org.eclipse.e4.ui.model.application.ui.basic.MWindow;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.ui.IWorkbenchWindow;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.StatusBar;
 
 /** The line at the bottom of a window, in the platform's trim. */
 public final class StatusControl {
-  private final Session session = WorkbenchServices.session();
+  private final WorkbenchSession session = WorkbenchServices.session();
 
   /** Called by the platform. */
   @PostConstruct

@@ -10,8 +10,8 @@ import org.eclipse.ui.menus.IWorkbenchContribution;
 import org.eclipse.ui.services.IServiceLocator;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.Ruic;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 
 /** In the menu Robot: stops or releases each robot of the window, by name. */
 public final class StopItems extends CompoundContributionItem implements IWorkbenchContribution {
@@ -24,12 +24,12 @@ public final class StopItems extends CompoundContributionItem implements IWorkbe
 
   @Override
   protected IContributionItem[] getContributionItems() {
-    Session session = WorkbenchServices.session();
+    WorkbenchSession session = WorkbenchServices.session();
     List<Authority> authorities = session.model(locator.getService(IWorkbenchWindow.class)).selected().map(Ruic::authorities).orElse(List.of());
     return authorities.stream().map(authority -> new ActionContributionItem(item(session, authority))).toArray(IContributionItem[]::new);
   }
 
-  private static Action item(Session session, Authority authority) {
+  private static Action item(WorkbenchSession session, Authority authority) {
     boolean stopped = authority.stoppedBy().isPresent();
     return new Action((stopped ? "Release " : "Stop ") + authority.robot()) {
       @Override

@@ -9,8 +9,8 @@ import org.eclipse.ui.IWorkbenchWindow;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.link.LinkState;
 import org.robotui.ui.Theme;
-import org.robotui.workbench.internal.Session;
 import org.robotui.workbench.internal.WorkbenchServices;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.WindowModel;
@@ -19,7 +19,7 @@ import org.robotui.workbench.internal.pane.TopBar;
 
 /** The bar of a window, in the platform's trim. */
 public final class TopControl {
-  private final Session session = WorkbenchServices.session();
+  private final WorkbenchSession session = WorkbenchServices.session();
 
   /** Called by the platform. */
   @PostConstruct

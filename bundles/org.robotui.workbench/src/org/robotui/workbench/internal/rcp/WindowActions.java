@@ -15,7 +15,7 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.show.SubjectMenu;
-import org.robotui.workbench.internal.Session;
+import org.robotui.workbench.internal.WorkbenchSession;
 import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.NewRobotModel;
 import org.robotui.workbench.internal.model.WindowModel;
@@ -32,10 +32,10 @@ import org.robotui.workbench.internal.pane.TopBar;
 final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotArea.Actions {
   private static final String FOLDER = "folder";
 
-  private final Session session;
+  private final WorkbenchSession session;
   private final IWorkbenchWindow window;
 
-  WindowActions(Session session, IWorkbenchWindow window) {
+  WindowActions(WorkbenchSession session, IWorkbenchWindow window) {
     this.session = session;
     this.window = window;
   }

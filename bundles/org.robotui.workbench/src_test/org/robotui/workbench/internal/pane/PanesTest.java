@@ -230,10 +230,10 @@ class PanesTest {
     bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), new Stops(TWO.robots(), List.of("Natalie")));
 
     assertTrue(button(bar, "Release the stop of Natalie;").getSize().x > 80);
-    assertTrue(Controls.all(bar, Words.class).stream().anyMatch(words -> words.text().equals("Stopped: Natalie") && words.getSize().x > 80));
+    assertTrue(Controls.all(bar, ShortenedLabel.class).stream().anyMatch(words -> words.text().equals("Stopped: Natalie") && words.getSize().x > 80));
 
     bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
-    assertTrue(Controls.all(bar, Words.class).stream().anyMatch(words -> words.text().equals("Stopped: Keira, Natalie")));
+    assertTrue(Controls.all(bar, ShortenedLabel.class).stream().anyMatch(words -> words.text().equals("Stopped: Keira, Natalie")));
   }
 
   @Test

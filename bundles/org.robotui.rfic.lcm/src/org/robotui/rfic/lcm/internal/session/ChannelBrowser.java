@@ -20,11 +20,11 @@ import org.robotui.rfic.lcm.internal.convert.TypeText;
 final class ChannelBrowser implements Browser {
   private static final String OURSELVES = "robotui";
 
-  private final Channels channels;
+  private final LcmChannels channels;
   private final TypeLibrary types;
   private final Lcm lcm;
 
-  ChannelBrowser(Channels channels, TypeLibrary types, Lcm lcm) {
+  ChannelBrowser(LcmChannels channels, TypeLibrary types, Lcm lcm) {
     this.channels = channels;
     this.types = types;
     this.lcm = lcm;

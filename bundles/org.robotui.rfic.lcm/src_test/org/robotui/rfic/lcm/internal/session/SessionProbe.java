@@ -7,11 +7,11 @@ import org.robotui.rfic.lcm.internal.LcmSettings;
 
 /** Channels without a connection, for tests that have the messages themselves. */
 public final class SessionProbe implements AutoCloseable {
-  private final Channels channels;
+  private final LcmChannels channels;
 
   /** Opens nothing. */
   public SessionProbe(RficContext context, LcmSettings settings, TypeLibrary types) {
-    channels = new Channels(context, settings, types, new SessionClock(context, false));
+    channels = new LcmChannels(context, settings, types, new SessionClock(context, false));
   }
 
   /** A message comes. */

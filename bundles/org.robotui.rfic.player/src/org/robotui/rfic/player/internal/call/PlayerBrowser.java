@@ -22,7 +22,7 @@ import org.robotui.player.layout.Layouts;
 import org.robotui.player.layout.MessageLayout;
 import org.robotui.player.wire.DeviceAddress;
 import org.robotui.player.wire.MessageType;
-import org.robotui.rfic.player.internal.convert.Shapes;
+import org.robotui.rfic.player.internal.convert.PlayerShapes;
 import org.robotui.rfic.player.internal.device.DeviceFeed;
 import org.robotui.rfic.player.internal.link.Devices;
 
@@ -101,8 +101,8 @@ public final class PlayerBrowser implements Browser {
     if (topic.message().isEmpty()) {
       facts.put("definition", "interface " + topic.feed().device().id().interfaceCode() + " is not known here; its data are shown as bytes");
     }
-    return new Description(item, facts, topic.message().map(m -> Shapes.text(m.payload())),
-        topic.message().map(m -> Shapes.of(m.payload())), Optional.empty());
+    return new Description(item, facts, topic.message().map(m -> PlayerShapes.text(m.payload())),
+        topic.message().map(m -> PlayerShapes.of(m.payload())), Optional.empty());
   }
 
   private Description service(Item item) throws CallException {
@@ -113,8 +113,8 @@ public final class PlayerBrowser implements Browser {
     if (!message.comment().isEmpty()) {
       facts.put("meaning", message.comment());
     }
-    return new Description(item, facts, Optional.of(Shapes.text(message.payload()) + ANSWER + Shapes.text(message.answer())),
-        Optional.of(Shapes.of(message.payload())), Optional.of(Shapes.of(message.answer())));
+    return new Description(item, facts, Optional.of(PlayerShapes.text(message.payload()) + ANSWER + PlayerShapes.text(message.answer())),
+        Optional.of(PlayerShapes.of(message.payload())), Optional.of(PlayerShapes.of(message.answer())));
   }
 
   private Description driver(Item item) throws CallException {

@@ -5,7 +5,7 @@ import org.robotui.data.FrameId;
 import org.robotui.data.PoseArray;
 import org.robotui.data.PoseEstimate;
 import org.robotui.player.interfaces.Localize;
-import org.robotui.rfic.player.internal.convert.Places;
+import org.robotui.rfic.player.internal.convert.PlayerPlaces;
 
 /** Localisation: its best guess, which carries the odometry on the map, all guesses, its particles, and saying where the robot is. */
 final class LocalizePorts {
@@ -30,17 +30,17 @@ final class LocalizePorts {
   }
 
   private void told(Localize.Hypotheses m, Reception reception) {
-    Places.estimate(m, map).ifPresent(best -> {
+    PlayerPlaces.estimate(m, map).ifPresent(best -> {
       feed.around().tree().located(best, reception.stamp(), feed.name());
       estimate.publish(best, reception);
     });
-    guesses.publish(Places.guesses(m, map), reception);
+    guesses.publish(PlayerPlaces.guesses(m, map), reception);
   }
 
   private void sample(long nowNanos) {
     if (particles.wanted() && nowNanos - askedAt >= AGAIN_NANOS) {
       askedAt = nowNanos;
-      feed.ask(Localize.GET_PARTICLES, p -> particles.publish(Places.particles(p, map), Reception.now()), particles::failed);
+      feed.ask(Localize.GET_PARTICLES, p -> particles.publish(PlayerPlaces.particles(p, map), Reception.now()), particles::failed);
     }
   }
 
@@ -53,7 +53,7 @@ final class LocalizePorts {
     if (!feed.open()) {
       return new Sent.Refused(Driving.obstacle(feed));
     }
-    feed.ask(Localize.SET_POSE, Places.estimate(pose), done -> estimate.failed(""), estimate::failed);
+    feed.ask(Localize.SET_POSE, PlayerPlaces.estimate(pose), done -> estimate.failed(""), estimate::failed);
     return new Sent.Out();
   }
 }

@@ -7,7 +7,7 @@ import org.robotui.data.FrameId;
 import org.robotui.data.NavigationGoal;
 import org.robotui.data.Path;
 import org.robotui.player.interfaces.Planner;
-import org.robotui.rfic.player.internal.convert.Places;
+import org.robotui.rfic.player.internal.convert.PlayerPlaces;
 import org.robotui.rfic.player.internal.convert.Poses;
 
 /** A planner: its way, which is asked for when its state tells that there is another one, and its goal. */
@@ -40,7 +40,7 @@ final class PlannerPorts {
     asked = Optional.of(state);
     askedAt = reception.nanos();
     if (state.valid()) {
-      feed.ask(Planner.GET_WAYPOINTS, w -> outlet.publish(Places.way(w, map), Reception.now()), outlet::failed);
+      feed.ask(Planner.GET_WAYPOINTS, w -> outlet.publish(PlayerPlaces.way(w, map), Reception.now()), outlet::failed);
     } else {
       outlet.publish(new Path(map, List.of()), reception);
     }

@@ -13,7 +13,7 @@ import org.robotui.player.interfaces.Imu;
 import org.robotui.player.interfaces.Pointcloud3d;
 import org.robotui.player.interfaces.Power;
 import org.robotui.rfic.player.internal.convert.Pictures;
-import org.robotui.rfic.player.internal.convert.Places;
+import org.robotui.rfic.player.internal.convert.PlayerPlaces;
 import org.robotui.rfic.player.internal.convert.Sensing;
 import org.robotui.rfic.player.internal.convert.States;
 
@@ -58,6 +58,6 @@ final class Simple {
   static void fiducial(DeviceFeed feed) {
     Outlet<PoseArray> outlet = feed.outlet("", PoseArray.class, "the markers that it sees");
     FrameId frame = Mount.of(feed, Fiducial.GET_GEOMETRY, Fiducial.Geometry::pose);
-    feed.on(Fiducial.SCAN, outlet, (m, r) -> outlet.publish(Places.markers(m, frame), r));
+    feed.on(Fiducial.SCAN, outlet, (m, r) -> outlet.publish(PlayerPlaces.markers(m, frame), r));
   }
 }

@@ -41,19 +41,19 @@ class RecordsTest {
 
   @Test
   void formsHaveTheTypesOfTheWire() {
-    RecordShape shape = Shapes.of(Optional.of(struct("localize", "estimate")));
+    RecordShape shape = PlayerShapes.of(Optional.of(struct("localize", "estimate")));
     assertEquals(new FieldShape.Many(new FieldShape.Real(64), 6), shape.field("covariance").orElseThrow().shape());
-    assertTrue(Shapes.of(Optional.empty()).fields().isEmpty());
+    assertTrue(PlayerShapes.of(Optional.empty()).fields().isEmpty());
     assertEquals(new FieldShape.Many(new FieldShape.Whole(8, false), 0),
-        Shapes.of(Optional.of(struct("opaque", "bytes"))).field("data").orElseThrow().shape());
+        PlayerShapes.of(Optional.of(struct("opaque", "bytes"))).field("data").orElseThrow().shape());
   }
 
   @Test
   void everyStructureHasAFormAndAText() {
     layouts.all().forEach(i -> i.structs().values().forEach(s -> {
-      assertEquals(s.fields().size(), Shapes.of(Optional.of(s)).fields().size(), s.name());
-      s.fields().forEach(f -> assertTrue(Shapes.text(Optional.of(s)).contains(" " + f.name()), f.name()));
+      assertEquals(s.fields().size(), PlayerShapes.of(Optional.of(s)).fields().size(), s.name());
+      s.fields().forEach(f -> assertTrue(PlayerShapes.text(Optional.of(s)).contains(" " + f.name()), f.name()));
     }));
-    assertTrue(Shapes.text(Optional.of(struct("gps", "state"))).contains("altitude [mm]"));
+    assertTrue(PlayerShapes.text(Optional.of(struct("gps", "state"))).contains("altitude [mm]"));
   }
 }

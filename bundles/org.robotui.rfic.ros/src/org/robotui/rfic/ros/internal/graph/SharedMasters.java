@@ -10,7 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
  */
 public final class SharedMasters {
   private final Map<URI, SharedMaster> masters = new ConcurrentHashMap<>();
-  private final SharedSweep sweep = new SharedSweep();
+  private final SharedCleanup sweep = new SharedCleanup();
 
   /** With no master yet. */
   public SharedMasters() {
@@ -18,7 +18,7 @@ public final class SharedMasters {
   }
 
   /** Removes what earlier runs left at all of them. */
-  public SharedSweep sweep() {
+  public SharedCleanup sweep() {
     return sweep;
   }
 

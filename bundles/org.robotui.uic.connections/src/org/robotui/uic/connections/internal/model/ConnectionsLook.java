@@ -25,7 +25,7 @@ public record ConnectionsLook(List<Branch> branches, String summary) {
    * @param robot its line
    * @param parts its components
    */
-  public record Branch(Line.Robot robot, List<Line.Part> parts) {}
+  public record Branch(ConnectionLine.Robot robot, List<ConnectionLine.Part> parts) {}
 
   /** The names of all RUICs. */
   public List<String> names() {
@@ -38,8 +38,8 @@ public record ConnectionsLook(List<Branch> branches, String summary) {
    * @param filter which lines are wanted
    * @param folded the keys of lines below which nothing is shown
    */
-  public List<Line> lines(Filter filter, Set<String> folded) {
-    List<Line> lines = new ArrayList<>();
+  public List<ConnectionLine> lines(Filter filter, Set<String> folded) {
+    List<ConnectionLine> lines = new ArrayList<>();
     for (Branch branch : branches) {
       if (filter.admits(branch.robot().ruic())) {
         lines(branch, filter, filter.narrows() ? Set.of() : folded, lines);
@@ -48,8 +48,8 @@ public record ConnectionsLook(List<Branch> branches, String summary) {
     return List.copyOf(lines);
   }
 
-  private static void lines(Branch branch, Filter filter, Set<String> folded, List<Line> lines) {
-    List<Line> below = new ArrayList<>();
+  private static void lines(Branch branch, Filter filter, Set<String> folded, List<ConnectionLine> lines) {
+    List<ConnectionLine> below = new ArrayList<>();
     branch.parts().forEach(part -> lines(part, filter, folded, below));
     if (!below.isEmpty() || filter.fits(branch.robot())) {
       lines.add(branch.robot());
@@ -59,8 +59,8 @@ public record ConnectionsLook(List<Branch> branches, String summary) {
     }
   }
 
-  private static void lines(Line.Part part, Filter filter, Set<String> folded, List<Line> lines) {
-    List<Line> ports = part.ports().stream().filter(filter::fits).toList();
+  private static void lines(ConnectionLine.Part part, Filter filter, Set<String> folded, List<ConnectionLine> lines) {
+    List<ConnectionLine> ports = part.ports().stream().filter(filter::fits).toList();
     if (!ports.isEmpty() || filter.fits(part)) {
       lines.add(part);
       if (!folded.contains(part.key())) {

@@ -21,9 +21,9 @@ public final class ConnectionsModel {
    * @param filter which are wanted
    * @param folded the keys of lines below which nothing is shown
    */
-  public record Shown(ConnectionsLook look, List<Line> lines, Filter filter, Set<String> folded) {
+  public record Shown(ConnectionsLook look, List<ConnectionLine> lines, Filter filter, Set<String> folded) {
     /** Whether a line is shut while it has something below. */
-    public boolean isFolded(Line line) {
+    public boolean isFolded(ConnectionLine line) {
       return !filter.narrows() && folded.contains(line.key());
     }
   }

@@ -37,7 +37,7 @@ public record Filter(boolean problems, Optional<String> ruic, List<String> words
   }
 
   /** Whether a line is wanted for its own sake. */
-  boolean fits(Line line) {
+  boolean fits(ConnectionLine line) {
     if (problems && !line.isProblem()) {
       return false;
     }

@@ -52,8 +52,8 @@ final class Summary {
     return count == 0 ? "" : counted(count, "view port is not connected", "view ports are not connected");
   }
 
-  private static Stream<Line.ViewPort> lines(List<RuicSnapshot> ruics) {
-    return ruics.stream().flatMap(ruic -> ruic.matches().stream().map(match -> new Line.ViewPort(ruic.name(), match)));
+  private static Stream<ConnectionLine.ViewPort> lines(List<RuicSnapshot> ruics) {
+    return ruics.stream().flatMap(ruic -> ruic.matches().stream().map(match -> new ConnectionLine.ViewPort(ruic.name(), match)));
   }
 
   private static String counted(long count, String one, String many) {

@@ -23,26 +23,26 @@ public final class Survey {
   }
 
   private ConnectionsLook.Branch branch(RuicSnapshot ruic, long now, Set<String> seen) {
-    Map<String, List<Line>> ports = ports(ruic);
-    List<Line.Part> parts = new ArrayList<>();
+    Map<String, List<ConnectionLine>> ports = ports(ruic);
+    List<ConnectionLine.Part> parts = new ArrayList<>();
     for (ComponentStatus component : ruic.components()) {
       String key = ruic.name() + "\n" + component.id();
       seen.add(key);
-      parts.add(new Line.Part(ruic.name(), component, history.since(key, component, now),
+      parts.add(new ConnectionLine.Part(ruic.name(), component, history.since(key, component, now),
           ports.getOrDefault(component.id(), List.of())));
     }
     int problems = (int) parts.stream().flatMap(part -> Stream.concat(Stream.of(part), part.ports().stream()))
-        .filter(Line::isProblem).count();
-    return new ConnectionsLook.Branch(new Line.Robot(ruic, problems), parts);
+        .filter(ConnectionLine::isProblem).count();
+    return new ConnectionsLook.Branch(new ConnectionLine.Robot(ruic, problems), parts);
   }
 
   /** By component, in one pass: a RUIC may have very many. */
-  private static Map<String, List<Line>> ports(RuicSnapshot ruic) {
-    Map<String, List<Line>> lines = new HashMap<>();
+  private static Map<String, List<ConnectionLine>> ports(RuicSnapshot ruic) {
+    Map<String, List<ConnectionLine>> lines = new HashMap<>();
     ruic.ports().forEach(port ->
-        lines.computeIfAbsent(port.port().component(), id -> new ArrayList<>()).add(new Line.RobotPort(ruic.name(), port)));
+        lines.computeIfAbsent(port.port().component(), id -> new ArrayList<>()).add(new ConnectionLine.RobotPort(ruic.name(), port)));
     ruic.matches().forEach(match ->
-        lines.computeIfAbsent(match.port().component(), id -> new ArrayList<>()).add(new Line.ViewPort(ruic.name(), match)));
+        lines.computeIfAbsent(match.port().component(), id -> new ArrayList<>()).add(new ConnectionLine.ViewPort(ruic.name(), match)));
     return lines;
   }
 }

@@ -11,18 +11,18 @@ public final class Transcript {
   private Transcript() {}
 
   /** The whole list below its summary. */
-  public static String of(String summary, List<Line> lines) {
+  public static String of(String summary, List<ConnectionLine> lines) {
     return summary + "\n" + lines.stream().map(Transcript::of).collect(Collectors.joining());
   }
 
-  private static String of(Line line) {
+  private static String of(ConnectionLine line) {
     String facts = Stream.of(line.since(), line.age().isEmpty() ? "" : "newest " + line.age() + " old", line.dropped(), line.text())
         .filter(fact -> !fact.isEmpty()).collect(Collectors.joining(", "));
     return ("  ".repeat(line.level()) + mark(line) + " " + padded(line.word()) + " " + line.name() + (facts.isEmpty() ? "" : ": " + facts))
         .replace('\n', ' ').stripTrailing() + "\n";
   }
 
-  private static String mark(Line line) {
+  private static String mark(ConnectionLine line) {
     return line.isProblem() ? "!" : " ";
   }
 

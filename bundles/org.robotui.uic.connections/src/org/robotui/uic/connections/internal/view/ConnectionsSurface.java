@@ -24,8 +24,8 @@ import org.robotui.ui.control.RowList;
 import org.robotui.ui.show.DraggedPorts;
 import org.robotui.ui.show.PortDrag;
 import org.robotui.ui.show.SubjectMenu;
+import org.robotui.uic.connections.internal.model.ConnectionLine;
 import org.robotui.uic.connections.internal.model.ConnectionsModel.Shown;
-import org.robotui.uic.connections.internal.model.Line;
 import org.robotui.uic.connections.internal.model.Transcript;
 
 /** What is seen of the view while it is shown: a line of controls, the list, and all of the selected line. Display thread. */
@@ -61,9 +61,9 @@ public final class ConnectionsSurface {
   private final QuietButton problems;
   private final RobotButton robots;
   private final FilterField filter;
-  private final RowList<Line> list;
+  private final RowList<ConnectionLine> list;
   private final Composite rule;
-  private final DetailPane detail;
+  private final ConnectionDetailPane detail;
   private Optional<Shown> shown = Optional.empty();
   private boolean detailed;
 
@@ -83,13 +83,13 @@ public final class ConnectionsSurface {
     list = new RowList<>(root, theme, new LineLook(theme, this::isFolded)).named("Connections");
     list.control().setLayoutData(Boxes.fill());
     rule = Boxes.rule(root, theme);
-    detail = new DetailPane(root, theme, wishes::connect, () -> list.control().setFocus());
+    detail = new ConnectionDetailPane(root, theme, wishes::connect, () -> list.control().setFocus());
     listen();
     list.menu((menu, lines) -> first(lines).ifPresent(line -> menu(menu, line, subjects)));
     PortDrag.from(list.control(), at -> selected().flatMap(line -> stream(line).map(stream -> new DraggedPorts(line.ruic(), List.of(stream)))));
   }
 
-  private static void menu(PopupMenu menu, Line line, Function<String, Optional<SubjectMenu>> subjects) {
+  private static void menu(PopupMenu menu, ConnectionLine line, Function<String, Optional<SubjectMenu>> subjects) {
     Optional<Subject.Stream> stream = stream(line);
     Optional<SubjectMenu> known = stream.flatMap(s -> subjects.apply(line.ruic()));
     known.ifPresentOrElse(menus -> menus.fill(menu, stream.get()), () -> menu.push("Copy name", () -> Clipboards.copy(line.name())));
@@ -97,8 +97,8 @@ public final class ConnectionsSurface {
     menu.push("Copy all of it as text", () -> Clipboards.copy(line.details()));
   }
 
-  private static Optional<Subject.Stream> stream(Line line) {
-    return line instanceof Line.RobotPort port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
+  private static Optional<Subject.Stream> stream(ConnectionLine line) {
+    return line instanceof ConnectionLine.RobotPort port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
   }
 
   private boolean focus() {
@@ -174,7 +174,7 @@ public final class ConnectionsSurface {
 
   /** Where it is low, the list has all the room, unless there is something to decide. */
   private void arrange() {
-    boolean wanted = root.getClientArea().height >= DETAIL_HEIGHT + LEAST_LIST || selected().flatMap(Line::decision).isPresent();
+    boolean wanted = root.getClientArea().height >= DETAIL_HEIGHT + LEAST_LIST || selected().flatMap(ConnectionLine::decision).isPresent();
     if (detailed != wanted) {
       detailed = wanted;
       below(wanted);
@@ -187,7 +187,7 @@ public final class ConnectionsSurface {
     Boxes.seen(detail.control(), seen);
   }
 
-  private void open(Line line) {
+  private void open(ConnectionLine line) {
     if (line.level() < 2) {
       wishes.fold(line.key(), !isFolded(line));
     } else {
@@ -196,7 +196,7 @@ public final class ConnectionsSurface {
   }
 
   private void key(Event event) {
-    Optional<Line> line = selected().filter(l -> l.level() < 2);
+    Optional<ConnectionLine> line = selected().filter(l -> l.level() < 2);
     switch (event.keyCode) {
       case SWT.ARROW_LEFT -> line.ifPresent(l -> wishes.fold(l.key(), true));
       case SWT.ARROW_RIGHT -> line.ifPresent(l -> wishes.fold(l.key(), false));
@@ -209,7 +209,7 @@ public final class ConnectionsSurface {
         .ifPresent(line -> wishes.fold(line.key(), !isFolded(line)));
   }
 
-  RowList<Line> list() {
+  RowList<ConnectionLine> list() {
     return list;
   }
 
@@ -217,15 +217,15 @@ public final class ConnectionsSurface {
     return filter;
   }
 
-  private boolean isFolded(Line line) {
+  private boolean isFolded(ConnectionLine line) {
     return shown.filter(s -> s.isFolded(line)).isPresent();
   }
 
-  private Optional<Line> selected() {
+  private Optional<ConnectionLine> selected() {
     return first(list.selected());
   }
 
-  private static Optional<Line> first(List<Line> lines) {
+  private static Optional<ConnectionLine> first(List<ConnectionLine> lines) {
     return lines.stream().findFirst();
   }
 }

@@ -10,10 +10,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.RowLook;
 import org.robotui.ui.control.RowWords;
-import org.robotui.uic.connections.internal.model.Line;
+import org.robotui.uic.connections.internal.model.ConnectionLine;
 
 /** Paints lines in columns that stay where they are while the values change. Display thread. */
-final class LineLook implements RowLook<Line> {
+final class LineLook implements RowLook<ConnectionLine> {
   /** How far each level is set in. */
   static final int INDENT = 12;
 
@@ -30,36 +30,36 @@ final class LineLook implements RowLook<Line> {
 
   private final Theme theme;
   private final RowWords words;
-  private final Predicate<Line> folded;
+  private final Predicate<ConnectionLine> folded;
 
-  LineLook(Theme theme, Predicate<Line> folded) {
+  LineLook(Theme theme, Predicate<ConnectionLine> folded) {
     this.theme = theme;
     words = new RowWords(theme);
     this.folded = folded;
   }
 
   /** Where the text of a line begins; what folds it lies to the left of that. */
-  static int lead(Line line) {
+  static int lead(ConnectionLine line) {
     return Theme.EDGE + line.level() * INDENT + FOLD;
   }
 
   @Override
-  public Object key(Line row) {
+  public Object key(ConnectionLine row) {
     return row.key();
   }
 
   @Override
-  public String text(Line row) {
+  public String text(ConnectionLine row) {
     return row.details();
   }
 
   @Override
-  public String hint(GC gc, Rectangle at, Line row, int x) {
+  public String hint(GC gc, Rectangle at, ConnectionLine row, int x) {
     return row.details();
   }
 
   @Override
-  public void paint(GC gc, Rectangle at, Line row) {
+  public void paint(GC gc, Rectangle at, ConnectionLine row) {
     line(gc, at, row);
     if (row.level() < 2) {
       fold(gc, at.x + lead(row) - FOLD, at.y + at.height / 2, folded.test(row));
@@ -83,7 +83,7 @@ final class LineLook implements RowLook<Line> {
     words.text(gc, at, x, at.width - x - Theme.EDGE, row.text(), Face.BODY, textRole(row));
   }
 
-  private void line(GC gc, Rectangle at, Line row) {
+  private void line(GC gc, Rectangle at, ConnectionLine row) {
     gc.setForeground(theme.mix(Role.LINE, Role.PANEL, row.level() == 0 ? 1 : 0.5));
     gc.setLineWidth(1);
     int y = row.level() == 0 ? at.y : at.y + at.height - 1;
@@ -95,8 +95,8 @@ final class LineLook implements RowLook<Line> {
     gc.fillPolygon(shut ? new int[] {x + 1, y - 4, x + 6, y, x + 1, y + 4} : new int[] {x, y - 2, x + 8, y - 2, x + 4, y + 3});
   }
 
-  private static Role wordRole(Line row) {
-    if (row instanceof Line.Part && row.word().equals(Line.VIEW)) {
+  private static Role wordRole(ConnectionLine row) {
+    if (row instanceof ConnectionLine.Part && row.word().equals(ConnectionLine.VIEW)) {
       return Role.DIM;
     }
     return switch (row.health()) {
@@ -106,7 +106,7 @@ final class LineLook implements RowLook<Line> {
     };
   }
 
-  private static Role textRole(Line row) {
+  private static Role textRole(ConnectionLine row) {
     boolean own = row.level() == 2 || row.isProblem();
     return switch (row.health()) {
       case BAD -> own ? Role.BAD : Role.DIM;

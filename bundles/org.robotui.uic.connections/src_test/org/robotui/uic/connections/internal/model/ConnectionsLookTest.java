@@ -108,7 +108,7 @@ class ConnectionsLookTest {
   @Test
   void aRobotThatFailedSaysWhy() {
     RuicSnapshot failed = new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Robots.UP, List.of(), List.of(), List.of());
-    Line line = look(failed).lines(Filter.of(true, "", ""), Set.of()).getFirst();
+    ConnectionLine line = look(failed).lines(Filter.of(true, "", ""), Set.of()).getFirst();
     assertEquals(Health.BAD, line.health());
     assertEquals("the type 'ros' is not installed", line.text());
   }
@@ -153,7 +153,7 @@ class ConnectionsLookTest {
     assertTrue(best < SECOND / 5, "took " + best / 1_000_000 + " ms");
   }
 
-  private Line part(long seconds, LinkState link) {
+  private ConnectionLine part(long seconds, LinkState link) {
     return survey.look(List.of(Robots.plain("Keira", link)), seconds * SECOND).branches().getFirst().parts().getFirst();
   }
 
@@ -162,17 +162,17 @@ class ConnectionsLookTest {
   }
 
   private static void assertLine(ConnectionsLook look, String name, Health health, String word, String text) {
-    Line line = line(look, name);
+    ConnectionLine line = line(look, name);
     assertEquals(health, line.health(), name);
     assertEquals(word, line.word(), name);
     assertEquals(text, line.text(), name);
   }
 
-  private static Line line(ConnectionsLook look, String name) {
+  private static ConnectionLine line(ConnectionsLook look, String name) {
     return look.lines(Filter.ALL, Set.of()).stream().filter(line -> line.name().equals(name)).findFirst().orElseThrow();
   }
 
-  private static List<String> names(List<Line> lines) {
+  private static List<String> names(List<ConnectionLine> lines) {
     return lines.stream().map(line -> line.level() + " " + line.name()).toList();
   }
 }

@@ -26,9 +26,9 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
+import org.robotui.uic.connections.internal.model.ConnectionLine;
 import org.robotui.uic.connections.internal.model.ConnectionsModel;
 import org.robotui.uic.connections.internal.model.Filter;
-import org.robotui.uic.connections.internal.model.Line;
 import org.robotui.uic.connections.internal.model.Robots;
 
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
@@ -115,7 +115,7 @@ class ConnectionsSwtTest {
   void typingFilters() {
     tick(Robots.keira());
     surface.filterField().words("cmd_vel");
-    assertEquals(List.of("Keira", "teleop", "cmd_vel \u00b7 Image"), surface.list().rows().stream().map(Line::name).toList());
+    assertEquals(List.of("Keira", "teleop", "cmd_vel \u00b7 Image"), surface.list().rows().stream().map(ConnectionLine::name).toList());
     surface.filterField().words("");
     assertEquals(15, surface.list().rows().size());
   }

@@ -15,15 +15,15 @@ final class Details {
   }
 
   /** The details of a line below a root. */
-  Optional<Detail> of(Node root, String key) {
+  Optional<DiagnosticsDetail> of(Node root, String key) {
     return find(root, key).map(node -> detail(root, node));
   }
 
-  private Detail detail(Node root, Node node) {
+  private DiagnosticsDetail detail(Node root, Node node) {
     Optional<Moment> moment = reader.moment(node);
     String name = node.part().map(Part::name)
         .orElseGet(() -> node == root ? root.label() : node.key().substring(root.key().length() + 1));
-    return new Detail(node.key(), name, root.key(), reader.level(node), moment.map(Moment::hardware).orElse(""),
+    return new DiagnosticsDetail(node.key(), name, root.key(), reader.level(node), moment.map(Moment::hardware).orElse(""),
         reader.message(node), reader.told(node), moment.map(Details::values).orElseGet(() -> children(node)),
         node.timeline().strip(lastSlot));
   }
@@ -38,16 +38,16 @@ final class Details {
     return node.children().stream().flatMap(child -> find(child, key).stream()).findFirst();
   }
 
-  private static List<Detail.Value> values(Moment moment) {
-    List<Detail.Value> values = new ArrayList<>();
-    moment.details().forEach((name, value) -> values.add(new Detail.Value(name, value)));
+  private static List<DiagnosticsDetail.Value> values(Moment moment) {
+    List<DiagnosticsDetail.Value> values = new ArrayList<>();
+    moment.details().forEach((name, value) -> values.add(new DiagnosticsDetail.Value(name, value)));
     return List.copyOf(values);
   }
 
-  private List<Detail.Value> children(Node node) {
+  private List<DiagnosticsDetail.Value> children(Node node) {
     return node.children().stream().map(child -> {
       String message = reader.message(child);
-      return new Detail.Value(child.label(), reader.level(child).word() + (message.isBlank() ? "" : ": " + message));
+      return new DiagnosticsDetail.Value(child.label(), reader.level(child).word() + (message.isBlank() ? "" : ": " + message));
     }).toList();
   }
 }

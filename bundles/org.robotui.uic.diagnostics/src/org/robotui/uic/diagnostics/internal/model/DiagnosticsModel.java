@@ -122,7 +122,7 @@ public final class DiagnosticsModel {
       roots.forEach(node -> builder.add(node, 0));
     }
     Details details = new Details(reader, slot);
-    Optional<Detail> detail = asked.selected().flatMap(key -> roots.stream().flatMap(r -> details.of(r, key).stream()).findFirst());
+    Optional<DiagnosticsDetail> detail = asked.selected().flatMap(key -> roots.stream().flatMap(r -> details.of(r, key).stream()).findFirst());
     Map<Level, Integer> counts = counts(roots, reader);
     return new Shown(asked.at(moment), builder.rows(), counts, overall.strip(slot),
         moment.map(overall::level).orElseGet(() -> worst(roots)), detail,

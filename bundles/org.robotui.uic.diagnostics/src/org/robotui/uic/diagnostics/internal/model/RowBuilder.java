@@ -11,7 +11,7 @@ final class RowBuilder {
   private final Reader reader;
   private final long lastSlot;
   private final List<String> words;
-  private final List<Row> rows = new ArrayList<>();
+  private final List<DiagnosticsRow> rows = new ArrayList<>();
 
   RowBuilder(Ask ask, Reader reader, long lastSlot) {
     this.ask = ask;
@@ -25,7 +25,7 @@ final class RowBuilder {
     add(node, depth, false);
   }
 
-  List<Row> rows() {
+  List<DiagnosticsRow> rows() {
     return List.copyOf(rows);
   }
 
@@ -54,8 +54,8 @@ final class RowBuilder {
     return ask.problems() || !ask.search().isBlank();
   }
 
-  private Row row(Node node, int depth, boolean group, boolean open) {
-    return new Row(node.key(), depth, node.label(), group, open, reader.level(node), reader.message(node), node.timeline().strip(lastSlot));
+  private DiagnosticsRow row(Node node, int depth, boolean group, boolean open) {
+    return new DiagnosticsRow(node.key(), depth, node.label(), group, open, reader.level(node), reader.message(node), node.timeline().strip(lastSlot));
   }
 
   private boolean contains(Node node) {

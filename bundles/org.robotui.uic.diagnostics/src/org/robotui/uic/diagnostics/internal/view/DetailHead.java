@@ -9,7 +9,7 @@ import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
-import org.robotui.uic.diagnostics.internal.model.Detail;
+import org.robotui.uic.diagnostics.internal.model.DiagnosticsDetail;
 import org.robotui.uic.diagnostics.internal.model.Level;
 
 /** Paints name, level, message, device and age of a part. Display thread. */
@@ -25,7 +25,7 @@ final class DetailHead {
     this.theme = theme;
   }
 
-  void paint(GC gc, Rectangle area, Detail detail) {
+  void paint(GC gc, Rectangle area, DiagnosticsDetail detail) {
     int left = area.x + Theme.EDGE;
     HealthDot.paint(gc, theme, Levels.health(detail.level()), left + HealthDot.SIZE / 2, area.y + TOP + LINE / 2);
     int words = left + HealthDot.SIZE + 2 * Theme.STEP;
@@ -40,7 +40,7 @@ final class DetailHead {
     line(gc, words, area.y + TOP + 2 * LINE, right - words, facts(detail), Face.SMALL, Role.DIM);
   }
 
-  static String facts(Detail detail) {
+  static String facts(DiagnosticsDetail detail) {
     List<String> facts = new ArrayList<>();
     if (!detail.hardware().isBlank()) {
       facts.add("hardware " + detail.hardware());

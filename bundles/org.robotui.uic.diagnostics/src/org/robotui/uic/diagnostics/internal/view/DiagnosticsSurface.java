@@ -33,7 +33,7 @@ public final class DiagnosticsSurface {
   private final TimeBar time;
   private final SashForm halves;
   private final TreeArea tree;
-  private final DetailPane detail;
+  private final DiagnosticsDetailPane detail;
   private Ask ask = Ask.DEFAULT;
 
   /** In a part of a window. */
@@ -62,7 +62,7 @@ public final class DiagnosticsSurface {
     halves.setSashWidth(1);
     halves.setLayoutData(Boxes.fill());
     tree = new TreeArea(halves, theme, hands);
-    detail = new DetailPane(halves, theme, this::closeDetail);
+    detail = new DiagnosticsDetailPane(halves, theme, this::closeDetail);
     halves.setWeights(TREE_SHARE, DETAIL_SHARE);
     halves.setMaximizedControl(tree.control());
     tree.list().onFind(search::focus);

@@ -22,7 +22,7 @@ import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowList;
 import org.robotui.uic.diagnostics.internal.model.Ask;
-import org.robotui.uic.diagnostics.internal.model.Row;
+import org.robotui.uic.diagnostics.internal.model.DiagnosticsRow;
 import org.robotui.uic.diagnostics.internal.model.Shown;
 
 /** The tree, and over it a pill that leads back from a past moment. Display thread. */
@@ -33,7 +33,7 @@ final class TreeArea {
 
   private final Composite root;
   private final TreeLook look;
-  private final RowList<Row> list;
+  private final RowList<DiagnosticsRow> list;
   private final QuietButton pill;
   private final DiagnosticsHands hands;
   private Ask ask = Ask.DEFAULT;
@@ -46,7 +46,7 @@ final class TreeArea {
     pill = new QuietButton(root, theme, () -> hands.ask(ask.at(Optional.empty()))).fill(Role.ACCENT).hint("Show what is now (Esc)");
     pill.setVisible(false);
     list = new RowList<>(root, theme, look).named("Diagnostics")
-        .onSelect(rows -> hands.ask(ask.select(rows.stream().findFirst().map(Row::key)))).onOpen(this::toggle)
+        .onSelect(rows -> hands.ask(ask.select(rows.stream().findFirst().map(DiagnosticsRow::key)))).onOpen(this::toggle)
         .menu(TreeArea::menu);
     root.addListener(SWT.Resize, e -> arrange());
     list.control().addListener(SWT.MouseDown, this::pressed);
@@ -58,7 +58,7 @@ final class TreeArea {
     return root;
   }
 
-  RowList<Row> list() {
+  RowList<DiagnosticsRow> list() {
     return list;
   }
 
@@ -93,13 +93,13 @@ final class TreeArea {
     pill.setBounds((area.width - size.x) / 2, Math.max(0, area.height - size.y - ABOVE_EDGE), size.x, size.y);
   }
 
-  private void toggle(Row row) {
+  private void toggle(DiagnosticsRow row) {
     if (row.group()) {
       hands.ask(ask.open(row.key(), !row.open()));
     }
   }
 
-  private static List<ViewAction> menu(List<Row> rows) {
+  private static List<ViewAction> menu(List<DiagnosticsRow> rows) {
     return rows.stream().findFirst().map(row -> List.of(copy("name", "Copy name", row.label()), copy("message", "Copy message", row.message())))
         .orElse(List.of());
   }
@@ -124,13 +124,13 @@ final class TreeArea {
 
   private void look(int x) {
     Rectangle line = ((Scrollable) list.control()).getClientArea();
-    Optional<Row> row = list.selected().stream().findFirst();
+    Optional<DiagnosticsRow> row = list.selected().stream().findFirst();
     TreeLook.strip(line).filter(strip -> row.isPresent() && x >= strip.x).ifPresent(strip ->
         hands.ask(ask.at(Optional.of(StripPainter.slot(row.get().strip(), x - strip.x, strip.width)))));
   }
 
   private void key(Event event) {
-    Optional<Row> row = list.selected().stream().findFirst();
+    Optional<DiagnosticsRow> row = list.selected().stream().findFirst();
     switch (event.keyCode) {
       case SWT.ARROW_RIGHT -> row.filter(r -> r.group() && !r.open()).ifPresent(this::toggle);
       case SWT.ARROW_LEFT -> row.ifPresent(r -> {
@@ -147,8 +147,8 @@ final class TreeArea {
     }
   }
 
-  private Optional<Row> parent(Row row) {
-    List<Row> rows = list.rows();
+  private Optional<DiagnosticsRow> parent(DiagnosticsRow row) {
+    List<DiagnosticsRow> rows = list.rows();
     for (int i = rows.indexOf(row); i >= 0; i--) {
       if (rows.get(i).depth() < row.depth()) {
         return Optional.of(rows.get(i));

@@ -10,11 +10,11 @@ import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.RowLook;
+import org.robotui.uic.diagnostics.internal.model.DiagnosticsRow;
 import org.robotui.uic.diagnostics.internal.model.Level;
-import org.robotui.uic.diagnostics.internal.model.Row;
 
 /** Paints a line of the tree: arrow, dot, name, word, message, and how it was. Display thread. */
-final class TreeLook implements RowLook<Row> {
+final class TreeLook implements RowLook<DiagnosticsRow> {
   private static final int INDENT = 18;
   private static final int ARROW = 20;
   private static final int WORD = 62;
@@ -41,17 +41,17 @@ final class TreeLook implements RowLook<Row> {
   }
 
   @Override
-  public Object key(Row row) {
+  public Object key(DiagnosticsRow row) {
     return row.key();
   }
 
   @Override
-  public String text(Row row) {
+  public String text(DiagnosticsRow row) {
     return row.label() + "\t" + row.level().word() + "\t" + row.message();
   }
 
   @Override
-  public String hint(GC gc, Rectangle at, Row row, int x) {
+  public String hint(GC gc, Rectangle at, DiagnosticsRow row, int x) {
     if (strip(at).filter(s -> x >= s.x).isPresent()) {
       return "The history; a click shows that moment";
     }
@@ -59,7 +59,7 @@ final class TreeLook implements RowLook<Row> {
   }
 
   /** Whether a place of a line is its arrow. */
-  static boolean isArrow(Row row, int x) {
+  static boolean isArrow(DiagnosticsRow row, int x) {
     int left = Theme.EDGE + row.depth() * INDENT;
     return row.group() && x >= left - 6 && x < left + ARROW - 6;
   }
@@ -71,7 +71,7 @@ final class TreeLook implements RowLook<Row> {
   }
 
   @Override
-  public void paint(GC gc, Rectangle at, Row row) {
+  public void paint(GC gc, Rectangle at, DiagnosticsRow row) {
     gc.setForeground(theme.mix(Role.LINE, Role.PANEL, LINE_SHARE));
     gc.setLineWidth(1);
     gc.drawLine(at.x + Theme.EDGE, at.y + at.height - 1, at.x + at.width - Theme.EDGE, at.y + at.height - 1);

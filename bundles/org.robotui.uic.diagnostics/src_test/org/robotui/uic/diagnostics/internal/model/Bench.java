@@ -52,7 +52,7 @@ final class Bench {
     return at(second).rows().stream().map(row -> "  ".repeat(row.depth()) + row.label() + " " + row.level().word()).toList();
   }
 
-  Row row(double second, String label) {
+  DiagnosticsRow row(double second, String label) {
     return at(second).rows().stream().filter(row -> row.label().equals(label)).findFirst().orElseThrow();
   }
 }

@@ -54,7 +54,7 @@ class HistoryTest {
     bench.model.ask(Ask.DEFAULT.select(Optional.of(MOTOR)).at(Optional.of(20L)));
     Shown then = bench.at(30.2);
     assertEquals("hot", then.detail().orElseThrow().message());
-    assertEquals(List.of(new Detail.Value("Temperature", "99 C")), then.detail().orElseThrow().values());
+    assertEquals(List.of(new DiagnosticsDetail.Value("Temperature", "99 C")), then.detail().orElseThrow().values());
     assertEquals(Level.ERROR, then.rows().getFirst().level());
     assertEquals(Level.ERROR, then.level());
     assertEquals(Map.of(Level.ERROR, 1), then.counts());
@@ -99,7 +99,7 @@ class HistoryTest {
       model.tick(second * Bench.SECOND, Bench.STALE);
     });
     assertTrue(model.historyBytes() <= 100_000, () -> model.historyBytes() + " bytes");
-    assertEquals(List.of("2 parts", "message 1999", "fine"), model.current().rows().stream().map(Row::message).toList());
+    assertEquals(List.of("2 parts", "message 1999", "fine"), model.current().rows().stream().map(DiagnosticsRow::message).toList());
   }
 
   @Test

@@ -125,11 +125,11 @@ class TreeTest {
   void theDetailsAreThoseOfTheSelectedLine() {
     bench.say(1, new Diagnostics.Item("/Robot/Motor", "maxon-7", Diagnostics.Level.WARNING, "warm", Map.of("Temperature", "71 C")));
     bench.model.ask(Ask.DEFAULT.select(Optional.of("base./diagnostics/Robot/Motor")));
-    Detail detail = bench.at(3).detail().orElseThrow();
+    DiagnosticsDetail detail = bench.at(3).detail().orElseThrow();
     assertEquals("/Robot/Motor  Warning  warm\nhardware: maxon-7\nTemperature: 71 C\n", detail.text());
     assertEquals("reported 2.0\u00a0s ago", detail.told());
     bench.model.ask(Ask.DEFAULT.select(Optional.of("base./diagnostics/Robot")));
-    assertEquals(List.of(new Detail.Value("Motor", "Warning: warm")), bench.at(3.1).detail().orElseThrow().values());
+    assertEquals(List.of(new DiagnosticsDetail.Value("Motor", "Warning: warm")), bench.at(3.1).detail().orElseThrow().values());
   }
 
   @Test

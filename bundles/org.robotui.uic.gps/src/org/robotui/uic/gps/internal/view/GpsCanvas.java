@@ -35,23 +35,23 @@ public final class GpsCanvas {
 
   private final UiContext context;
   private final GpsModel model;
-  private final Choices choices;
+  private final GpsChoices choices;
   private final Theme theme;
   private final StateView states;
-  private final Overlay overlay;
+  private final GpsOverlay overlay;
   private final PaintedCanvas surface;
   private final SceneMover mover;
   private Optional<Ruler> ruler = Optional.empty();
   private Optional<Point> pointer = Optional.empty();
   private String note = "";
 
-  public GpsCanvas(Composite parent, UiContext context, GpsModel model, Choices choices, GpsActions actions) {
+  public GpsCanvas(Composite parent, UiContext context, GpsModel model, GpsChoices choices, GpsActions actions) {
     this.context = context;
     this.model = model;
     this.choices = choices;
     theme = context.theme();
     states = new StateView(theme);
-    overlay = new Overlay(theme);
+    overlay = new GpsOverlay(theme);
     surface = new PaintedCanvas(parent, theme, this::paint);
     mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(), SceneMover.Following.of(this::following, choices::follow),
         this::refresh);
@@ -60,7 +60,7 @@ public final class GpsCanvas {
       actions.disconnect(this);
       model.scene().dispose();
     });
-    new Hands(this, surface).listen();
+    new GpsInput(this, surface).listen();
   }
 
   public Control control() {

@@ -15,9 +15,9 @@ import org.robotui.uic.gps.internal.model.Receiver;
 final class GpsMenu {
   private final GpsCanvas view;
   private final GpsModel model;
-  private final Choices choices;
+  private final GpsChoices choices;
 
-  GpsMenu(GpsCanvas view, GpsModel model, Choices choices) {
+  GpsMenu(GpsCanvas view, GpsModel model, GpsChoices choices) {
     this.view = view;
     this.model = model;
     this.choices = choices;

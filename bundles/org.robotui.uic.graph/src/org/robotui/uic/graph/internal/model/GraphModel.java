@@ -39,7 +39,7 @@ public final class GraphModel {
   private volatile long seenAt;
   private volatile boolean seen;
   private volatile boolean anew;
-  private volatile Look look;
+  private volatile GraphViewState look;
   private Wiring netted = Wiring.NOTHING;
   private Ask asked = Ask.FIRST;
   private int closeFrom;
@@ -66,7 +66,7 @@ public final class GraphModel {
     asker.tick(now, options.periodNanos(), visible);
     follow(asker.wiring(), wanted, options.boxes());
     measure(now, wanted, options, visible);
-    Look next = look(wanted, presence.state(netted.known(), netted.failures()));
+    GraphViewState next = look(wanted, presence.state(netted.known(), netted.failures()));
     boolean beats = !ever || now - beat >= HEARTBEAT_NANOS;
     beat = beats ? now : beat;
     ever = true;
@@ -110,20 +110,20 @@ public final class GraphModel {
         : sifted.stream().filter(tie -> tie.node().equals(selected)).map(Tie::topic).collect(Collectors.toSet());
   }
 
-  private Look look(Ask wanted, InputState state) {
+  private GraphViewState look(Ask wanted, InputState state) {
     Laying.Laid laid = laying.laid();
     boolean crowded = net.vertices().size() > MOST_BOXES;
     Diagram diagram = crowded || net.vertices().isEmpty() ? Diagram.EMPTY : Labels.with(laid.diagram(), laid.net(), measures);
     Optional<String> notice = Optional.of(Presence.notice(state, netted.failures())).filter(why -> !why.isEmpty())
         .or(() -> Optional.of(laid.failure()).filter(why -> !why.isEmpty()));
-    return new Look(wanted, state, diagram, laying.busy(), notice, empty(wanted, crowded),
-        wanted.selected().map(vertex -> Words.of(vertex, netted, measures)).orElse(""),
+    return new GraphViewState(wanted, state, diagram, laying.busy(), notice, empty(wanted, crowded),
+        wanted.selected().map(vertex -> VertexText.of(vertex, netted, measures)).orElse(""),
         (int) sifted.stream().map(Tie::node).distinct().count(), (int) sifted.stream().map(Tie::topic).distinct().count());
   }
 
-  private Optional<Look.Empty> empty(Ask wanted, boolean crowded) {
+  private Optional<GraphViewState.Empty> empty(Ask wanted, boolean crowded) {
     if (crowded) {
-      return Optional.of(new Look.Empty(Health.WARNING, "Too many boxes to draw", net.vertices().size() + " boxes; up to " + MOST_BOXES
+      return Optional.of(new GraphViewState.Empty(Health.WARNING, "Too many boxes to draw", net.vertices().size() + " boxes; up to " + MOST_BOXES
           + " are laid out. Filter, close namespaces, or show nodes only."));
     }
     if (!net.vertices().isEmpty()) {
@@ -131,17 +131,17 @@ public final class GraphModel {
     }
     String what = wanted.words().isEmpty() ? "There are no topics here besides those of tools. The eye lists what is hidden."
         : "No node or topic that is shown contains these words. Esc clears the filter.";
-    return Optional.of(new Look.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "No match", what));
+    return Optional.of(new GraphViewState.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "No match", what));
   }
 
-  private static boolean same(Look one, Look other) {
+  private static boolean same(GraphViewState one, GraphViewState other) {
     return one.diagram().equals(other.diagram()) && one.ask().equals(other.ask()) && one.state().equals(other.state())
         && one.laying() == other.laying() && one.notice().equals(other.notice()) && one.selected().equals(other.selected())
         && one.empty().equals(other.empty()) && one.title().equals(other.title());
   }
 
   /** What the last tick prepared. */
-  public Look look() {
+  public GraphViewState look() {
     return look;
   }
 

@@ -24,7 +24,7 @@ import org.robotui.ui.diagram.DiagramSaver;
 import org.robotui.ui.diagram.TextWidths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.graph.internal.model.Ask;
-import org.robotui.uic.graph.internal.model.Look;
+import org.robotui.uic.graph.internal.model.GraphViewState;
 import org.robotui.uic.graph.internal.model.Vertex;
 
 /** What is seen of the view. Display thread. */
@@ -101,7 +101,7 @@ public final class GraphSurface {
   }
 
   /** Shows what the last tick left, and what was asked for since. */
-  public void show(Look look, Ask ask) {
+  public void show(GraphViewState look, Ask ask) {
     if (root.isDisposed()) {
       return;
     }

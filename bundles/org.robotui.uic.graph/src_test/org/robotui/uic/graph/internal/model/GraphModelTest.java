@@ -45,7 +45,7 @@ class GraphModelTest {
     return new GraphModel(context);
   }
 
-  private Look look(GraphModel model, Ask ask) {
+  private GraphViewState look(GraphModel model, Ask ask) {
     model.ask(ask);
     for (int i = 0; i < 3; i++) {
       now += 3 * SECOND;
@@ -55,7 +55,7 @@ class GraphModelTest {
     return model.look();
   }
 
-  private Look look(Robots robot, UnaryOperator<Ask> wanted) {
+  private GraphViewState look(Robots robot, UnaryOperator<Ask> wanted) {
     return look(model(robot), wanted.apply(Ask.FIRST));
   }
 
@@ -71,7 +71,7 @@ class GraphModelTest {
     return new Vertex(Vertex.Kind.GROUP, "base", name);
   }
 
-  private static Set<String> names(Look look, Box.Form form) {
+  private static Set<String> names(GraphViewState look, Box.Form form) {
     return look.diagram().boxes().stream().filter(box -> box.form() == form).map(box -> ((Vertex) box.key()).name()).collect(Collectors.toSet());
   }
 
@@ -83,12 +83,12 @@ class GraphModelTest {
     }
     robot.tie("/driver < /cmd_vel", "/teleop > /cmd_vel");
     Ask all = Ask.FIRST.show(true, true, true, false, true);
-    Look folded = look(robot, ask -> all);
+    GraphViewState folded = look(robot, ask -> all);
     Vertex fold = group("topics of /driver");
     Box box = folded.diagram().find(fold).orElseThrow();
     assertEquals("30 inside", box.note());
     assertEquals(Set.of("/cmd_vel"), names(folded, Box.Form.PILL));
-    Look opened = look(robot, ask -> all.open(fold, true));
+    GraphViewState opened = look(robot, ask -> all.open(fold, true));
     assertEquals(31, names(opened, Box.Form.PILL).size());
     assertEquals(Box.Form.GROUP, opened.diagram().find(fold).orElseThrow().form(), "a frame, to close it again");
   }
@@ -101,12 +101,12 @@ class GraphModelTest {
 
   @Test
   void toolsTransformsAndDeadEndsAreLeftOut() {
-    Look look = look(Robots.base(), ask -> ask);
+    GraphViewState look = look(Robots.base(), ask -> ask);
     assertEquals(Set.of("/laser/driver", "/base/driver", "/amcl", "/map_server", "/move_base", "/mission", "/camera/driver", "/camera/rectify",
         "/detector"), names(look, Box.Form.ROUNDED));
     assertTrue(names(look, Box.Form.PILL).containsAll(Set.of("/scan", "/move_base/goal", "/camera/image_rect")));
     assertFalse(names(look, Box.Form.PILL).contains("/tf") || names(look, Box.Form.PILL).contains("/move_base/unheard"));
-    Look all = look(Robots.base(), ask -> ask.show(true, false, false, false, true));
+    GraphViewState all = look(Robots.base(), ask -> ask.show(true, false, false, false, true));
     assertTrue(names(all, Box.Form.PILL).containsAll(Set.of("/tf", "/rosout", "/move_base/unheard")));
     assertTrue(names(all, Box.Form.ROUNDED).contains("/robotui_77"));
   }
@@ -118,7 +118,7 @@ class GraphModelTest {
 
   @Test
   void aNodeLiesInTheNamespaceOfItsName() {
-    Look look = look(Robots.base(), ask -> ask);
+    GraphViewState look = look(Robots.base(), ask -> ask);
     assertEquals(Set.of("/camera", "/move_base"), names(look, Box.Form.GROUP));
     Box frame = look.diagram().find(group("/move_base")).orElseThrow();
     Box inside = look.diagram().find(node("/move_base")).orElseThrow();
@@ -143,7 +143,7 @@ class GraphModelTest {
 
   @Test
   void withNodesOnlyTopicsAreWires() {
-    Look look = look(Robots.base(), ask -> ask.show(false, true, true, true, false));
+    GraphViewState look = look(Robots.base(), ask -> ask.show(false, true, true, true, false));
     assertEquals(Set.of(), names(look, Box.Form.PILL));
     assertTrue(look.diagram().wires().stream().anyMatch(wire -> wire.from().equals(node("/laser/driver")) && wire.to().equals(node("/amcl"))
         && wire.label().equals("/scan")));
@@ -151,20 +151,20 @@ class GraphModelTest {
 
   @Test
   void aFilterKeepsWhatIsWiredToWhatItFinds() {
-    Look look = look(Robots.base(), ask -> ask.search("detector"));
+    GraphViewState look = look(Robots.base(), ask -> ask.search("detector"));
     assertEquals(Set.of("/detector", "/camera/rectify", "/mission"), names(look, Box.Form.ROUNDED));
-    Look none = look(Robots.base(), ask -> ask.search("nonsense"));
+    GraphViewState none = look(Robots.base(), ask -> ask.search("nonsense"));
     assertEquals("No match", none.empty().orElseThrow().title());
   }
 
   @Test
   void aLargeGraphIsClosedByNamespaceUntilItIsOpened() {
-    Look look = look(Robots.many(200, 2000), ask -> ask);
+    GraphViewState look = look(Robots.many(200, 2000), ask -> ask);
     assertEquals(20, look.diagram().boxes().size());
     assertEquals("200 nodes, 2000 topics", look.title());
-    Look opened = look(Robots.many(200, 2000), ask -> ask.open(group("/part3"), true));
+    GraphViewState opened = look(Robots.many(200, 2000), ask -> ask.open(group("/part3"), true));
     assertEquals(19 + 1 + 110, opened.diagram().boxes().size(), "the frame, ten nodes and a hundred topics");
-    Look closed = look(Robots.base(), ask -> ask.open(group("/camera"), false));
+    GraphViewState closed = look(Robots.base(), ask -> ask.open(group("/camera"), false));
     Box box = closed.diagram().find(group("/camera")).orElseThrow();
     assertEquals(Box.Form.ROUNDED, box.form());
     assertEquals("5 inside", box.note());
@@ -176,7 +176,7 @@ class GraphModelTest {
     for (int i = 0; i < 1300; i++) {
       flat.tie("/n" + i + " > /t" + i, "/m < /t" + i);
     }
-    Look look = look(flat, ask -> ask);
+    GraphViewState look = look(flat, ask -> ask);
     assertEquals("Too many boxes to draw", look.empty().orElseThrow().title());
     assertEquals(0, look.diagram().boxes().size());
   }
@@ -280,7 +280,7 @@ class GraphModelTest {
     GraphModel model = model(robot);
     look(model, Ask.FIRST);
     robot.fail("the master does not answer");
-    Look look = look(model, Ask.FIRST);
+    GraphViewState look = look(model, Ask.FIRST);
     assertFalse(look.diagram().boxes().isEmpty());
     assertEquals(Optional.of("base does not answer: the master does not answer"), look.notice());
   }
@@ -288,7 +288,7 @@ class GraphModelTest {
   @Test
   void severalRobotsHaveAFrameEach() {
     context.robots(List.of(Robots.base().robot("one"), Robots.base().robot("two")));
-    Look look = look(new GraphModel(context), Ask.FIRST);
+    GraphViewState look = look(new GraphModel(context), Ask.FIRST);
     assertTrue(look.diagram().find(new Vertex(Vertex.Kind.GROUP, "one", "")).isPresent());
     assertTrue(look.diagram().find(new Vertex(Vertex.Kind.GROUP, "two", "/camera")).isPresent());
   }

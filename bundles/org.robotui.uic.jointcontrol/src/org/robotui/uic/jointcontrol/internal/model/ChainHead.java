@@ -11,7 +11,7 @@ import org.robotui.ui.Health;
  * @param health of the worst of them
  * @param open whether its joints are listed below
  */
-public record ChainHead(String chain, int joints, String words, Health health, boolean open) implements Line {
+public record ChainHead(String chain, int joints, String words, Health health, boolean open) implements JointLine {
   @Override
   public String key() {
     return "chain " + chain;

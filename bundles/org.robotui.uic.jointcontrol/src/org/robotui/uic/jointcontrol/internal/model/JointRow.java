@@ -21,7 +21,7 @@ import org.robotui.ui.Health;
  * @param aim where the user drives it, while that is so
  * @param measure how its figures are written
  */
-public record JointRow(String chain, JointModel.Joint model, JointControl.Joint state, Optional<Aim> aim, Measure measure) implements Line {
+public record JointRow(String chain, JointModel.Joint model, JointControl.Joint state, Optional<Aim> aim, Measure measure) implements JointLine {
   @Override
   public String key() {
     return chain + "/" + model.name();

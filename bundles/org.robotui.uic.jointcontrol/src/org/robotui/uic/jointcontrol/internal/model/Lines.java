@@ -28,9 +28,9 @@ public final class Lines {
    * @param sorting inside a chain
    * @return the lines, in order
    */
-  public static List<Line> of(ControlLook look, String words, Set<String> closed, Sorting sorting) {
+  public static List<JointLine> of(ControlLook look, String words, Set<String> closed, Sorting sorting) {
     List<String> wanted = Stream.of(words.strip().toLowerCase(Locale.ROOT).split("\\s+")).toList();
-    List<Line> lines = new ArrayList<>();
+    List<JointLine> lines = new ArrayList<>();
     for (JointModel.Chain chain : look.joints().chains()) {
       List<JointRow> rows = rows(look, chain).stream().filter(row -> fits(row, wanted)).toList();
       boolean open = !closed.contains(chain.name());

@@ -18,7 +18,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.QuietButton;
-import org.robotui.uic.jointcontrol.internal.model.Footer;
+import org.robotui.uic.jointcontrol.internal.model.JointFooter;
 
 /** The line below the table. What does not fit into one line goes on in the next: a question must be read whole. Display thread. */
 final class FooterLine {
@@ -28,19 +28,19 @@ final class FooterLine {
   private final Theme theme;
   private final Composite root;
   private final PaintedCanvas words;
-  private final Map<Footer.Button, QuietButton> buttons = new EnumMap<>(Footer.Button.class);
-  private Footer footer = new Footer(Health.NONE, "", List.of());
+  private final Map<JointFooter.Button, QuietButton> buttons = new EnumMap<>(JointFooter.Button.class);
+  private JointFooter footer = new JointFooter(Health.NONE, "", List.of());
 
-  FooterLine(Composite parent, Theme theme, Consumer<Footer.Button> pressed) {
+  FooterLine(Composite parent, Theme theme, Consumer<JointFooter.Button> pressed) {
     this.theme = theme;
     Boxes.rule(parent, theme);
-    root = Boxes.bar(parent, theme, Footer.Button.values().length + 1);
+    root = Boxes.bar(parent, theme, JointFooter.Button.values().length + 1);
     words = new PaintedCanvas(root, theme, this::paint);
     GridData data = new GridData(SWT.FILL, SWT.CENTER, true, false);
     data.widthHint = 0;
     data.heightHint = LINE;
     words.setLayoutData(data);
-    for (Footer.Button button : Footer.Button.values()) {
+    for (JointFooter.Button button : JointFooter.Button.values()) {
       QuietButton made = new QuietButton(root, theme, () -> pressed.accept(button)).text(button.label(""));
       made.setLayoutData(Boxes.middle());
       Boxes.seen(made, false);
@@ -49,7 +49,7 @@ final class FooterLine {
     words.addListener(SWT.Resize, e -> words.getDisplay().asyncExec(this::fit));
   }
 
-  void show(Footer next, String robot) {
+  void show(JointFooter next, String robot) {
     if (footer.equals(next)) {
       return;
     }
@@ -57,7 +57,7 @@ final class FooterLine {
     buttons.forEach((button, control) -> control.text(button.label(robot)));
     words.setToolTipText(next.text().replace("&", "&&"));
     boolean changed = false;
-    for (Map.Entry<Footer.Button, QuietButton> entry : buttons.entrySet()) {
+    for (Map.Entry<JointFooter.Button, QuietButton> entry : buttons.entrySet()) {
       changed |= Boxes.seen(entry.getValue(), next.buttons().contains(entry.getKey()));
     }
     if (changed) {

@@ -20,12 +20,12 @@ import org.robotui.ui.control.RowList;
 import org.robotui.uic.jointcontrol.internal.model.ChainHead;
 import org.robotui.uic.jointcontrol.internal.model.ControlLook;
 import org.robotui.uic.jointcontrol.internal.model.ControlModel;
-import org.robotui.uic.jointcontrol.internal.model.Footer;
 import org.robotui.uic.jointcontrol.internal.model.Grid;
 import org.robotui.uic.jointcontrol.internal.model.JointColumn;
 import org.robotui.uic.jointcontrol.internal.model.JointDriver;
+import org.robotui.uic.jointcontrol.internal.model.JointFooter;
+import org.robotui.uic.jointcontrol.internal.model.JointLine;
 import org.robotui.uic.jointcontrol.internal.model.JointRow;
-import org.robotui.uic.jointcontrol.internal.model.Line;
 import org.robotui.uic.jointcontrol.internal.model.Lines;
 import org.robotui.uic.jointcontrol.internal.model.Sorting;
 
@@ -34,7 +34,7 @@ public final class JointsSurface implements TableHands.Deeds {
   private static final int ROOM_FOR_DETAIL = 240;
 
   /** What is to be painted. */
-  private record Shown(ControlLook look, List<Line> lines) {}
+  private record Shown(ControlLook look, List<JointLine> lines) {}
 
   private final UiContext context;
   private final ControlModel model;
@@ -43,9 +43,9 @@ public final class JointsSurface implements TableHands.Deeds {
   private final DriveBar bar;
   private final Headings headings;
   private final TableLook look;
-  private final RowList<Line> list;
+  private final RowList<JointLine> list;
   private final NumberEditor editor;
-  private final DetailPane detail;
+  private final JointDetailPane detail;
   private final FooterLine footer;
   private volatile String words = "";
   private volatile Set<String> closed = Set.of();
@@ -65,7 +65,7 @@ public final class JointsSurface implements TableHands.Deeds {
         .menu(this::menu);
     list.control().setLayoutData(Boxes.fill());
     editor = new NumberEditor((Composite) list.control(), context.theme());
-    detail = new DetailPane(root, context.theme(), driver);
+    detail = new JointDetailPane(root, context.theme(), driver);
     footer = new FooterLine(root, context.theme(), this::pressed);
     bar.filter().onDown(this::focus);
     shown = new Shown(model.look(), List.of());
@@ -127,7 +127,7 @@ public final class JointsSurface implements TableHands.Deeds {
     if (detail.show(selected, now.look().drivable(), now.look().state() instanceof InputState.Live)) {
       root.layout(true, true);
     }
-    footer.show(Footer.of(now.look().drive()), now.look().drive().robot());
+    footer.show(JointFooter.of(now.look().drive()), now.look().drive().robot());
   }
 
   private void empty(Shown now) {
@@ -146,7 +146,7 @@ public final class JointsSurface implements TableHands.Deeds {
     show();
   }
 
-  RowList<Line> list() {
+  RowList<JointLine> list() {
     return list;
   }
 
@@ -158,7 +158,7 @@ public final class JointsSurface implements TableHands.Deeds {
     return editor;
   }
 
-  DetailPane detail() {
+  JointDetailPane detail() {
     return detail;
   }
 
@@ -185,7 +185,7 @@ public final class JointsSurface implements TableHands.Deeds {
     again();
   }
 
-  private void pressed(Footer.Button button) {
+  private void pressed(JointFooter.Button button) {
     switch (button) {
       case DRIVE -> driver.confirm(false);
       case TAKE_OVER -> driver.confirm(true);
@@ -206,7 +206,7 @@ public final class JointsSurface implements TableHands.Deeds {
     again();
   }
 
-  private List<ViewAction> menu(List<Line> lines) {
+  private List<ViewAction> menu(List<JointLine> lines) {
     return lines.stream().filter(JointRow.class::isInstance).map(JointRow.class::cast).findFirst()
         .map(row -> List.of(
             new ViewAction("copy", "Copy row\tCtrl+C", Icon.COPY.id(), Optional.empty(), () -> Clipboards.copy(look.text(row))),

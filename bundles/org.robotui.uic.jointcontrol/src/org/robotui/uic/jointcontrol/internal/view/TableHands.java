@@ -11,8 +11,8 @@ import org.robotui.uic.jointcontrol.internal.model.ChainHead;
 import org.robotui.uic.jointcontrol.internal.model.Grid;
 import org.robotui.uic.jointcontrol.internal.model.JointColumn;
 import org.robotui.uic.jointcontrol.internal.model.JointDriver;
+import org.robotui.uic.jointcontrol.internal.model.JointLine;
 import org.robotui.uic.jointcontrol.internal.model.JointRow;
-import org.robotui.uic.jointcontrol.internal.model.Line;
 
 /** Mouse and keys in the table on the way to the driver. Display thread. */
 final class TableHands {
@@ -37,7 +37,7 @@ final class TableHands {
     void changed();
   }
 
-  private final RowList<Line> list;
+  private final RowList<JointLine> list;
   private final JointDriver driver;
   private final Deeds deeds;
   private Optional<JointRow> dragged = Optional.empty();
@@ -45,7 +45,7 @@ final class TableHands {
   private Optional<Integer> held = Optional.empty();
   private long presses;
 
-  TableHands(RowList<Line> list, JointDriver driver, Deeds deeds) {
+  TableHands(RowList<JointLine> list, JointDriver driver, Deeds deeds) {
     this.list = list;
     this.driver = driver;
     this.deeds = deeds;
@@ -70,7 +70,7 @@ final class TableHands {
   }
 
   private void down(Event event) {
-    Optional<Line> line = lineAt(event.y);
+    Optional<JointLine> line = lineAt(event.y);
     if (event.button != 1 || line.isEmpty()) {
       return;
     }
@@ -125,7 +125,7 @@ final class TableHands {
     }));
   }
 
-  private Optional<Line> lineAt(int y) {
+  private Optional<JointLine> lineAt(int y) {
     return list.visible(1).stream().filter(line -> list.bounds(line.key()).filter(at -> within(at, y)).isPresent()).findFirst();
   }
 
@@ -133,7 +133,7 @@ final class TableHands {
     return y >= at.y && y < at.y + at.height;
   }
 
-  private void open(Line line) {
+  private void open(JointLine line) {
     switch (line) {
       case ChainHead head -> { }
       case JointRow row -> edit(row, "");

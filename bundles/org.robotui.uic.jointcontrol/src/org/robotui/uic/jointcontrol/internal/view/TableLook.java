@@ -18,11 +18,11 @@ import org.robotui.ui.control.RowWords;
 import org.robotui.uic.jointcontrol.internal.model.ChainHead;
 import org.robotui.uic.jointcontrol.internal.model.Grid;
 import org.robotui.uic.jointcontrol.internal.model.JointColumn;
+import org.robotui.uic.jointcontrol.internal.model.JointLine;
 import org.robotui.uic.jointcontrol.internal.model.JointRow;
-import org.robotui.uic.jointcontrol.internal.model.Line;
 
 /** How chains and joints look in the table. Display thread. */
-final class TableLook implements RowLook<Line> {
+final class TableLook implements RowLook<JointLine> {
   static final int PADDING = 2 * Theme.STEP;
 
   private static final int DOT = HealthDot.SIZE + 2 * Theme.STEP;
@@ -60,12 +60,12 @@ final class TableLook implements RowLook<Line> {
   }
 
   @Override
-  public Object key(Line line) {
+  public Object key(JointLine line) {
     return line.key();
   }
 
   @Override
-  public String text(Line line) {
+  public String text(JointLine line) {
     return switch (line) {
       case ChainHead head -> head.title() + "\t" + head.words();
       case JointRow row -> Stream.of(JointColumn.values()).map(column -> column.text(row)).filter(words -> !words.isEmpty())
@@ -74,7 +74,7 @@ final class TableLook implements RowLook<Line> {
   }
 
   @Override
-  public String hint(GC gc, Rectangle at, Line line, int x) {
+  public String hint(GC gc, Rectangle at, JointLine line, int x) {
     return switch (line) {
       case ChainHead head -> head.words();
       // A tooltip would lie over the joints below while a hand drags; the figures stand in the row.
@@ -84,7 +84,7 @@ final class TableLook implements RowLook<Line> {
   }
 
   @Override
-  public void paint(GC gc, Rectangle at, Line line) {
+  public void paint(GC gc, Rectangle at, JointLine line) {
     switch (line) {
       case ChainHead head -> head(gc, at, head);
       case JointRow row -> grid(at.width, driving).places().forEach((column, place) ->

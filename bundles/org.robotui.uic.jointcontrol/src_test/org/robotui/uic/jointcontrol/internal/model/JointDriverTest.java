@@ -55,7 +55,7 @@ class JointDriverTest {
   @Test
   void theQuestionNamesWhatWillMove() {
     driver.toggle();
-    String question = Footer.of(driver.look()).text();
+    String question = JointFooter.of(driver.look()).text();
     assertTrue(question.startsWith("Drive all 9 joints (arm, gripper) of Arm?"), question);
     assertTrue(question.contains("50\u00a0%"), question);
     assertTrue(question.contains("communication"), question);
@@ -222,7 +222,7 @@ class JointDriverTest {
   void somebodyElseIsTakenOverOnlyWhenTheUserSaysSo() {
     authority.take(FakeAuthority.ANNA, false);
     driver.toggle();
-    assertTrue(Footer.of(driver.look()).text().startsWith("Anna has control now. Take over and drive"));
+    assertTrue(JointFooter.of(driver.look()).text().startsWith("Anna has control now. Take over and drive"));
     driver.confirm(false);
     assertEquals(Phase.ASKING, driver.look().phase());
     assertEquals(Optional.of(FakeAuthority.ANNA), authority.holder());
@@ -286,7 +286,7 @@ class JointDriverTest {
     driver.see(Joints.of(Optional.empty(), Robots.arm()), LIVE);
     driver.toggle();
     assertEquals(Phase.MONITOR, driver.look().phase());
-    assertEquals("Cannot drive: the limits of the joints are not known", Footer.of(driver.look()).text());
+    assertEquals("Cannot drive: the limits of the joints are not known", JointFooter.of(driver.look()).text());
   }
 
   @Test
@@ -295,7 +295,7 @@ class JointDriverTest {
     see(Robots.arm(), new InputState.Stale(1, "silent"));
     tick();
     assertEquals(Phase.MONITOR, driver.look().phase());
-    assertTrue(Footer.of(driver.look()).text().startsWith("Cannot drive"));
+    assertTrue(JointFooter.of(driver.look()).text().startsWith("Cannot drive"));
     driver.confirm(true);
     assertFalse(driver.look().driving());
   }

@@ -140,6 +140,6 @@ class TableModelTest {
   }
 
   private List<String> keys(String words, Set<String> closed, Sorting sorting) {
-    return Lines.of(model.look(), words, closed, sorting).stream().map(Line::key).toList();
+    return Lines.of(model.look(), words, closed, sorting).stream().map(JointLine::key).toList();
   }
 }

@@ -21,7 +21,7 @@ final class SourceTracks {
 
   private final SourceId source;
   private final Map<String, Track> joints = new LinkedHashMap<>();
-  private Places places = Places.NONE;
+  private JointPlaces places = JointPlaces.NONE;
   private long newest;
   private boolean heard;
   private boolean leftOut;

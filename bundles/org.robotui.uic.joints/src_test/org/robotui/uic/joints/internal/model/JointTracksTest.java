@@ -172,7 +172,7 @@ class JointTracksTest {
 
   private void message(boolean kept, String... joints) {
     Optional<RawMessage> raw = kept
-        ? Optional.of(new RawMessage("sensor_msgs/JointState", "ros1", Bytes.of(new byte[0]), bytes -> Optional.of(PlacesTest.message(joints))))
+        ? Optional.of(new RawMessage("sensor_msgs/JointState", "ros1", Bytes.of(new byte[0]), bytes -> Optional.of(JointPlacesTest.message(joints))))
         : Optional.empty();
     messages.put(ARM, new JointState(Stream.of(joints).map(name -> new Joint(name, 0, 0, 0)).toList()), 0, Optional.empty(), raw);
   }

@@ -12,9 +12,9 @@ public final class LogFile {
   private LogFile() {}
 
   /** Writes the lines in UTF-8, and says what became of it. */
-  public static String write(List<Line> lines, Wording wording, Path file) {
+  public static String write(List<LogLine> lines, Wording wording, Path file) {
     try (BufferedWriter out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
-      for (Line line : lines) {
+      for (LogLine line : lines) {
         out.write(wording.text(line));
         out.newLine();
       }

@@ -12,7 +12,7 @@ public final class LogJson {
   private LogJson() {}
 
   /** The newest entry of a line, with how many are alike. */
-  public static String of(Line line) {
+  public static String of(LogLine line) {
     Entry entry = line.last();
     Map<String, FieldValue> fields = new LinkedHashMap<>();
     fields.put("stamp", new FieldValue.Time(entry.nanos()));

@@ -8,7 +8,7 @@ import java.util.function.LongSupplier;
  * many entries, or a slow expression, takes several ticks and never holds one up. One thread.
  */
 final class Matches {
-  private final Chunks<Line> lines = new Chunks<>();
+  private final Chunks<LogLine> lines = new Chunks<>();
   private final LongSupplier nanos;
   private LogFilter filter = LogFilter.ALL;
   private boolean searching;
@@ -45,7 +45,7 @@ final class Matches {
     return looked;
   }
 
-  List<Line> lines() {
+  List<LogLine> lines() {
     return lines.picture();
   }
 
@@ -58,7 +58,7 @@ final class Matches {
     if (filter.collapse() && size > 0 && lines.get(size - 1).last().says(entry)) {
       lines.replaceLast(lines.get(size - 1).and(entry));
     } else {
-      lines.add(Line.of(entry));
+      lines.add(LogLine.of(entry));
     }
   }
 

@@ -43,7 +43,7 @@ public final class Wording {
   }
 
   /** One entry as text: all of its lines, the further ones indented. */
-  public String text(Line line) {
+  public String text(LogLine line) {
     Entry e = line.last();
     String again = line.count() > 1 ? " (" + line.count() + " times since " + date(line.first()) + ")" : "";
     String where = e.location().isEmpty() ? "" : "  (" + e.location() + ")";

@@ -12,12 +12,12 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.RowLook;
 import org.robotui.uic.log.internal.model.Entry;
-import org.robotui.uic.log.internal.model.Line;
+import org.robotui.uic.log.internal.model.LogLine;
 import org.robotui.uic.log.internal.model.Search;
 import org.robotui.uic.log.internal.model.Wording;
 
 /** Paints a row of the log: time, level, node, message, place. What was searched is marked. Display thread. */
-final class LineLook implements RowLook<Line> {
+final class LineLook implements RowLook<LogLine> {
   private static final int ROW = 24;
   private static final int GAP = 12;
   private static final int TIME = 98;
@@ -48,12 +48,12 @@ final class LineLook implements RowLook<Line> {
   }
 
   @Override
-  public Object key(Line line) {
+  public Object key(LogLine line) {
     return line.id();
   }
 
   @Override
-  public String text(Line line) {
+  public String text(LogLine line) {
     return wording.text(line);
   }
 
@@ -63,12 +63,12 @@ final class LineLook implements RowLook<Line> {
   }
 
   @Override
-  public String hint(GC gc, Rectangle at, Line line, int x) {
+  public String hint(GC gc, Rectangle at, LogLine line, int x) {
     return "";
   }
 
   @Override
-  public void paint(GC gc, Rectangle at, Line line) {
+  public void paint(GC gc, Rectangle at, LogLine line) {
     Entry entry = line.last();
     tint(gc, at, entry.severity());
     int left = at.x + Theme.EDGE;

@@ -12,7 +12,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowList;
-import org.robotui.uic.log.internal.model.Line;
+import org.robotui.uic.log.internal.model.LogLine;
 import org.robotui.uic.log.internal.model.Notice;
 import org.robotui.uic.log.internal.model.Shown;
 import org.robotui.uic.log.internal.model.Wording;
@@ -23,7 +23,7 @@ final class ListArea {
 
   private final Composite root;
   private final LineLook look;
-  private final RowList<Line> list;
+  private final RowList<LogLine> list;
   private final QuietButton pill;
   private final Runnable toNewest;
   private long seenId = Long.MAX_VALUE;
@@ -44,11 +44,11 @@ final class ListArea {
     return root;
   }
 
-  RowList<Line> list() {
+  RowList<LogLine> list() {
     return list;
   }
 
-  List<Line> selected() {
+  List<LogLine> selected() {
     return list.selected();
   }
 
@@ -74,7 +74,7 @@ final class ListArea {
 
   /** A found entry stays selected when the search ends: then its neighbours are seen. */
   private void keepInSight() {
-    List<Line> selected = list.selected();
+    List<LogLine> selected = list.selected();
     if (selected.size() == 1) {
       list.select(selected.getFirst().id());
     }

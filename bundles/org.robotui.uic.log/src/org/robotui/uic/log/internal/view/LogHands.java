@@ -2,8 +2,8 @@ package org.robotui.uic.log.internal.view;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFilter;
+import org.robotui.uic.log.internal.model.LogLine;
 
 /** What the user can do with the log. Display thread; nothing blocks. */
 public interface LogHands {
@@ -23,5 +23,5 @@ public interface LogHands {
   void nodes(boolean shown);
 
   /** Writes lines to a file, in the background. */
-  void save(List<Line> lines, Path file);
+  void save(List<LogLine> lines, Path file);
 }

@@ -23,9 +23,9 @@ import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.ui.show.SubjectMenu;
-import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFilter;
 import org.robotui.uic.log.internal.model.LogJson;
+import org.robotui.uic.log.internal.model.LogLine;
 import org.robotui.uic.log.internal.model.Notice;
 import org.robotui.uic.log.internal.model.OriginCount;
 import org.robotui.uic.log.internal.model.Search;
@@ -49,7 +49,7 @@ public final class LogSurface {
   private final GridData nodesPlace = new GridData(SWT.FILL, SWT.FILL, false, true);
   private final SashForm halves;
   private final ListArea lines;
-  private final DetailPane detail;
+  private final LogDetailPane detail;
   private Frame frame;
 
   /** In a part of a window. */
@@ -77,7 +77,7 @@ public final class LogSurface {
     halves.setSashWidth(1);
     halves.setLayoutData(Boxes.fill());
     lines = new ListArea(halves, theme, wording, () -> hands.pause(false));
-    detail = new DetailPane(halves, theme, wording, this::copy, this::closeDetail);
+    detail = new LogDetailPane(halves, theme, wording, this::copy, this::closeDetail);
     halves.setWeights(LIST_SHARE, DETAIL_SHARE);
     halves.setMaximizedControl(lines.control());
     lines.list().onSelect(this::selected).onFind(bar::find).menu(this::fill);
@@ -107,7 +107,7 @@ public final class LogSurface {
       root.layout(true, true);
     }
     lines.show(next);
-    List<Line> selected = lines.selected();
+    List<LogLine> selected = lines.selected();
     if (selected.size() == 1 && halves.getMaximizedControl() == null) {
       detail.show(selected.getFirst());
     }
@@ -121,7 +121,7 @@ public final class LogSurface {
     SaveDialog.ask(root, "Save the log", "robot.log").ifPresent(file -> hands.save(frame.shown().lines(), file));
   }
 
-  private void selected(List<Line> chosen) {
+  private void selected(List<LogLine> chosen) {
     if (chosen.size() == 1) {
       detail.show(chosen.getFirst());
       if (halves.getMaximizedControl() != null) {
@@ -151,19 +151,19 @@ public final class LogSurface {
   }
 
   private void copy() {
-    List<Line> chosen = lines.selected().isEmpty() ? frame.shown().lines() : lines.selected();
+    List<LogLine> chosen = lines.selected().isEmpty() ? frame.shown().lines() : lines.selected();
     Clipboards.copy(chosen.stream().map(wording::text).collect(Collectors.joining("\n")));
   }
 
-  private void fill(PopupMenu menu, List<Line> chosen) {
+  private void fill(PopupMenu menu, List<LogLine> chosen) {
     menu(chosen).forEach(menu::action);
     chosen.stream().findFirst().ifPresent(line -> subjects.fill(menu.line().under(line.last().origin()), new Subject.Node(line.last().origin())));
   }
 
-  private List<ViewAction> menu(List<Line> chosen) {
+  private List<ViewAction> menu(List<LogLine> chosen) {
     List<ViewAction> actions = new ArrayList<>();
     if (!chosen.isEmpty()) {
-      Line line = chosen.getFirst();
+      LogLine line = chosen.getFirst();
       actions.add(NodePane.action("copy", chosen.size() == 1 ? "Copy this entry" : "Copy " + chosen.size() + " entries", this::copy));
       actions.add(NodePane.action("json", "Copy as JSON", () -> Clipboards.copy(chosen.stream().map(LogJson::of).collect(Collectors.joining()))));
       actions.addAll(NodePane.menu(List.of(new OriginCount(line.last().origin(), 0)), frame.filter(), hands));

@@ -82,10 +82,10 @@ class LogModelTest {
   void whatIsAlikeInARowIsOneLineWithACount() {
     log.model.filter(LogFilter.ALL.collapse(true));
     log.info("a", "b", "b", "b", "a").tick();
-    List<Line> lines = log.model.current().lines();
-    assertEquals(List.of(1, 3, 1), lines.stream().map(Line::count).toList());
+    List<LogLine> lines = log.model.current().lines();
+    assertEquals(List.of(1, 3, 1), lines.stream().map(LogLine::count).toList());
     log.info("a");
-    List<Line> paused = log.model.current().lines();
+    List<LogLine> paused = log.model.current().lines();
     log.tick();
     assertEquals(1, paused.getLast().count(), "what was shown before does not change under the reader");
     assertEquals(2, log.model.current().lines().getLast().count());

@@ -29,9 +29,9 @@ class WordingTest {
   @Test
   void aLineAsTextHasEverythingAndAsManyLinesAsTheMessage() {
     assertEquals("2026-01-02 03:04:05.000  WARN   [/motor]  hot\n    very hot  (motor.cpp:3)",
-        wording.text(Line.of(entry(Log.START, "hot\nvery hot\n"))));
+        wording.text(LogLine.of(entry(Log.START, "hot\nvery hot\n"))));
     assertEquals("2026-01-02 03:04:05.000  WARN   [/motor]  hot  (motor.cpp:3) (2 times since 2026-01-02 03:04:04.000)",
-        wording.text(Line.of(entry(Log.START - Log.SECOND, "hot")).and(entry(Log.START, "hot"))));
+        wording.text(LogLine.of(entry(Log.START - Log.SECOND, "hot")).and(entry(Log.START, "hot"))));
   }
 
   @Test
@@ -46,7 +46,7 @@ class WordingTest {
   void aLogIsWrittenToAFile(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("robot.log");
     assertEquals("saved 2 entries to " + file,
-        LogFile.write(List.of(Line.of(entry(Log.START, "häßlich")), Line.of(entry(Log.START, "b"))), wording, file));
+        LogFile.write(List.of(LogLine.of(entry(Log.START, "häßlich")), LogLine.of(entry(Log.START, "b"))), wording, file));
     assertEquals(List.of("2026-01-02 03:04:05.000  WARN   [/motor]  häßlich  (motor.cpp:3)",
         "2026-01-02 03:04:05.000  WARN   [/motor]  b  (motor.cpp:3)"), Files.readAllLines(file));
   }

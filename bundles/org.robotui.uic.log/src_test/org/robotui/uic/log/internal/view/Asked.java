@@ -2,8 +2,8 @@ package org.robotui.uic.log.internal.view;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.robotui.uic.log.internal.model.Line;
 import org.robotui.uic.log.internal.model.LogFilter;
+import org.robotui.uic.log.internal.model.LogLine;
 
 /** Remembers which filters were asked for. */
 record Asked(List<LogFilter> filters) implements LogHands {
@@ -33,7 +33,7 @@ record Asked(List<LogFilter> filters) implements LogHands {
   }
 
   @Override
-  public void save(List<Line> lines, Path file) {
+  public void save(List<LogLine> lines, Path file) {
     throw new AssertionError("nobody asked for a file");
   }
 }

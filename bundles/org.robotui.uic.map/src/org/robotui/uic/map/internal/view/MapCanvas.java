@@ -25,6 +25,7 @@ import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.scene.Camera;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
 import org.robotui.ui.scene.Layer;
 import org.robotui.ui.scene.Painter;
@@ -32,7 +33,6 @@ import org.robotui.ui.scene.Scene;
 import org.robotui.ui.scene.SceneMover;
 import org.robotui.ui.scene.ScenePicture;
 import org.robotui.ui.scene.Toast;
-import org.robotui.ui.scene.Told;
 import org.robotui.ui.scene.Viewport;
 import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.model.MapModel;
@@ -49,11 +49,11 @@ public final class MapCanvas {
 
   private final UiContext context;
   private final MapModel model;
-  private final Choices choices;
+  private final MapChoices choices;
   private final Commander commander;
   private final Theme theme;
   private final StateView states;
-  private final Overlay overlay;
+  private final MapOverlay overlay;
   private final Legend legend;
   private final TeamHands team;
   private final TeamMarks marks;
@@ -67,7 +67,7 @@ public final class MapCanvas {
   private String note = "";
 
   public MapCanvas(
-      Composite parent, UiContext context, MapModel model, Choices choices, Commander commander, TeamGoals goals,
+      Composite parent, UiContext context, MapModel model, MapChoices choices, Commander commander, TeamGoals goals,
       MapActions actions) {
     this.context = context;
     this.model = model;
@@ -75,7 +75,7 @@ public final class MapCanvas {
     this.commander = commander;
     theme = context.theme();
     states = new StateView(theme);
-    overlay = new Overlay(theme);
+    overlay = new MapOverlay(theme);
     legend = new Legend(theme, model.team());
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
@@ -88,7 +88,7 @@ public final class MapCanvas {
       actions.disconnect(this);
       model.scene().dispose();
     });
-    new Hands(this, surface).listen();
+    new MapInput(this, surface).listen();
   }
 
   public Control control() {
@@ -143,7 +143,7 @@ public final class MapCanvas {
     layers.stream().flatMap(layer -> layer.entity().bounds().stream()).findFirst()
         .ifPresent(box -> mover.center((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2));
     if (layers.isEmpty()) {
-      say(new Told(Health.WARNING, port + " is not connected to this map"));
+      say(new CommandNotice(Health.WARNING, port + " is not connected to this map"));
     }
     refresh();
   }
@@ -236,7 +236,7 @@ public final class MapCanvas {
       return;
     }
     command(frame -> {
-      Told told = commander.goal(frame, pose);
+      CommandNotice told = commander.goal(frame, pose);
       if (told.health() == Health.OK) {
         sent.at(frame, pose, System.nanoTime());
         surface.getDisplay().timerExec(SentGoal.PATIENCE_MILLIS + 1, surface::requestPaint);
@@ -330,9 +330,9 @@ public final class MapCanvas {
     };
   }
 
-  private void command(Function<FrameId, Told> sending) {
-    Told told = model.snapshot().fixed().map(sending)
-        .orElse(new Told(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
+  private void command(Function<FrameId, CommandNotice> sending) {
+    CommandNotice told = model.snapshot().fixed().map(sending)
+        .orElse(new CommandNotice(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
     endTool(t -> t instanceof MeasureTool);
     say(told);
   }
@@ -343,7 +343,7 @@ public final class MapCanvas {
   }
 
   /** Says for a while what became of something. */
-  void say(Told told) {
+  void say(CommandNotice told) {
     toast.say(told, System.nanoTime());
     surface.getDisplay().timerExec(Toast.MILLIS, surface::requestPaint);
     repaint();

@@ -18,9 +18,9 @@ import org.robotui.uic.map.internal.model.MapModel;
 final class MapMenu {
   private final MapCanvas map;
   private final MapModel model;
-  private final Choices choices;
+  private final MapChoices choices;
 
-  MapMenu(MapCanvas map, MapModel model, Choices choices) {
+  MapMenu(MapCanvas map, MapModel model, MapChoices choices) {
     this.map = map;
     this.model = model;
     this.choices = choices;

@@ -24,8 +24,8 @@ import org.robotui.data.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Told;
 import org.robotui.uic.map.internal.MapPorts;
 
 /**
@@ -51,7 +51,7 @@ public final class TeamGoals {
    * @param told for users
    * @param spots where robots were sent, in the frame that was asked in
    */
-  record Sent(Told told, Map<String, RigidTransform> spots) {}
+  record Sent(CommandNotice told, Map<String, RigidTransform> spots) {}
 
   /** Sends through the ports of a map. */
   public TeamGoals(UicContext context) {
@@ -86,8 +86,8 @@ public final class TeamGoals {
     }
     String who = sent.size() == 1 ? sent.keySet().iterator().next() : sent.size() + " robots";
     String why = String.join("; ", not);
-    Told told = not.isEmpty() ? new Told(Health.OK, "Goal sent to " + who)
-        : new Told(Health.BAD, sent.isEmpty() ? "Not sent. " + why : "Goal sent to " + who + ", but not to " + why);
+    CommandNotice told = not.isEmpty() ? new CommandNotice(Health.OK, "Goal sent to " + who)
+        : new CommandNotice(Health.BAD, sent.isEmpty() ? "Not sent. " + why : "Goal sent to " + who + ", but not to " + why);
     return new Sent(told, sent);
   }
 
@@ -98,9 +98,9 @@ public final class TeamGoals {
    * @param fixed in which the place is given
    * @param pose where, and where it looks
    */
-  Told place(String robot, FrameId fixed, RigidTransform pose) {
+  CommandNotice place(String robot, FrameId fixed, RigidTransform pose) {
     return send(poses, robot, POSES, fixed, pose, Commander::roughly)
-        .map(why -> new Told(Health.BAD, "Not sent. " + robot + ": " + why)).orElse(new Told(Health.OK, "Pose sent to " + robot));
+        .map(why -> new CommandNotice(Health.BAD, "Not sent. " + robot + ": " + why)).orElse(new CommandNotice(Health.OK, "Pose sent to " + robot));
   }
 
   private Optional<String> send(String robot, FrameId fixed, RigidTransform spot) {

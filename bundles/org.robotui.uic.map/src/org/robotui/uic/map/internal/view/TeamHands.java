@@ -8,7 +8,7 @@ import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Health;
 import org.robotui.ui.control.PopupMenu;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.map.internal.model.RobotPlace;
 import org.robotui.uic.map.internal.model.Team;
 
@@ -51,7 +51,7 @@ final class TeamHands {
   void send(FrameId fixed, RigidTransform pose, Runnable question) {
     List<String> meant = meant();
     if (meant.isEmpty()) {
-      map.say(new Told(Health.WARNING, "Not sent: select robots first, here or in the team's table"));
+      map.say(new CommandNotice(Health.WARNING, "Not sent: select robots first, here or in the team's table"));
     } else if (meant.size() == goals.robots().size() && meant.size() > 1) {
       question.run();
     } else {
@@ -60,10 +60,10 @@ final class TeamHands {
   }
 
   /** Tells the one that is selected where it is. */
-  Told place(FrameId fixed, RigidTransform pose) {
+  CommandNotice place(FrameId fixed, RigidTransform pose) {
     Set<String> selected = team.selected();
     return selected.size() == 1 ? goals.place(selected.iterator().next(), fixed, pose)
-        : new Told(Health.WARNING, "Not sent: select the one robot that is there, here or in the team's table");
+        : new CommandNotice(Health.WARNING, "Not sent: select the one robot that is there, here or in the team's table");
   }
 
   /** Where the one that is selected looks. */

@@ -10,8 +10,8 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Told;
 import org.robotui.uic.map.internal.MapOptions;
 import org.robotui.uic.map.internal.MapPorts;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -25,7 +25,7 @@ class CommanderTest {
 
   @Test
   void aGoalTakesTheFreeLeaseAndIsSent() {
-    Told told = commander.goal(MAP, RigidTransform.planar(2, -1, 0));
+    CommandNotice told = commander.goal(MAP, RigidTransform.planar(2, -1, 0));
     assertEquals(Health.OK, told.health());
     assertEquals(Optional.of(FakeAuthority.YOU), context.authority().holder());
     assertEquals(MAP, context.output(MapPorts.GOAL).sent().getFirst().command().frame());
@@ -35,8 +35,8 @@ class CommanderTest {
   @Test
   void aLeaseOfSomebodyElseIsNotTaken() {
     context.authority().take(FakeAuthority.ANNA, false);
-    Told told = commander.goal(MAP, RigidTransform.IDENTITY);
-    assertEquals(new Told(Health.BAD, "Not sent: Anna controls Keira; take over first"), told);
+    CommandNotice told = commander.goal(MAP, RigidTransform.IDENTITY);
+    assertEquals(new CommandNotice(Health.BAD, "Not sent: Anna controls Keira; take over first"), told);
     assertTrue(context.output(MapPorts.GOAL).sent().isEmpty());
   }
 

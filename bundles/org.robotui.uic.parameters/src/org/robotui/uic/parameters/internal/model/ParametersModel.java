@@ -44,14 +44,14 @@ public final class ParametersModel {
   private volatile Optional<Tuner> tuner = Optional.empty();
   private volatile List<Key> visible = List.of();
   private volatile String filter = "";
-  private volatile Told told = Told.NOTHING;
+  private volatile ParameterNotice told = ParameterNotice.NOTHING;
   private volatile boolean tuning;
   private volatile boolean seen;
   private volatile boolean dirty = true;
   private volatile long seenAt;
   private volatile long listAt;
   private volatile boolean listed;
-  private volatile Look look;
+  private volatile ParametersViewState look;
   private Directory shown = Directory.NOTHING;
   private long version = -1;
   private long beatAt;
@@ -88,14 +88,14 @@ public final class ParametersModel {
     dirty = false;
     shown = directory;
     version = values.version();
-    Look next = look(again ? rows() : look.rows());
+    ParametersViewState next = look(again ? rows() : look.rows());
     boolean changed = again || !next.equals(look);
     look = next;
     return changed;
   }
 
   /** What the last tick prepared. */
-  public Look look() {
+  public ParametersViewState look() {
     return look;
   }
 
@@ -170,13 +170,13 @@ public final class ParametersModel {
 
   /** Says what is wrong with what was typed. */
   public void tell(Health health, String text) {
-    told = new Told(health, text);
+    told = new ParameterNotice(health, text);
   }
 
   /** Writes the parameters of a namespace to a file that the robot's tools can load. */
   public void export(Key namespace, Path file) {
     List<Key> keys = directory.find(namespace).map(Branch::parameters).orElse(List.of());
-    told = new Told(Health.WAITING, "Reading " + keys.size() + " parameters");
+    told = new ParameterNotice(Health.WAITING, "Reading " + keys.size() + " parameters");
     context.background().execute(() -> told = exported(namespace, keys, file));
   }
 
@@ -189,35 +189,35 @@ public final class ParametersModel {
     control.with(key.robot(), () -> {
       values.busy(key);
       context.background().execute(() -> write(key, value, done, what));
-    }, () -> told = new Told(Health.NONE, key.name() + " was not changed"));
+    }, () -> told = new ParameterNotice(Health.NONE, key.name() + " was not changed"));
   }
 
   private void write(Key key, Object value, Runnable done, String what) {
     try {
       values.write(key, value);
       done.run();
-      told = new Told(Health.OK, what + key.name());
+      told = new ParameterNotice(Health.OK, what + key.name());
     } catch (CallException e) {
       values.wrong(key, e.getMessage());
-      told = new Told(Health.BAD, key.name() + " was not set: " + e.getMessage());
+      told = new ParameterNotice(Health.BAD, key.name() + " was not set: " + e.getMessage());
     }
   }
 
-  private Told exported(Key namespace, List<Key> keys, Path file) {
+  private ParameterNotice exported(Key namespace, List<Key> keys, Path file) {
     try {
       if (keys.size() > MOST_EXPORTED) {
-        return new Told(Health.BAD, "More than " + MOST_EXPORTED + " parameters are too many for one file");
+        return new ParameterNotice(Health.BAD, "More than " + MOST_EXPORTED + " parameters are too many for one file");
       }
       Map<String, Object> found = new LinkedHashMap<>();
       for (Key key : keys) {
         values.read(key).ifPresent(value -> found.put(key.name(), value));
       }
       Files.writeString(file, YamlFile.of(namespace.name(), found));
-      return new Told(Health.OK, found.size() + " parameters written to " + file.getFileName());
+      return new ParameterNotice(Health.OK, found.size() + " parameters written to " + file.getFileName());
     } catch (CallException e) {
-      return new Told(Health.BAD, "Nothing was written: " + e.getMessage());
+      return new ParameterNotice(Health.BAD, "Nothing was written: " + e.getMessage());
     } catch (IOException e) {
-      return new Told(Health.BAD, file + " could not be written: " + e.getMessage());
+      return new ParameterNotice(Health.BAD, file + " could not be written: " + e.getMessage());
     }
   }
 
@@ -235,7 +235,7 @@ public final class ParametersModel {
     }
   }
 
-  private List<Row> rows() {
+  private List<ParameterRow> rows() {
     Set<Key> opened;
     synchronized (open) {
       opened = Set.copyOf(open);
@@ -243,10 +243,10 @@ public final class ParametersModel {
     return maker.rows(directory, opened, filter);
   }
 
-  private Look look(List<Row> rows) {
+  private ParametersViewState look(List<ParameterRow> rows) {
     Directory now = directory;
     InputState state = presence.state(now.known(), now.failures());
-    return new Look(tuning, state, rows, now.parameters(), filter, now.servers(), tuner.map(Tuner::panel),
+    return new ParametersViewState(tuning, state, rows, now.parameters(), filter, now.servers(), tuner.map(Tuner::panel),
         Presence.notice(state, now.failures()), told, control.question(),
         undo.peek().map(last -> last.key().name()).orElse(""));
   }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.robotui.uic.parameters.internal.model.Row.State;
+import org.robotui.uic.parameters.internal.model.ParameterRow.State;
 
 /** Makes the rows of the tree: what is open, or all that a filter leaves. */
 final class RowMaker {
@@ -16,9 +16,9 @@ final class RowMaker {
     this.values = values;
   }
 
-  List<Row> rows(Directory directory, Set<Key> open, String filter) {
+  List<ParameterRow> rows(Directory directory, Set<Key> open, String filter) {
     String[] words = filter.isBlank() ? new String[0] : filter.strip().toLowerCase(Locale.ROOT).split("\\s+");
-    List<Row> rows = new ArrayList<>();
+    List<ParameterRow> rows = new ArrayList<>();
     boolean several = directory.trees().size() > 1;
     for (Branch tree : directory.trees()) {
       if (several) {
@@ -35,7 +35,7 @@ final class RowMaker {
     return looked;
   }
 
-  private boolean add(List<Row> rows, Branch branch, int depth, Set<Key> open, String... words) {
+  private boolean add(List<ParameterRow> rows, Branch branch, int depth, Set<Key> open, String... words) {
     looked++;
     boolean filtered = words.length > 0;
     boolean shown = filtered || open.contains(branch.key());
@@ -53,10 +53,10 @@ final class RowMaker {
     return fits;
   }
 
-  private Row row(Branch branch, int depth, boolean open) {
+  private ParameterRow row(Branch branch, int depth, boolean open) {
     Optional<Held> held = branch.parameter() ? values.get(branch.key()) : Optional.empty();
     Optional<Object> value = held.flatMap(Held::value);
-    return new Row(branch.key(), depth, branch.label(), branch.isNamespace(), open, branch.leaves(), branch.parameter(), value,
+    return new ParameterRow(branch.key(), depth, branch.label(), branch.isNamespace(), open, branch.leaves(), branch.parameter(), value,
         text(branch, held), value.map(ValueText::type).orElse(""), state(branch, held),
         held.filter(Held::changed).flatMap(Held::first).map(Held::line));
   }
@@ -81,7 +81,7 @@ final class RowMaker {
     return held.filter(Held::changed).isPresent() ? State.CHANGED : State.KNOWN;
   }
 
-  private static boolean matches(Row row, String... words) {
+  private static boolean matches(ParameterRow row, String... words) {
     String text = (row.key().name() + " " + row.text()).toLowerCase(Locale.ROOT);
     for (String word : words) {
       if (!text.contains(word)) {

@@ -17,9 +17,9 @@ import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.RowTable;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.uic.parameters.internal.model.Key;
-import org.robotui.uic.parameters.internal.model.Look;
+import org.robotui.uic.parameters.internal.model.ParameterRow;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
-import org.robotui.uic.parameters.internal.model.Row;
+import org.robotui.uic.parameters.internal.model.ParametersViewState;
 import org.robotui.uic.parameters.internal.model.ValueText;
 
 /** The parameters as a tree whose values are edited in place. Display thread. */
@@ -28,14 +28,14 @@ final class ParameterTree {
 
   private final ParametersModel model;
   private final TreeCells cells;
-  private final RowTable<Row> table;
+  private final RowTable<ParameterRow> table;
   private final ValueEditor editor;
   private int width;
 
   ParameterTree(Composite parent, Theme theme, ParametersModel model, Runnable find) {
     this.model = model;
     cells = new TreeCells(theme);
-    table = new RowTable<>(parent, theme, cells.columns(), Row::key);
+    table = new RowTable<>(parent, theme, cells.columns(), ParameterRow::key);
     editor = new ValueEditor((Composite) table.list().control(), theme, model);
     table.list().named("Parameters").onFind(find).onOpen(this::open).menu(this::menu);
     Control canvas = table.list().control();
@@ -51,7 +51,7 @@ final class ParameterTree {
     return table.control();
   }
 
-  RowTable<Row> table() {
+  RowTable<ParameterRow> table() {
     return table;
   }
 
@@ -59,7 +59,7 @@ final class ParameterTree {
     return editor;
   }
 
-  void show(Look look) {
+  void show(ParametersViewState look) {
     table.show(look.rows());
     if (!StateView.showsContent(look.state())) {
       message(look.state());
@@ -75,7 +75,7 @@ final class ParameterTree {
 
   /** What is on the screen, and a little more below, is read. */
   List<Key> visible() {
-    return table.list().visible(AHEAD).stream().filter(Row::parameter).map(Row::key).toList();
+    return table.list().visible(AHEAD).stream().filter(ParameterRow::parameter).map(ParameterRow::key).toList();
   }
 
   void edit() {
@@ -108,7 +108,7 @@ final class ParameterTree {
     table.list().message(StateView.health(state), title, state.explanation());
   }
 
-  private void open(Row row) {
+  private void open(ParameterRow row) {
     if (row.namespace()) {
       model.open(row.key(), !row.open());
     } else {
@@ -117,7 +117,7 @@ final class ParameterTree {
   }
 
   private void key(Event event) {
-    Optional<Row> space = selected().filter(Row::namespace);
+    Optional<ParameterRow> space = selected().filter(ParameterRow::namespace);
     switch (event.keyCode) {
       case SWT.ARROW_LEFT -> space.ifPresent(row -> model.open(row.key(), false));
       case SWT.ARROW_RIGHT -> space.ifPresent(row -> model.open(row.key(), true));
@@ -137,11 +137,11 @@ final class ParameterTree {
         .ifPresent(row -> model.open(row.key(), !row.open()));
   }
 
-  private Optional<Row> selected() {
+  private Optional<ParameterRow> selected() {
     return table.list().selected().stream().findFirst();
   }
 
-  private List<ViewAction> menu(List<Row> rows) {
+  private List<ViewAction> menu(List<ParameterRow> rows) {
     List<ViewAction> actions = new ArrayList<>();
     rows.stream().findFirst().ifPresent(row -> {
       if (row.value().isPresent()) {
@@ -163,7 +163,7 @@ final class ParameterTree {
     return new ViewAction(id, label, "", Optional.empty(), run);
   }
 
-  private void export(Row row) {
+  private void export(ParameterRow row) {
     String name = row.label().isEmpty() ? "parameters" : row.label();
     SaveDialog.ask(table.control(), "Export parameters", name + ".yaml", "*.yaml").ifPresent(file -> model.export(row.key(), file));
   }

@@ -16,9 +16,9 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
-import org.robotui.uic.parameters.internal.model.Look;
 import org.robotui.uic.parameters.internal.model.Panel;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
+import org.robotui.uic.parameters.internal.model.ParametersViewState;
 import org.robotui.uic.parameters.internal.model.Tuner;
 
 /** What is seen of the view: two leaves and a filter above, what became of the last change below. Display thread. */
@@ -38,7 +38,7 @@ public final class ParametersSurface {
   private final StackLayout leaves = new StackLayout();
   private final ParameterTree tree;
   private final TunerPane tuner;
-  private final Footer footer;
+  private final ParameterFooter footer;
 
   /** Makes the controls. */
   public ParametersSurface(Composite parent, UiContext context, ParametersModel model) {
@@ -58,7 +58,7 @@ public final class ParametersSurface {
     stack.setLayout(leaves);
     tree = new ParameterTree(stack, theme, model, filter::focus);
     tuner = new TunerPane(stack, theme, model, filter::focus);
-    footer = new Footer(root, theme, model);
+    footer = new ParameterFooter(root, theme, model);
     filter.onDown(this::down);
     filter.words(model.look().filter());
     root.addListener(SWT.Resize, e -> arrange());
@@ -76,7 +76,7 @@ public final class ParametersSurface {
     if (root.isDisposed()) {
       return;
     }
-    Look look = model.look();
+    ParametersViewState look = model.look();
     if (root.isVisible()) {
       model.seen(System.nanoTime(), look.tuning() ? List.of() : tree.visible());
     }
@@ -125,7 +125,7 @@ public final class ParametersSurface {
     return (model.look().tuning() ? tuner.servers() : tree.table()).list().control().setFocus();
   }
 
-  private void buttons(Look look) {
+  private void buttons(ParametersViewState look) {
     int before = width();
     parameters.text("Parameters  " + look.parameters()).checked(!look.tuning());
     tuning.text("Running programs  " + look.servers().size()).checked(look.tuning());
@@ -150,7 +150,7 @@ public final class ParametersSurface {
     bar.layout();
   }
 
-  private String note(Look look) {
+  private String note(ParametersViewState look) {
     Optional<Panel> panel = look.panel().filter(p -> look.tuning());
     if (panel.isPresent()) {
       long others = model.tuner().map(Tuner::panel).map(p -> p.knobs().stream().filter(k -> !k.isDefault()).count()).orElse(0L);

@@ -11,7 +11,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Column;
-import org.robotui.uic.parameters.internal.model.Row;
+import org.robotui.uic.parameters.internal.model.ParameterRow;
 
 /** The cells of the tree of parameters. It remembers where values were painted, for editing there. Display thread. */
 final class TreeCells {
@@ -25,15 +25,15 @@ final class TreeCells {
     this.theme = theme;
   }
 
-  List<Column<Row>> columns() {
+  List<Column<ParameterRow>> columns() {
     return List.of(
-        Column.<Row>words("Name", Row::label).weight(5).painted(this::name).hint(row -> row.key().name()),
-        Column.<Row>values("Value", Row::text).weight(5).painted(this::value).hint(TreeCells::hint),
-        Column.<Row>words("Type", Row::type).width(92).role(Role.DIM).from(420).unsearched());
+        Column.<ParameterRow>words("Name", ParameterRow::label).weight(5).painted(this::name).hint(row -> row.key().name()),
+        Column.<ParameterRow>values("Value", ParameterRow::text).weight(5).painted(this::value).hint(TreeCells::hint),
+        Column.<ParameterRow>words("Type", ParameterRow::type).width(92).role(Role.DIM).from(420).unsearched());
   }
 
   /** Left of it, a click opens or shuts. */
-  static int lead(Row row) {
+  static int lead(ParameterRow row) {
     return 2 * Theme.STEP + row.depth() * INDENT + TWIST + Theme.STEP;
   }
 
@@ -42,7 +42,7 @@ final class TreeCells {
     return column;
   }
 
-  private void name(GC gc, Rectangle at, Row row) {
+  private void name(GC gc, Rectangle at, ParameterRow row) {
     int left = at.x + row.depth() * INDENT;
     if (row.namespace()) {
       gc.setForeground(theme.color(Role.DIM));
@@ -65,7 +65,7 @@ final class TreeCells {
     }
   }
 
-  private void value(GC gc, Rectangle at, Row row) {
+  private void value(GC gc, Rectangle at, ParameterRow row) {
     if (column.filter(known -> known.x == at.x && known.width == at.width).isEmpty()) {
       column = Optional.of(new Rectangle(at.x, 0, at.width, at.height));
     }
@@ -80,7 +80,7 @@ final class TreeCells {
     gc.drawText(TextFit.shorten(gc, text, at.width), at.x, at.y + (at.height - gc.textExtent("X").y) / 2, true);
   }
 
-  private static String hint(Row row) {
+  private static String hint(ParameterRow row) {
     return row.before().map(before -> row.text() + "\nwas " + before + " when it was first read").orElse(row.text());
   }
 }

@@ -17,9 +17,9 @@ import org.robotui.ui.control.Column;
 import org.robotui.ui.control.MessagePane;
 import org.robotui.ui.control.RowTable;
 import org.robotui.uic.parameters.internal.model.Key;
-import org.robotui.uic.parameters.internal.model.Look;
 import org.robotui.uic.parameters.internal.model.Panel;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
+import org.robotui.uic.parameters.internal.model.ParametersViewState;
 
 /** The programs whose settings can be changed while they run, and the form of the chosen one. Display thread. */
 final class TunerPane {
@@ -63,7 +63,7 @@ final class TunerPane {
     return form;
   }
 
-  void show(Look look) {
+  void show(ParametersViewState look) {
     List<Key> fitting = look.servers().stream().filter(key -> contains(key, look.filter())).toList();
     if (!fitting.equals(servers.list().rows())) {
       servers.show(fitting);
@@ -73,7 +73,7 @@ final class TunerPane {
     settings(look);
   }
 
-  private void programs(Look look, List<Key> fitting) {
+  private void programs(ParametersViewState look, List<Key> fitting) {
     if (!StateView.showsContent(look.state())) {
       servers.list().message(StateView.health(look.state()), "No programs", look.state().explanation());
     } else if (look.servers().isEmpty()) {
@@ -90,7 +90,7 @@ final class TunerPane {
     }
   }
 
-  private void settings(Look look) {
+  private void settings(ParametersViewState look) {
     Optional<Panel> panel = look.panel();
     boolean usable = panel.isPresent() && panel.get().known() && !panel.get().knobs().isEmpty() && panel.get().failure().isEmpty();
     if (panel.isEmpty()) {

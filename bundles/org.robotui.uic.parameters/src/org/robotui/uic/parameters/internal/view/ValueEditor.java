@@ -11,9 +11,9 @@ import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.PopupMenu;
+import org.robotui.uic.parameters.internal.model.ParameterNotice;
+import org.robotui.uic.parameters.internal.model.ParameterRow;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
-import org.robotui.uic.parameters.internal.model.Row;
-import org.robotui.uic.parameters.internal.model.Told;
 import org.robotui.uic.parameters.internal.model.Unreadable;
 import org.robotui.uic.parameters.internal.model.ValueReader;
 import org.robotui.uic.parameters.internal.model.ValueText;
@@ -37,7 +37,7 @@ final class ValueEditor {
     this.model = model;
   }
 
-  void open(Row row, Rectangle at) {
+  void open(ParameterRow row, Rectangle at) {
     cancel();
     Object value = row.value().orElse("");
     if (value instanceof Boolean flag) {
@@ -57,7 +57,7 @@ final class ValueEditor {
     gone.ifPresent(Text::dispose);
   }
 
-  private void choose(Row row, boolean now, Rectangle at) {
+  private void choose(ParameterRow row, boolean now, Rectangle at) {
     PopupMenu menu = new PopupMenu(parent);
     for (boolean value : new boolean[] {true, false}) {
       menu.radio(Boolean.toString(value), value == now, () -> {
@@ -69,7 +69,7 @@ final class ValueEditor {
     menu.open(parent.toDisplay(at.x, at.y + at.height));
   }
 
-  private void type(Row row, Object value, Rectangle at) {
+  private void type(ParameterRow row, Object value, Rectangle at) {
     String before = ValueText.of(value);
     if (before.length() > LONGEST) {
       model.tell(Health.WARNING, "It is too long to be edited here, with " + before.length() + " characters");
@@ -108,7 +108,7 @@ final class ValueEditor {
     }
   }
 
-  private void key(Event event, Row row, Text text, Object value) {
+  private void key(Event event, ParameterRow row, Text text, Object value) {
     if (event.keyCode == SWT.ESC) {
       cancel();
       parent.setFocus();
@@ -119,7 +119,7 @@ final class ValueEditor {
     }
   }
 
-  private void commit(Row row, Text text, Object before) {
+  private void commit(ParameterRow row, Text text, Object before) {
     try {
       Object value = ValueReader.read(text.getText(), before);
       cancel();
@@ -137,7 +137,7 @@ final class ValueEditor {
     try {
       ValueReader.read(text.getText(), before);
       text.setForeground(theme.color(Role.TEXT));
-      model.tell(Told.NOTHING.health(), Told.NOTHING.text());
+      model.tell(ParameterNotice.NOTHING.health(), ParameterNotice.NOTHING.text());
     } catch (Unreadable e) {
       text.setForeground(theme.color(Role.BAD));
       model.tell(Health.BAD, e.getMessage());

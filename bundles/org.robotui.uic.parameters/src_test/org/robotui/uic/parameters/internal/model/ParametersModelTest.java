@@ -53,7 +53,7 @@ class ParametersModelTest {
     model.open(key("/base"), true);
     ticks(1);
     assertEquals(List.of("base", "name", "speed", "use_sim_time"), labels());
-    assertEquals(Row.State.BUSY, row("/base/speed").state());
+    assertEquals(ParameterRow.State.BUSY, row("/base/speed").state());
   }
 
   @Test
@@ -78,14 +78,14 @@ class ParametersModelTest {
     ticks(1);
     assertEquals(0.8, robot.value("/base/speed"));
     assertEquals(Optional.of(FakeAuthority.YOU), context.authority().holder());
-    assertEquals(Row.State.CHANGED, row("/base/speed").state());
+    assertEquals(ParameterRow.State.CHANGED, row("/base/speed").state());
     assertEquals(Optional.of("0.5"), row("/base/speed").before());
     assertEquals("/base/speed", model.look().undo());
     model.undo();
     ticks(1);
     assertEquals(0.5, robot.value("/base/speed"));
     assertEquals("", model.look().undo());
-    assertEquals(Row.State.KNOWN, row("/base/speed").state());
+    assertEquals(ParameterRow.State.KNOWN, row("/base/speed").state());
   }
 
   @Test
@@ -112,7 +112,7 @@ class ParametersModelTest {
     robot.refuse(Optional.of("the stop is latched; release it first"));
     model.set(key("/base/speed"), 0.8);
     ticks(1);
-    assertEquals(Row.State.WRONG, row("/base/speed").state());
+    assertEquals(ParameterRow.State.WRONG, row("/base/speed").state());
     assertEquals(Health.BAD, model.look().told().health());
     assertTrue(model.look().told().text().endsWith("the stop is latched; release it first"), model.look().told().text());
     assertEquals("", model.look().undo());
@@ -126,7 +126,7 @@ class ParametersModelTest {
     now += 5000 * MILLI;
     ticks(2);
     assertEquals("0.9", row("/base/speed").text());
-    assertEquals(Row.State.CHANGED, row("/base/speed").state());
+    assertEquals(ParameterRow.State.CHANGED, row("/base/speed").state());
   }
 
   @Test
@@ -179,7 +179,7 @@ class ParametersModelTest {
     connect();
     ticks(2);
     assertEquals(100, model.look().rows().size());
-    List<Row> rows = model.look().rows();
+    List<ParameterRow> rows = model.look().rows();
     long looked = model.looked();
     for (int i = 0; i < 200; i++) {
       tick();
@@ -207,7 +207,7 @@ class ParametersModelTest {
       robot.with("/v%03d".formatted(i), (long) i);
     }
     connect();
-    visible = model.look().rows().stream().map(Row::key).toList();
+    visible = model.look().rows().stream().map(ParameterRow::key).toList();
     tick();
     assertEquals(Values.BATCH, robot.reads());
     ticks(3);
@@ -248,12 +248,12 @@ class ParametersModelTest {
     model.tick(now, options());
   }
 
-  private Row row(String name) {
+  private ParameterRow row(String name) {
     return model.look().rows().stream().filter(r -> r.key().name().equals(name)).findFirst().orElseThrow();
   }
 
   private List<String> labels() {
-    return model.look().rows().stream().map(Row::label).toList();
+    return model.look().rows().stream().map(ParameterRow::label).toList();
   }
 
   private ParametersOptions options() {

@@ -23,7 +23,7 @@ import org.robotui.ui.ask.ControlFirst;
  * @param question whether to take over from somebody
  * @param switchable whether there is a control that switches plugins
  */
-public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean> realTime, Optional<Long> sinceReset, Map<String, Told> told,
+public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean> realTime, Optional<Long> sinceReset, Map<String, PluginNotice> told,
     Optional<ControlFirst.Question> question, boolean switchable) {
   /** Copies the list and the map. */
   public PluginsLook {

@@ -9,8 +9,8 @@ import java.util.function.Supplier;
 import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.Caller;
 import org.robotui.api.port.PluginReply;
-import org.robotui.api.port.PluginRequest.Verb;
 import org.robotui.api.port.PluginRequest;
+import org.robotui.api.port.PluginRequest.Verb;
 import org.robotui.ui.Health;
 import org.robotui.ui.ask.ControlFirst;
 
@@ -20,7 +20,7 @@ public final class Verbs {
   private final ControlFirst control;
   private final Supplier<Duration> timeout;
   private final Set<String> pending = new HashSet<>();
-  private final Map<String, Told> told = new HashMap<>();
+  private final Map<String, PluginNotice> told = new HashMap<>();
 
   Verbs(Caller<PluginRequest, PluginReply> caller, ControlFirst control, Supplier<Duration> timeout) {
     this.caller = caller;
@@ -36,9 +36,9 @@ public final class Verbs {
   /** Asks; words are for commands only. */
   public void ask(String plugin, Verb verb, String words) {
     if (!isConnected()) {
-      tell(plugin, new Told(Health.BAD, "Not asked: no control is connected that switches plugins"));
+      tell(plugin, new PluginNotice(Health.BAD, "Not asked: no control is connected that switches plugins"));
     } else if (begin(plugin)) {
-      control.with(caller.targets().getFirst().component(), () -> send(new PluginRequest(plugin, verb, words)), () -> end(plugin, Told.NOTHING));
+      control.with(caller.targets().getFirst().component(), () -> send(new PluginRequest(plugin, verb, words)), () -> end(plugin, PluginNotice.NOTHING));
     }
   }
 
@@ -47,17 +47,17 @@ public final class Verbs {
   }
 
   private void send(PluginRequest request) {
-    tell(request.plugin(), new Told(Health.WAITING, doing(request) + "\u2026"));
+    tell(request.plugin(), new PluginNotice(Health.WAITING, doing(request) + "\u2026"));
     caller.call(request, timeout.get(), Caller.Progress.IGNORED).outcome()
         .thenAccept(outcome -> end(request.plugin(), answer(request, outcome)));
   }
 
-  private synchronized void end(String plugin, Told answer) {
+  private synchronized void end(String plugin, PluginNotice answer) {
     pending.remove(plugin);
     told.put(plugin, answer);
   }
 
-  private synchronized void tell(String plugin, Told what) {
+  private synchronized void tell(String plugin, PluginNotice what) {
     told.put(plugin, what);
   }
 
@@ -72,18 +72,18 @@ public final class Verbs {
     return pending.contains(plugin);
   }
 
-  synchronized Map<String, Told> told() {
+  synchronized Map<String, PluginNotice> told() {
     return Map.copyOf(told);
   }
 
-  private static Told answer(PluginRequest request, CallOutcome<PluginReply> outcome) {
+  private static PluginNotice answer(PluginRequest request, CallOutcome<PluginReply> outcome) {
     return switch (outcome) {
       case CallOutcome.Replied<PluginReply> replied when replied.reply().done() ->
-          new Told(Health.OK, done(request) + said(replied.reply().text(), ": "));
-      case CallOutcome.Replied<PluginReply> replied -> new Told(Health.BAD, failed(request) + said(replied.reply().text(), ": "));
-      case CallOutcome.Failed<PluginReply> failed -> new Told(Health.BAD, failed(request) + said(failed.reason(), ": "));
-      case CallOutcome.TimedOut<PluginReply> late -> new Told(Health.BAD, failed(request) + ": the control did not answer in time");
-      case CallOutcome.Cancelled<PluginReply> gone -> new Told(Health.WARNING, failed(request) + ": it was cancelled");
+          new PluginNotice(Health.OK, done(request) + said(replied.reply().text(), ": "));
+      case CallOutcome.Replied<PluginReply> replied -> new PluginNotice(Health.BAD, failed(request) + said(replied.reply().text(), ": "));
+      case CallOutcome.Failed<PluginReply> failed -> new PluginNotice(Health.BAD, failed(request) + said(failed.reason(), ": "));
+      case CallOutcome.TimedOut<PluginReply> late -> new PluginNotice(Health.BAD, failed(request) + ": the control did not answer in time");
+      case CallOutcome.Cancelled<PluginReply> gone -> new PluginNotice(Health.WARNING, failed(request) + ": it was cancelled");
     };
   }
 

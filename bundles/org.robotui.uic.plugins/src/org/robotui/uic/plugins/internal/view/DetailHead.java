@@ -15,7 +15,7 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.QuietButton;
-import org.robotui.uic.plugins.internal.model.Detail;
+import org.robotui.uic.plugins.internal.model.PluginDetail;
 import org.robotui.uic.plugins.internal.model.PluginLine;
 import org.robotui.uic.plugins.internal.model.Verbs;
 
@@ -29,7 +29,7 @@ final class DetailHead {
   private final QuietButton start;
   private final QuietButton stop;
   private final QuietButton reload;
-  private Optional<Detail> shown = Optional.empty();
+  private Optional<PluginDetail> shown = Optional.empty();
 
   DetailHead(Composite parent, Theme theme, Verbs verbs, Runnable done) {
     this.theme = theme;
@@ -52,7 +52,7 @@ final class DetailHead {
     return reload;
   }
 
-  void show(Detail detail) {
+  void show(PluginDetail detail) {
     shown = Optional.of(detail);
     boolean on = detail.plugin().filter(PluginLine::isOn).isPresent();
     boolean plugin = detail.plugin().isPresent();
@@ -67,7 +67,7 @@ final class DetailHead {
   }
 
   private void ask(Verbs verbs, Verb verb, Runnable done) {
-    shown.flatMap(Detail::plugin).ifPresent(plugin -> verbs.ask(plugin.name(), verb, ""));
+    shown.flatMap(PluginDetail::plugin).ifPresent(plugin -> verbs.ask(plugin.name(), verb, ""));
     done.run();
   }
 

@@ -19,9 +19,9 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.RowList;
-import org.robotui.uic.plugins.internal.model.Detail;
 import org.robotui.uic.plugins.internal.model.Line;
 import org.robotui.uic.plugins.internal.model.PluginColumn;
+import org.robotui.uic.plugins.internal.model.PluginDetail;
 import org.robotui.uic.plugins.internal.model.PluginLine;
 import org.robotui.uic.plugins.internal.model.PluginsLook;
 import org.robotui.uic.plugins.internal.model.PluginsModel;
@@ -42,8 +42,8 @@ public final class PluginsSurface {
   private final Headings headings;
   private final ListLook look;
   private final RowList<Line> list;
-  private final DetailPane detail;
-  private final Footer footer;
+  private final PluginDetailPane detail;
+  private final PluginFooter footer;
 
   /** Makes the controls. */
   public PluginsSurface(Composite parent, UiContext context, PluginsModel model) {
@@ -58,10 +58,10 @@ public final class PluginsSurface {
     headings = new Headings(left, context.theme(), () -> look.places(width()));
     list = new RowList<>(left, context.theme(), look).named("Threads and plugins").onSelect(rows -> refresh()).menu(this::menu);
     list.control().setLayoutData(Boxes.fill());
-    detail = new DetailPane(split, context.theme(), model.verbs(), this::again, this::reset);
+    detail = new PluginDetailPane(split, context.theme(), model.verbs(), this::again, this::reset);
     list.onOpen(row -> detail.command().focus());
     list.control().addListener(SWT.MouseDown, this::pressed);
-    footer = new Footer(root, context.theme(), model.control(), this::again);
+    footer = new PluginFooter(root, context.theme(), model.control(), this::again);
     Boxes.seen(warning.control(), false);
     split.setWeights(WIDE);
     root.addListener(SWT.Resize, e -> arrange());
@@ -106,7 +106,7 @@ public final class PluginsSurface {
     if (list.selected().isEmpty()) {
       now.lines().stream().findFirst().ifPresent(first -> list.select(first.key()));
     }
-    Optional<Detail> chosen = list.selected().stream().findFirst().flatMap(line -> Detail.of(now, line.key()));
+    Optional<PluginDetail> chosen = list.selected().stream().findFirst().flatMap(line -> PluginDetail.of(now, line.key()));
     boolean room = StateView.showsContent(now.state()) && (beside() || root.getClientArea().height >= LEAST_HEIGHT);
     Control only = chosen.isPresent() && room ? null : list.control().getParent();
     if (split.getMaximizedControl() != only) {
@@ -125,7 +125,7 @@ public final class PluginsSurface {
     return list;
   }
 
-  DetailPane detail() {
+  PluginDetailPane detail() {
     return detail;
   }
 

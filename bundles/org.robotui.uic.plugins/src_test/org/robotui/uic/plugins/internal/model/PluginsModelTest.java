@@ -83,7 +83,7 @@ class PluginsModelTest {
     assertTrue(((PluginLine) line("plugin sine")).isTurning());
     assertFalse(((PluginLine) line("plugin sine")).isSwitchable());
     answer(new CallOutcome.Replied<>(new PluginReply(true, "")));
-    assertEquals(new Told(Health.OK, "Started"), told("sine"));
+    assertEquals(new PluginNotice(Health.OK, "Started"), told("sine"));
   }
 
   @Test
@@ -99,7 +99,7 @@ class PluginsModelTest {
     put();
     model.verbs().ask("sine", Verb.START, "");
     answer(new CallOutcome.Replied<>(new PluginReply(false, "sine needs arm_1\nwhich homing owns")));
-    Detail detail = Detail.of(model.look(), "plugin sine").orElseThrow();
+    PluginDetail detail = PluginDetail.of(model.look(), "plugin sine").orElseThrow();
     assertEquals("Not started: sine needs arm_1\nwhich homing owns", detail.problem());
     assertTrue(((PluginLine) line("plugin sine")).isSwitchable());
   }
@@ -151,7 +151,7 @@ class PluginsModelTest {
     plugins.state(new InputState.Stale(3, "silent"));
     model.tick(0);
     assertFalse(model.look().usable());
-    Detail detail = Detail.of(model.look(), "plugin homing").orElseThrow();
+    PluginDetail detail = PluginDetail.of(model.look(), "plugin homing").orElseThrow();
     assertEquals(Health.STALE, detail.health());
     assertTrue(detail.status().startsWith("stale 3.0\u00a0s, then running"), detail.status());
   }
@@ -173,7 +173,7 @@ class PluginsModelTest {
     assertFalse(failed.isSwitchable());
     assertTrue(failed.isReloadable());
     assertEquals("the library libcartesian.so could not be loaded", failed.words());
-    Detail detail = Detail.of(model.look(), "plugin cartesian").orElseThrow();
+    PluginDetail detail = PluginDetail.of(model.look(), "plugin cartesian").orElseThrow();
     assertEquals(4, detail.problem().lines().count());
     assertTrue(detail.status().contains("started again 3 times"));
     assertFalse(((PluginLine) line("plugin homing")).isReloadable());
@@ -198,7 +198,7 @@ class PluginsModelTest {
     model.reset(0);
     assertTrue(line("plugin homing").busy().isEmpty());
     assertEquals("0 cycles \u00b7 0 overruns \u00b7 0 missed \u00b7 0 allocations \u00b7 0 page faults",
-        Detail.of(model.look(), "loop motion/slow").orElseThrow().counts());
+        PluginDetail.of(model.look(), "loop motion/slow").orElseThrow().counts());
     assertEquals(Health.OK, line("loop motion/slow").health());
     model.tick(12_000_000_000L);
     assertEquals("since the reset 12\u00a0s ago", model.look().since());
@@ -246,7 +246,7 @@ class PluginsModelTest {
     model.tick(0);
   }
 
-  private Told told(String plugin) {
+  private PluginNotice told(String plugin) {
     return model.look().told().get(plugin);
   }
 

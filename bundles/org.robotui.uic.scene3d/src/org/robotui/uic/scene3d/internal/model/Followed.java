@@ -7,16 +7,16 @@ import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.scene.Placer;
 import org.robotui.uic.scene3d.internal.SceneOptions;
-import org.robotui.uic.scene3d.internal.camera.Rig;
+import org.robotui.uic.scene3d.internal.camera.CameraMotion;
 
 /** Has the camera keep up with a frame. Worker thread. */
 public final class Followed {
   private final Frames frames;
-  private final Rig rig;
+  private final CameraMotion rig;
   private String last = "";
 
   /** Follows nothing. */
-  public Followed(Frames frames, Rig rig) {
+  public Followed(Frames frames, CameraMotion rig) {
     this.frames = frames;
     this.rig = rig;
   }

@@ -12,7 +12,7 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.LiveImage;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
-import org.robotui.uic.scene3d.internal.studio.Screen;
+import org.robotui.uic.scene3d.internal.render.Screen;
 
 /**
  * The newest picture of a scene in the form in which the platform paints it. A shot belongs to whoever holds it: the thread that hands pictures over

@@ -17,8 +17,8 @@ import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Lens;
 import org.robotui.uic.scene3d.internal.model.Selection;
-import org.robotui.uic.scene3d.internal.studio.Look;
-import org.robotui.uic.scene3d.internal.studio.Screen;
+import org.robotui.uic.scene3d.internal.render.PictureRequest;
+import org.robotui.uic.scene3d.internal.render.Screen;
 
 /** Paints the newest picture and what lies over it. Display thread. */
 final class SceneCanvas {
@@ -27,7 +27,7 @@ final class SceneCanvas {
   private final SceneParts parts;
   private final SceneSurface surface;
   private final StateView states;
-  private final Overlay overlay;
+  private final SceneOverlay overlay;
   private final ToolPainter marks;
   private final PicturePane pane;
   private final PaintedCanvas canvas;
@@ -38,7 +38,7 @@ final class SceneCanvas {
     this.parts = parts;
     this.surface = surface;
     states = new StateView(theme);
-    overlay = new Overlay(theme, states);
+    overlay = new SceneOverlay(theme, states);
     marks = new ToolPainter(theme, states);
     RGB rgb = theme.palette().rgb(Role.GROUND);
     ground = Rgba.of(rgb.red << 16 | rgb.green << 8 | rgb.blue);
@@ -74,7 +74,7 @@ final class SceneCanvas {
     aspect = area.width / (double) Math.max(1, area.height);
     double scale = scale();
     pane.zoom((int) Math.round(scale * HUNDRED));
-    parts.studio().look(new Look((int) Math.round(area.width * scale), (int) Math.round(area.height * scale), (float) scale, ground));
+    parts.studio().look(new PictureRequest((int) Math.round(area.width * scale), (int) Math.round(area.height * scale), (float) scale, ground));
     Optional<Rendered.Unavailable> none = parts.studio().unavailable();
     Optional<Shot> shot = pane.newest();
     if (none.isPresent()) {
@@ -89,9 +89,9 @@ final class SceneCanvas {
 
   private void over(GC gc, Rectangle area, Shot shot) {
     Lens lens = lens(shot.from());
-    overlay.paint(gc, area, new Overlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
+    overlay.paint(gc, area, new SceneOverlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
     Optional<Selection> selection = parts.picks().selection();
-    marks.paint(gc, selection.isPresent() ? Overlay.besideCard(area) : area, lens, surface.tools());
+    marks.paint(gc, selection.isPresent() ? SceneOverlay.besideCard(area) : area, lens, surface.tools());
     selection.ifPresent(s -> overlay.card(gc, area, s));
   }
 }

@@ -12,7 +12,7 @@ import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Boxes;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
@@ -52,7 +52,7 @@ public final class SceneSurface {
     tree.control().setLayoutData(side);
     canvas = new SceneCanvas(root, context.theme(), this, parts);
     canvas.control().setLayoutData(Boxes.fill());
-    new Hands(this, parts).listen();
+    new SceneInput(this, parts).listen();
     root.addListener(SWT.Resize, e -> arrange());
     actions.connect(this);
     root.addListener(SWT.Dispose, e -> {
@@ -90,7 +90,7 @@ public final class SceneSurface {
   }
 
   /** Says for a moment what became of something; any thread. */
-  public void say(Told told) {
+  public void say(CommandNotice told) {
     if (!display.isDisposed()) {
       display.asyncExec(() -> {
         if (!root.isDisposed()) {
@@ -219,7 +219,7 @@ public final class SceneSurface {
 
   private void sayNote() {
     String frame = parts.model().stage().fixed().map(f -> f.name()).orElse("no frame");
-    String next = frame + "  \u00b7  " + Overlay.rate(parts.studio().rate());
+    String next = frame + "  \u00b7  " + SceneOverlay.rate(parts.studio().rate());
     if (!next.equals(note)) {
       note = next;
       context.note(next);

@@ -12,7 +12,7 @@ import org.eclipse.swt.widgets.Display;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.Health;
 import org.robotui.ui.control.SaveDialog;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneParts;
 
 /** Saves pictures of a scene, complete and of any size. */
@@ -39,18 +39,18 @@ final class Screenshot {
   }
 
   /** Writes a picture and says what became of it. */
-  static Told write(Rendered made, Path file) {
+  static CommandNotice write(Rendered made, Path file) {
     if (!(made instanceof Rendered.Picture picture)) {
       String why = made instanceof Rendered.Unavailable none ? none.reason() : "the scene was closed";
-      return new Told(Health.BAD, "Not saved: " + why);
+      return new CommandNotice(Health.BAD, "Not saved: " + why);
     }
     ImageLoader loader = new ImageLoader();
     loader.data = new ImageData[] {data(picture)};
     try {
       loader.save(file.toString(), SWT.IMAGE_PNG);
-      return new Told(Health.OK, "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
+      return new CommandNotice(Health.OK, "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
     } catch (SWTException e) {
-      return new Told(Health.BAD, "Not saved: " + e.getMessage());
+      return new CommandNotice(Health.BAD, "Not saved: " + e.getMessage());
     }
   }
 
@@ -61,7 +61,7 @@ final class Screenshot {
     return new ImageData(picture.width(), picture.height(), Integer.SIZE, new PaletteData(0xff0000, 0xff00, 0xff), Integer.BYTES, bytes);
   }
 
-  private void tell(Told told) {
+  private void tell(CommandNotice told) {
     if (!display.isDisposed()) {
       display.asyncExec(() -> {
         if (!scene.canvas().isDisposed()) {

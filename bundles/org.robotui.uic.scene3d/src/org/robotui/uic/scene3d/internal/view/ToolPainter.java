@@ -48,7 +48,7 @@ final class ToolPainter {
   }
 
   private void measured(GC gc, Lens lens, List<Vector3> places) {
-    List<Point> points = places.stream().flatMap(p -> Overlay.point(lens, p).stream()).toList();
+    List<Point> points = places.stream().flatMap(p -> SceneOverlay.point(lens, p).stream()).toList();
     line(gc, points);
     if (points.size() == 2) {
       label(gc, words(places.get(0), places.get(1)), (points.get(0).x + points.get(1).x) / 2, (points.get(0).y + points.get(1).y) / 2);
@@ -82,7 +82,7 @@ final class ToolPainter {
       new Vector3(length * (1 - HEAD), -length * HEAD, 0)};
     Point[] p = new Point[shape.length];
     for (int i = 0; i < shape.length; i++) {
-      p[i] = Overlay.point(lens, pose.apply(shape[i])).orElse(new Point(-1, -1));
+      p[i] = SceneOverlay.point(lens, pose.apply(shape[i])).orElse(new Point(-1, -1));
     }
     gc.setForeground(theme.color(role));
     gc.setBackground(theme.color(role));

@@ -10,7 +10,7 @@ import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Health;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Toast;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.Lens;
@@ -20,7 +20,7 @@ final class Tools {
   private static final double LEAST_DRAG = 8;
 
   private final SceneParts parts;
-  private final Consumer<Told> soon;
+  private final Consumer<CommandNotice> soon;
   private final Runnable changed;
   private final Toast toast = new Toast();
   private final List<Vector3> measured = new ArrayList<>();
@@ -29,7 +29,7 @@ final class Tools {
   private Optional<Vector3> pressed = Optional.empty();
   private Optional<Vector3> dragged = Optional.empty();
 
-  Tools(SceneParts parts, Consumer<Told> soon, Runnable changed) {
+  Tools(SceneParts parts, Consumer<CommandNotice> soon, Runnable changed) {
     this.parts = parts;
     this.soon = soon;
     this.changed = changed;
@@ -152,13 +152,13 @@ final class Tools {
     if (what == ToolKind.GOAL && parts.waypoints().tour().driving().isPresent()) {
       parts.waypoints().tour().cede("another goal was given");
     }
-    Told told = frame.map(f -> what == ToolKind.GOAL ? parts.commander().goal(f, pose) : parts.commander().initialPose(f, pose))
-        .orElse(new Told(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
+    CommandNotice told = frame.map(f -> what == ToolKind.GOAL ? parts.commander().goal(f, pose) : parts.commander().initialPose(f, pose))
+        .orElse(new CommandNotice(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
     kind = Optional.empty();
     say(told);
   }
 
-  void say(Told told) {
+  void say(CommandNotice told) {
     toast.say(told, System.nanoTime());
     changed.run();
   }

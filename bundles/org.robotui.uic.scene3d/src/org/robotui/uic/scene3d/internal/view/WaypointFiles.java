@@ -13,7 +13,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.FileDialog;
 import org.robotui.ui.Health;
 import org.robotui.ui.control.SaveDialog;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.waypoint.Route;
 import org.robotui.uic.scene3d.internal.waypoint.RouteText;
@@ -50,7 +50,7 @@ final class WaypointFiles {
     parts.background().execute(() -> {
       switch (read(file)) {
         case RouteText.Outcome.Read read -> parts.model().soon(() -> scene.say(parts.waypoints().take(read)));
-        case RouteText.Outcome.Unreadable not -> scene.say(new Told(Health.BAD, "Not loaded, " + file.getFileName() + ": " + not.why()));
+        case RouteText.Outcome.Unreadable not -> scene.say(new CommandNotice(Health.BAD, "Not loaded, " + file.getFileName() + ": " + not.why()));
       }
     });
   }
@@ -75,12 +75,12 @@ final class WaypointFiles {
     }
   }
 
-  private static Told write(Path file, Route route) {
+  private static CommandNotice write(Path file, Route route) {
     try {
       Files.writeString(file, RouteText.write(file.getFileName().toString(), route));
-      return new Told(Health.OK, "Saved " + route.poses().size() + (route.poses().size() == 1 ? " waypoint to " : " waypoints to ") + file.getFileName());
+      return new CommandNotice(Health.OK, "Saved " + route.poses().size() + (route.poses().size() == 1 ? " waypoint to " : " waypoints to ") + file.getFileName());
     } catch (IOException e) {
-      return new Told(Health.BAD, "Not saved, " + file.getFileName() + ": " + e.getMessage());
+      return new CommandNotice(Health.BAD, "Not saved, " + file.getFileName() + ": " + e.getMessage());
     }
   }
 }

@@ -4,7 +4,7 @@ import java.util.OptionalInt;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.ui.Health;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
@@ -63,7 +63,7 @@ final class WaypointKeys {
     if (parts.waypoints().tour().driving().isPresent()) {
       parts.waypoints().tour().halt();
     } else if (parts.waypoints().route().poses().isEmpty()) {
-      scene.say(new Told(Health.BAD, "There is no waypoint to drive to: press into the scene to place one"));
+      scene.say(new CommandNotice(Health.BAD, "There is no waypoint to drive to: press into the scene to place one"));
     } else {
       parts.waypoints().tour().start(0);
     }

@@ -12,8 +12,8 @@ import org.robotui.data.FrameId;
 import org.robotui.data.NavigationGoal;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Told;
 
 /**
  * Drives a robot from waypoint to waypoint: the next goal is given when the robot has come near the last one. Whatever takes the robot out of
@@ -28,12 +28,12 @@ public final class Tour {
   private final Commander commander;
   private final Output<NavigationGoal> goals;
   private final Principal principal;
-  private final Consumer<Told> tell;
+  private final Consumer<CommandNotice> tell;
   private final AtomicReference<Optional<Wish>> wish = new AtomicReference<>(Optional.empty());
   private volatile Optional<Leg> leg = Optional.empty();
 
   /** Drives by a commander, and tells what becomes of it. */
-  public Tour(Commander commander, Output<NavigationGoal> goals, Principal principal, Consumer<Told> tell) {
+  public Tour(Commander commander, Output<NavigationGoal> goals, Principal principal, Consumer<CommandNotice> tell) {
     this.commander = commander;
     this.goals = goals;
     this.principal = principal;
@@ -91,7 +91,7 @@ public final class Tour {
   private void fulfil(Wish wished, Route route, Optional<RigidTransform> frameFromBase, long nowNanos) {
     switch (wished) {
       case Wish.Start start when route.poses().isEmpty() || start.index >= route.poses().size() ->
-          tell.accept(new Told(Health.BAD, "There is no waypoint to drive to: R places them"));
+          tell.accept(new CommandNotice(Health.BAD, "There is no waypoint to drive to: R places them"));
       case Wish.Start start -> send(start.index, route, frameFromBase, nowNanos);
       case Wish.End ended -> leg.ifPresent(now -> {
         end(ended.why, now, route);
@@ -136,24 +136,24 @@ public final class Tour {
       send(now.index + 1, route, frameFromBase, nowNanos);
     } else {
       leg = Optional.empty();
-      tell.accept(new Told(Health.OK, "The last waypoint is reached"));
+      tell.accept(new CommandNotice(Health.OK, "The last waypoint is reached"));
     }
   }
 
   private void send(int index, Route route, Optional<RigidTransform> frameFromBase, long nowNanos) {
     RigidTransform goal = route.poses().get(index);
-    Told told = route.frame().map((FrameId frame) -> commander.goal(frame, goal)).orElse(new Told(Health.BAD, "no frame is known yet"));
+    CommandNotice told = route.frame().map((FrameId frame) -> commander.goal(frame, goal)).orElse(new CommandNotice(Health.BAD, "no frame is known yet"));
     if (told.health() == Health.OK) {
       leg = Optional.of(new Leg(index, goal, frameFromBase, nowNanos));
     } else {
       leg = Optional.empty();
-      tell.accept(new Told(Health.BAD, "Waypoint " + (index + 1) + ": " + told.text()));
+      tell.accept(new CommandNotice(Health.BAD, "Waypoint " + (index + 1) + ": " + told.text()));
     }
   }
 
   private void end(String why, Leg now, Route route) {
     leg = Optional.empty();
-    tell.accept(new Told(Health.WARNING, "The drive ended at waypoint " + (now.index + 1) + " of " + route.poses().size() + ": " + why));
+    tell.accept(new CommandNotice(Health.WARNING, "The drive ended at waypoint " + (now.index + 1) + " of " + route.poses().size() + ": " + why));
   }
 
   private static boolean isNear(RigidTransform base, RigidTransform wanted, double tolerance) {

@@ -9,8 +9,8 @@ import org.robotui.data.FrameId;
 import org.robotui.data.Path;
 import org.robotui.data.PoseArray;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Told;
 
 /** Sends all waypoints at once, to programs that go along them by themselves. Safe for all threads. */
 public final class WaypointSender {
@@ -36,18 +36,18 @@ public final class WaypointSender {
   }
 
   /** Sends them as a way. */
-  public Told path(Route route) {
+  public CommandNotice path(Route route) {
     return send(paths, route, frame -> new Path(frame, route.poses()));
   }
 
   /** Sends them as poses. */
-  public Told poses(Route route) {
+  public CommandNotice poses(Route route) {
     return send(poses, route, frame -> new PoseArray(frame, route.poses()));
   }
 
-  private <T extends Data> Told send(Output<T> output, Route route, Function<FrameId, T> made) {
+  private <T extends Data> CommandNotice send(Output<T> output, Route route, Function<FrameId, T> made) {
     Optional<T> command = route.frame().filter(frame -> !route.poses().isEmpty()).map(made);
     return command.map(all -> commander.send(output, all, route.poses().size() + " waypoints sent"))
-        .orElse(new Told(Health.BAD, "Not sent: there are no waypoints"));
+        .orElse(new CommandNotice(Health.BAD, "Not sent: there are no waypoints"));
   }
 }

@@ -13,7 +13,7 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.display.Places;
 import org.robotui.gl.shape.Part;
 import org.robotui.ui.Health;
-import org.robotui.ui.scene.Told;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 
 /**
@@ -79,30 +79,30 @@ public final class Waypoints {
   }
 
   /** Adds one behind the others. */
-  public Told add(FrameId fixed, RigidTransform pose) {
+  public CommandNotice add(FrameId fixed, RigidTransform pose) {
     if (route.poses().size() >= Route.MOST) {
-      return new Told(Health.BAD, "There are " + Route.MOST + " waypoints already");
+      return new CommandNotice(Health.BAD, "There are " + Route.MOST + " waypoints already");
     }
     if (route.poses().isEmpty()) {
       change(new Route(Optional.of(fixed), List.of(pose)));
     } else if (fixedFromFrame.isEmpty()) {
-      return new Told(Health.BAD, "Not added: it is not known where the frame of the waypoints is, " + frame(fixed).name());
+      return new CommandNotice(Health.BAD, "Not added: it is not known where the frame of the waypoints is, " + frame(fixed).name());
     } else {
       change(route.plus(fixedFromFrame.get().inverse().times(pose)));
     }
-    return new Told(Health.OK, "Waypoint " + route.poses().size() + " added \u00b7 Ctrl+Z undoes it");
+    return new CommandNotice(Health.OK, "Waypoint " + route.poses().size() + " added \u00b7 Ctrl+Z undoes it");
   }
 
   /** Takes those of a file in place of what there is. */
-  public Told take(RouteText.Outcome.Read read) {
+  public CommandNotice take(RouteText.Outcome.Read read) {
     if (read.poses().isEmpty()) {
-      return new Told(Health.BAD, "Not loaded: there are no waypoints in the file");
+      return new CommandNotice(Health.BAD, "Not loaded: there are no waypoints in the file");
     }
     int count = read.poses().size();
     return drawnIn.map(fixed -> {
       change(read.route(fixed));
-      return new Told(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in " + frame(fixed).name() + " \u00b7 Ctrl+Z undoes it");
-    }).orElse(new Told(Health.BAD, "Not loaded: no frame is known yet"));
+      return new CommandNotice(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in " + frame(fixed).name() + " \u00b7 Ctrl+Z undoes it");
+    }).orElse(new CommandNotice(Health.BAD, "Not loaded: no frame is known yet"));
   }
 
   /** Removes one, by its index from 0. */
@@ -125,11 +125,11 @@ public final class Waypoints {
   }
 
   /** Takes the last change back. */
-  public Told undo() {
+  public CommandNotice undo() {
     Optional<Route> last = Optional.ofNullable(before.pollLast());
     last.ifPresent(this::keep);
-    return last.map(r -> new Told(Health.OK, "Undone: " + r.poses().size() + (r.poses().size() == 1 ? " waypoint" : " waypoints")))
-        .orElse(new Told(Health.NONE, "There is nothing to undo"));
+    return last.map(r -> new CommandNotice(Health.OK, "Undone: " + r.poses().size() + (r.poses().size() == 1 ? " waypoint" : " waypoints")))
+        .orElse(new CommandNotice(Health.NONE, "There is nothing to undo"));
   }
 
   /** The frame of the waypoints; that of the scene where none is written. */

@@ -134,18 +134,18 @@ class CameraTest {
 
   @Test
   void aJourneyEndsWhereItShouldAndGoesTheShortWayRound() {
-    Rig rig = new Rig(LEVEL.looking(3, 0));
+    CameraMotion rig = new CameraMotion(LEVEL.looking(3, 0));
     rig.go(LEVEL.looking(-3, 0.5), 0);
-    assertTrue(rig.travels(Rig.JOURNEY_NANOS / 2));
-    double half = rig.at(Rig.JOURNEY_NANOS / 2).yaw();
+    assertTrue(rig.travels(CameraMotion.JOURNEY_NANOS / 2));
+    double half = rig.at(CameraMotion.JOURNEY_NANOS / 2).yaw();
     assertTrue(Math.abs(half) > 3, "by way of 180 degrees, not of 0: " + half);
-    assertFalse(rig.travels(Rig.JOURNEY_NANOS));
-    assertEquals(LEVEL.looking(-3, 0.5), rig.at(Rig.JOURNEY_NANOS));
+    assertFalse(rig.travels(CameraMotion.JOURNEY_NANOS));
+    assertEquals(LEVEL.looking(-3, 0.5), rig.at(CameraMotion.JOURNEY_NANOS));
   }
 
   @Test
   void aFollowedFrameTakesTheCameraAlong() {
-    Rig rig = new Rig(LEVEL);
+    CameraMotion rig = new CameraMotion(LEVEL);
     rig.follow(Optional.of(RigidTransform.planar(0, 0, 0)), false);
     near(LEVEL.focus(), rig.aim().focus());
     rig.follow(Optional.of(RigidTransform.planar(2, 1, 1)), false);
@@ -155,7 +155,7 @@ class CameraTest {
 
   @Test
   void aFollowedFrameAlsoTurnsIt() {
-    Rig rig = new Rig(new CameraPose(CameraKind.ORBIT, new Vector3(1, 0, 0), 5, 0, 0));
+    CameraMotion rig = new CameraMotion(new CameraPose(CameraKind.ORBIT, new Vector3(1, 0, 0), 5, 0, 0));
     rig.follow(Optional.of(RigidTransform.planar(0, 0, 0)), true);
     rig.follow(Optional.of(RigidTransform.planar(0, 0, Math.PI / 2)), true);
     near(new Vector3(0, 1, 0), rig.aim().focus());

@@ -17,8 +17,8 @@ import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
+import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Told;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.ScenePorts;
 
@@ -27,7 +27,7 @@ class TourTest {
 
   private final FakeUicContext context = new FakeUicContext("scene", SceneOptions.schema());
   private final FakeOutput<NavigationGoal> goals = context.output(ScenePorts.GOAL);
-  private final List<Told> told = new ArrayList<>();
+  private final List<CommandNotice> told = new ArrayList<>();
   private final Tour tour = new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), goals, context.principal(), told::add);
   private Route route = new Route(Optional.of(new FrameId("a", "map")),
       List.of(RigidTransform.planar(1, 0, 0), RigidTransform.planar(2, 0, 0), RigidTransform.planar(2, 2, Math.PI / 2)));
@@ -66,7 +66,7 @@ class TourTest {
     at(1.9, 0.1, 0);
     at(2, 1.9, 1.6);
     assertEquals(List.of(1.0, 2.0, 22.0), sent());
-    assertEquals(List.of(new Told(Health.OK, "The last waypoint is reached")), told);
+    assertEquals(List.of(new CommandNotice(Health.OK, "The last waypoint is reached")), told);
     assertEquals(OptionalInt.empty(), tour.driving());
   }
 

@@ -32,7 +32,7 @@ public record TeamLook(List<TeamRow> rows, Set<String> selected, InputState stat
 
   /** How many do what, such as {@code 50 robots · 34 driving · 1 lost}. */
   public String note() {
-    Map<Doing, Integer> counts = new EnumMap<>(Doing.class);
+    Map<Activity, Integer> counts = new EnumMap<>(Activity.class);
     rows.forEach(r -> counts.merge(r.doing(), 1, Integer::sum));
     List<String> parts = new ArrayList<>(List.of(rows.size() == 1 ? "1 robot" : rows.size() + " robots"));
     counts.forEach((doing, count) -> parts.add(count + " " + doing.word()));

@@ -129,7 +129,7 @@ public final class TeamModel {
   }
 
   private static String words(Condition condition, Optional<Envelope<Odometry>> at) {
-    return condition.doing() != Doing.DRIVING ? condition.words() : at.map(e -> e.value())
+    return condition.doing() != Activity.DRIVING ? condition.words() : at.map(e -> e.value())
         .map(o -> condition.words() + "  " + Figures.of(Math.hypot(o.linear().x(), o.linear().y()), 2, "m/s")).orElse(condition.words());
   }
 

@@ -34,7 +34,7 @@ public record TeamRow(
     String link,
     Health linkHealth,
     String linkText,
-    Doing doing,
+    Activity doing,
     String state,
     String why,
     double charge,

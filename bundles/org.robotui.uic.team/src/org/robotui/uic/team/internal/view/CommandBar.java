@@ -13,8 +13,8 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
-import org.robotui.ui.scene.Told;
-import org.robotui.uic.team.internal.model.Commands;
+import org.robotui.ui.scene.CommandNotice;
+import org.robotui.uic.team.internal.model.TeamCommands;
 
 /**
  * What can be done with the selected robots, or with all where none is selected: the buttons, a question before what concerns all, and what
@@ -26,7 +26,7 @@ final class CommandBar {
   /** A command, and to whom. */
   private record Wish(String question, Runnable command) {}
 
-  private final Commands commands;
+  private final TeamCommands commands;
   private final Composite root;
   private final QuietButton stop;
   private final QuietButton release;
@@ -41,7 +41,7 @@ final class CommandBar {
   private List<String> selected = List.of();
   private int shown;
 
-  CommandBar(Composite parent, Theme theme, Commands commands, Composite buttons) {
+  CommandBar(Composite parent, Theme theme, TeamCommands commands, Composite buttons) {
     this.commands = commands;
     this.root = parent;
     stop = button(buttons, theme, Icon.STOP, "Stop at once, until released (no question is asked)", this::stop);
@@ -137,7 +137,7 @@ final class CommandBar {
   }
 
   /** Says for a while what became of a command. */
-  void tell(Told told) {
+  void tell(CommandNotice told) {
     int mine = ++shown;
     answer.show(told.health(), told.text());
     seen(answer.control(), !told.text().isEmpty());

@@ -14,7 +14,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.control.Column;
 import org.robotui.ui.control.NaturalOrder;
 import org.robotui.ui.control.RowWords;
-import org.robotui.uic.team.internal.model.Doing;
+import org.robotui.uic.team.internal.model.Activity;
 import org.robotui.uic.team.internal.model.TeamRow;
 
 /** The columns of the table. */
@@ -70,7 +70,7 @@ final class TeamColumns {
 
   private static Role state(TeamRow row) {
     Health health = row.doing().health();
-    return row.doing() == Doing.STANDING ? Role.DIM : health == Health.OK ? Role.TEXT : health.role();
+    return row.doing() == Activity.STANDING ? Role.DIM : health == Health.OK ? Role.TEXT : health.role();
   }
 
   private static Role task(TeamRow row) {
@@ -83,7 +83,7 @@ final class TeamColumns {
 
   /** Where it was last, where that is not known any more. */
   private static Role placeRole(TeamRow row) {
-    return row.doing() == Doing.LOST || row.doing() == Doing.SILENT || row.doing() == Doing.STALE ? Role.DIM : Role.TEXT;
+    return row.doing() == Activity.LOST || row.doing() == Activity.SILENT || row.doing() == Activity.STALE ? Role.DIM : Role.TEXT;
   }
 
   private static String age(TeamRow row) {
@@ -91,7 +91,7 @@ final class TeamColumns {
   }
 
   private static Role ageRole(TeamRow row) {
-    return row.doing() == Doing.STALE || row.doing() == Doing.SILENT ? Role.WARNING : Role.DIM;
+    return row.doing() == Activity.STALE || row.doing() == Activity.SILENT ? Role.WARNING : Role.DIM;
   }
 
   /** The name behind a disc in the robot's colour, as on the map. */

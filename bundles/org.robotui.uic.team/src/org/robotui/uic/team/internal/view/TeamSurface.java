@@ -18,7 +18,7 @@ import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.RowTable;
-import org.robotui.uic.team.internal.model.Commands;
+import org.robotui.uic.team.internal.model.TeamCommands;
 import org.robotui.uic.team.internal.model.TeamLook;
 import org.robotui.uic.team.internal.model.TeamRow;
 
@@ -31,7 +31,7 @@ public final class TeamSurface {
   private record Shown(TeamLook look, List<TeamRow> rows) {}
 
   private final UiContext context;
-  private final Commands commands;
+  private final TeamCommands commands;
   private final Composite root;
   private final CommandBar bar;
   private final FilterField filter;
@@ -41,7 +41,7 @@ public final class TeamSurface {
   private Set<String> selected = Set.of();
 
   /** Makes the controls. */
-  public TeamSurface(Composite parent, UiContext context, Commands commands) {
+  public TeamSurface(Composite parent, UiContext context, TeamCommands commands) {
     this.context = context;
     this.commands = commands;
     Theme theme = context.theme();

@@ -32,10 +32,10 @@ class TeamModelTest {
   @Test
   void saysWhatARobotIsDoing() {
     Squad squad = new Squad(3).drives(1, 1, 2, 0.31).drives(2, 3, 4, 0);
-    assertEquals(Doing.DRIVING, row(squad, 1).doing());
+    assertEquals(Activity.DRIVING, row(squad, 1).doing());
     assertTrue(row(squad, 1).state().contains("0.31"), row(squad, 1).state());
-    assertEquals(Doing.STANDING, row(squad, 2).doing());
-    assertEquals(Doing.WAITING, row(squad, 3).doing());
+    assertEquals(Activity.STANDING, row(squad, 2).doing());
+    assertEquals(Activity.WAITING, row(squad, 3).doing());
     assertEquals(3, row(squad, 2).place().orElseThrow().x());
     assertEquals("3 robots  \u00b7  1 waiting  \u00b7  1 driving  \u00b7  1 standing", look(squad).note());
   }
@@ -49,7 +49,7 @@ class TeamModelTest {
     assertEquals("stopped, still moving", row(squad, 1).state());
     assertTrue(row(squad, 1).why().startsWith("stopped by Anna"));
     assertEquals("stopped", row(squad, 2).state());
-    assertEquals(Doing.LOST, row(squad, 3).doing(), "nobody knows whether the stop came through");
+    assertEquals(Activity.LOST, row(squad, 3).doing(), "nobody knows whether the stop came through");
     assertEquals("stopped, no link", row(squad, 3).state());
     assertTrue(row(squad, 3).why().contains("refuses the connection"));
   }
@@ -57,9 +57,9 @@ class TeamModelTest {
   @Test
   void saysWhyARobotIsSilentWhileOthersGoOn() {
     Squad squad = new Squad(2).drives(1, 0, 0, 0.2).drives(2, 0, 0, 0.2).is(1, InputState.Stale.lost(12, "nobody publishes /r1/odom any more", 10));
-    assertEquals(Doing.SILENT, row(squad, 1).doing());
+    assertEquals(Activity.SILENT, row(squad, 1).doing());
     assertEquals("nobody publishes /r1/odom any more", row(squad, 1).why());
-    assertEquals(Doing.DRIVING, row(squad, 2).doing());
+    assertEquals(Activity.DRIVING, row(squad, 2).doing());
     squad.is(1, new InputState.Stale(2.1, "older than usual"));
     assertEquals("stale " + Figures.age(2.1), row(squad, 1).state());
   }

@@ -23,7 +23,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 import org.robotui.uic.team.internal.Squad;
-import org.robotui.uic.team.internal.model.Commands;
+import org.robotui.uic.team.internal.model.TeamCommands;
 import org.robotui.uic.team.internal.model.TeamModel;
 import org.robotui.uic.team.internal.model.TeamRow;
 
@@ -45,7 +45,7 @@ class TeamSurfaceSwtTest {
     shell = new Shell(TestDisplay.get(), SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
     shell.setSize(900, 500);
-    surface = new TeamSurface(shell, UiContext.of(theme, n -> note = n), new Commands(squad.context));
+    surface = new TeamSurface(shell, UiContext.of(theme, n -> note = n), new TeamCommands(squad.context));
     shell.open();
     tick();
   }

@@ -91,7 +91,7 @@ public record Ask(List<String> words, boolean problems, Set<FrameId> closed, Opt
     return problems || !words.isEmpty();
   }
 
-  boolean fits(Row row) {
+  boolean fits(FrameRow row) {
     if (problems && !row.isProblem()) {
       return false;
     }

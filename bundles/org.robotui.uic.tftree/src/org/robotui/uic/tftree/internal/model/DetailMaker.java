@@ -15,7 +15,7 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.TransformLookup;
 import org.robotui.ui.Figures;
 import org.robotui.uic.tftree.internal.model.Ask.Reference;
-import org.robotui.uic.tftree.internal.model.Detail.Value;
+import org.robotui.uic.tftree.internal.model.FrameDetail.Value;
 
 /** Says where a frame lies now, and all that is known of its transform. Never blocks. */
 final class DetailMaker {
@@ -29,7 +29,7 @@ final class DetailMaker {
     this.clock = clock;
   }
 
-  Detail of(FrameId frame, Reference wanted, Forest forest, Optional<Row> row) {
+  FrameDetail of(FrameId frame, Reference wanted, Forest forest, Optional<FrameRow> row) {
     FrameId reference = switch (wanted) {
       case Reference.Root r -> forest.root(frame);
       case Reference.Parent p -> forest.parent(frame).orElse(frame);
@@ -39,7 +39,7 @@ final class DetailMaker {
     List<Value> values = new ArrayList<>();
     found.transform().ifPresent(pose -> pose(pose, values));
     row.ifPresent(r -> transform(r, values));
-    return new Detail(frame, reference, Optional.of(found.explanation()).filter(why -> !why.isEmpty()), values);
+    return new FrameDetail(frame, reference, Optional.of(found.explanation()).filter(why -> !why.isEmpty()), values);
   }
 
   private static void pose(RigidTransform pose, List<Value> values) {
@@ -58,7 +58,7 @@ final class DetailMaker {
     return Figures.degrees(radians, 2) + "  " + Figures.of(radians, 4, "rad");
   }
 
-  private void transform(Row row, List<Value> values) {
+  private void transform(FrameRow row, List<Value> values) {
     values.add(new Value("parent", row.link().map(link -> link.parent().name()).orElse("none: it is a root")));
     values.add(new Value("below", row.below() + (row.below() == 1 ? " frame" : " frames")));
     row.link().ifPresent(link -> {

@@ -16,7 +16,7 @@ final class Notices {
 
   private Notices() {}
 
-  static List<Notice> of(Forest forest, List<Row> rows, List<FrameRefusal> refusals, long now) {
+  static List<Notice> of(Forest forest, List<FrameRow> rows, List<FrameRefusal> refusals, long now) {
     List<Notice> notices = new ArrayList<>();
     refusals.stream().filter(refusal -> now - refusal.receivedNanos() <= LATELY_NANOS).limit(NAMED).forEach(refusal ->
         notices.add(new Notice(Health.BAD, "Refused of " + sender(refusal.authority()) + ": " + refusal.reason()
@@ -32,9 +32,9 @@ final class Notices {
     return authority.isBlank() ? "a robot" : authority;
   }
 
-  private static void counted(List<Notice> notices, Health health, List<Row> rows, String one, String many) {
+  private static void counted(List<Notice> notices, Health health, List<FrameRow> rows, String one, String many) {
     if (!rows.isEmpty()) {
-      String names = rows.stream().limit(NAMED).map(Row::title).collect(Collectors.joining(", ")) + (rows.size() > NAMED ? ", \u2026" : "");
+      String names = rows.stream().limit(NAMED).map(FrameRow::title).collect(Collectors.joining(", ")) + (rows.size() > NAMED ? ", \u2026" : "");
       notices.add(new Notice(health, (rows.size() == 1 ? "1 frame" + one : rows.size() + " frames" + many) + names));
     }
   }

@@ -17,27 +17,27 @@ final class RowMaker {
   private RowMaker() {}
 
   /** All frames in the order of the tree, whatever is asked for. */
-  static List<Row> all(Forest forest, Ask ask, double staleAfter, long now) {
+  static List<FrameRow> all(Forest forest, Ask ask, double staleAfter, long now) {
     boolean several = forest.robots().size() > 1;
     Map<FrameId, Integer> depths = new HashMap<>();
-    List<Row> rows = new ArrayList<>(forest.size());
+    List<FrameRow> rows = new ArrayList<>(forest.size());
     for (FrameId frame : forest.inOrder()) {
       int depth = forest.parent(frame).map(parent -> depths.getOrDefault(parent, -1) + 1).orElse(0);
       depths.put(frame, depth);
       Optional<FrameLink> link = Optional.ofNullable(forest.links().get(frame));
       double age = link.filter(l -> !l.fixed()).map(l -> Math.max(0, (now - l.receivedNanos()) * NANO)).orElse(0.0);
       boolean open = ask.narrows() || !ask.closed().contains(frame);
-      rows.add(Row.of(frame, several ? frame.toString() : frame.name(), depth, link, forest.below().getOrDefault(frame, 0), open, age, staleAfter));
+      rows.add(FrameRow.of(frame, several ? frame.toString() : frame.name(), depth, link, forest.below().getOrDefault(frame, 0), open, age, staleAfter));
     }
     return rows;
   }
 
   /** Those that are shown. */
-  static List<Row> shown(Forest forest, List<Row> all, Ask ask) {
+  static List<FrameRow> shown(Forest forest, List<FrameRow> all, Ask ask) {
     Set<FrameId> wanted = ask.narrows() ? wanted(forest, all, ask) : forest.below().keySet();
     Set<FrameId> hidden = new HashSet<>();
-    List<Row> rows = new ArrayList<>();
-    for (Row row : all) {
+    List<FrameRow> rows = new ArrayList<>();
+    for (FrameRow row : all) {
       if (forest.parent(row.id()).filter(hidden::contains).isPresent()) {
         hidden.add(row.id());
       } else if (wanted.contains(row.id())) {
@@ -50,9 +50,9 @@ final class RowMaker {
     return List.copyOf(rows);
   }
 
-  private static Set<FrameId> wanted(Forest forest, List<Row> all, Ask ask) {
+  private static Set<FrameId> wanted(Forest forest, List<FrameRow> all, Ask ask) {
     Set<FrameId> wanted = new HashSet<>();
-    for (Row row : all) {
+    for (FrameRow row : all) {
       if (ask.fits(row)) {
         for (Optional<FrameId> at = Optional.of(row.id()); at.isPresent() && wanted.add(at.get()); at = forest.parent(at.get())) {
           // Up to the root, or to one whose way up is in already.

@@ -22,9 +22,9 @@ public final class TfTreeModel {
   private final DetailMaker details;
   private volatile Ask ask = Ask.FIRST;
   private volatile TextWidths widths = TextWidths.estimate();
-  private volatile Look look = new Look(Ask.FIRST, NOTHING, List.of(), Diagram.EMPTY, List.of(), Optional.empty(), 0, 0);
+  private volatile TfTreeViewState look = new TfTreeViewState(Ask.FIRST, NOTHING, List.of(), Diagram.EMPTY, List.of(), Optional.empty(), 0, 0);
   private Forest forest = Forest.EMPTY;
-  private List<Row> all = List.of();
+  private List<FrameRow> all = List.of();
   private TextWidths measured = widths;
   private long surveyed;
   private boolean ever;
@@ -38,36 +38,36 @@ public final class TfTreeModel {
   /** Takes what is known; whether there is something new to show. */
   public boolean tick(long now, double staleAfter) {
     Ask wanted = ask;
-    Look before = look;
+    TfTreeViewState before = look;
     boolean due = !ever || now - surveyed >= SURVEY_NANOS || !wanted.equals(before.ask()) || measured != widths;
-    Look next = due ? survey(wanted, now, staleAfter) : before;
-    Optional<Detail> detail = wanted.selected().filter(forest::contains).map(frame -> details.of(frame, wanted.reference(), forest, row(frame)));
-    next = new Look(wanted, next.state(), next.rows(), next.drawing(), next.notices(), detail, next.frames(), next.trees());
+    TfTreeViewState next = due ? survey(wanted, now, staleAfter) : before;
+    Optional<FrameDetail> detail = wanted.selected().filter(forest::contains).map(frame -> details.of(frame, wanted.reference(), forest, row(frame)));
+    next = new TfTreeViewState(wanted, next.state(), next.rows(), next.drawing(), next.notices(), detail, next.frames(), next.trees());
     boolean changed = !next.equals(before);
     look = next;
     return changed;
   }
 
-  private Look survey(Ask wanted, long now, double staleAfter) {
+  private TfTreeViewState survey(Ask wanted, long now, double staleAfter) {
     surveyed = now;
     ever = true;
     measured = widths;
     forest = Forest.of(frames.all(), frames.links());
     all = RowMaker.all(forest, wanted, staleAfter, now);
-    List<Row> rows = RowMaker.shown(forest, all, wanted);
+    List<FrameRow> rows = RowMaker.shown(forest, all, wanted);
     Diagram drawing = wanted.drawn() ? TreeDrawing.draw(rows, measured) : Diagram.EMPTY;
     // The same object while nothing moved, so that nothing is painted anew.
     Diagram shown = drawing.equals(look.drawing()) ? look.drawing() : drawing;
-    return new Look(wanted, forest.size() == 0 ? NOTHING : LIVE, rows, shown, Notices.of(forest, all, frames.refusals(), now),
+    return new TfTreeViewState(wanted, forest.size() == 0 ? NOTHING : LIVE, rows, shown, Notices.of(forest, all, frames.refusals(), now),
         Optional.empty(), forest.size(), forest.roots().size());
   }
 
-  private Optional<Row> row(FrameId frame) {
+  private Optional<FrameRow> row(FrameId frame) {
     return all.stream().filter(row -> row.id().equals(frame)).findFirst();
   }
 
   /** What the last tick prepared. */
-  public Look look() {
+  public TfTreeViewState look() {
     return look;
   }
 

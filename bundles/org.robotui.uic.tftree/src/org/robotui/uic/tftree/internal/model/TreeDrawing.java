@@ -26,20 +26,20 @@ final class TreeDrawing {
   private static final int LEAST_WIDTH = 80;
   private static final int MOST_WIDTH = 260;
 
-  private final List<Row> rows;
+  private final List<FrameRow> rows;
   private final TextWidths widths;
   private final double[] tops;
   private final Map<FrameId, Integer> index = new HashMap<>();
   private final List<Double> columns = new ArrayList<>();
   private final List<Double> lefts = new ArrayList<>();
 
-  private TreeDrawing(List<Row> rows, TextWidths widths) {
+  private TreeDrawing(List<FrameRow> rows, TextWidths widths) {
     this.rows = rows;
     this.widths = widths;
     this.tops = new double[rows.size()];
   }
 
-  static Diagram draw(List<Row> rows, TextWidths widths) {
+  static Diagram draw(List<FrameRow> rows, TextWidths widths) {
     return new TreeDrawing(rows, widths).draw();
   }
 
@@ -63,7 +63,7 @@ final class TreeDrawing {
     return new Diagram(boxes, wires, Math.max(0, left - BETWEEN_COLUMNS), height);
   }
 
-  private void widen(Row row) {
+  private void widen(FrameRow row) {
     while (columns.size() <= row.depth()) {
       columns.add((double) LEAST_WIDTH);
     }
@@ -100,14 +100,14 @@ final class TreeDrawing {
   }
 
   private Box box(int i) {
-    Row row = rows.get(i);
+    FrameRow row = rows.get(i);
     Role role = row.health() == Health.BAD ? Role.BAD : row.health() == Health.STALE ? Role.WARNING : row.link().isEmpty() ? Role.ACCENT : Role.LINE;
     return new Box(row.id(), lefts.get(row.depth()), tops[i], columns.get(row.depth()), Box.HIGH, Box.Form.ROUNDED, row.title(), row.note(),
         row.health(), role);
   }
 
   private void wire(int i, List<Wire> wires) {
-    Row row = rows.get(i);
+    FrameRow row = rows.get(i);
     row.link().map(link -> index.get(link.parent())).ifPresent(parent -> {
       double from = lefts.get(rows.get(parent).depth()) + columns.get(rows.get(parent).depth());
       double to = lefts.get(row.depth());

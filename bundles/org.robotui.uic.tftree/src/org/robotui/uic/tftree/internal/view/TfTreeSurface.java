@@ -24,9 +24,9 @@ import org.robotui.ui.diagram.DiagramSaver;
 import org.robotui.ui.diagram.TextWidths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.tftree.internal.model.Ask;
-import org.robotui.uic.tftree.internal.model.Look;
+import org.robotui.uic.tftree.internal.model.FrameRow;
 import org.robotui.uic.tftree.internal.model.Notice;
-import org.robotui.uic.tftree.internal.model.Row;
+import org.robotui.uic.tftree.internal.model.TfTreeViewState;
 
 /** What is seen of the view. Display thread. */
 public final class TfTreeSurface {
@@ -60,8 +60,8 @@ public final class TfTreeSurface {
   private final StackLayout top = new StackLayout();
   private final DiagramCanvas canvas;
   private final FrameTable table;
-  private final DetailPane detail;
-  private Optional<Look> shown = Optional.empty();
+  private final FrameDetailPane detail;
+  private Optional<TfTreeViewState> shown = Optional.empty();
 
   /** In a part of a window. */
   public TfTreeSurface(Composite parent, UiContext context, Wishes wishes, SubjectMenu subjects) {
@@ -85,7 +85,7 @@ public final class TfTreeSurface {
     canvas = new DiagramCanvas(stack, theme).onSelect(key -> select(key.map(FrameId.class::cast)))
         .onOpen(box -> wishes.ask(wishes.asked().toggle((FrameId) box.key()))).hints(box -> hint((FrameId) box.key()));
     table = new FrameTable(stack, theme, this::select, frame -> wishes.ask(wishes.asked().toggle(frame)));
-    detail = new DetailPane(halves, theme, wishes, () -> select(Optional.empty()));
+    detail = new FrameDetailPane(halves, theme, wishes, () -> select(Optional.empty()));
     halves.setWeights(TREE_SHARE, DETAIL_SHARE);
     halves.setMaximizedControl(stack);
     listen(theme);
@@ -109,7 +109,7 @@ public final class TfTreeSurface {
   }
 
   /** Shows what the last tick left, and what was asked for since. */
-  public void show(Look look, Ask ask) {
+  public void show(TfTreeViewState look, Ask ask) {
     if (root.isDisposed()) {
       return;
     }
@@ -138,7 +138,7 @@ public final class TfTreeSurface {
     DiagramSaver.ask(canvas, context.theme(), "frames").ifPresent(problem -> notice.show(Health.BAD, problem));
   }
 
-  private void notice(Look look) {
+  private void notice(TfTreeViewState look) {
     boolean any = !look.notices().isEmpty();
     if (any) {
       Notice first = look.notices().getFirst();
@@ -190,7 +190,7 @@ public final class TfTreeSurface {
     return shown.flatMap(look -> look.rows().stream().filter(row -> row.id().equals(frame)).findFirst()).map(TfTreeSurface::hint).orElse("");
   }
 
-  private static String hint(Row row) {
+  private static String hint(FrameRow row) {
     String sender = row.link().map(link -> "\nsent by " + link.authority()).orElse("");
     String fold = row.below() == 0 ? "" : "\ndouble click: " + (row.open() ? "hide" : "show") + " the " + row.below() + " below";
     return row.id() + "\n" + row.note() + sender + fold;

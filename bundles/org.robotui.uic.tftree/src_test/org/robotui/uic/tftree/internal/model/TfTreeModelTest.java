@@ -34,14 +34,14 @@ class TfTreeModelTest {
     return new TfTreeModel(context);
   }
 
-  private static Look look(FakeFrames frames, Ask ask) {
+  private static TfTreeViewState look(FakeFrames frames, Ask ask) {
     TfTreeModel model = model(frames);
     model.ask(ask);
     model.tick(NOW, STALE_AFTER);
     return model.look();
   }
 
-  private static List<String> names(Look look) {
+  private static List<String> names(TfTreeViewState look) {
     return look.rows().stream().map(row -> row.depth() + " " + row.title()).toList();
   }
 
@@ -52,7 +52,7 @@ class TfTreeModelTest {
 
   @Test
   void eachFrameFollowsTheOneThatCarriesIt() {
-    Look look = look(Trees.frames(Trees.base()), Ask.FIRST);
+    TfTreeViewState look = look(Trees.frames(Trees.base()), Ask.FIRST);
     assertEquals(List.of("0 map", "1 odom", "2 base_footprint", "3 base_link", "4 camera_link", "5 camera_color_frame",
         "6 camera_color_optical_frame", "5 camera_depth_frame", "6 camera_depth_optical_frame", "4 imu_link", "4 laser", "4 wheel_left_link",
         "4 wheel_right_link"), names(look));
@@ -65,7 +65,7 @@ class TfTreeModelTest {
 
   @Test
   void whatIsWrongIsSaidTheWorstFirst() {
-    Look look = look(Trees.frames(Trees.faulty(), Trees.refusal()), Ask.FIRST);
+    TfTreeViewState look = look(Trees.frames(Trees.faulty(), Trees.refusal()), Ask.FIRST);
     assertEquals(List.of(Health.BAD, Health.BAD, Health.STALE, Health.WARNING), look.notices().stream().map(Notice::health).toList());
     assertTrue(look.notices().get(0).words().contains("would close a loop") && look.notices().get(0).words().contains("12 times"));
     assertTrue(look.notices().get(1).words().contains("base_footprint"));
@@ -85,7 +85,7 @@ class TfTreeModelTest {
     List<FrameLink> links = new ArrayList<>(Trees.base());
     links.add(link);
     frames.known(links, List.of());
-    Look look = look(frames, Ask.FIRST);
+    TfTreeViewState look = look(frames, Ask.FIRST);
     assertEquals(List.of(Health.NONE), look.notices().stream().map(Notice::health).toList());
     assertTrue(names(look).contains("0 Natalie:map"), names(look).toString());
     assertEquals("15 frames, 2 trees", look.title());
@@ -94,7 +94,7 @@ class TfTreeModelTest {
   @Test
   void whatIsFoldedIsHiddenUnlessItIsSearched() {
     Ask folded = Ask.FIRST.toggle(id("base_link"));
-    Look look = look(Trees.frames(Trees.base()), folded);
+    TfTreeViewState look = look(Trees.frames(Trees.base()), folded);
     assertEquals(List.of("0 map", "1 odom", "2 base_footprint", "3 base_link"), names(look));
     assertTrue(look.rows().getLast().note().contains("+9"));
     assertEquals(List.of("0 map", "1 odom", "2 base_footprint", "3 base_link", "4 camera_link", "5 camera_depth_frame", "6 camera_depth_optical_frame"),
@@ -105,13 +105,13 @@ class TfTreeModelTest {
   @Test
   void thePoseIsShownInTheChosenFrame() {
     FakeFrames frames = Trees.frames(List.of(Trees.fixed("base", "mount"), Trees.fixed("mount", "laser"), Trees.fixed("world", "marker")));
-    Detail root = look(frames, Ask.FIRST.select(Optional.of(id("laser")))).detail().orElseThrow();
+    FrameDetail root = look(frames, Ask.FIRST.select(Optional.of(id("laser")))).detail().orElseThrow();
     assertEquals(id("base"), root.reference());
-    Detail parent = look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Parent())).detail().orElseThrow();
+    FrameDetail parent = look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Parent())).detail().orElseThrow();
     assertEquals(id("mount"), parent.reference());
-    assertEquals(new Detail.Value("x", "1.000\u00a0m"), parent.values().getFirst());
+    assertEquals(new FrameDetail.Value("x", "1.000\u00a0m"), parent.values().getFirst());
     assertTrue(parent.text().contains("yaw\t17.19\u00b0"), parent.text());
-    Detail apart = look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Pinned(id("marker")))).detail().orElseThrow();
+    FrameDetail apart = look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Pinned(id("marker")))).detail().orElseThrow();
     assertTrue(apart.missing().orElseThrow().contains("is missing"), apart.missing().toString());
   }
 
@@ -136,7 +136,7 @@ class TfTreeModelTest {
 
   @Test
   void noBoxCoversAnotherInALargeTreeAndAllAreDrawnOnce() {
-    Look look = look(Trees.frames(Trees.many(3000)), Ask.FIRST);
+    TfTreeViewState look = look(Trees.frames(Trees.many(3000)), Ask.FIRST);
     Diagram drawing = look.drawing();
     assertEquals(3001, drawing.boxes().size());
     assertEquals(3000, drawing.wires().size());

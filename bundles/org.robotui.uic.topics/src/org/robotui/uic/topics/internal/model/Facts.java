@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.robotui.api.port.Browser.Kind;
-import org.robotui.uic.topics.internal.model.Row.Counts;
+import org.robotui.uic.topics.internal.model.TopicRow.Counts;
 
 /** The facts of a description as lines, with names of things as links. Pure. */
 final class Facts {

@@ -14,7 +14,7 @@ import org.robotui.api.port.CallException;
 import org.robotui.api.port.Input;
 import org.robotui.data.Data;
 import org.robotui.uic.topics.internal.TopicsPorts;
-import org.robotui.uic.topics.internal.model.Row.Counts;
+import org.robotui.uic.topics.internal.model.TopicRow.Counts;
 
 /**
  * Asks the robots in the background, slowly: what they have, and more about what is selected. A robot that takes long is asked less

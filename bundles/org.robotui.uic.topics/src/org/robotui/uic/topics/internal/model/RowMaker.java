@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.ui.ask.Measure;
-import org.robotui.uic.topics.internal.model.Row.Counts;
+import org.robotui.uic.topics.internal.model.TopicRow.Counts;
 
 /** Makes the rows of the list. Pure, but for counting its work. */
 final class RowMaker {
@@ -20,10 +20,10 @@ final class RowMaker {
     this.known = known;
   }
 
-  List<Row> rows(Catalog catalog, Wishes wishes, Map<Key, Measure> measures) {
+  List<TopicRow> rows(Catalog catalog, Wishes wishes, Map<Key, Measure> measures) {
     String[] words = words(wishes.filter());
     boolean several = catalog.robots().size() > 1;
-    List<Row> rows = new ArrayList<>();
+    List<TopicRow> rows = new ArrayList<>();
     for (Entry entry : catalog.of(wishes.section())) {
       looked++;
       if (matches(entry, words)) {
@@ -55,11 +55,11 @@ final class RowMaker {
     return looked;
   }
 
-  private Row row(Entry entry, boolean several, Wishes wishes, Map<Key, Measure> measures) {
+  private TopicRow row(Entry entry, boolean several, Wishes wishes, Map<Key, Measure> measures) {
     Key key = entry.key();
     Optional<Poller.Known> more = known.apply(key);
     String type = entry.type().isEmpty() ? more.map(Poller.Known::type).orElse("") : entry.type();
-    return new Row(entry, several ? key.robot() + "  " + key.name() : key.name(), type,
+    return new TopicRow(entry, several ? key.robot() + "  " + key.name() : key.name(), type,
         more.map(Poller.Known::counts).orElse(Counts.UNKNOWN), wishes.measured().contains(key), Optional.ofNullable(measures.get(key)));
   }
 

@@ -36,12 +36,12 @@ public final class TopicsModel {
   private final Due frame = new Due(FRAME_NANOS);
   private final Due heartbeat = new Due(HEARTBEAT_NANOS);
   private final Due figures = new Due(FIGURES_NANOS);
-  private volatile UnaryOperator<List<Row>> sorting = List::copyOf;
+  private volatile UnaryOperator<List<TopicRow>> sorting = List::copyOf;
   private volatile Wishes wishes = Wishes.FIRST;
   private volatile long seenAt;
   private volatile boolean seen;
   private volatile String refusal = "";
-  private volatile Look look;
+  private volatile TopicsViewState look;
   private Map<Key, Measure> measures = Map.of();
   private long version = -1;
   private boolean heard;
@@ -53,7 +53,7 @@ public final class TopicsModel {
     presence = new Presence(context, TopicsPorts.GRAPH, "what it has");
     speaker = new Speaker(context.output(TopicsPorts.PUBLISH), context.principal());
     maker = new RowMaker(poller::known);
-    look = look(presence.state(Set.of(), Map.of()), Look.Echo.NOTHING);
+    look = look(presence.state(Set.of(), Map.of()), TopicsViewState.Echo.NOTHING);
   }
 
   /** Takes what came and prepares what is seen; whether there is something new to show. */
@@ -80,7 +80,7 @@ public final class TopicsModel {
       measures = watched.measures(catalog, wanted, now);
     }
     listed.follow(catalog, wanted);
-    Look next = look(presence.state(catalog.known(), catalog.failures()), echo(catalog, wanted));
+    TopicsViewState next = look(presence.state(catalog.known(), catalog.failures()), echo(catalog, wanted));
     boolean beat = heartbeat.passed(now);
     boolean changed = beat || heard || next.speech().hertz().isPresent() || !same(next, look);
     if (beat) {
@@ -92,7 +92,7 @@ public final class TopicsModel {
   }
 
   /** What the last tick prepared. */
-  public Look look() {
+  public TopicsViewState look() {
     return look;
   }
 
@@ -120,7 +120,7 @@ public final class TopicsModel {
   }
 
   /** How rows are sorted from the next tick on. */
-  public void sorting(UnaryOperator<List<Row>> order) {
+  public void sorting(UnaryOperator<List<TopicRow>> order) {
     sorting = order;
     listed.again = true;
   }
@@ -206,26 +206,26 @@ public final class TopicsModel {
     wishes = change.apply(wishes);
   }
 
-  private Look.Echo echo(Catalog catalog, Wishes wanted) {
+  private TopicsViewState.Echo echo(Catalog catalog, Wishes wanted) {
     Optional<Key> key = wanted.echoed().or(wanted::selected);
     String obstacle = key.map(k -> Obstacles.echo(k, catalog.find(k), poller.described())).orElse("");
     Optional<Heard> shown = watched.shown(wanted.pinned());
     InputState state = watched.state().orElseGet(() -> new InputState.Unconnected(obstacle));
     Optional<DynamicRecord> record = shown.map(h -> look.echo().shown().equals(shown)
         ? look.echo().record().orElseGet(() -> h.envelope().record()) : h.envelope().record());
-    return new Look.Echo(watched.echoed(), obstacle, state, shown, record, watched.history().all(), watched.history().count(),
+    return new TopicsViewState.Echo(watched.echoed(), obstacle, state, shown, record, watched.history().all(), watched.history().count(),
         watched.history().missed(), wanted.echoed().map(measures::get).orElse(Measure.NOTHING));
   }
 
-  private Look look(InputState state, Look.Echo echo) {
+  private TopicsViewState look(InputState state, TopicsViewState.Echo echo) {
     Catalog catalog = poller.catalog();
     String notice = refusal.isEmpty() ? Presence.notice(state, catalog.failures()) : refusal;
-    return new Look(listed.wishes, state, listed.rows, listed.counts, catalog.of(listed.wishes.section()).size(), notice,
+    return new TopicsViewState(listed.wishes, state, listed.rows, listed.counts, catalog.of(listed.wishes.section()).size(), notice,
         poller.described(), echo, speaker.look(), watched.streams());
   }
 
   /** Rows and records are compared by identity: they are made anew only where something changed. */
-  private static boolean same(Look one, Look other) {
+  private static boolean same(TopicsViewState one, TopicsViewState other) {
     return one.rows() == other.rows() && one.counts() == other.counts() && one.wishes().equals(other.wishes())
         && one.state().equals(other.state()) && one.notice().equals(other.notice()) && one.described() == other.described()
         && one.echo().state().getClass() == other.echo().state().getClass() && one.echo().obstacle().equals(other.echo().obstacle())
@@ -235,7 +235,7 @@ public final class TopicsModel {
   /** The rows, made again only where something that they show changed. The tick's thread. */
   private final class Listed {
     private Wishes wishes = Wishes.FIRST;
-    private List<Row> rows = List.of();
+    private List<TopicRow> rows = List.of();
     private Map<Kind, Integer> counts = Map.of();
     private Catalog from = Catalog.NOTHING;
     private Map<Key, Measure> shown = Map.of();

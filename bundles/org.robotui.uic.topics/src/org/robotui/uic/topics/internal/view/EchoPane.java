@@ -29,8 +29,8 @@ import org.robotui.ui.show.PortDrag;
 import org.robotui.ui.show.RecordYaml;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.Heard;
-import org.robotui.uic.topics.internal.model.Look;
 import org.robotui.uic.topics.internal.model.TopicsModel;
+import org.robotui.uic.topics.internal.model.TopicsViewState;
 
 /** The messages of a topic: the newest as a tree, and those before it. Display thread. */
 final class EchoPane {
@@ -46,7 +46,7 @@ final class EchoPane {
   private final RecordTree tree;
   private final Composite rule;
   private final RowTable<Heard> history;
-  private Look.Echo shown = Look.Echo.NOTHING;
+  private TopicsViewState.Echo shown = TopicsViewState.Echo.NOTHING;
   private Optional<Boolean> wanted = Optional.empty();
 
   EchoPane(Composite parent, Theme theme, TopicsModel model, String ruic, SubjectMenu subjects) {
@@ -85,7 +85,7 @@ final class EchoPane {
     return root;
   }
 
-  void show(Look look) {
+  void show(TopicsViewState look) {
     shown = look.echo();
     boolean held = look.wishes().paused();
     pause.checked(held).icon(held ? Icon.PLAY : Icon.PAUSE).hint(held ? "Resume (H)" : "Pause (H)");
@@ -105,7 +105,7 @@ final class EchoPane {
     }
   }
 
-  private void tree(Look look) {
+  private void tree(TopicsViewState look) {
     if (shown.source().isEmpty()) {
       tree.clear();
       tree.message(Health.NONE, shown.obstacle().isEmpty() ? "No topic is open" : "No messages to show", shown.obstacle());
@@ -125,7 +125,7 @@ final class EchoPane {
   }
 
   private String figures(boolean held) {
-    String measure = Words.measure(shown.measure());
+    String measure = TopicText.measure(shown.measure());
     return held && shown.missed() > 0 ? "paused, " + shown.missed() + " more came  \u00b7  " + measure : held ? "paused  \u00b7  " + measure : measure;
   }
 
@@ -158,7 +158,7 @@ final class EchoPane {
   private static List<Column<Heard>> columns() {
     return List.of(
         Column.<Heard>values("Received", EchoPane::received).hint(heard -> "Message " + heard.number()),
-        Column.<Heard>figures("Size", heard -> heard.size().isPresent() ? Words.bytes(heard.size().getAsInt(), "B") : "")
+        Column.<Heard>figures("Size", heard -> heard.size().isPresent() ? TopicText.bytes(heard.size().getAsInt(), "B") : "")
             .width(80).role(Role.DIM));
   }
 

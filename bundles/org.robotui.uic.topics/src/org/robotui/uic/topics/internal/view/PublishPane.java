@@ -25,10 +25,10 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RecordForm;
 import org.robotui.uic.topics.internal.model.Described;
 import org.robotui.uic.topics.internal.model.Key;
-import org.robotui.uic.topics.internal.model.Look;
 import org.robotui.uic.topics.internal.model.Speaker;
 import org.robotui.uic.topics.internal.model.Speech;
 import org.robotui.uic.topics.internal.model.TopicsModel;
+import org.robotui.uic.topics.internal.model.TopicsViewState;
 
 /** A form of a message, to say it on its topic once or again and again. Display thread. */
 final class PublishPane {
@@ -88,7 +88,7 @@ final class PublishPane {
     return form;
   }
 
-  void show(Look look, Described described) {
+  void show(TopicsViewState look, Described described) {
     if (!about.map(Described::key).equals(Optional.of(described.key()))) {
       model.speaker().stop("another topic was chosen");
       awaited = false;
@@ -177,7 +177,7 @@ final class PublishPane {
     model.echo(key);
   }
 
-  private void fillAwaited(Look look) {
+  private void fillAwaited(TopicsViewState look) {
     if (!awaited) {
       prefill.setEnabled(look.echo().obstacle().isEmpty());
       return;

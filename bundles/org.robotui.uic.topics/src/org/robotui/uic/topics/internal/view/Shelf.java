@@ -22,8 +22,8 @@ import org.robotui.ui.show.DraggedPorts;
 import org.robotui.ui.show.PortDrag;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.model.Key;
-import org.robotui.uic.topics.internal.model.Look;
-import org.robotui.uic.topics.internal.model.Row;
+import org.robotui.uic.topics.internal.model.TopicRow;
+import org.robotui.uic.topics.internal.model.TopicsViewState;
 
 /** The lists: one with figures for topics, one for nodes, one for all else. Display thread, but for {@link #sorted}. */
 final class Shelf {
@@ -44,9 +44,9 @@ final class Shelf {
   private final SubjectMenu subjects;
   private final Composite root;
   private final StackLayout stack = new StackLayout();
-  private final RowTable<Row> topics;
-  private final RowTable<Row> nodes;
-  private final RowTable<Row> others;
+  private final RowTable<TopicRow> topics;
+  private final RowTable<TopicRow> nodes;
+  private final RowTable<TopicRow> others;
   private volatile Kind section = Kind.TOPIC;
 
   Shelf(Composite parent, Theme theme, Acts acts, String ruic, SubjectMenu subjects) {
@@ -55,9 +55,9 @@ final class Shelf {
     root = new Composite(parent, SWT.NONE);
     root.setBackground(theme.color(Role.PANEL));
     root.setLayout(stack);
-    topics = new RowTable<>(root, theme, TopicColumns.topics(theme), Row::key).onOrder(acts::reorder);
-    nodes = new RowTable<>(root, theme, TopicColumns.nodes(), Row::key).onOrder(acts::reorder);
-    others = new RowTable<>(root, theme, TopicColumns.others(), Row::key).onOrder(acts::reorder);
+    topics = new RowTable<>(root, theme, TopicColumns.topics(theme), TopicRow::key).onOrder(acts::reorder);
+    nodes = new RowTable<>(root, theme, TopicColumns.nodes(), TopicRow::key).onOrder(acts::reorder);
+    others = new RowTable<>(root, theme, TopicColumns.others(), TopicRow::key).onOrder(acts::reorder);
     listen(topics, "Topics");
     listen(nodes, "Nodes");
     listen(others, "Services and actions");
@@ -72,7 +72,7 @@ final class Shelf {
     return root;
   }
 
-  RowTable<Row> table() {
+  RowTable<TopicRow> table() {
     return switch (section) {
       case TOPIC -> topics;
       case NODE -> nodes;
@@ -81,7 +81,7 @@ final class Shelf {
   }
 
   /** Sorts as the user chose. Any thread. */
-  List<Row> sorted(List<Row> rows) {
+  List<TopicRow> sorted(List<TopicRow> rows) {
     return table().sorted(rows);
   }
 
@@ -103,11 +103,11 @@ final class Shelf {
     others.highlight(words);
   }
 
-  void show(Look look) {
+  void show(TopicsViewState look) {
     if (look.wishes().section() != section) {
       return;
     }
-    RowTable<Row> table = table();
+    RowTable<TopicRow> table = table();
     table.show(look.rows());
     if (!StateView.showsContent(look.state())) {
       // Nothing is waited for here but an answer.
@@ -117,11 +117,11 @@ final class Shelf {
     } else if (look.total() > 0) {
       table.list().message(Health.NONE, "No match", "None of " + look.total() + " contains these words. Esc clears the filter.");
     } else {
-      table.list().message(Health.NONE, "No " + Words.section(section).toLowerCase(Locale.ROOT), "The robot has none now.");
+      table.list().message(Health.NONE, "No " + TopicText.section(section).toLowerCase(Locale.ROOT), "The robot has none now.");
     }
   }
 
-  private static void message(RowTable<Row> table, InputState state) {
+  private static void message(RowTable<TopicRow> table, InputState state) {
     String title = switch (state) {
       case InputState.Failed f -> "No answer";
       case InputState.Waiting w -> "Asking";
@@ -130,14 +130,14 @@ final class Shelf {
     table.list().message(StateView.health(state), title, state.explanation());
   }
 
-  private void listen(RowTable<Row> table, String name) {
+  private void listen(RowTable<TopicRow> table, String name) {
     table.list().named(name).onFind(acts::find)
-        .onSelect(rows -> acts.select(rows.stream().findFirst().map(Row::key)))
+        .onSelect(rows -> acts.select(rows.stream().findFirst().map(TopicRow::key)))
         .onOpen(row -> acts.open(row.key()))
         .menu((menu, rows) -> rows.stream().findFirst().ifPresent(row -> menu(menu, row)));
   }
 
-  private void menu(PopupMenu menu, Row row) {
+  private void menu(PopupMenu menu, TopicRow row) {
     Key key = row.key();
     Optional<Subject> subject = switch (key.kind()) {
       case TOPIC -> row.entry().stream().map(Subject.Stream::of);
@@ -163,7 +163,7 @@ final class Shelf {
     }
   }
 
-  private void measure(Row row) {
+  private void measure(TopicRow row) {
     if (row.entry().stream().isPresent() || row.measured()) {
       acts.measure(row.key(), !row.measured());
     }

@@ -12,7 +12,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.ask.Measure;
 import org.robotui.ui.control.Column;
-import org.robotui.uic.topics.internal.model.Row;
+import org.robotui.uic.topics.internal.model.TopicRow;
 
 /** The columns of the list. Display thread, but for the orders, which are pure. */
 final class TopicColumns {
@@ -24,62 +24,62 @@ final class TopicColumns {
 
   private TopicColumns() {}
 
-  static List<Column<Row>> topics(Theme theme) {
+  static List<Column<TopicRow>> topics(Theme theme) {
     return List.of(
-        Column.<Row>words("", row -> row.measured() ? "measured" : "").width(TICK_WIDTH).unsearched()
+        Column.<TopicRow>words("", row -> row.measured() ? "measured" : "").width(TICK_WIDTH).unsearched()
             .painted((gc, at, row) -> box(gc, theme, at, row))
             .hint(row -> row.entry().stream().isPresent() ? "Measure its rate (M)" : ""),
         name("Topic"),
         type().from(360),
         count("Pub", row -> row.counts().publishers().orElse(-1), "Who publishes it, known once it was selected").from(620),
         count("Sub", row -> row.counts().subscribers().orElse(-1), "Who subscribes it, known once it was selected").from(620),
-        figure("Rate", 76, Words::rate, Measure::hertz).role(TopicColumns::role),
-        figure("Jitter", 74, m -> Words.period(m.jitter()), Measure::jitter).from(760),
-        figure("Shortest", 78, m -> Words.period(m.shortest()), Measure::shortest).from(980),
-        figure("Longest", 78, m -> Words.period(m.longest()), Measure::longest).from(980),
-        figure("Bandwidth", 92, m -> Words.bandwidth(m.bytesPerSecond()), m -> m.bytesPerSecond().orElse(-1)).from(520),
+        figure("Rate", 76, TopicText::rate, Measure::hertz).role(TopicColumns::role),
+        figure("Jitter", 74, m -> TopicText.period(m.jitter()), Measure::jitter).from(760),
+        figure("Shortest", 78, m -> TopicText.period(m.shortest()), Measure::shortest).from(980),
+        figure("Longest", 78, m -> TopicText.period(m.longest()), Measure::longest).from(980),
+        figure("Bandwidth", 92, m -> TopicText.bandwidth(m.bytesPerSecond()), m -> m.bytesPerSecond().orElse(-1)).from(520),
         figure("Messages", 84, m -> Long.toString(m.count()), Measure::count).from(860));
   }
 
-  static List<Column<Row>> nodes() {
+  static List<Column<TopicRow>> nodes() {
     return List.of(name("Node"),
         count("Publishes", row -> row.counts().publishers().orElse(-1), "How many topics, known once it was selected").width(86).from(360),
         count("Subscribes", row -> row.counts().subscribers().orElse(-1), "How many topics, known once it was selected").width(86).from(360));
   }
 
-  static List<Column<Row>> others() {
+  static List<Column<TopicRow>> others() {
     return List.of(name("Name"), type().from(320));
   }
 
-  private static Column<Row> name(String title) {
-    return Column.words(title, Row::label).weight(3).order(Comparator.comparing(Row::label));
+  private static Column<TopicRow> name(String title) {
+    return Column.words(title, TopicRow::label).weight(3).order(Comparator.comparing(TopicRow::label));
   }
 
-  private static Column<Row> type() {
-    return Column.words("Type", Row::type).brief(TopicColumns::withoutPackage).weight(2.4).role(Role.DIM).order(Comparator.comparing(Row::type));
+  private static Column<TopicRow> type() {
+    return Column.words("Type", TopicRow::type).brief(TopicColumns::withoutPackage).weight(2.4).role(Role.DIM).order(Comparator.comparing(TopicRow::type));
   }
 
   private static String withoutPackage(String type) {
     return type.substring(type.lastIndexOf('/') + 1);
   }
 
-  private static Column<Row> count(String title, Function<Row, Integer> value, String hint) {
-    return Column.<Row>figures(title, row -> value.apply(row) < 0 ? "" : Integer.toString(value.apply(row)))
+  private static Column<TopicRow> count(String title, Function<TopicRow, Integer> value, String hint) {
+    return Column.<TopicRow>figures(title, row -> value.apply(row) < 0 ? "" : Integer.toString(value.apply(row)))
         .width(48).role(Role.DIM).order(Comparator.comparing(value)).hint(row -> hint);
   }
 
-  private static Column<Row> figure(String title, int width, Function<Measure, String> text, ToDoubleFunction<Measure> value) {
-    return Column.<Row>figures(title, row -> row.measure().map(text).orElse("")).width(width).unsearched()
+  private static Column<TopicRow> figure(String title, int width, Function<Measure, String> text, ToDoubleFunction<Measure> value) {
+    return Column.<TopicRow>figures(title, row -> row.measure().map(text).orElse("")).width(width).unsearched()
         .order(Comparator.comparingDouble(row -> row.measure().map(value::applyAsDouble).filter(v -> !v.isNaN()).orElse(-1.0)));
   }
 
   /** What is waited for, or has ended, stands back. */
-  private static Role role(Row row) {
+  private static Role role(TopicRow row) {
     return row.measure().map(m -> m.count() == 0 ? Role.DIM : m.hertz() == 0 ? Role.WARNING : Role.TEXT).orElse(Role.DIM);
   }
 
   /** What has no stream cannot be measured, and has no box. */
-  private static void box(GC gc, Theme theme, Rectangle at, Row row) {
+  private static void box(GC gc, Theme theme, Rectangle at, TopicRow row) {
     if (row.entry().stream().isPresent() || row.measured()) {
       box(gc, theme, at, row.measured());
     }

@@ -24,8 +24,8 @@ import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.topics.internal.TopicsOptions;
 import org.robotui.uic.topics.internal.model.Catalog;
 import org.robotui.uic.topics.internal.model.Key;
-import org.robotui.uic.topics.internal.model.Look;
 import org.robotui.uic.topics.internal.model.TopicsModel;
+import org.robotui.uic.topics.internal.model.TopicsViewState;
 import org.robotui.uic.topics.internal.model.Wishes;
 
 /** What is seen of the view: kinds and filter above, the list at the left, all about the selected thing at the right. Display thread. */
@@ -45,11 +45,11 @@ public final class TopicsSurface {
   private final NoticeLine notice;
   private final SashForm split;
   private final Shelf shelf;
-  private final DetailPane detail;
+  private final TopicDetailPane detail;
   private Optional<Awaited> awaited = Optional.empty();
 
   /** Something that is to be shown as soon as the robot has said that it is there. */
-  private record Awaited(Supplier<Optional<Key>> key, DetailPane.Leaf leaf) {}
+  private record Awaited(Supplier<Optional<Key>> key, TopicDetailPane.Leaf leaf) {}
 
   /**
    * Makes the controls.
@@ -66,7 +66,7 @@ public final class TopicsSurface {
     root = Boxes.root(parent, theme, this::focus);
     bar = Boxes.bar(root, theme, Catalog.KINDS.size() + 1);
     for (Kind kind : Catalog.KINDS) {
-      sections.put(kind, new QuietButton(bar, theme, () -> section(kind)).text(Words.section(kind)));
+      sections.put(kind, new QuietButton(bar, theme, () -> section(kind)).text(TopicText.section(kind)));
     }
     filter = new FilterField(bar, theme, "Filter", this::filter);
     filter.setLayoutData(Boxes.end(FILTER_WIDTH));
@@ -74,7 +74,7 @@ public final class TopicsSurface {
     split = Boxes.split(root, theme, SWT.HORIZONTAL);
     split.setLayoutData(Boxes.fill());
     shelf = new Shelf(split, theme, new Acts(), ruic, subjects);
-    detail = new DetailPane(split, theme, model, this::follow, ruic, subjects);
+    detail = new TopicDetailPane(split, theme, model, this::follow, ruic, subjects);
     split.setWeights(WIDE);
     listen();
     resume(model.look().wishes());
@@ -100,7 +100,7 @@ public final class TopicsSurface {
     }
     watch();
     reach();
-    Look look = model.look();
+    TopicsViewState look = model.look();
     sections(look);
     shelf.show(look);
     detail.show(look);
@@ -118,12 +118,12 @@ public final class TopicsSurface {
 
   /** Shows the topic of a stream: its messages, or what is known of it. */
   public void show(SourceId stream, boolean echo) {
-    await(new Awaited(() -> model.topic(stream), echo ? DetailPane.Leaf.ECHO : DetailPane.Leaf.ABOUT));
+    await(new Awaited(() -> model.topic(stream), echo ? TopicDetailPane.Leaf.ECHO : TopicDetailPane.Leaf.ABOUT));
   }
 
   /** Shows a program. */
   public void showNode(String name) {
-    await(new Awaited(() -> model.node(name), DetailPane.Leaf.ABOUT));
+    await(new Awaited(() -> model.node(name), TopicDetailPane.Leaf.ABOUT));
   }
 
   private void await(Awaited next) {
@@ -144,7 +144,7 @@ public final class TopicsSurface {
     return shelf;
   }
 
-  DetailPane detail() {
+  TopicDetailPane detail() {
     return detail;
   }
 
@@ -208,12 +208,12 @@ public final class TopicsSurface {
     return at == root;
   }
 
-  private void sections(Look look) {
+  private void sections(TopicsViewState look) {
     boolean changed = false;
     for (Kind kind : Catalog.KINDS) {
       QuietButton button = sections.get(kind);
       int before = button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x;
-      button.text(Words.section(kind) + "  " + look.counts().getOrDefault(kind, 0)).checked(kind == look.wishes().section());
+      button.text(TopicText.section(kind) + "  " + look.counts().getOrDefault(kind, 0)).checked(kind == look.wishes().section());
       changed |= button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x != before;
     }
     if (changed) {
@@ -221,7 +221,7 @@ public final class TopicsSurface {
     }
   }
 
-  private static String note(Look look) {
+  private static String note(TopicsViewState look) {
     String shown = look.rows().size() == look.total() ? "" : look.rows().size() + " of " + look.total();
     String streams = look.streams() == 0 ? "" : look.streams() + (look.streams() == 1 ? " stream taken" : " streams taken");
     return shown.isEmpty() || streams.isEmpty() ? shown + streams : shown + " \u00b7 " + streams;

@@ -220,7 +220,7 @@ class TopicsModelTest {
     ticks(3);
     assertEquals(2000, model.look().rows().size());
     assertEquals(200, model.look().counts().get(Kind.NODE));
-    List<Row> rows = model.look().rows();
+    List<TopicRow> rows = model.look().rows();
     long looked = model.looked();
     for (int i = 0; i < 400; i++) {
       now += 20 * MILLI;

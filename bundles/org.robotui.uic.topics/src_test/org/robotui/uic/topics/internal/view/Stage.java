@@ -5,7 +5,7 @@ import org.robotui.api.port.Browser.Kind;
 import org.robotui.ui.control.RowTable;
 import org.robotui.uic.topics.internal.model.Fact;
 import org.robotui.uic.topics.internal.model.Key;
-import org.robotui.uic.topics.internal.model.Row;
+import org.robotui.uic.topics.internal.model.TopicRow;
 
 /** A surface in the hands of a test. */
 public final class Stage {
@@ -32,7 +32,7 @@ public final class Stage {
   }
 
   public void publish() {
-    surface.detail().open(DetailPane.Leaf.PUBLISH);
+    surface.detail().open(TopicDetailPane.Leaf.PUBLISH);
   }
 
   public void publishOnce() {
@@ -49,7 +49,7 @@ public final class Stage {
     surface.filterField().words(words);
   }
 
-  public RowTable<Row> table() {
+  public RowTable<TopicRow> table() {
     return surface.shelf().table();
   }
 

@@ -1,0 +1,169 @@
+package org.robotui.rfic.lcm.internal.session;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import org.robotui.api.RficContext;
+import org.robotui.api.link.Pulse;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.CommandSink;
+import org.robotui.api.port.Offer;
+import org.robotui.data.Data;
+import org.robotui.data.MessageCommand;
+import org.robotui.data.Motion;
+import org.robotui.lcm.Lcm;
+import org.robotui.lcm.LcmState;
+import org.robotui.lcm.type.LcmRecord;
+import org.robotui.lcm.type.LcmType;
+import org.robotui.lcm.type.TypeLibrary;
+import org.robotui.rfic.lcm.internal.LcmSettings;
+import org.robotui.rfic.lcm.internal.TypeCheck;
+import org.robotui.rfic.lcm.internal.call.LcmPorts;
+import org.robotui.rfic.lcm.internal.convert.CommandForm;
+import org.robotui.rfic.lcm.internal.convert.CommandWriter;
+import org.robotui.rfic.lcm.internal.convert.RecordFiller;
+import org.robotui.rfic.lcm.internal.language.FaultException;
+
+/** What goes to the robot. A message is sent now or not at all; nothing waits for a connection. */
+final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
+  private static final double SECOND = 1e9;
+  /** How long a stop at the end may take; a server that hangs keeps whoever sends to it until the link is closed. */
+  private static final Duration STOP = Duration.ofMillis(300);
+
+  private final Lcm lcm;
+  private final TypeLibrary types;
+  private final LcmChannels channels;
+  private final Pulse pulse;
+  private final ThreadFactory threads;
+  private final List<Offer> offers = new ArrayList<>();
+  private final List<String> problems = new ArrayList<>();
+  private final Set<String> moving = new HashSet<>();
+  /** What we drive now, by channel, each with what stops it. */
+  private final Map<String, Runnable> driven = new ConcurrentHashMap<>();
+  private volatile boolean closed;
+
+  LcmCommands(RficContext context, Lcm lcm, LcmSettings settings, TypeLibrary types, LcmChannels channels, Pulse pulse) {
+    this.lcm = lcm;
+    this.types = types;
+    this.channels = channels;
+    this.pulse = pulse;
+    this.threads = context.threads();
+    settings.commands().forEach(c -> offer(context, c, c.form()));
+    offers.add(context.offers().command(LcmPorts.PUBLISH, this));
+  }
+
+  private <D extends Data> void offer(RficContext context, LcmSettings.Command command, CommandForm<D> form) {
+    String channel = command.mapping().channel();
+    try {
+      CommandWriter<D> writer = TypeCheck.writer(command, form, types);
+      if (Motion.class.isAssignableFrom(form.data())) {
+        moving.add(channel);
+      }
+      offers.add(context.offers().command(
+          new CommandPort<>(channel, form.data(), Arity.MANY, channel + ", " + writer.type().name() + ": " + form.help()), c -> send(channel, writer, c)));
+    } catch (FaultException e) {
+      problems.add(e.getMessage());
+    }
+  }
+
+  /** Which commands cannot be sent as configured. */
+  String problem() {
+    return String.join("; ", problems);
+  }
+
+  private <D extends Data> Sent send(String channel, CommandWriter<D> writer, D command) {
+    boolean stops = command instanceof Motion<?> motion && motion.equals(motion.stopped());
+    long silence = stops ? 0 : pulse.silentFor(System.nanoTime());
+    if (closed) {
+      return new Sent.Refused("the connection to " + lcm.url() + " is being closed");
+    }
+    if (silence > 0) {
+      return new Sent.Refused(String.format(Locale.ROOT, "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
+          silence / SECOND));
+    }
+    try {
+      Sent sent = publish(channel, writer.write(command, SessionClock.now()));
+      if (sent instanceof Sent.Out) {
+        note(channel, writer, command, stops);
+      }
+      return sent;
+    } catch (IllegalArgumentException e) {
+      return new Sent.Refused("this is no command for " + channel + ": " + e.getMessage());
+    }
+  }
+
+  private <D extends Data> void note(String channel, CommandWriter<D> writer, D command, boolean stops) {
+    if (stops) {
+      driven.remove(channel);
+    } else if (command instanceof Motion<?> motion) {
+      driven.put(channel, () -> stop(channel, writer, motion));
+    }
+  }
+
+  private <D extends Data> void stop(String channel, CommandWriter<D> writer, Motion<?> motion) {
+    publish(channel, writer.write(writer.form().data().cast(motion.stopped()), SessionClock.now()));
+  }
+
+  private Sent publish(String channel, ByteBuffer message) {
+    if (!(lcm.state() instanceof LcmState.Connected)) {
+      return new Sent.Refused("there is no connection to " + lcm.url());
+    }
+    try {
+      lcm.publish(channel, message);
+      return new Sent.Out();
+    } catch (IOException | IllegalArgumentException e) {
+      return new Sent.Refused(String.valueOf(e.getMessage()));
+    }
+  }
+
+  @Override
+  public Sent send(MessageCommand command) {
+    Optional<LcmType> type = types.type(command.type());
+    if (type.isEmpty()) {
+      return new Sent.Refused("no .lcm file declares the type " + command.type());
+    }
+    Optional<String> other = channels.find(command.topic()).flatMap(Channel::type).map(LcmType::name).filter(t -> !t.equals(command.type()));
+    if (other.isPresent()) {
+      return new Sent.Refused(command.topic() + " carries " + other.get() + ", not " + command.type());
+    }
+    return moving.contains(command.topic())
+        ? new Sent.Refused(command.topic() + " moves the robot; drive it with a view that limits and ends the motion")
+        : say(command.topic(), type.get(), command.fields());
+  }
+
+  private Sent say(String channel, LcmType type, Map<String, Object> fields) {
+    try {
+      LcmRecord record = new RecordFiller(types).fill(type, fields);
+      return publish(channel, type.encode(record));
+    } catch (IllegalArgumentException | ArithmeticException e) {
+      return new Sent.Refused(type.name() + " is not filled in like this: " + e.getMessage());
+    }
+  }
+
+  /** Stops what we drive, where core has not done so; what others drive is left alone. */
+  @Override
+  public void close() {
+    closed = true;
+    offers.forEach(Offer::close);
+    if (!driven.isEmpty()) {
+      CompletableFuture.runAsync(this::stopDriven, work -> threads.newThread(work).start())
+          .completeOnTimeout(null, STOP.toMillis(), TimeUnit.MILLISECONDS).join();
+    }
+  }
+
+  private void stopDriven() {
+    driven.keySet().forEach(channel -> Optional.ofNullable(driven.remove(channel)).ifPresent(Runnable::run));
+  }
+}

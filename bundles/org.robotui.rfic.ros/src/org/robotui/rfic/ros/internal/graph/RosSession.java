@@ -1,0 +1,161 @@
+package org.robotui.rfic.ros.internal.graph;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
+import org.robotui.api.RficContext;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.link.Pulse;
+import org.robotui.api.port.Offer;
+import org.robotui.api.session.RobotSession;
+import org.robotui.net.call.Outcome;
+import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.rfic.ros.internal.call.RosActions;
+import org.robotui.rfic.ros.internal.call.RosBrowser;
+import org.robotui.rfic.ros.internal.call.RosPorts;
+import org.robotui.rfic.ros.internal.call.RosServices;
+import org.robotui.rfic.ros.internal.call.RosTunables;
+import org.robotui.rfic.ros.internal.convert.Adapters;
+import org.robotui.ros.GraphName;
+import org.robotui.ros.NodeOptions;
+import org.robotui.ros.RosNode;
+import org.robotui.ros.message.MessageRegistry;
+
+/** One open node, and all that is offered through it. */
+public final class RosSession implements RobotSession {
+  private static final Duration LOOK = Duration.ofMillis(1000);
+  /** Of several interfaces at one master, one asks for all; each looks as often as it would alone. */
+  private static final Duration FRESH = Duration.ofMillis(900);
+  private static final Duration CLOCK = Duration.ofMillis(50);
+
+  private final RficContext context;
+  private final RosSettings settings;
+  private final SharedMaster master;
+  private final RosNode node;
+  private final Offers offers;
+  private final TransformFeed transforms;
+  private final DescriptionFeed description;
+  private final SessionClock clock;
+  private final Pulse pulse = new Pulse();
+  private final MessageTopics messages;
+  private final Offer publish;
+  private final Offer handled;
+  private final Offer services;
+  private final RosActions actions;
+  private final Offer goals;
+  private final RosTunables tunables;
+  private final Offer graph;
+  private boolean met;
+
+  /**
+   * Opens a node.
+   *
+   * @param context what core gives
+   * @param settings how the robot is reached
+   * @param registry knows message definitions
+   * @param masters what interfaces share that speak to one master
+   * @param care what else the node is given
+   * @throws IOException where no node can be opened on this machine
+   */
+  public RosSession(RficContext context, RosSettings settings, MessageRegistry registry, SharedMasters masters, UnaryOperator<NodeOptions> care)
+      throws IOException {
+    this.context = context;
+    this.settings = settings;
+    this.master = masters.of(settings.master());
+    LinkWatch watch = new LinkWatch();
+    NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch).withRecords(context.stateFolder());
+    this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), care.apply(options));
+    this.clock = new SessionClock(context, node.clock());
+    MarkerFeedbacks feedbacks = new MarkerFeedbacks(node, pulse);
+    this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch, pulse, feedbacks);
+    this.handled = context.offers().command(RosPorts.MARKER_FEEDBACK, feedbacks);
+    this.transforms = new TransformFeed(context, node, clock, settings, master);
+    this.description = new DescriptionFeed(context, node.parameters(), settings, Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
+    this.messages = new MessageTopics(node, registry);
+    this.publish = context.offers().command(RosPorts.PUBLISH, messages);
+    this.services = context.offers().call(RosPorts.SERVICES, new RosServices(node, registry));
+    this.actions = new RosActions(node, registry, context.threads());
+    this.goals = context.offers().call(RosPorts.ACTIONS, actions);
+    this.tunables = new RosTunables(node);
+    this.graph = context.offers().browse(RosPorts.GRAPH, new RosBrowser(node, registry, tunables));
+  }
+
+  /** Follows the graph until the node is ended from outside. */
+  @Override
+  public Optional<String> follow(BooleanSupplier stop) throws InterruptedException {
+    CompletableFuture<String> ended = node.whenClosed().toCompletableFuture();
+    long nextLook = System.nanoTime();
+    while (!stop.getAsBoolean()) {
+      if (System.nanoTime() >= nextLook) {
+        look();
+        nextLook = System.nanoTime() + LOOK.toNanos();
+      }
+      offers.applyDemand();
+      messages.tick();
+      description.tick();
+      tunables.tick();
+      clock.tick();
+      transforms.tick();
+      try {
+        return Optional.of("our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS));
+      } catch (TimeoutException e) {
+        // the usual case: the node lives on
+      } catch (ExecutionException e) {
+        return Optional.of("our node was ended: " + e.getCause());
+      }
+    }
+    return Optional.empty();
+  }
+
+  private void look() {
+    switch (master.graph(() -> SharedGraph.ask(node), System.nanoTime(), FRESH.toNanos())) {
+      case Outcome.Done<SharedGraph> d -> seen(GraphSnapshot.of(d.value(), node.name().text()));
+      case Outcome<SharedGraph> other -> unseen(other.reason());
+    }
+  }
+
+  private void seen(GraphSnapshot snapshot) {
+    met = true;
+    pulse.answered(System.nanoTime());
+    offers.follow(snapshot);
+    messages.follow(snapshot);
+    String peer = settings.master().toString();
+    String problem = offers.problem();
+    context.link().report(
+        problem.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, problem));
+  }
+
+  /** Without the master, established links go on: that is no failure of the robot, but nothing new can be found. */
+  private void unseen(String reason) {
+    boolean flowing = met && offers.flowing();
+    context.link().report(
+        flowing
+            ? new LinkState.Degraded(settings.master().toString(), reason + "; established links go on")
+            : new LinkState.Failed(reason, LOOK));
+  }
+
+  /** The master hears of it early: of many robots that are closed at once, each takes its time. But a stop must have gone out by then. */
+  @Override
+  public void close() {
+    offers.stop();
+    node.leave();
+    publish.close();
+    handled.close();
+    messages.close();
+    services.close();
+    goals.close();
+    actions.close();
+    tunables.close();
+    graph.close();
+    offers.close();
+    transforms.close();
+    description.close();
+    node.close();
+  }
+}

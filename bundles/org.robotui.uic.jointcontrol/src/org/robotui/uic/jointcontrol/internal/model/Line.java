@@ -1,7 +1,0 @@
-package org.robotui.uic.jointcontrol.internal.model;
-
-/** A line of the table. */
-public sealed interface Line permits ChainHead, JointRow {
-  /** What identifies it, so that it stays selected while others come and go. */
-  String key();
-}

@@ -1,0 +1,64 @@
+package org.robotui.uic.map.internal.view;
+
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.robotui.api.config.Settings;
+import org.robotui.api.config.SettingsStore;
+import org.robotui.uic.map.internal.Kind;
+import org.robotui.uic.map.internal.MapOptions;
+
+/** What the user has chosen, kept in the settings. Safe for all threads. */
+public final class MapChoices {
+  private final SettingsStore settings;
+  private volatile Read last;
+
+  /** Settings and what was read of them: every paint asks several times. */
+  private record Read(Settings settings, MapOptions options) {
+    static Read of(Settings settings) {
+      return new Read(settings, MapOptions.of(settings));
+    }
+  }
+
+  public MapChoices(SettingsStore settings) {
+    this.settings = settings;
+    this.last = Read.of(settings.current());
+  }
+
+  public MapOptions options() {
+    Settings now = settings.current();
+    Read known = last;
+    if (known.settings() != now) {
+      known = Read.of(now);
+      last = known;
+    }
+    return known.options();
+  }
+
+  void follow(boolean on) {
+    settings.set(MapOptions.FOLLOW, on);
+  }
+
+  void fan(boolean shown) {
+    settings.set(MapOptions.SHOW_FAN, shown);
+  }
+
+  void uncertainty(boolean shown) {
+    settings.set(MapOptions.SHOW_UNCERTAINTY, shown);
+  }
+
+  void fixedFrame(String name) {
+    settings.set(MapOptions.FIXED_FRAME, name);
+  }
+
+  void show(Kind kind, boolean shown) {
+    settings.set(kind.setting(), shown);
+  }
+
+  void show(String layer, boolean shown) {
+    Set<String> hidden = new TreeSet<>(options().hidden());
+    if (shown ? hidden.remove(layer) : hidden.add(layer)) {
+      settings.set(MapOptions.HIDDEN, List.copyOf(hidden));
+    }
+  }
+}
