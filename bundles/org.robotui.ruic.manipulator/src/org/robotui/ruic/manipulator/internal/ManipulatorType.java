@@ -2,10 +2,8 @@ package org.robotui.ruic.manipulator.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
-import org.robotui.api.Descriptor;
+import org.robotui.api.FixedRuicType;
 import org.robotui.api.RuicType;
-import org.robotui.api.config.Schema;
-import org.robotui.api.config.Settings;
 import org.robotui.api.layout.Layout.Direction;
 import org.robotui.api.layout.Layout.Split;
 import org.robotui.api.layout.Layout.Tabs;
@@ -17,7 +15,7 @@ import org.robotui.api.layout.Layout;
  * well they keep their time. The text view is for terminals, the sound view for ears; both have no place in the window's layout.
  */
 @Component(service = RuicType.class)
-public final class ManipulatorType implements RuicType {
+public final class ManipulatorType extends FixedRuicType {
   private static final Tabs JOINTS = new Tabs(List.of("jointcontrol", "tftree"));
   private static final Tabs PICTURE = new Tabs(List.of("scene3d", "plot", "log", "alerts"));
   private static final Tabs PLUGINS = new Tabs(List.of("plugins"));
@@ -29,24 +27,10 @@ public final class ManipulatorType implements RuicType {
 
   private static final Layout LAYOUT = new Split(Direction.ROW, List.of(MAIN, SIDE), List.of(60.0, 40.0));
 
-  private static final List<UicSpec> VIEWS = UicSpec.of(LAYOUT, "sound", "text");
-
-  private static final Descriptor DESCRIPTOR = new Descriptor("manipulator", "Manipulator",
-      "Joints and control plugins of an arm or a humanoid, with loop timing, plots, log and status.",
-      Schema.EMPTY, List.of());
-
-  @Override
-  public Descriptor descriptor() {
-    return DESCRIPTOR;
-  }
-
-  @Override
-  public List<UicSpec> uics(Settings settings) {
-    return VIEWS;
-  }
-
-  @Override
-  public Layout layout(Settings settings) {
-    return LAYOUT;
+  /** Made by the framework. */
+  public ManipulatorType() {
+    super("manipulator", "Manipulator",
+        "Joints and control plugins of an arm or a humanoid, with loop timing, plots, log and status.",
+        LAYOUT, "sound", "text");
   }
 }

@@ -2,10 +2,8 @@ package org.robotui.ruic.mobilebase.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
-import org.robotui.api.Descriptor;
+import org.robotui.api.FixedRuicType;
 import org.robotui.api.RuicType;
-import org.robotui.api.config.Schema;
-import org.robotui.api.config.Settings;
 import org.robotui.api.layout.Layout.Direction;
 import org.robotui.api.layout.Layout.Split;
 import org.robotui.api.layout.Layout.Tabs;
@@ -18,7 +16,7 @@ import org.robotui.api.layout.Layout;
  * asks a robot less often. The text view is for terminals and has no place in the window's layout.
  */
 @Component(service = RuicType.class)
-public final class MobileBaseType implements RuicType {
+public final class MobileBaseType extends FixedRuicType {
   private static final Tabs PLACES = new Tabs(List.of("map", "scene3d", "tftree", "graph", "topics", "parameters", "services", "actions"));
   private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "diagnostics", "joints", "gps", "alerts"));
   private static final Tabs STATE = new Tabs(List.of("status", "connections"));
@@ -30,24 +28,10 @@ public final class MobileBaseType implements RuicType {
 
   private static final Layout LAYOUT = new Split(Direction.ROW, List.of(MAIN, SIDE), List.of(64.0, 36.0));
 
-  private static final List<UicSpec> VIEWS = UicSpec.of(LAYOUT, "sound", "text");
-
-  private static final Descriptor DESCRIPTOR = new Descriptor("mobilebase", "Mobile base",
-      "Map, camera, teleoperation and status of a robot that drives, with plots, log, diagnostics and all that it offers.",
-      Schema.EMPTY, List.of());
-
-  @Override
-  public Descriptor descriptor() {
-    return DESCRIPTOR;
-  }
-
-  @Override
-  public List<UicSpec> uics(Settings settings) {
-    return VIEWS;
-  }
-
-  @Override
-  public Layout layout(Settings settings) {
-    return LAYOUT;
+  /** Made by the framework. */
+  public MobileBaseType() {
+    super("mobilebase", "Mobile base",
+        "Map, camera, teleoperation and status of a robot that drives, with plots, log, diagnostics and all that it offers.",
+        LAYOUT, "sound", "text");
   }
 }

@@ -2,10 +2,8 @@ package org.robotui.ruic.team.internal;
 
 import java.util.List;
 import org.osgi.service.component.annotations.Component;
-import org.robotui.api.Descriptor;
+import org.robotui.api.FixedRuicType;
 import org.robotui.api.RuicType;
-import org.robotui.api.config.Schema;
-import org.robotui.api.config.Settings;
 import org.robotui.api.layout.Layout;
 import org.robotui.api.layout.Layout.Direction;
 import org.robotui.api.layout.Layout.Split;
@@ -17,29 +15,16 @@ import org.robotui.api.layout.Layout.View;
  * one robot has in detail is seen in an interface of its own, which opens from the table.
  */
 @Component(service = RuicType.class)
-public final class TeamType implements RuicType {
+public final class TeamType extends FixedRuicType {
   private static final Tabs PLACES = new Tabs(List.of("map", "scene3d"));
   private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "alerts", "connections"));
   private static final Layout SIDE = new Split(Direction.COLUMN, List.of(new View("team"), RECORDS), List.of(68.0, 32.0));
   private static final Layout LAYOUT = new Split(Direction.ROW, List.of(PLACES, SIDE), List.of(52.0, 48.0));
-  private static final List<UicSpec> VIEWS = UicSpec.of(LAYOUT, "sound", "text");
 
-  private static final Descriptor DESCRIPTOR = new Descriptor("team", "Team",
-      "All robots of a group or a swarm on one map and in one table, to command one, some, or all of them.",
-      Schema.EMPTY, List.of());
-
-  @Override
-  public Descriptor descriptor() {
-    return DESCRIPTOR;
-  }
-
-  @Override
-  public List<UicSpec> uics(Settings settings) {
-    return VIEWS;
-  }
-
-  @Override
-  public Layout layout(Settings settings) {
-    return LAYOUT;
+  /** Made by the framework. */
+  public TeamType() {
+    super("team", "Team",
+        "All robots of a group or a swarm on one map and in one table, to command one, some, or all of them.",
+        LAYOUT, "sound", "text");
   }
 }
