@@ -1,9 +1,29 @@
 package org.robotui.api.config;
 
 import java.util.List;
+import java.util.Optional;
 
 /** What a setting may hold. */
 public sealed interface ValueType {
+  /**
+   * Takes a value that was not written in a file, such as one that a user chose.
+   *
+   * @param value a Boolean, Number, String, List or Map
+   * @return the value as {@link Settings} hold it; empty where it does not fit
+   */
+  default Optional<Object> fit(Object value) {
+    return ValueCheck.fit(this, value);
+  }
+
+  /**
+   * What a value must be.
+   *
+   * @return words that stand behind "must be"
+   */
+  default String expected() {
+    return ValueCheck.expected(this);
+  }
+
   /**
    * A text.
    *
@@ -13,6 +33,17 @@ public sealed interface ValueType {
     /** Any text. */
     public Text() {
       this(TextRule.ANY);
+    }
+
+    /**
+     * Judges a text.
+     *
+     * @param text the text
+     * @return why it does not fit; an empty reason where there is nothing to add, nothing where it fits
+     */
+    public Optional<String> fault(String text) {
+      return text.length() > TextRule.LONGEST
+          ? Optional.of("it has " + text.length() + " characters; at most " + TextRule.LONGEST + " are read") : rule.fault().apply(text);
     }
   }
 

@@ -110,7 +110,7 @@ class RecordBindingTest {
     assertRefused(Numbers.class, "but field codes is int16[] and needs short[]");
   }
 
-  private static void assertRefused(Class<? extends Record> type, String reason) {
+  private static <T extends Record> void assertRefused(Class<T> type, String reason) {
     IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> codec(type));
     assertTrue(e.getMessage().contains(reason), e.getMessage());
   }

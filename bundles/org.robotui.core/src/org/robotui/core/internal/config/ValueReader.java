@@ -8,7 +8,6 @@ import java.util.Optional;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
-import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.host.Problem;
 
@@ -37,7 +36,7 @@ final class ValueReader {
   private void fill(Map<String, Object> values, Setting setting, YamlValue.Section section) {
     setting.fallback().ifPresent(f -> values.putIfAbsent(setting.name(), f));
     if (setting.required() && section.get(setting.name()).isEmpty()) {
-      String what = "'" + setting.name() + "' is missing: " + Expected.of(setting.type()) + " (" + setting.help() + ")";
+      String what = "'" + setting.name() + "' is missing: " + setting.type().expected() + " (" + setting.help() + ")";
       problems.add(section.place().error(what));
     }
   }
@@ -70,8 +69,7 @@ final class ValueReader {
       return wrong(value, type, name);
     }
     String text = scalar.get().text();
-    Optional<String> fault = text.length() > TextRule.LONGEST
-        ? Optional.of("it has " + text.length() + " characters; at most " + TextRule.LONGEST + " are read") : type.rule().fault().apply(text);
+    Optional<String> fault = type.fault(text);
     fault.ifPresent(f -> problems.add(value.place().error(mismatch(value, type, name) + (f.isEmpty() ? "" : "; " + f))));
     return fault.isEmpty() ? Optional.of(text) : Optional.empty();
   }
@@ -89,21 +87,15 @@ final class ValueReader {
   }
 
   private Optional<Object> number(YamlValue value, ValueType.Num type, String name) {
-    Optional<Double> number = scalar(value).flatMap(s -> Numbers.decimal(s.text()));
-    return number.<Object>map(n -> n).filter(n -> (Double) n >= type.min() && (Double) n <= type.max())
-        .or(() -> wrong(value, type, name));
+    return scalar(value).flatMap(s -> Numbers.decimal(s.text())).flatMap(type::fit).or(() -> wrong(value, type, name));
   }
 
   private Optional<Object> integer(YamlValue value, ValueType.Int type, String name) {
-    return scalar(value)
-        .flatMap(s -> Numbers.whole(s.text()))
-        .filter(n -> n >= type.min() && n <= type.max())
-        .<Object>map(n -> n)
-        .or(() -> wrong(value, type, name));
+    return scalar(value).flatMap(s -> Numbers.whole(s.text())).flatMap(type::fit).or(() -> wrong(value, type, name));
   }
 
   private Optional<Object> choice(YamlValue value, ValueType.Choice type, String name) {
-    Optional<Object> word = scalar(value).map(YamlValue.Scalar::text).filter(type.words()::contains).map(x -> x);
+    Optional<Object> word = scalar(value).map(YamlValue.Scalar::text).flatMap(type::fit);
     if (word.isEmpty()) {
       String hint = scalar(value).map(s -> NearestWord.hint(s.text(), type.words())).orElse("");
       problems.add(value.place().error(mismatch(value, type, name) + hint));
@@ -155,7 +147,20 @@ final class ValueReader {
 
   /** The alternative of the same shape: its own problems say more than "none of these". */
   private static Optional<ValueType> sameShape(YamlValue value, ValueType.AnyOf type) {
-    return type.alternatives().stream().filter(t -> Expected.hasShape(t, value)).findFirst();
+    return type.alternatives().stream().filter(t -> hasShape(t, value)).findFirst();
+  }
+
+  private static boolean hasShape(ValueType type, YamlValue value) {
+    return switch (type) {
+      case ValueType.ListOf l -> value instanceof YamlValue.Items;
+      case ValueType.MapOf m -> value instanceof YamlValue.Section;
+      case ValueType.Section s -> value instanceof YamlValue.Section;
+      case ValueType.AnyOf a -> a.alternatives().stream().anyMatch(t -> hasShape(t, value));
+      case ValueType.WithPlace p -> hasShape(p.value(), value);
+      case ValueType.Choice c -> value instanceof YamlValue.Scalar;
+      case ValueType.Text t -> value instanceof YamlValue.Scalar scalar && !scalar.isEmpty();
+      default -> false;
+    };
   }
 
   private Optional<Object> anyWrong(YamlValue value, ValueType.AnyOf type, String name) {
@@ -168,6 +173,6 @@ final class ValueReader {
   }
 
   private static String mismatch(YamlValue value, ValueType type, String name) {
-    return "'" + name + "' must be " + Expected.of(type) + ", not " + value.noun();
+    return "'" + name + "' must be " + type.expected() + ", not " + value.noun();
   }
 }

@@ -19,7 +19,6 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.CheckBox;
 import org.robotui.ui.control.ChoiceField;
 import org.robotui.ui.control.PopupMenu;
-import org.robotui.uic.scene3d.internal.model.KindSettings;
 
 /**
  * A control for one setting.
@@ -75,7 +74,7 @@ record SettingEditor(Control control, Consumer<Object> show) {
     text.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, true));
     text.setFont(theme.font(Face.BODY));
     text.setBackground(theme.color(Role.GROUND));
-    text.setToolTipText(setting.help() + "\n" + KindSettings.expected(setting.type()));
+    text.setToolTipText(setting.help() + "\n" + setting.type().expected());
     boolean[] showing = new boolean[1];
     text.addListener(SWT.Modify, e -> {
       Optional<Object> value = read(setting.type(), text.getText());
@@ -108,11 +107,11 @@ record SettingEditor(Control control, Consumer<Object> show) {
   static Optional<Object> read(ValueType type, String typed) {
     String words = typed.strip();
     return switch (type) {
-      case ValueType.Text t -> Optional.of(typed);
-      case ValueType.Num n -> number(words).flatMap(v -> KindSettings.take(type, v));
-      case ValueType.Int i -> number(words).flatMap(v -> KindSettings.take(type, v));
+      case ValueType.Text t -> t.fit(typed);
+      case ValueType.Num n -> number(words).flatMap(type::fit);
+      case ValueType.Int i -> number(words).flatMap(type::fit);
       case ValueType.Flag f -> words.equals("true") ? Optional.of(true) : words.equals("false") ? Optional.of(false) : Optional.empty();
-      case ValueType.Choice c -> KindSettings.take(type, words);
+      case ValueType.Choice c -> type.fit(words);
       case ValueType.ListOf l -> list(l, words);
       case ValueType.AnyOf any -> any.alternatives().stream().flatMap(a -> read(a, typed).stream()).findFirst();
       default -> Optional.empty();

@@ -245,7 +245,7 @@ class SceneModelTest {
     model.tick(0);
     assertEquals(1.0, row(0).settings().orElseThrow().number("size"));
     assertEquals("round", row(0).settings().orElseThrow().text("style"));
-    assertEquals("size is 99, must be from 0.0 to 10.0 m", row(0).words());
+    assertEquals("size is 99, must be a number from 0 to 10 in m", row(0).words());
     assertEquals(Health.WARNING, row(0).health());
   }
 
