@@ -34,7 +34,7 @@ class ValueTypeTest {
 
     assertEquals(Optional.of("robot/map"), frame.fit("robot/map"));
     assertEquals(Optional.of("7"), new ValueType.Text().fit(7L));
-    refuses(frame, "two//frames", "", true);
+    refuses(frame, " padded", "", true);
     refuses(new ValueType.Text(), "x".repeat(TextRule.LONGEST + 1), List.of());
   }
 
