@@ -59,7 +59,7 @@ class RecordBindingTest {
   private record Numbers(List<Integer> codes) {
   }
 
-  private record Picky(String name) {
+  record Picky(String name) {
     Picky {
       throw new IllegalArgumentException("never good: " + name);
     }
