@@ -34,7 +34,7 @@ LINES = [
     ("      scene3d:",),
     ("        displays:",),
     ("          - {type: robotmodel, settings: {file: /etc/passwd}}", "/etc/passwd", "display 'robotmodel': there is no setting 'file'"),
-    ("          - {type: grid, settings: {cell: 1e308}}", "1e308", "display 'grid': cell is 1.0E308, must be from 0.001 to 100000.0 m"),
+    ("          - {type: grid, settings: {cell: 1e308}}", "1e308", "display 'grid': cell is 1.0E308, must be a number from 0.001 to 100000 in m"),
     ("          - {type: grid, settings: {color: red}}", "red", "display 'grid': color is red, must be a colour, such as \"#f76b15\""),
     ("    layout:",),
     ("      row:",),

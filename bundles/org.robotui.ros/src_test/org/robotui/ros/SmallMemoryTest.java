@@ -17,6 +17,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.robotui.net.thread.Workers;
 import org.robotui.net.socket.HostPort;
 import org.robotui.ros.message.MessageWriter;
 import org.slf4j.Logger;
@@ -46,7 +47,7 @@ class SmallMemoryTest {
   private static String classPath() throws ClassNotFoundException {
     Class<?> failure = Class.forName("org.opentest4j.AssertionFailedError");
     Class<?> commons = Class.forName("org.junit.platform.commons.JUnitException");
-    return Stream.of(SmallMemoryTest.class, RosNode.class, Logger.class, Test.class, failure, commons)
+    return Stream.of(SmallMemoryTest.class, RosNode.class, Workers.class, Logger.class, Test.class, failure, commons)
         .map(type -> type.getProtectionDomain().getCodeSource().getLocation())
         .map(location -> Path.of(URI.create(location.toString())).toString())
         .distinct().collect(Collectors.joining(File.pathSeparator));
