@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.robotui.lcm.Lcm;
+import org.robotui.net.thread.Workers;
 import org.slf4j.LoggerFactory;
 
 /** One test's programs, in a network of their own where they use multicast. Closing it ends them all. */
@@ -79,7 +80,7 @@ final class LcmWorld implements AutoCloseable {
 
   /** Starts our client with the same arguments. */
   Peer ours(String... arguments) throws IOException {
-    String classPath = Stream.of(OurPeer.class, Lcm.class, LoggerFactory.class).flatMap(LcmWorld::places)
+    String classPath = Stream.of(OurPeer.class, Lcm.class, Workers.class, LoggerFactory.class).flatMap(LcmWorld::places)
         .map(Path::toString).distinct().collect(Collectors.joining(File.pathSeparator));
     return ready(java(), List.of("-cp", classPath, OurPeer.class.getName()), arguments);
   }

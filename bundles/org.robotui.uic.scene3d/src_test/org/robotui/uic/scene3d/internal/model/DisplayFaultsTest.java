@@ -17,7 +17,7 @@ class DisplayFaultsTest {
   @Test
   void settingsOfADisplayAreJudgedByItsKindWhereTheyAreWritten() {
     assertEquals(List.of(), faults("scan", Map.of("size", placed(5.0, 3))));
-    assertEquals(List.of("robot.yaml:3:7: display 'scan': size is 1.0E308, must be from 0.0 to 10.0 m"), faults("scan", Map.of("size", placed(1e308, 3))));
+    assertEquals(List.of("robot.yaml:3:7: display 'scan': size is 1.0E308, must be a number from 0 to 10 in m"), faults("scan", Map.of("size", placed(1e308, 3))));
     String file = faults("scan", Map.of("file", placed("/etc/passwd", 4))).getFirst();
     assertEquals("robot.yaml:4:7: display 'scan': there is no setting 'file'; there are size", file.substring(0, file.indexOf("size") + 4));
   }
