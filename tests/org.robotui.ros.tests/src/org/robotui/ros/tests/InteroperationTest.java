@@ -160,7 +160,7 @@ class InteroperationTest {
     world.node("listener", event -> reasons.add(event.toString())).subscriber("chatter",
         RecordCodec.of(org.robotui.ros.msgs.std_msgs.StdFloat64.class), SubscriberOptions.standard(), (number, reception) -> { });
     Eventually.await(() -> "a refusal among " + reasons, () -> reasons.stream().anyMatch(reason ->
-        reason.contains("Failed") && reason.contains("/chatter") && reason.contains("std_msgs/Int32") && reason.contains("std_msgs/String")));
+        reason.contains("Failed") && reason.contains("/chatter") && reason.contains("std_msgs/Float64") && reason.contains("std_msgs/String")));
   }
 
   @Test

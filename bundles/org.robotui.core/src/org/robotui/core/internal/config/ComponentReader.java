@@ -46,7 +46,8 @@ final class ComponentReader {
     return body(entry).map(section -> {
       String type = text(section, "type").orElse(brought.views().mayHave(entry.key()) ? "" : entry.key());
       YamlValue.Section own = section.without(List.of("type", "title"));
-      Optional<String> judged = type.isEmpty() ? brought.typeOf(entry.key()) : Optional.of(type);
+      // That a product lacks a view which the robot UI brings along is no mistake of the file.
+      Optional<String> judged = type.isEmpty() ? brought.typeOf(entry.key()).filter(t -> types.uic(t).isPresent()) : Optional.of(type);
       judged.ifPresent(t -> check(types.uic(t), t, "view", types.uicIds(), section, own));
       return component(entry, type, text(section, "title").orElse(""), "", own);
     });
