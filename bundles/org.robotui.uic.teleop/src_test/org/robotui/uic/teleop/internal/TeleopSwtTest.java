@@ -19,7 +19,6 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Shell;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -30,6 +29,7 @@ import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;
 import org.robotui.testkit.FakeUicContext;
+import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
@@ -56,12 +56,7 @@ class TeleopSwtTest {
 
   @BeforeAll
   static void openDisplay() {
-    display = new Display();
-  }
-
-  @AfterAll
-  static void closeDisplay() {
-    display.dispose();
+    display = TestDisplay.get();
   }
 
   @BeforeEach
