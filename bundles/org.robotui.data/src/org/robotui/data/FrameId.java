@@ -1,5 +1,7 @@
 package org.robotui.data;
 
+import org.robotui.data.internal.Check;
+
 /**
  * A coordinate frame of one robot. Two robots' {@code base_link} are different frames.
  *

@@ -6,7 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.Pose;
+import org.robotui.data.geometry.TransformSet;
+import org.robotui.data.geometry.Twist;
+import org.robotui.data.image.CompressedImage;
+import org.robotui.data.image.Image;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.joint.JointState.Joint;
+import org.robotui.data.joint.RobotDescription;
+import org.robotui.data.navigation.GridMap;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.sensor.LaserScan;
+import org.robotui.data.status.LogEntry;
 import org.robotui.geometry.RigidTransform;
 
 class DeliveryTest {

@@ -14,6 +14,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.StampedPose;
+import org.robotui.data.geometry.TransformSet;
 import org.robotui.geometry.RigidTransform;
 
 /** A type that names frames says so: what does not is placed nowhere, without a word. */
@@ -70,8 +73,9 @@ class FramedTest {
 
   private static Stream<Class<?>> types() throws IOException, URISyntaxException {
     Path folder = Path.of(Data.class.getResource("Data.class").toURI()).getParent();
-    try (Stream<Path> files = Files.list(folder)) {
-      return files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".class") && !name.startsWith("package-info")).sorted()
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files.map(file -> folder.relativize(file).toString().replace('/', '.'))
+          .filter(name -> name.endsWith(".class") && !name.endsWith("package-info.class")).sorted()
           .<Class<?>>map(name -> load(name.substring(0, name.length() - ".class".length()))).toList().stream();
     }
   }

@@ -3,7 +3,7 @@ package org.robotui.testkit;
 import java.util.Optional;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.MotionLimits;
 
 /** An authority with the rules of the real one: one holder, takeover only when confirmed, a stop that stays. */
 public final class FakeAuthority implements Authority {

@@ -28,8 +28,8 @@ import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.StreamPort;
 import org.robotui.api.time.ClockSource;
 import org.robotui.data.Data;
-import org.robotui.data.FrameTransform;
 import org.robotui.data.Stamp;
+import org.robotui.data.geometry.FrameTransform;
 
 /** Stands in for core: records what a robot interface offers, publishes and reports. Safe for all threads. */
 public final class FakeRficContext implements RficContext, Offers, ClockSource {

@@ -1,9 +1,9 @@
 package org.robotui.testkit;
 
-import org.robotui.data.Bytes;
 import org.robotui.data.FrameId;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 
 /** Makes pictures for tests. */
 public final class Pictures {

@@ -1,7 +1,7 @@
 package org.robotui.api.command;
 
 import java.util.Optional;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.MotionLimits;
 
 /** Who may command one robot, and its stop. Safe for all threads; never blocks. */
 public interface Authority {

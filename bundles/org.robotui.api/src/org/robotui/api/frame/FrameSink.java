@@ -1,6 +1,6 @@
 package org.robotui.api.frame;
 
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.TransformSet;
 
 /** Takes the transforms that a robot interface receives. */
 @FunctionalInterface

@@ -1,7 +1,7 @@
 package org.robotui.api.port;
 
 import java.util.Optional;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /**
  * How such a task ended.

@@ -3,7 +3,7 @@ package org.robotui.api.port;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.RecordShape;
 
 /**
  * Answers what a robot has. Methods may block for a network round trip; they are called on worker threads, never the

@@ -3,7 +3,7 @@ package org.robotui.api.port;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /**
  * The view's end of a call port.

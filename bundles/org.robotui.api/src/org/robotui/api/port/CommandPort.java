@@ -2,7 +2,7 @@ package org.robotui.api.port;
 
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 
 /**
  * A port for commands into a robot.

@@ -2,9 +2,9 @@ package org.robotui.api.port;
 
 import java.util.Optional;
 import org.robotui.data.Data;
-import org.robotui.data.DataRecord;
-import org.robotui.data.DynamicRecord;
 import org.robotui.data.Stamp;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /**
  * A value on its way.

@@ -1,8 +1,8 @@
 package org.robotui.api.port;
 
 import java.util.Optional;
-import org.robotui.data.Bytes;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.record.DynamicRecord;
 
 /**
  * A message as it came, for bridges and recorders, so that nothing unknown is lost.

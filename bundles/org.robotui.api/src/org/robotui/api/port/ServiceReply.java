@@ -1,6 +1,6 @@
 package org.robotui.api.port;
 
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /**
  * The reply of such a service.

@@ -2,7 +2,7 @@ package org.robotui.entity.bumper;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.Bumper;
+import org.robotui.data.sensor.Bumper;
 import org.robotui.entity.bumper.internal.Rim;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

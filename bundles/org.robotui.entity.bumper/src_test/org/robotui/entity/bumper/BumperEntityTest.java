@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Bumper;
-import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
+import org.robotui.data.sensor.Bumper;
+import org.robotui.data.sensor.Bumpers;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.scene.Bounds;
 

@@ -1,6 +1,6 @@
 package org.robotui.entity.gps;
 
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.ui.Role;
 
 /** How the quality of a fix appears: in a word and a colour. */

@@ -1,7 +1,7 @@
 package org.robotui.entity.gps;
 
 import java.util.Optional;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 
 /**
  * A place on the ellipsoid of WGS 84.

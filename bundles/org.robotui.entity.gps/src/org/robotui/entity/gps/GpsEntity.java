@@ -2,7 +2,7 @@ package org.robotui.entity.gps;
 
 import java.util.Optional;
 import org.eclipse.swt.graphics.Color;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Role;

@@ -2,7 +2,7 @@ package org.robotui.entity.gps;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.ui.scene.PositionHistory;
 
 /**

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robotui.data.FrameId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 
 class EarthTest {
   @Test

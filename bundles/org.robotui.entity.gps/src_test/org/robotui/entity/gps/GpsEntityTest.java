@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.robotui.data.FrameId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.ui.scene.Bounds;
 
 class GpsEntityTest {

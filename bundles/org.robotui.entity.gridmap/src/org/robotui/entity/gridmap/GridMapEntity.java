@@ -1,7 +1,7 @@
 package org.robotui.entity.gridmap;
 
 import java.util.Optional;
-import org.robotui.data.GridMap;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;

@@ -1,6 +1,6 @@
 package org.robotui.entity.gridmap;
 
-import org.robotui.data.Bytes;
+import org.robotui.data.array.Bytes;
 
 /**
  * One level of a pyramid.

@@ -2,7 +2,7 @@ package org.robotui.entity.gridmap;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.data.GridMap;
+import org.robotui.data.navigation.GridMap;
 
 /**
  * A map and coarser ones made of it.

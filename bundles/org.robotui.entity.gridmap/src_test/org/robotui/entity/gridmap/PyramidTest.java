@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Bytes;
 import org.robotui.data.FrameId;
-import org.robotui.data.GridMap;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.scene.Bounds;
 

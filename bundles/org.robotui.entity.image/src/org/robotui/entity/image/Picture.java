@@ -3,7 +3,7 @@ package org.robotui.entity.image;
 import java.util.Optional;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.RGB;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.internal.Shrinking;
 
 /**

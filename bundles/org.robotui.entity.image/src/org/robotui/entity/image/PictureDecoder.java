@@ -1,8 +1,8 @@
 package org.robotui.entity.image;
 
-import org.robotui.data.CompressedImage;
-import org.robotui.data.Image;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.CompressedImage;
+import org.robotui.data.image.Image;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.internal.CompressedPictures;
 import org.robotui.entity.image.internal.Levels;
 import org.robotui.entity.image.internal.Limits;

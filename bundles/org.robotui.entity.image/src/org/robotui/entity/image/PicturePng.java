@@ -8,7 +8,7 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.RGB;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.internal.Depth16;
 
 /** Pictures as PNG files. Pure, for any thread but the display thread: it takes long. */

@@ -16,12 +16,12 @@ import org.eclipse.swt.graphics.RGB;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.robotui.data.Bytes;
-import org.robotui.data.CompressedImage;
 import org.robotui.data.FrameId;
-import org.robotui.data.Image;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.image.CompressedImage;
+import org.robotui.data.image.Image;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 import org.robotui.testkit.Pictures;
 
 class DepthTest {

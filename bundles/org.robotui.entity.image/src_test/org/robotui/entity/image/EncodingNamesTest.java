@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.robotui.data.PixelEncoding;
+import org.robotui.data.image.PixelEncoding;
 
 class EncodingNamesTest {
   private static final String[] FORMS = {"8U", "8S", "16U", "16S", "32S", "32F", "64F"};

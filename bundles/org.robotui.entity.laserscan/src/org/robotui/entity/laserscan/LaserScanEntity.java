@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.eclipse.swt.graphics.Color;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Role;

@@ -2,7 +2,7 @@ package org.robotui.entity.laserscan;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.scene.Bounds;

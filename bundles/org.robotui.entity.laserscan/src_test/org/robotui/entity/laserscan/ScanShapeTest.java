@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Floats;
 import org.robotui.data.FrameId;
-import org.robotui.data.LaserScan;
+import org.robotui.data.array.Floats;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

@@ -1,9 +1,9 @@
 package org.robotui.entity.odometry;
 
 import java.util.Optional;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;

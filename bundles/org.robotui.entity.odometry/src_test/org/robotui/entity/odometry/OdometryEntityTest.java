@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.scene.Bounds;

@@ -2,7 +2,7 @@ package org.robotui.entity.path;
 
 import java.util.Optional;
 import java.util.stream.DoubleStream;
-import org.robotui.data.Path;
+import org.robotui.data.navigation.Path;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.scene.Bounds;

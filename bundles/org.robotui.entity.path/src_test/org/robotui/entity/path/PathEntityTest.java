@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.FrameId;
-import org.robotui.data.Path;
+import org.robotui.data.navigation.Path;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.scene.Bounds;

@@ -1,8 +1,8 @@
 package org.robotui.entity.robot;
 
 import java.util.Optional;
-import org.robotui.data.Doubles;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;

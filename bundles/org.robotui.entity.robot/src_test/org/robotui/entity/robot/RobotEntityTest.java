@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.scene.Bounds;
 

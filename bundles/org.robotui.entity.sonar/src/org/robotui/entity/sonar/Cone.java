@@ -1,7 +1,7 @@
 package org.robotui.entity.sonar;
 
 import java.util.Optional;
-import org.robotui.data.RangeReading;
+import org.robotui.data.sensor.RangeReading;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.scene.Bounds;

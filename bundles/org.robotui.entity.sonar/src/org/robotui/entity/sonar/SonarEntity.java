@@ -2,7 +2,7 @@ package org.robotui.entity.sonar;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.RangeReading;
+import org.robotui.data.sensor.RangeReading;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Role;

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.FrameId;
-import org.robotui.data.RangeReading;
+import org.robotui.data.sensor.RangeReading;
 import org.robotui.geometry.RigidTransform;
 
 class SonarEntityTest {

@@ -1,7 +1,7 @@
 package org.robotui.gl.shape;
 
 import java.util.Optional;
-import org.robotui.data.Doubles;
+import org.robotui.data.array.Doubles;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

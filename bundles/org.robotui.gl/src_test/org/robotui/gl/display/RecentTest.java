@@ -18,7 +18,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
-import org.robotui.data.StampedPose;
+import org.robotui.data.geometry.StampedPose;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.shape.Rgba;
 

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Doubles;
+import org.robotui.data.array.Doubles;
 
 class UncertaintyTest {
   @Test

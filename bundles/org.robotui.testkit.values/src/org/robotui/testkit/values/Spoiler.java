@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import org.robotui.data.Bytes;
-import org.robotui.data.Doubles;
-import org.robotui.data.Floats;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.array.Floats;
 
 /**
  * Spoils values as broken and hostile programs do: numbers that are none, that are huge or negative, lists and arrays of the wrong size, long and

@@ -4,10 +4,10 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.robotui.data.Data;
-import org.robotui.data.DataRecord;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /** Compares data by their fields; numbers may differ by what is lost in a float. */
 final class Alike {

@@ -9,7 +9,7 @@ import java.util.concurrent.ThreadFactory;
 import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.data.Data;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 
 /**
  * A robot of one framework, and the robot interface to it, for {@link RficContract}. A new one is away and has its address already. Its

@@ -20,12 +20,12 @@ import org.robotui.api.Rfic;
 import org.robotui.api.RficContext;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.Motion;
-import org.robotui.data.Odometry;
 import org.robotui.data.Stamp;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.command.Motion;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 

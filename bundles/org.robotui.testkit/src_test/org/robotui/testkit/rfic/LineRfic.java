@@ -23,11 +23,11 @@ import org.robotui.api.port.Offer;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.ClockKind;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
 import org.robotui.data.Stamp;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 

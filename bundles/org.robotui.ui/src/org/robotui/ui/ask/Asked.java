@@ -3,7 +3,7 @@ package org.robotui.ui.ask;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Health;
 
 /**

@@ -2,7 +2,7 @@ package org.robotui.ui.ask;
 
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Health;
 
 /** Asks a robot: the one thing in which views that ask differ. */

@@ -7,7 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Health;
 
 /** The questions of one view, newest first. Bounded. Safe for all threads. */

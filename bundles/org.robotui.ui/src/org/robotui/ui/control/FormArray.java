@@ -3,8 +3,8 @@ package org.robotui.ui.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
-import org.robotui.data.FieldShape;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.FieldValue;
 
 /** Many values of one form, each with a place of its own in the form. */
 final class FormArray implements FormNode {

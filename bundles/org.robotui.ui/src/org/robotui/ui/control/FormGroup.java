@@ -3,8 +3,8 @@ package org.robotui.ui.control;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.robotui.data.FieldShape;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.FieldValue;
 
 /** The fields of a record within a form. */
 final class FormGroup implements FormNode {

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import org.robotui.data.FieldShape;
+import org.robotui.data.record.FieldShape;
 
 /** Reads what was typed into a field. Blank is zero, as it is for the robot. Pure but for the clock. */
 final class FormInput {

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldShape;
-import org.robotui.data.FieldValue;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.RecordShape;
 
 /** What was typed into a form, and what it comes to. Display thread. */
 final class FormModel {

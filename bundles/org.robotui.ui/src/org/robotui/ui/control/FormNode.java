@@ -1,8 +1,8 @@
 package org.robotui.ui.control;
 
 import java.util.List;
-import org.robotui.data.FieldShape;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.FieldValue;
 
 /** A part of a form. Display thread. */
 sealed interface FormNode permits FormLeaf, FormGroup, FormArray {

@@ -12,8 +12,8 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Listener;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.RecordShape;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 

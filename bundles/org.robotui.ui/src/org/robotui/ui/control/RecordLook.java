@@ -3,7 +3,7 @@ package org.robotui.ui.control;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldValue;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;

@@ -1,6 +1,6 @@
 package org.robotui.ui.control;
 
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldValue;
 
 /**
  * A line of the tree of a record: a field, an element, or a page of elements.

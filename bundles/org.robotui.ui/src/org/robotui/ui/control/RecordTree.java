@@ -11,7 +11,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.api.port.InputState;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Health;
 import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;

@@ -2,8 +2,8 @@ package org.robotui.ui.show;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /** The numbers within a value, by their paths: what can be plotted of it. Any thread. */
 public final class NumberPaths {

@@ -1,6 +1,6 @@
 package org.robotui.ui.show;
 
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldValue;
 
 /** Numbers and texts as YAML and JSON write them. */
 final class Numerals {

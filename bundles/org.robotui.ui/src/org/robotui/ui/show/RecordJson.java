@@ -2,9 +2,9 @@ package org.robotui.ui.show;
 
 import java.util.Iterator;
 import java.util.List;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /** A message as JSON, as far as its size is sensible. What is not finite is {@code null}. Any thread. */
 public final class RecordJson {

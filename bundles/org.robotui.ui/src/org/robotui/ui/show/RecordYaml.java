@@ -1,9 +1,9 @@
 package org.robotui.ui.show;
 
 import java.util.List;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /** A message as text that people of the field read: as YAML, as far as its size is sensible. Any thread. */
 public final class RecordYaml {

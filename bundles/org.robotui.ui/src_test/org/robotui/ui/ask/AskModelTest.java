@@ -16,9 +16,9 @@ import org.robotui.api.port.BrowseInput;
 import org.robotui.api.port.Browser.Item;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 import org.robotui.ui.Health;
 
 class AskModelTest {

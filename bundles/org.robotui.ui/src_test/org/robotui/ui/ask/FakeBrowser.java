@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
-import org.robotui.data.FieldShape;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.RecordShape;
 
 /** A robot with what a test gives it. */
 final class FakeBrowser implements Browser {

@@ -14,11 +14,11 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.robotui.data.Doubles;
-import org.robotui.data.FieldShape;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
-import org.robotui.data.RecordShape;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
+import org.robotui.data.record.RecordShape;
 
 class FormModelTest {
   private static final Clock CLOCK = Clock.fixed(Instant.ofEpochSecond(100, 5), ZoneOffset.UTC);

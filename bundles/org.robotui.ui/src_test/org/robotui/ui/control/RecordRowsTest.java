@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.FieldPath;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.record.FieldValue;
 
 class RecordRowsTest {
   private final RecordRows rows = new RecordRows();

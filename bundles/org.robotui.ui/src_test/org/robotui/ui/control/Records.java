@@ -4,10 +4,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 
 /** Records for tests. */
 final class Records {

@@ -2,8 +2,8 @@ package org.robotui.ui.control;
 
 import java.util.Arrays;
 import java.util.List;
-import org.robotui.data.FieldShape;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.RecordShape;
 
 /** Forms of messages for tests. */
 final class Shapes {

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.DataRecord;
-import org.robotui.data.Doubles;
-import org.robotui.data.FieldValue;
-import org.robotui.data.JointState;
-import org.robotui.data.MapRecord;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 
 class NumberPathsTest {
   @Test

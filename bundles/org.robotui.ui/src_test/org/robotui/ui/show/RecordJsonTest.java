@@ -6,9 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Doubles;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 
 class RecordJsonTest {
   @Test

@@ -28,7 +28,7 @@ import org.robotui.api.show.Showing;
 import org.robotui.api.show.Subject;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
-import org.robotui.data.JointState;
+import org.robotui.data.joint.JointState;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeRuicView;

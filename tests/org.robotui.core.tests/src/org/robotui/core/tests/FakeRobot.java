@@ -18,7 +18,7 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 
 /**
  * A type of robot interface whose instances tell of a battery, from a thread of their own.

@@ -12,7 +12,7 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Input;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 
 /**
  * A type of view that counts what it gets.

@@ -11,8 +11,8 @@ import org.robotui.api.command.Output;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Input;
-import org.robotui.data.Battery;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.sensor.Battery;
 
 /**
  * A type of a healthy view: it counts the values that came and, where it is to, moves the robot as a joystick does.

@@ -10,7 +10,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 
 /**
  * A type of a healthy robot interface: it tells of a battery a hundred times a second and notes which commands came, and when.

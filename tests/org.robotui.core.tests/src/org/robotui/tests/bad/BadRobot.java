@@ -22,10 +22,10 @@ import org.robotui.api.port.Publication;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.DataRecord;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 /**
  * The type of a robot interface that misbehaves in {@code create}, {@code start}, {@code thread}, {@code send},

@@ -11,7 +11,7 @@ import org.robotui.api.UicType;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 
 /** The type of a view that misbehaves in {@code create}, {@code first_tick}, {@code tick} (each later one), {@code task}, {@code lines} or {@code close}. */
 final class BadView implements UicType {

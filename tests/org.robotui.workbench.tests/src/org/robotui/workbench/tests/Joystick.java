@@ -10,7 +10,7 @@ import org.robotui.api.UicType;
 import org.robotui.api.command.Output;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Settings;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 
 /**
  * A type without a surface that moves the robot again and again, as a joystick does.

@@ -12,7 +12,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 
 /**
  * A type of robot interface without a robot, that notes which commands came, and when.

@@ -21,8 +21,8 @@ import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.port.StreamSource;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
-import org.robotui.data.Motion;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.Motion;
+import org.robotui.data.command.MotionLimits;
 
 /**
  * Decides who may command one robot, and stops what must not go on. Deciding never blocks: sending is done by the senders of

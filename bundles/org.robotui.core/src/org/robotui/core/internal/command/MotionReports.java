@@ -3,9 +3,9 @@ package org.robotui.core.internal.command;
 import java.util.Collection;
 import org.robotui.core.internal.port.StreamSource;
 import org.robotui.data.Data;
-import org.robotui.data.JointCommand;
-import org.robotui.data.JointState;
-import org.robotui.data.Odometry;
+import org.robotui.data.joint.JointCommand;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.navigation.Odometry;
 
 /** Whether a robot says that it moves, by what it sends anyway: nothing is asked for. */
 final class MotionReports {

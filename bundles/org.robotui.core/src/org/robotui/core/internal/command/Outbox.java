@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.function.Consumer;
 import org.robotui.data.Data;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 
 /**
  * What one command port still has to send: a stop before all else, then the newest motion, then other commands in order. The

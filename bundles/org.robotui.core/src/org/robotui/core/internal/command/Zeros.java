@@ -4,7 +4,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.Optional;
 import org.robotui.data.Data;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 
 /** Finds the command that stops. */
 final class Zeros {

@@ -15,7 +15,7 @@ import org.robotui.core.internal.config.model.ConnectionConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.TypeLookup;
-import org.robotui.data.FrameTransform;
+import org.robotui.data.geometry.FrameTransform;
 
 /** Reads one RUIC. */
 final class RuicReader {

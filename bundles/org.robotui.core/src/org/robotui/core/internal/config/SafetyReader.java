@@ -20,7 +20,7 @@ import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.config.model.StopCall;
 import org.robotui.core.internal.config.model.TypeLookup;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.MotionLimits;
 
 /** Reads how robots are kept safe, by name of the robot. */
 final class SafetyReader {

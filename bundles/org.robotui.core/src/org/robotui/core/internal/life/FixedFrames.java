@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import org.robotui.api.frame.FrameSink;
 import org.robotui.data.FrameId;
-import org.robotui.data.FrameTransform;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.TransformSet;
 
 /** The transforms of one robot interface that hold for all times, to be said again when frames were forgotten. Safe for all threads. */
 final class FixedFrames {

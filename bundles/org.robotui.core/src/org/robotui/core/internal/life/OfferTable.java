@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
-import org.robotui.api.port.BrowsePort;
 import org.robotui.api.command.CommandOutcome.Refused;
 import org.robotui.api.command.Principal;
+import org.robotui.api.port.BrowsePort;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CallPort;
@@ -34,7 +34,7 @@ import org.robotui.core.internal.port.StampedStream;
 import org.robotui.core.internal.port.StreamSource;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.TransformSet;
 
 /** What one instance of a robot interface offers now. */
 final class OfferTable implements Offers {

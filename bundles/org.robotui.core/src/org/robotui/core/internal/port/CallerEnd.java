@@ -10,7 +10,7 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.Caller;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /**
  * A view's end of a call port. The view is told of progress and outcomes on a thread of its own, one after the other: one that

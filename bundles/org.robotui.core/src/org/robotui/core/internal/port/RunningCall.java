@@ -16,7 +16,7 @@ import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.Caller.Call;
 import org.robotui.api.port.Caller.Progress;
 import org.robotui.core.internal.fence.Thrown;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

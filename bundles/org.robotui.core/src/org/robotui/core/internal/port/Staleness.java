@@ -3,7 +3,7 @@ package org.robotui.core.internal.port;
 import java.util.Locale;
 import java.util.Optional;
 import org.robotui.data.DataType;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /** The rule by which a value is too old. */
 final class Staleness {

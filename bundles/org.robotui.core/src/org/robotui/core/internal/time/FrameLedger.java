@@ -12,8 +12,8 @@ import org.robotui.api.frame.FrameLink;
 import org.robotui.api.frame.FrameRefusal;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
-import org.robotui.data.FrameTransform;
 import org.robotui.data.Stamp;
+import org.robotui.data.geometry.FrameTransform;
 import org.robotui.geometry.FrameEdge;
 
 /**

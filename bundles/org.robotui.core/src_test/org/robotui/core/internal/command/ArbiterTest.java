@@ -24,9 +24,9 @@ import org.robotui.core.internal.config.model.SafetyConfig;
 import org.robotui.core.internal.port.Tap;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.Samples;
-import org.robotui.data.MotionLimits;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.MotionLimits;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.NavigationGoal;
 
 class ArbiterTest {
   private static final Duration VALID = Duration.ofMillis(300);

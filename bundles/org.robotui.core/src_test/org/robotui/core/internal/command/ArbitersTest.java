@@ -17,7 +17,7 @@ import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.core.internal.time.NanoClock;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 
 class ArbitersTest {
   private final DisplayWatch display = new DisplayWatch(NanoClock.SYSTEM);

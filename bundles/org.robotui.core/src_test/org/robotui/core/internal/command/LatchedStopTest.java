@@ -16,7 +16,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.core.internal.support.Samples;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 
 /** What a latched stop says to which port, and how often. */
 class LatchedStopTest {

@@ -20,11 +20,11 @@ import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.Data;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.Odometry;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 

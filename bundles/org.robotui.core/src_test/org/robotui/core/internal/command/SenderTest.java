@@ -17,8 +17,8 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
 import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.Samples;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.NavigationGoal;
 
 class SenderTest {
   private final RobotBench robot = new RobotBench();

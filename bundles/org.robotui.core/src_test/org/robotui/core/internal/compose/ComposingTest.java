@@ -43,9 +43,9 @@ import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
 import org.robotui.core.internal.support.FakeView;
-import org.robotui.data.Battery;
 import org.robotui.data.Data;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.Battery;
+import org.robotui.data.sensor.LaserScan;
 
 class ComposingTest {
   @TempDir Path folder;

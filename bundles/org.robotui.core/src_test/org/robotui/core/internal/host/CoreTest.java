@@ -40,8 +40,8 @@ import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
 import org.robotui.core.internal.support.FakeView;
 import org.robotui.core.internal.support.Samples;
-import org.robotui.data.LaserScan;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.sensor.LaserScan;
 
 class CoreTest {
   private static final String YAML = """

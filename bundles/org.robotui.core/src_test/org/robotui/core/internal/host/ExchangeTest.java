@@ -42,11 +42,11 @@ import org.robotui.core.internal.support.FakeView;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
-import org.robotui.data.FrameTransform;
-import org.robotui.data.LaserScan;
 import org.robotui.data.Stamp;
-import org.robotui.data.TransformSet;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.TransformSet;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 
 class ExchangeTest {

@@ -33,7 +33,7 @@ import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
 import org.robotui.core.internal.support.FakeView;
 import org.robotui.core.internal.support.Samples;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.LaserScan;
 
 class LifeCycleTest {
   private static final String YAML = """

@@ -25,10 +25,10 @@ import org.robotui.core.internal.support.Await;
 import org.robotui.core.internal.support.CoreBench;
 import org.robotui.core.internal.support.FakeRobot;
 import org.robotui.core.internal.support.FakeView;
-import org.robotui.data.Image;
-import org.robotui.data.JointState;
-import org.robotui.data.Pose;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.geometry.Pose;
+import org.robotui.data.image.Image;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.navigation.PoseEstimate;
 
 class ShowingsTest {
   private static final SourceId JOINTS = new SourceId("base", "joints");

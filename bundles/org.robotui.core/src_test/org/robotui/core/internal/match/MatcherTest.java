@@ -23,12 +23,12 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.data.Data;
-import org.robotui.data.GridMap;
-import org.robotui.data.LaserScan;
-import org.robotui.data.Odometry;
-import org.robotui.data.Pose;
-import org.robotui.data.Twist;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Pose;
+import org.robotui.data.geometry.Twist;
+import org.robotui.data.navigation.GridMap;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.sensor.LaserScan;
 
 class MatcherTest {
   private static final Supplier BASE = new Supplier("base", true, "");

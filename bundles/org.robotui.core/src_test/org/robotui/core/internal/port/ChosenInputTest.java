@@ -21,8 +21,8 @@ import org.robotui.api.port.SourceId;
 import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
-import org.robotui.data.Bytes;
-import org.robotui.data.LaserScan;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.sensor.LaserScan;
 
 /** A view that chooses what it takes. */
 class ChosenInputTest {

@@ -20,12 +20,12 @@ import org.robotui.data.Conflation;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
 import org.robotui.data.Delivery;
-import org.robotui.data.JointState;
-import org.robotui.data.JointState.Joint;
 import org.robotui.data.Keyed;
-import org.robotui.data.LaserScan;
 import org.robotui.data.Late;
-import org.robotui.data.LogEntry;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.joint.JointState.Joint;
+import org.robotui.data.sensor.LaserScan;
+import org.robotui.data.status.LogEntry;
 
 class FanTest {
   private static final SourceId ID = new SourceId("base", "port");

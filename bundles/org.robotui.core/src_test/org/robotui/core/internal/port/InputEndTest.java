@@ -20,15 +20,15 @@ import org.robotui.api.port.StreamPort;
 import org.robotui.core.internal.support.ManualClock;
 import org.robotui.core.internal.support.Samples;
 import org.robotui.core.internal.time.NanoClock;
-import org.robotui.data.Bytes;
 import org.robotui.data.Data;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
 import org.robotui.data.FrameId;
-import org.robotui.data.GridMap;
-import org.robotui.data.LaserScan;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.navigation.GridMap;
+import org.robotui.data.navigation.PoseEstimate;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 
 class InputEndTest {

@@ -10,9 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.frame.FrameLink;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
-import org.robotui.data.FrameTransform;
 import org.robotui.data.Stamp;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.TransformSet;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.TransformLookup;
 

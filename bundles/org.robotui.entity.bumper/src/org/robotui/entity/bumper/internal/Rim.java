@@ -2,7 +2,7 @@ package org.robotui.entity.bumper.internal;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.data.Bumper;
+import org.robotui.data.sensor.Bumper;
 import org.robotui.geometry.Vector3;
 
 /** The line along a bumper. */

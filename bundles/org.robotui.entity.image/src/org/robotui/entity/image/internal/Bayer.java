@@ -1,7 +1,7 @@
 package org.robotui.entity.image.internal;
 
 import org.eclipse.swt.graphics.ImageData;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.RawImage;
 
 /**
  * The colours behind a Bayer filter, bilinear: a colour that a pixel did not measure is the mean of those neighbours that

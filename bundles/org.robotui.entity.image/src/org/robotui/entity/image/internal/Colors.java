@@ -4,8 +4,8 @@ import java.util.stream.IntStream;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.PaletteData;
 import org.eclipse.swt.graphics.RGB;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.Span;
 
 /** Pictures whose numbers are colours already. Opacity is left aside. */

@@ -5,10 +5,10 @@ import java.awt.image.DataBufferUShort;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.robotui.data.Bytes;
-import org.robotui.data.CompressedImage;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.image.CompressedImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 
 /**
  * Depth as compressed by ROS: a number of 32 bits and two of floating point, and after them a PNG or RVL of 16 bits. Depth in

@@ -1,7 +1,7 @@
 package org.robotui.entity.image.internal;
 
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 
 /** The numbers of a picture in 16 bits. */
 public final class Depth16 {

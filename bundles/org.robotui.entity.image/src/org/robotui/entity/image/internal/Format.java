@@ -1,7 +1,7 @@
 package org.robotui.entity.image.internal;
 
 import java.util.Optional;
-import org.robotui.data.PixelEncoding;
+import org.robotui.data.image.PixelEncoding;
 
 /**
  * What the format of a compressed picture of ROS says, for example {@code 16UC1; compressedDepth png} or plainly {@code jpeg}.

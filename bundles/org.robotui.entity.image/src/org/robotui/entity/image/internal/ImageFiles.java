@@ -12,10 +12,10 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
-import org.robotui.data.Bytes;
-import org.robotui.data.CompressedImage;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.image.CompressedImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 
 /** Reads JPEG and PNG; the header is read, and the size checked, before memory for the pixels is taken. */
 final class ImageFiles {

@@ -2,7 +2,7 @@ package org.robotui.entity.image.internal;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.robotui.data.PixelEncoding;
+import org.robotui.data.image.PixelEncoding;
 import org.robotui.entity.image.Span;
 
 /**

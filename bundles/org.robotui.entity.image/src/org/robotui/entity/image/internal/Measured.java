@@ -2,8 +2,8 @@ package org.robotui.entity.image.internal;
 
 import java.util.Optional;
 import org.eclipse.swt.graphics.ImageData;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.ColorMap;
 import org.robotui.entity.image.Legend;
 import org.robotui.entity.image.Picture;

@@ -3,7 +3,7 @@ package org.robotui.entity.image.internal;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.robotui.data.Bytes;
+import org.robotui.data.array.Bytes;
 
 /** Looks whether the chunks of a PNG are as long as they say, before a decoder takes memory for them. */
 final class PngChunks {

@@ -1,6 +1,6 @@
 package org.robotui.entity.image.internal;
 
-import org.robotui.data.PixelEncoding;
+import org.robotui.data.image.PixelEncoding;
 
 /**
  * What the numbers of a picture stand for.

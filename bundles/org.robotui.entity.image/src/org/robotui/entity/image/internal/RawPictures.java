@@ -2,7 +2,7 @@ package org.robotui.entity.image.internal;
 
 import java.util.Optional;
 import org.eclipse.swt.graphics.ImageData;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.Picture;
 import org.robotui.entity.image.Rendering;
 

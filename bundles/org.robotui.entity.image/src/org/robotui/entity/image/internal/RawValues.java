@@ -3,8 +3,8 @@ package org.robotui.entity.image.internal;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 import org.robotui.entity.image.Picture;
 import org.robotui.ui.Figures;
 

@@ -1,6 +1,6 @@
 package org.robotui.entity.image.internal;
 
-import org.robotui.data.RawImage;
+import org.robotui.data.image.RawImage;
 
 /** Looks over pictures of unsigned numbers. */
 final class Wholes {

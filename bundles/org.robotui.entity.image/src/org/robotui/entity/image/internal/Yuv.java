@@ -1,8 +1,8 @@
 package org.robotui.entity.image.internal;
 
 import org.eclipse.swt.graphics.ImageData;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 
 /** The colours of luminance and chroma (BT.601), two pixels of which share their chroma. */
 final class Yuv {

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.Marker;
+import org.robotui.data.marker.Marker;
 import org.robotui.gl.shape.Describer;
 import org.robotui.gl.shape.Instances;
 import org.robotui.gl.shape.Placings;

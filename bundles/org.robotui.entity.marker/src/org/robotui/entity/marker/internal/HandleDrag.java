@@ -1,7 +1,7 @@
 package org.robotui.entity.marker.internal;
 
 import java.util.Optional;
-import org.robotui.data.InteractiveMarker.Mode;
+import org.robotui.data.marker.InteractiveMarker.Mode;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Marker;
+import org.robotui.data.marker.Marker;
 import org.robotui.gl.shape.Describer;
 
 /** A marker that is shown. Its shape is made once and kept until it becomes another. */

@@ -1,8 +1,8 @@
 package org.robotui.entity.marker.internal;
 
 import java.nio.FloatBuffer;
-import org.robotui.data.Bytes;
-import org.robotui.data.Marker;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.marker.Marker;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Box3;

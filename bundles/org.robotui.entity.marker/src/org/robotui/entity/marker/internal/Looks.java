@@ -2,8 +2,8 @@ package org.robotui.entity.marker.internal;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.Color;
-import org.robotui.data.Marker;
+import org.robotui.data.marker.Color;
+import org.robotui.data.marker.Marker;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

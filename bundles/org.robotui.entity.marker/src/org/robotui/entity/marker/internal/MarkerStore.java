@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
-import org.robotui.data.Marker;
-import org.robotui.data.MarkerSet;
+import org.robotui.data.marker.Marker;
+import org.robotui.data.marker.MarkerSet;
 
 /** The markers that there are, from all sources. Holds {@link #MOST} at most. */
 final class MarkerStore {

@@ -9,7 +9,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.data.Data;
-import org.robotui.data.MarkerSet;
+import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;

@@ -1,7 +1,7 @@
 package org.robotui.entity.marker.internal;
 
 import java.util.List;
-import org.robotui.data.InteractiveMarker.MenuEntry;
+import org.robotui.data.marker.InteractiveMarker.MenuEntry;
 import org.robotui.gl.shape.Handle.Choice;
 
 /** Menus of interactive markers as trees. */

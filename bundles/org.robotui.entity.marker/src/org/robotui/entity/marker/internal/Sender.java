@@ -1,6 +1,6 @@
 package org.robotui.entity.marker.internal;
 
-import org.robotui.data.MarkerFeedback;
+import org.robotui.data.marker.MarkerFeedback;
 
 /** Takes what a user did to the robot. */
 @FunctionalInterface

@@ -2,11 +2,11 @@ package org.robotui.entity.marker.internal;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.robotui.data.Bytes;
-import org.robotui.data.Color;
-import org.robotui.data.Floats;
-import org.robotui.data.Marker;
-import org.robotui.data.MarkerSet;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.array.Floats;
+import org.robotui.data.marker.Color;
+import org.robotui.data.marker.Marker;
+import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

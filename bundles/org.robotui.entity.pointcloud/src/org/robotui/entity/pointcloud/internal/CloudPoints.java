@@ -3,8 +3,8 @@ package org.robotui.entity.pointcloud.internal;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Optional;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PointField;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.PointField;
 
 /**
  * The coordinates of a cloud as the graphics card takes them.

@@ -1,7 +1,7 @@
 package org.robotui.entity.pointcloud.internal;
 
 import java.nio.ByteBuffer;
-import org.robotui.data.PointField;
+import org.robotui.data.sensor.PointField;
 
 /** Reads the first number of a field, whatever its format. */
 final class Numbers {

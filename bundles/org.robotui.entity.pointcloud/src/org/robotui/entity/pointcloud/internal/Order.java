@@ -1,6 +1,6 @@
 package org.robotui.entity.pointcloud.internal;
 
-import org.robotui.data.PointCloud;
+import org.robotui.data.sensor.PointCloud;
 
 /**
  * The order in which points are copied: that of the cloud where all are, as memory is read many times faster so. Rows of a sensor, thinned to every

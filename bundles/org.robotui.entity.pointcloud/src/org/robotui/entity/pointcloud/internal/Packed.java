@@ -3,8 +3,8 @@ package org.robotui.entity.pointcloud.internal;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PointField;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.PointField;
 
 /** Colours packed into four bytes of a field, whatever its format says: alpha, red, green, blue from the highest. */
 final class Packed {

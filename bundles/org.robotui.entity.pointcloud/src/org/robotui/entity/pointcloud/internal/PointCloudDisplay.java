@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.robotui.data.PointCloud;
+import org.robotui.data.sensor.PointCloud;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.display.Anchor;
 import org.robotui.gl.display.Display;

@@ -2,7 +2,7 @@ package org.robotui.entity.pointcloud.internal;
 
 import java.util.Optional;
 import org.robotui.api.config.Settings;
-import org.robotui.data.PointCloud;
+import org.robotui.data.sensor.PointCloud;
 import org.robotui.gl.display.ColorSetting;
 import org.robotui.gl.shape.ColorRamp;
 import org.robotui.gl.shape.PointSet;

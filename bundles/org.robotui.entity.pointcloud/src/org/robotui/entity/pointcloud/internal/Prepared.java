@@ -2,8 +2,8 @@ package org.robotui.entity.pointcloud.internal;
 
 import java.nio.ByteBuffer;
 import java.util.Optional;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PointField;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.PointField;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.PointSet;

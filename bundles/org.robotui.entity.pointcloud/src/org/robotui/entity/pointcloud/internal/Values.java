@@ -2,8 +2,8 @@ package org.robotui.entity.pointcloud.internal;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PointField;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.PointField;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 

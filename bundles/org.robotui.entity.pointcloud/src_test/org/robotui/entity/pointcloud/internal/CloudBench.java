@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Locale;
 import java.util.Random;
-import org.robotui.data.PointCloud;
+import org.robotui.data.sensor.PointCloud;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.display.DisplayProbe;
 

@@ -3,9 +3,9 @@ package org.robotui.entity.pointcloud.internal;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
-import org.robotui.data.Bytes;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PointField;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.PointField;
 import org.robotui.testkit.display.FakePlaces;
 
 /** Clouds of tests. */

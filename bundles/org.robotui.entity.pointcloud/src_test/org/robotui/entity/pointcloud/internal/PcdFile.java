@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.robotui.data.Bytes;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PointField;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.PointField;
 import org.robotui.testkit.display.FakePlaces;
 
 /** Reads files of the Point Cloud Library whose fields are floats: as text, or compressed field by field. */

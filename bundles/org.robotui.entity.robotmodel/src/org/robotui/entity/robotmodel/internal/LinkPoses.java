@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.data.FrameId;
-import org.robotui.data.JointState;
+import org.robotui.data.joint.JointState;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.display.Places;
 import org.robotui.urdf.Link;

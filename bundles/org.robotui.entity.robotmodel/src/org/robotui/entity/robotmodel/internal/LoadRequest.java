@@ -1,7 +1,7 @@
 package org.robotui.entity.robotmodel.internal;
 
 import java.util.List;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.joint.RobotDescription;
 
 /**
  * What is to be loaded: another one asks for another load.

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.robotui.data.Doubles;
+import org.robotui.data.array.Doubles;
 import org.robotui.urdf.Joint;
 
 /** Collects the points of a plan. A joint that a part of a trajectory does not name stays where it was. */

@@ -3,10 +3,10 @@ package org.robotui.entity.robotmodel.internal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.robotui.data.Doubles;
-import org.robotui.data.JointState;
-import org.robotui.data.JointTrajectory;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.joint.JointTrajectory;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.testkit.display.FakePlaces;
 
 /** A small arm: it turns on its base, slides up a mast, and has a hand that goes on to a tool. */

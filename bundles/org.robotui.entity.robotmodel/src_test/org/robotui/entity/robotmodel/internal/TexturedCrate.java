@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.testkit.SceneImage;
 import org.robotui.testkit.ScenePictures;
 

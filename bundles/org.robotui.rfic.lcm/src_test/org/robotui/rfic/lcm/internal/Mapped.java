@@ -6,15 +6,15 @@ import java.util.Map;
 import org.robotui.api.config.Placed;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
-import org.robotui.data.FrameTransform;
 import org.robotui.data.Stamp;
+import org.robotui.data.geometry.FrameTransform;
 import org.robotui.lcm.type.LcmType;
 import org.robotui.lcm.type.RecordException;
 import org.robotui.lcm.type.TypeException;
 import org.robotui.lcm.type.TypeLibrary;
 import org.robotui.lcm.type.TypeParser;
-import org.robotui.rfic.lcm.internal.convert.RecordFiller;
 import org.robotui.rfic.lcm.internal.convert.Reception;
+import org.robotui.rfic.lcm.internal.convert.RecordFiller;
 import org.robotui.rfic.lcm.internal.language.FaultException;
 import org.robotui.rfic.lcm.internal.language.Values;
 

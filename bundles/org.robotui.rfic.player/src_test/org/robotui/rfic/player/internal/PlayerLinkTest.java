@@ -16,7 +16,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.CommandSink.Sent;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 import org.robotui.player.interfaces.Pose2d;
 import org.robotui.player.interfaces.Position2d;
 import org.robotui.player.interfaces.Power;

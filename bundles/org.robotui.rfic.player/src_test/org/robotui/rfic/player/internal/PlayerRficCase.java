@@ -25,7 +25,7 @@ import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.Data;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.guard.Guards;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.server.PlayerServer;

@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.xbot.Answer;
 
 /** Asks a control for the texts it was started with, piece by piece. */

@@ -12,8 +12,8 @@ import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.Board.PluginState;
 

@@ -10,15 +10,15 @@ import org.robotui.api.port.Port;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.ControlPlugins;
-import org.robotui.data.Imu;
-import org.robotui.data.JointCommand;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointModel;
-import org.robotui.data.JointState;
-import org.robotui.data.LoopTiming;
-import org.robotui.data.RobotDescription;
-import org.robotui.data.Wrench;
+import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.LoopTiming;
+import org.robotui.data.geometry.Wrench;
+import org.robotui.data.joint.JointCommand;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointModel;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.joint.RobotDescription;
+import org.robotui.data.sensor.Imu;
 
 /** The ports of every real-time control; those of sensors are offered as it has them. */
 final class XbotPorts {

@@ -11,7 +11,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.RobotSession;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.xbot.Board;
 import org.robotui.xbot.RtClient;
 import org.robotui.xbot.StateFrame;

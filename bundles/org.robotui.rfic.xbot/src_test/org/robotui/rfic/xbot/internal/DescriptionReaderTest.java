@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.xbot.Answer;
 
 class DescriptionReaderTest {

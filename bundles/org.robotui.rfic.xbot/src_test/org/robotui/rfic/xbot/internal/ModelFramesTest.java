@@ -7,10 +7,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
-import org.robotui.data.FrameTransform;
-import org.robotui.data.JointState;
 import org.robotui.data.Stamp;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.TransformSet;
+import org.robotui.data.joint.JointState;
 import org.robotui.geometry.Vector3;
 
 class ModelFramesTest {

@@ -7,9 +7,9 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.JointCommand;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointMode;
+import org.robotui.data.joint.JointCommand;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointMode;
 import org.robotui.xbot.JointReference;
 import org.robotui.xbot.StateFrame;
 

@@ -12,7 +12,7 @@ import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.CallOutcome;
 import org.robotui.api.port.Caller;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Health;
 import org.robotui.ui.ask.Asker;
 import org.robotui.ui.ask.Catalogue.Entry;

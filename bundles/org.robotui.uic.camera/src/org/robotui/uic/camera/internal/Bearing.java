@@ -1,8 +1,8 @@
 package org.robotui.uic.camera.internal;
 
 import java.util.Optional;
-import org.robotui.data.CameraInfo;
-import org.robotui.data.Doubles;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.image.CameraInfo;
 import org.robotui.ui.Figures;
 
 /**

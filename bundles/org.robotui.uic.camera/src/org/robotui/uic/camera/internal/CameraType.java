@@ -9,8 +9,8 @@ import org.robotui.api.UicType;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.CameraInfo;
-import org.robotui.data.Image;
+import org.robotui.data.image.CameraInfo;
+import org.robotui.data.image.Image;
 
 /** Shows what a camera sees. */
 @Component(service = UicType.class)

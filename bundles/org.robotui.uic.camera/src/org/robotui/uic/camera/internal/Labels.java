@@ -8,7 +8,7 @@ import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.RGB;
 import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.api.port.InputState;
-import org.robotui.data.CameraInfo;
+import org.robotui.data.image.CameraInfo;
 import org.robotui.entity.image.Picture;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.eclipse.swt.graphics.ImageData;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.CameraInfo;
+import org.robotui.data.image.CameraInfo;
 import org.robotui.entity.image.Picture;
 import org.robotui.ui.StateView;
 

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.CameraInfo;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.image.CameraInfo;
 
 class BearingTest {
   @Test

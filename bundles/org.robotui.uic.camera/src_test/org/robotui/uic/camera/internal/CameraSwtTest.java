@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
-import org.robotui.data.PixelEncoding;
+import org.robotui.data.image.PixelEncoding;
 import org.robotui.entity.image.ColorMap;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.Pictures;

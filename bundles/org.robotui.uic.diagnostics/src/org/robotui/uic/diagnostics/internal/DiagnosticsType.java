@@ -12,7 +12,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /** Shows what the parts of a robot say of themselves, and said. */
 @Component(service = UicType.class)

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.TestDisplay;

@@ -14,7 +14,7 @@ import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.GalleryWindow;
 import org.robotui.ui.Role;

@@ -9,7 +9,7 @@ import org.robotui.api.UicType;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 
 /** Receivers of satellite positions on a plane of metres. */
 @Component(service = UicType.class)

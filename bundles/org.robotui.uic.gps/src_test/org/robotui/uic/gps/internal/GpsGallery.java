@@ -11,7 +11,7 @@ import org.eclipse.swt.graphics.ImageLoader;
 import org.eclipse.swt.widgets.Display;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 

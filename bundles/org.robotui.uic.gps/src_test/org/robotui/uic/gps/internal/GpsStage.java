@@ -8,7 +8,7 @@ import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Shell;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.testkit.CanvasHands;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.PaintedCanvas;

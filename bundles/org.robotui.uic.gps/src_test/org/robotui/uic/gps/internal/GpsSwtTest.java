@@ -13,7 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;

@@ -5,9 +5,9 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.JointCommand;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointCommand;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointModel;
 
 /** The ports of the view. */
 final class JointControlPorts {

@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointControl.Measured;
-import org.robotui.data.JointControl.Reference;
-import org.robotui.data.JointControl.Source;
-import org.robotui.data.JointMode;
-import org.robotui.data.JointModel;
-import org.robotui.data.JointModel.Type;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointControl.Measured;
+import org.robotui.data.joint.JointControl.Reference;
+import org.robotui.data.joint.JointControl.Source;
+import org.robotui.data.joint.JointMode;
+import org.robotui.data.joint.JointModel;
+import org.robotui.data.joint.JointModel.Type;
 import org.robotui.testkit.FakeUicContext;
 
 /** Robots for tests and for people to look at. */

@@ -14,7 +14,7 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.JointState;
+import org.robotui.data.joint.JointState;
 
 /** Shows the joints of a robot in a table. */
 @Component(service = UicType.class)

@@ -8,7 +8,7 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.port.Input;
-import org.robotui.data.JointState;
+import org.robotui.data.joint.JointState;
 import org.robotui.ui.Icon;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 import org.robotui.uic.log.internal.model.LogFilter;
 import org.robotui.uic.log.internal.model.Search;
 

@@ -15,8 +15,8 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.StreamPort;
 import org.robotui.api.show.Showing;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 /** Shows what the nodes of a robot log. */
 @Component(service = UicType.class)

@@ -12,7 +12,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.show.Subject;
-import org.robotui.data.LogEntry;
+import org.robotui.data.status.LogEntry;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;

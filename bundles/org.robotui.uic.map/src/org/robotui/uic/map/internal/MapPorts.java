@@ -5,17 +5,17 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.Bumpers;
 import org.robotui.data.Data;
-import org.robotui.data.Footprint;
-import org.robotui.data.GridMap;
-import org.robotui.data.LaserScan;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.NavigationStatus;
-import org.robotui.data.Odometry;
-import org.robotui.data.Path;
-import org.robotui.data.PoseEstimate;
-import org.robotui.data.RangeReadings;
+import org.robotui.data.geometry.Footprint;
+import org.robotui.data.navigation.GridMap;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.data.navigation.NavigationStatus;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.navigation.Path;
+import org.robotui.data.navigation.PoseEstimate;
+import org.robotui.data.sensor.Bumpers;
+import org.robotui.data.sensor.LaserScan;
+import org.robotui.data.sensor.RangeReadings;
 
 /** The ports of the map. */
 public final class MapPorts {

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.robotui.data.Floats;
-import org.robotui.data.LaserScan;
+import org.robotui.data.array.Floats;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 
 /** Reads scans and poses of a CARMEN log with a scanner of 180 degrees. */

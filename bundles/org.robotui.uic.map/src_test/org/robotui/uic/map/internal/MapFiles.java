@@ -3,9 +3,9 @@ package org.robotui.uic.map.internal;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.robotui.data.Bytes;
 import org.robotui.data.FrameId;
-import org.robotui.data.GridMap;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.geometry.RigidTransform;
 
 /** Reads maps of the navigation stack, binary PGM in three values. */

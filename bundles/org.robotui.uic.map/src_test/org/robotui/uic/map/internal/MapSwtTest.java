@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.api.port.InputState;
-import org.robotui.data.NavigationGoal;
+import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;

@@ -3,7 +3,7 @@ package org.robotui.uic.map.internal;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Display;
-import org.robotui.data.Odometry;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 

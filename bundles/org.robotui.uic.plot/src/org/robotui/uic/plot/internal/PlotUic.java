@@ -11,7 +11,7 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.show.Subject;
 import org.robotui.data.Data;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Icon;
 import org.robotui.ui.StateView;
 import org.robotui.ui.SwtUic;

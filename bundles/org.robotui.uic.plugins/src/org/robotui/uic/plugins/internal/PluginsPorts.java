@@ -7,8 +7,8 @@ import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.ControlPlugins;
-import org.robotui.data.LoopTiming;
+import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.LoopTiming;
 
 /** The ports of the view. */
 final class PluginsPorts {

@@ -7,14 +7,14 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.ControlPlugins;
-import org.robotui.data.ControlPlugins.Plugin;
-import org.robotui.data.ControlPlugins.State;
-import org.robotui.data.Histogram;
-import org.robotui.data.LoopTiming;
-import org.robotui.data.LoopTiming.Counts;
-import org.robotui.data.LoopTiming.Loop;
-import org.robotui.data.LoopTiming.Schedule;
+import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.ControlPlugins.Plugin;
+import org.robotui.data.control.ControlPlugins.State;
+import org.robotui.data.control.Histogram;
+import org.robotui.data.control.LoopTiming;
+import org.robotui.data.control.LoopTiming.Counts;
+import org.robotui.data.control.LoopTiming.Loop;
+import org.robotui.data.control.LoopTiming.Schedule;
 import org.robotui.testkit.FakeUicContext;
 
 /** Controls for tests and for people to look at. */

@@ -10,7 +10,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
 import org.robotui.api.port.PluginRequest.Verb;
-import org.robotui.data.ControlPlugins;
+import org.robotui.data.control.ControlPlugins;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeCaller;
 import org.robotui.testkit.FakeUicContext;

@@ -8,9 +8,9 @@ import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.command.Output;
 import org.robotui.api.port.CommandPort;
 import org.robotui.data.Data;
-import org.robotui.data.MarkerFeedback;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.marker.MarkerFeedback;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.gl.display.DisplayContext;
 
 /** What displays may ask of the scene. */

@@ -7,11 +7,11 @@ import org.robotui.api.port.Intake;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
-import org.robotui.data.MarkerFeedback;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.Path;
-import org.robotui.data.PoseArray;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.geometry.PoseArray;
+import org.robotui.data.marker.MarkerFeedback;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.data.navigation.Path;
+import org.robotui.data.navigation.PoseEstimate;
 
 /** The ports of the scene. */
 public final class ScenePorts {

@@ -10,7 +10,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
-import org.robotui.data.LogEntry;
+import org.robotui.data.status.LogEntry;
 import org.robotui.uic.sound.internal.alert.Signals;
 import org.robotui.uic.sound.internal.alert.SourceName;
 

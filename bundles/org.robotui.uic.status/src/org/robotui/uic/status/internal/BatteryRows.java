@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;

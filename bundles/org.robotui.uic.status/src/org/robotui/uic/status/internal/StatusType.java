@@ -12,7 +12,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 
 /** Shows how everything of a robot is doing. */
 @Component(service = UicType.class)

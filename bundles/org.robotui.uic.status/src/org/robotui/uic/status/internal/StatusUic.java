@@ -10,7 +10,7 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.show.SubjectMenu;

@@ -10,7 +10,7 @@ import org.robotui.api.host.RuicSnapshot;
 import org.robotui.api.host.RuicState;
 import org.robotui.api.port.PortKind;
 import org.robotui.data.DataType;
-import org.robotui.data.LogEntry;
+import org.robotui.data.status.LogEntry;
 import org.robotui.ui.Health;
 import org.robotui.ui.MatchLook;
 

@@ -8,7 +8,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.link.LinkState;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.GalleryWindow;

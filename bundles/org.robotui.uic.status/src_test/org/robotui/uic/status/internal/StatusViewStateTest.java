@@ -16,7 +16,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.PortKind;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;

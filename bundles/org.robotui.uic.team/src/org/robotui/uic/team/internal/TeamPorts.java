@@ -6,11 +6,11 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.Intake;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.Battery;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.Odometry;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.sensor.Battery;
 
 /** The ports of the view. */
 public final class TeamPorts {

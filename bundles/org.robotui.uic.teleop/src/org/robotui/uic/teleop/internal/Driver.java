@@ -11,9 +11,9 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
-import org.robotui.data.NavigationStatus;
-import org.robotui.data.Twist;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Twist;
+import org.robotui.data.navigation.NavigationStatus;
 
 /**
  * Turns what the hands want into commands, within lease and stop. Hands come from the display thread, ticks from the view's

@@ -1,7 +1,7 @@
 package org.robotui.uic.teleop.internal;
 
 import org.robotui.api.config.Settings;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.MotionLimits;
 
 /**
  * How fast and how suddenly the user wants to drive.

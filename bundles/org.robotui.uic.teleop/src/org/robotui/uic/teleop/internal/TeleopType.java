@@ -13,9 +13,9 @@ import org.robotui.api.config.ValueType;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.NavigationStatus;
-import org.robotui.data.Twist;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Twist;
+import org.robotui.data.navigation.NavigationStatus;
 
 /** Drives a mobile base by stick and keys. */
 @Component(service = UicType.class)

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.eclipse.swt.widgets.Composite;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.GalleryWindow;

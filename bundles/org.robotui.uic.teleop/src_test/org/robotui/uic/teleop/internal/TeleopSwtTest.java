@@ -24,7 +24,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;

@@ -8,7 +8,7 @@ import org.robotui.api.port.Intake;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
-import org.robotui.data.MessageCommand;
+import org.robotui.data.command.MessageCommand;
 
 /** The ports of the view. */
 public final class TopicsPorts {

@@ -13,7 +13,7 @@ import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.Input.Candidate;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Bytes;
+import org.robotui.data.array.Bytes;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.testkit.GalleryWindow;

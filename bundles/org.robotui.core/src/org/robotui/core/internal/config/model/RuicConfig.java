@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.layout.Layout;
-import org.robotui.data.FrameTransform;
+import org.robotui.data.geometry.FrameTransform;
 
 /**
  * One RUIC as written.

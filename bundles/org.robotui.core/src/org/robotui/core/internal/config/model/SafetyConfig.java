@@ -1,7 +1,7 @@
 package org.robotui.core.internal.config.model;
 
 import java.util.Optional;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.MotionLimits;
 
 /**
  * How one robot is kept safe.

@@ -2,8 +2,8 @@ package org.robotui.entity.bumper.internal.display;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.data.Bumper;
-import org.robotui.data.Bumpers;
+import org.robotui.data.sensor.Bumper;
+import org.robotui.data.sensor.Bumpers;
 import org.robotui.entity.bumper.internal.Rim;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;

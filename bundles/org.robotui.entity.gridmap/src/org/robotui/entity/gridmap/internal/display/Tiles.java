@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.GridMap;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Texture;
 import org.robotui.gl.shape.TriangleMesh;

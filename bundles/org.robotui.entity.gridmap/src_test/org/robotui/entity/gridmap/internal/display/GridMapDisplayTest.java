@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Bytes;
-import org.robotui.data.GridMap;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.DisplayResult;

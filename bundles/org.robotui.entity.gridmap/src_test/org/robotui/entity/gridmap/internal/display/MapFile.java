@@ -12,8 +12,8 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Scanner;
 import javax.imageio.ImageIO;
-import org.robotui.data.Bytes;
-import org.robotui.data.GridMap;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.display.FakePlaces;
 

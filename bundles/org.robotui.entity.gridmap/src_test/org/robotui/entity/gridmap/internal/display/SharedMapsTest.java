@@ -10,7 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.robotui.data.GridMap;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.gl.display.DisplayResult;
 import org.robotui.gl.display.DisplayStatus;
 import org.robotui.testkit.Displays;

@@ -2,7 +2,7 @@ package org.robotui.entity.image.internal.display;
 
 import java.util.Optional;
 import org.robotui.api.port.Envelope;
-import org.robotui.data.Image;
+import org.robotui.data.image.Image;
 import org.robotui.entity.image.Decoding;
 import org.robotui.entity.image.Picture;
 import org.robotui.entity.image.PictureDecoder;

@@ -3,7 +3,7 @@ package org.robotui.entity.image.internal.display;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.config.Settings;
-import org.robotui.data.Image;
+import org.robotui.data.image.Image;
 import org.robotui.entity.image.internal.display.Developer.Developed;
 import org.robotui.gl.display.Anchor;
 import org.robotui.gl.display.Display;

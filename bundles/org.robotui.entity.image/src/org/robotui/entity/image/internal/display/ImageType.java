@@ -6,7 +6,7 @@ import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
 import org.robotui.data.Data;
-import org.robotui.data.Image;
+import org.robotui.data.image.Image;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.robotui.api.config.Settings;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.gl.shape.ColorRamp;
 import org.robotui.gl.shape.LineSet;
 import org.robotui.gl.shape.PointSet;

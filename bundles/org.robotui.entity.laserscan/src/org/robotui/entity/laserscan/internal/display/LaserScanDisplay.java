@@ -3,7 +3,7 @@ package org.robotui.entity.laserscan.internal.display;
 import java.util.ArrayList;
 import java.util.List;
 import org.robotui.api.config.Settings;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.display.Anchor;
 import org.robotui.gl.display.ColorSetting;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.osgi.service.component.annotations.Component;
 import org.robotui.api.config.Schema;
 import org.robotui.data.Data;
-import org.robotui.data.Odometry;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;

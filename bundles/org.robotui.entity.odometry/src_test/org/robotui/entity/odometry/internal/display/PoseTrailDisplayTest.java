@@ -8,11 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Doubles;
-import org.robotui.data.NavigationGoal;
-import org.robotui.data.Odometry;
-import org.robotui.data.PoseEstimate;
-import org.robotui.data.StampedPose;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.geometry.StampedPose;
+import org.robotui.data.navigation.NavigationGoal;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.DisplayStatus;

@@ -3,7 +3,7 @@ package org.robotui.entity.path.internal.display;
 import java.util.List;
 import java.util.Optional;
 import org.robotui.api.config.Settings;
-import org.robotui.data.PoseArray;
+import org.robotui.data.geometry.PoseArray;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.display.Anchor;
 import org.robotui.gl.display.ColorSetting;

@@ -6,7 +6,7 @@ import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
 import org.robotui.data.Data;
-import org.robotui.data.RangeReadings;
+import org.robotui.data.sensor.RangeReadings;
 import org.robotui.gl.display.ColorSetting;
 import org.robotui.gl.display.Display;
 import org.robotui.gl.display.DisplayContext;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.robotui.api.config.Settings;
-import org.robotui.data.Wrench;
+import org.robotui.data.geometry.Wrench;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.Anchor;

@@ -1,7 +1,7 @@
 package org.robotui.entity.wrench.internal.display;
 
 import java.util.Optional;
-import org.robotui.data.Wrench;
+import org.robotui.data.geometry.Wrench;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.LineSet;

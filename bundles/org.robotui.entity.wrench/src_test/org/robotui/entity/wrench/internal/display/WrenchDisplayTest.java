@@ -19,7 +19,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
-import org.robotui.data.Wrench;
+import org.robotui.data.geometry.Wrench;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.display.DisplayResult;

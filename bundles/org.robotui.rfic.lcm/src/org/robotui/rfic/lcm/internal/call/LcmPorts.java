@@ -3,7 +3,7 @@ package org.robotui.rfic.lcm.internal.call;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.BrowsePort;
 import org.robotui.api.port.CommandPort;
-import org.robotui.data.MessageCommand;
+import org.robotui.data.command.MessageCommand;
 
 /** The ports that are always there, whatever is heard. */
 public final class LcmPorts {

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.TransformSet;
 
 /**
  * What is known of a message beside its fields.

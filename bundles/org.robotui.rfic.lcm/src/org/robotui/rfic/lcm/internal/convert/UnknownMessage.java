@@ -3,10 +3,10 @@ package org.robotui.rfic.lcm.internal.convert;
 import java.nio.ByteOrder;
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.Bytes;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /**
  * A message whose type nobody has told us.

@@ -7,7 +7,7 @@ import org.robotui.api.config.Placed;
 import org.robotui.api.port.RawMessage;
 import org.robotui.data.Data;
 import org.robotui.data.Stamp;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.TransformSet;
 import org.robotui.lcm.LcmMessage;
 import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmType;

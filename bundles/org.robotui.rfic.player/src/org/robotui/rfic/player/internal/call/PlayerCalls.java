@@ -12,7 +12,7 @@ import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.Offer;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
-import org.robotui.data.MapRecord;
+import org.robotui.data.record.MapRecord;
 import org.robotui.net.call.Outcome;
 import org.robotui.player.client.DeviceState;
 import org.robotui.player.layout.Layouts;

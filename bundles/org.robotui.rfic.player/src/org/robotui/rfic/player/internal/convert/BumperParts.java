@@ -2,8 +2,8 @@ package org.robotui.rfic.player.internal.convert;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
+import org.robotui.data.sensor.Bumpers;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.player.interfaces.Bumper;
 
@@ -19,15 +19,15 @@ public final class BumperParts {
     if (count > MOST) {
       throw new IllegalArgumentException(count + " bumpers are more than the " + MOST + " that a robot can have");
     }
-    List<org.robotui.data.Bumper> bumpers = new ArrayList<>(count);
+    List<org.robotui.data.sensor.Bumper> bumpers = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       boolean touched = i < pressed.length && pressed[i] != 0;
-      bumpers.add(i < parts.size() ? of(parts.get(i), touched) : new org.robotui.data.Bumper(RigidTransform.IDENTITY, 0, 0, touched));
+      bumpers.add(i < parts.size() ? of(parts.get(i), touched) : new org.robotui.data.sensor.Bumper(RigidTransform.IDENTITY, 0, 0, touched));
     }
     return new Bumpers(base, bumpers);
   }
 
-  private static org.robotui.data.Bumper of(Bumper.Part part, boolean pressed) {
-    return new org.robotui.data.Bumper(Poses.mounted(part.pose()), Math.abs(Poses.sane(part.length())), Math.abs(Poses.sane(part.radius())), pressed);
+  private static org.robotui.data.sensor.Bumper of(Bumper.Part part, boolean pressed) {
+    return new org.robotui.data.sensor.Bumper(Poses.mounted(part.pose()), Math.abs(Poses.sane(part.length())), Math.abs(Poses.sane(part.radius())), pressed);
   }
 }

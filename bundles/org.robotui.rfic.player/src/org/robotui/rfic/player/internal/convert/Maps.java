@@ -2,9 +2,9 @@ package org.robotui.rfic.player.internal.convert;
 
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
-import org.robotui.data.Bytes;
 import org.robotui.data.FrameId;
-import org.robotui.data.GridMap;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.player.interfaces.PlayerMap;
 
 /** Grids of cells, put together from tiles. */

@@ -2,11 +2,11 @@ package org.robotui.rfic.player.internal.convert;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.Doubles;
-import org.robotui.data.Footprint;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Footprint;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.player.interfaces.Body;

@@ -1,11 +1,11 @@
 package org.robotui.rfic.player.internal.convert;
 
-import org.robotui.data.Bytes;
-import org.robotui.data.CompressedImage;
 import org.robotui.data.FrameId;
-import org.robotui.data.Image;
-import org.robotui.data.PixelEncoding;
-import org.robotui.data.RawImage;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.image.CompressedImage;
+import org.robotui.data.image.Image;
+import org.robotui.data.image.PixelEncoding;
+import org.robotui.data.image.RawImage;
 import org.robotui.player.interfaces.Camera;
 
 /** Pictures of cameras. */

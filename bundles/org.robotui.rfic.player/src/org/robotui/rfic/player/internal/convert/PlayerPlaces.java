@@ -2,12 +2,12 @@ package org.robotui.rfic.player.internal.convert;
 
 import java.util.Comparator;
 import java.util.Optional;
-import org.robotui.data.Doubles;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
-import org.robotui.data.Path;
-import org.robotui.data.PoseArray;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.geometry.PoseArray;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.navigation.Path;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.player.interfaces.Fiducial;
 import org.robotui.player.interfaces.Localize;
 import org.robotui.player.interfaces.Planner;

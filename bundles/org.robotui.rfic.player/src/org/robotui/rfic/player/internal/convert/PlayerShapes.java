@@ -2,8 +2,8 @@ package org.robotui.rfic.player.internal.convert;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.FieldShape;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.RecordShape;
 import org.robotui.player.layout.FieldLayout;
 import org.robotui.player.layout.StructLayout;
 

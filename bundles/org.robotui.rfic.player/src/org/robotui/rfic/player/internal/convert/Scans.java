@@ -1,8 +1,8 @@
 package org.robotui.rfic.player.internal.convert;
 
-import org.robotui.data.Floats;
 import org.robotui.data.FrameId;
-import org.robotui.data.LaserScan;
+import org.robotui.data.array.Floats;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.player.interfaces.Laser;
 import org.robotui.player.interfaces.Ranger;
 

@@ -2,8 +2,8 @@ package org.robotui.rfic.player.internal.convert;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robotui.data.RangeReading;
-import org.robotui.data.RangeReadings;
+import org.robotui.data.sensor.RangeReading;
+import org.robotui.data.sensor.RangeReadings;
 import org.robotui.player.interfaces.Ranger;
 
 /** Distances of rings of sensors. */

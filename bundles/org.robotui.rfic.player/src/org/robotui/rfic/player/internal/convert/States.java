@@ -1,6 +1,6 @@
 package org.robotui.rfic.player.internal.convert;
 
-import org.robotui.data.Battery;
+import org.robotui.data.sensor.Battery;
 import org.robotui.player.interfaces.Power;
 
 /** What devices say of their own state. */

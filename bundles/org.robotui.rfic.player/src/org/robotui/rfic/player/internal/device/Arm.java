@@ -5,11 +5,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.robotui.data.JointCommand;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointMode;
-import org.robotui.data.JointModel;
-import org.robotui.data.JointState;
+import org.robotui.data.joint.JointCommand;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointMode;
+import org.robotui.data.joint.JointModel;
+import org.robotui.data.joint.JointState;
 import org.robotui.player.interfaces.Actarray;
 import org.robotui.rfic.player.internal.convert.Joints;
 

@@ -1,10 +1,10 @@
 package org.robotui.rfic.player.internal.device;
 
 import java.util.Optional;
-import org.robotui.data.Footprint;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Footprint;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.player.interfaces.Body;
 import org.robotui.player.interfaces.Position2d;
 import org.robotui.player.interfaces.Position3d;

@@ -2,8 +2,8 @@ package org.robotui.rfic.player.internal.device;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
+import org.robotui.data.sensor.Bumpers;
 import org.robotui.player.interfaces.Bumper;
 import org.robotui.rfic.player.internal.convert.BumperParts;
 

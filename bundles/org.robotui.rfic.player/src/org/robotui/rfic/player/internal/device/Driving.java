@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.robotui.api.port.CommandSink;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 import org.robotui.player.client.DeviceState;
 
 /**

@@ -2,8 +2,8 @@ package org.robotui.rfic.player.internal.device;
 
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.data.FrameId;
-import org.robotui.data.PoseArray;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.geometry.PoseArray;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.player.interfaces.Localize;
 import org.robotui.rfic.player.internal.convert.PlayerPlaces;
 

@@ -2,7 +2,7 @@ package org.robotui.rfic.player.internal.device;
 
 import java.util.function.Consumer;
 import org.robotui.data.FrameId;
-import org.robotui.data.GridMap;
+import org.robotui.data.navigation.GridMap;
 import org.robotui.player.interfaces.PlayerMap;
 import org.robotui.rfic.player.internal.convert.Maps;
 

@@ -5,14 +5,14 @@ import org.robotui.api.RficContext;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.Bumpers;
 import org.robotui.data.Data;
-import org.robotui.data.Footprint;
-import org.robotui.data.LaserScan;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PoseArray;
-import org.robotui.data.PoseEstimate;
-import org.robotui.data.RangeReadings;
+import org.robotui.data.geometry.Footprint;
+import org.robotui.data.geometry.PoseArray;
+import org.robotui.data.navigation.PoseEstimate;
+import org.robotui.data.sensor.Bumpers;
+import org.robotui.data.sensor.LaserScan;
+import org.robotui.data.sensor.PointCloud;
+import org.robotui.data.sensor.RangeReadings;
 
 /** A stream of a device. Core's thread merely notes the demand; the thread that follows the devices acts on it. */
 final class Outlet<D extends Data> implements AutoCloseable {

@@ -2,9 +2,9 @@ package org.robotui.rfic.player.internal.device;
 
 import java.util.Optional;
 import org.robotui.data.FrameId;
-import org.robotui.data.LaserScan;
-import org.robotui.data.RangeReading;
-import org.robotui.data.RangeReadings;
+import org.robotui.data.sensor.LaserScan;
+import org.robotui.data.sensor.RangeReading;
+import org.robotui.data.sensor.RangeReadings;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.player.interfaces.Ranger;
 import org.robotui.rfic.player.internal.convert.Poses;

@@ -1,11 +1,11 @@
 package org.robotui.rfic.player.internal.device;
 
-import org.robotui.data.Battery;
 import org.robotui.data.FrameId;
-import org.robotui.data.GpsFix;
-import org.robotui.data.Image;
-import org.robotui.data.PointCloud;
-import org.robotui.data.PoseArray;
+import org.robotui.data.geometry.PoseArray;
+import org.robotui.data.image.Image;
+import org.robotui.data.sensor.Battery;
+import org.robotui.data.sensor.GpsFix;
+import org.robotui.data.sensor.PointCloud;
 import org.robotui.player.interfaces.Camera;
 import org.robotui.player.interfaces.Fiducial;
 import org.robotui.player.interfaces.Gps;
@@ -33,7 +33,7 @@ final class Simple {
   }
 
   static void imu(DeviceFeed feed) {
-    Outlet<org.robotui.data.Imu> outlet = feed.outlet("", org.robotui.data.Imu.class, "orientation, turning and acceleration");
+    Outlet<org.robotui.data.sensor.Imu> outlet = feed.outlet("", org.robotui.data.sensor.Imu.class, "orientation, turning and acceleration");
     FrameId frame = Mount.inTheMiddle(feed);
     feed.on(Imu.STATE, outlet, (m, r) -> outlet.publish(Sensing.imu(m, frame), r));
     feed.on(Imu.CALIBRATED, outlet, (m, r) -> outlet.publish(Sensing.imu(m, frame), r));

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Bumpers;
 import org.robotui.data.FrameId;
+import org.robotui.data.sensor.Bumpers;
 import org.robotui.player.interfaces.Bumper;
 import org.robotui.player.interfaces.Pose3d;
 

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Footprint;
 import org.robotui.data.FrameId;
-import org.robotui.data.Odometry;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Footprint;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.Vector3;
 import org.robotui.player.interfaces.Body;
 import org.robotui.player.interfaces.Pose2d;

@@ -14,7 +14,7 @@ import org.robotui.api.port.ActionReply;
 import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.rfic.ros.internal.convert.RosRecord;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;

@@ -8,8 +8,8 @@ import org.robotui.api.port.CallPort;
 import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
-import org.robotui.data.MarkerFeedback;
-import org.robotui.data.MessageCommand;
+import org.robotui.data.command.MessageCommand;
+import org.robotui.data.marker.MarkerFeedback;
 
 /** The ports that every ROS robot has, whatever its topics are. */
 public final class RosPorts {

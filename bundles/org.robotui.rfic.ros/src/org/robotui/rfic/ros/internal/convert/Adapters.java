@@ -3,7 +3,7 @@ package org.robotui.rfic.ros.internal.convert;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ros.message.MessageRegistry;
 import org.robotui.ros.message.RawCodec;
 

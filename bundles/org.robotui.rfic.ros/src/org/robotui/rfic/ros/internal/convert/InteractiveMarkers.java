@@ -1,8 +1,8 @@
 package org.robotui.rfic.ros.internal.convert;
 
 import java.util.Optional;
-import org.robotui.data.InteractiveMarker;
-import org.robotui.data.MarkerFeedback;
+import org.robotui.data.marker.InteractiveMarker;
+import org.robotui.data.marker.MarkerFeedback;
 import org.robotui.geometry.Vector3;
 import org.robotui.ros.msgs.geometry_msgs.Point;
 import org.robotui.ros.msgs.std_msgs.Header;

@@ -1,15 +1,15 @@
 package org.robotui.rfic.ros.internal.convert;
 
 import java.util.List;
-import org.robotui.data.Bytes;
-import org.robotui.data.Doubles;
-import org.robotui.data.Footprint;
-import org.robotui.data.GridMap;
-import org.robotui.data.Odometry;
-import org.robotui.data.Path;
-import org.robotui.data.PoseEstimate;
-import org.robotui.data.StampedPose;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.Footprint;
+import org.robotui.data.geometry.StampedPose;
+import org.robotui.data.navigation.GridMap;
+import org.robotui.data.navigation.Odometry;
+import org.robotui.data.navigation.Path;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.Vector3;
 import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
 import org.robotui.ros.msgs.geometry_msgs.PoseStamped;

@@ -1,8 +1,8 @@
 package org.robotui.rfic.ros.internal.convert;
 
 import java.util.List;
-import org.robotui.data.NavigationStatus;
-import org.robotui.data.NavigationStatus.State;
+import org.robotui.data.navigation.NavigationStatus;
+import org.robotui.data.navigation.NavigationStatus.State;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
 import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionFeedback;
 import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;

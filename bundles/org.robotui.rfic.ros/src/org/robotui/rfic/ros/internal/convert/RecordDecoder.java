@@ -2,8 +2,8 @@ package org.robotui.rfic.ros.internal.convert;
 
 import java.nio.ByteOrder;
 import java.util.Optional;
-import org.robotui.data.Bytes;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ros.message.DynamicCodec;
 import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageInfo;

@@ -2,9 +2,9 @@ package org.robotui.rfic.ros.internal.convert;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 import org.robotui.ros.message.DynamicMessage;
 import org.robotui.ros.message.FieldDefinition;
 import org.robotui.ros.message.RosValue;

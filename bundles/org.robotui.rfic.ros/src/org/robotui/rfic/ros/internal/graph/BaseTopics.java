@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 import org.robotui.rfic.ros.internal.convert.CommandType;
 
 /**

@@ -11,7 +11,7 @@ import org.robotui.api.port.CommandPort;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Offer;
 import org.robotui.data.Data;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.CommandType;
 import org.robotui.ros.Publisher;

@@ -8,7 +8,7 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.RobotDescription;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.ros.Parameters;
 import org.robotui.ros.XmlRpcValue;

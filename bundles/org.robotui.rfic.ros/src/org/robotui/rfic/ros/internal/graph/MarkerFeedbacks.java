@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.CommandSink;
-import org.robotui.data.MarkerFeedback;
+import org.robotui.data.marker.MarkerFeedback;
 import org.robotui.rfic.ros.internal.convert.InteractiveMarkers;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;

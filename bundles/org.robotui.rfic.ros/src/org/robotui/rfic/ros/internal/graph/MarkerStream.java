@@ -11,7 +11,7 @@ import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.InteractiveMarkerSet;
+import org.robotui.data.marker.InteractiveMarkerSet;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
 import org.robotui.ros.Reception;

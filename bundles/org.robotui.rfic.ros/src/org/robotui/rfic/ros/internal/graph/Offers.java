@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
-import org.robotui.data.Motion;
+import org.robotui.data.command.Motion;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosPorts;
 import org.robotui.rfic.ros.internal.convert.Adapters;

@@ -8,7 +8,7 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
-import org.robotui.data.TransformSet;
+import org.robotui.data.geometry.TransformSet;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
 import org.robotui.rfic.ros.internal.convert.StateAdapters;

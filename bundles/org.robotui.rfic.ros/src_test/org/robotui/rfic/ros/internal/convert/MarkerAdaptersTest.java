@@ -11,14 +11,14 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Data;
-import org.robotui.data.DisplayedTrajectory;
 import org.robotui.data.FrameId;
-import org.robotui.data.InteractiveMarker.Mode;
-import org.robotui.data.JointTrajectory;
-import org.robotui.data.MarkerSet;
-import org.robotui.data.PoseArray;
 import org.robotui.data.Stamp;
-import org.robotui.data.Wrench;
+import org.robotui.data.geometry.PoseArray;
+import org.robotui.data.geometry.Wrench;
+import org.robotui.data.joint.DisplayedTrajectory;
+import org.robotui.data.joint.JointTrajectory;
+import org.robotui.data.marker.InteractiveMarker.Mode;
+import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.Vector3;
 import org.robotui.ros.message.DynamicCodec;
 import org.robotui.ros.message.LocalDefinitions;
@@ -55,11 +55,11 @@ class MarkerAdaptersTest {
   @Test
   void aMarkerKeepsWhatItSays() {
     MarkerSet set = (MarkerSet) convert("visualization_msgs/Marker", marker(7, Marker.ARROW, Marker.ADD, new double[] {1, 2, 3, 4, 5, 6}, new float[0]));
-    org.robotui.data.Marker marker = set.entries().getFirst().marker().orElseThrow();
+    org.robotui.data.marker.Marker marker = set.entries().getFirst().marker().orElseThrow();
     assertEquals("things/7", marker.key().toString());
     assertEquals(new FrameId("robby", "map"), marker.frame());
     assertEquals(Optional.of(new Stamp(5_000_000_000L, ClockKind.ROBOT)), marker.stamp());
-    assertEquals(org.robotui.data.Marker.Type.ARROW, marker.type());
+    assertEquals(org.robotui.data.marker.Marker.Type.ARROW, marker.type());
     assertEquals(new Vector3(1, 2, 3), marker.pose().translation());
     assertEquals(new Vector3(0.1, 0.2, 0.3), marker.scale());
     assertEquals(2_000_000_000L, marker.lifetimeNanos());
@@ -80,7 +80,7 @@ class MarkerAdaptersTest {
   void coloursBelongToPointsOrToTrianglesOrCountAsNone() {
     float[] two = {1, 0, 0, 1, 0, Float.NaN, 2, 0.5f};
     MarkerSet faces = (MarkerSet) convert("visualization_msgs/Marker", marker(1, Marker.TRIANGLE_LIST, 0, SIX, two));
-    org.robotui.data.Bytes colors = faces.entries().getFirst().marker().orElseThrow().colors();
+    org.robotui.data.array.Bytes colors = faces.entries().getFirst().marker().orElseThrow().colors();
     assertEquals(24, colors.size());
     assertEquals(List.of(255, 0, 0, 255, 255, 0, 0, 255), List.of(0, 1, 2, 3, 8, 9, 10, 11).stream().map(colors::unsigned).toList());
     assertEquals(List.of(0, 0, 255, 128), List.of(12, 13, 14, 15).stream().map(colors::unsigned).toList());
@@ -91,14 +91,14 @@ class MarkerAdaptersTest {
   @Test
   void whatIsNotKnownIsSaidOrShownAsUnknown() {
     MarkerSet odd = (MarkerSet) convert("visualization_msgs/Marker", marker(1, 99, Marker.ADD, new double[0], new float[0]));
-    assertEquals(org.robotui.data.Marker.Type.UNKNOWN, odd.entries().getFirst().marker().orElseThrow().type());
+    assertEquals(org.robotui.data.marker.Marker.Type.UNKNOWN, odd.entries().getFirst().marker().orElseThrow().type());
     Marker action = marker(1, 0, 17, new double[0], new float[0]);
     assertThrows(IllegalArgumentException.class, () -> convert("visualization_msgs/Marker", action));
   }
 
   @Test
   void aMarkerThatIsMovedKeepsItsControlsAndItsMenu() {
-    org.robotui.data.InteractiveMarker marker = InteractiveMarkers.marker(SampleMarkers.interactive("goal", 4), "/nav/feedback", NAMES);
+    org.robotui.data.marker.InteractiveMarker marker = InteractiveMarkers.marker(SampleMarkers.interactive("goal", 4), "/nav/feedback", NAMES);
     assertEquals("goal", marker.name());
     assertEquals(Mode.MOVE_AXIS, marker.controls().getFirst().mode());
     assertEquals("Go", marker.menu().getFirst().title());

@@ -3,8 +3,8 @@ package org.robotui.rfic.ros.internal.convert;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
-import org.robotui.data.NavigationStatus;
-import org.robotui.data.NavigationStatus.State;
+import org.robotui.data.navigation.NavigationStatus;
+import org.robotui.data.navigation.NavigationStatus.State;
 import org.robotui.ros.msgs.actionlib_msgs.GoalID;
 import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
 import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;

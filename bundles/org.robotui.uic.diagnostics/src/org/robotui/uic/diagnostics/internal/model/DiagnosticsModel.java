@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /**
  * What the parts of a robot say, and said. The tick is called on one thread; what is to be shown may be asked for on any.

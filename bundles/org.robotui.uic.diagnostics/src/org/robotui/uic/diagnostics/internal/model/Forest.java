@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /** The trees of names, one a source, bounded. One thread. */
 final class Forest {

@@ -3,7 +3,7 @@ package org.robotui.uic.diagnostics.internal.model;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /** Keeps what parts said, within a bound for all together: the oldest goes first. One thread. */
 final class History {

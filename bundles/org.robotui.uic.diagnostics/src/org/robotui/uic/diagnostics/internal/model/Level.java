@@ -1,6 +1,6 @@
 package org.robotui.uic.diagnostics.internal.model;
 
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /** How a part is, from best to worst: what does not report may be broken, so it is worse than a warning. */
 public enum Level {

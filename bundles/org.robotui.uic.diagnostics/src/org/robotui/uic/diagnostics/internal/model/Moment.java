@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /**
  * What a part said at a moment.

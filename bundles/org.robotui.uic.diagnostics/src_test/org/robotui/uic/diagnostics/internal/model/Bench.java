@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 import org.robotui.testkit.FakeInput;
 
 /** Diagnostics in a test's hands: seconds are given by the test; one slot of the history is a second. */

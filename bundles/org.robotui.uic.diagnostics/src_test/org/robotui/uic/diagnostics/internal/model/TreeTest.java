@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 class TreeTest {
   private final Bench bench = new Bench();

@@ -13,7 +13,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.FrameId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.entity.gps.GeoPoint;
 import org.robotui.entity.gps.GpsEntity;
 import org.robotui.entity.gps.LocalPlane;

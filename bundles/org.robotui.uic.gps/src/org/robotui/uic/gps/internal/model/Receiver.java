@@ -3,7 +3,7 @@ package org.robotui.uic.gps.internal.model;
 import java.util.Optional;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.entity.gps.GeoPoint;
 import org.robotui.entity.gps.LocalPlane;
 

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
-import org.robotui.data.GpsFix;
+import org.robotui.data.sensor.GpsFix;
 import org.robotui.entity.gps.GeoPoint;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;

@@ -23,7 +23,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
-import org.robotui.data.Wrench;
+import org.robotui.data.geometry.Wrench;
 import org.robotui.geometry.Vector3;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;

@@ -8,11 +8,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
-import org.robotui.data.JointCommand;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointMode;
-import org.robotui.data.JointModel;
-import org.robotui.data.MotionLimits;
+import org.robotui.data.command.MotionLimits;
+import org.robotui.data.joint.JointCommand;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointMode;
+import org.robotui.data.joint.JointModel;
 
 /** Where the joints are driven that the user has touched, over time: pure, not safe for several threads. */
 final class Aims {

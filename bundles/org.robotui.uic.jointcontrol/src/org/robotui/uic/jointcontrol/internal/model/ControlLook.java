@@ -3,7 +3,7 @@ package org.robotui.uic.jointcontrol.internal.model;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.port.InputState;
-import org.robotui.data.JointControl.Source;
+import org.robotui.data.joint.JointControl.Source;
 import org.robotui.ui.StateView;
 
 /**

@@ -5,8 +5,8 @@ import java.util.function.BooleanSupplier;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointModel;
 import org.robotui.ui.StateView;
 
 /** Takes what came, lets the driver send, and says what is to be shown. Ticked by one thread; the look is for all. */

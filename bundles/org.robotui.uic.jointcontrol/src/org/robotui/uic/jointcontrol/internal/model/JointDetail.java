@@ -3,9 +3,9 @@ package org.robotui.uic.jointcontrol.internal.model;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robotui.data.JointControl.Measured;
-import org.robotui.data.JointControl.Reference;
-import org.robotui.data.JointMode;
+import org.robotui.data.joint.JointControl.Measured;
+import org.robotui.data.joint.JointControl.Reference;
+import org.robotui.data.joint.JointMode;
 import org.robotui.ui.Figures;
 
 /** All that is known of one joint, in a few lines. Pure. */

@@ -10,7 +10,7 @@ import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
 import org.robotui.api.port.InputState;
-import org.robotui.data.JointCommand;
+import org.robotui.data.joint.JointCommand;
 
 /**
  * Turns what the hands want into references of joints, within lease and stop. Nothing is sent before the user has taken control and

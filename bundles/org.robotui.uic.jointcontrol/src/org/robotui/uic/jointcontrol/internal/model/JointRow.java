@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointMode;
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointMode;
+import org.robotui.data.joint.JointModel;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
 

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.robotui.data.JointControl;
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointControl;
+import org.robotui.data.joint.JointModel;
 
 /**
  * All joints of a robot, at one moment.

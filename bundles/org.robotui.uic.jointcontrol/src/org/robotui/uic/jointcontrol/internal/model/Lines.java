@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robotui.data.JointControl.Source;
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointControl.Source;
+import org.robotui.data.joint.JointModel;
 import org.robotui.ui.Health;
 
 /** Makes the lines of the table. Pure. */

@@ -1,7 +1,7 @@
 package org.robotui.uic.jointcontrol.internal.model;
 
 import java.util.OptionalDouble;
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointModel;
 import org.robotui.ui.Figures;
 
 /**

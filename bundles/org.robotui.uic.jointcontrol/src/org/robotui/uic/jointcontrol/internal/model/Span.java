@@ -1,6 +1,6 @@
 package org.robotui.uic.jointcontrol.internal.model;
 
-import org.robotui.data.JointModel;
+import org.robotui.data.joint.JointModel;
 
 /**
  * From where to where the bar of a joint goes. A joint without a limit has an end that is open, not a limit.

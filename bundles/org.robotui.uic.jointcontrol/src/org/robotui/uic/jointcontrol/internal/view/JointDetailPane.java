@@ -9,7 +9,7 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
-import org.robotui.data.JointMode;
+import org.robotui.data.joint.JointMode;
 import org.robotui.ui.Face;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;

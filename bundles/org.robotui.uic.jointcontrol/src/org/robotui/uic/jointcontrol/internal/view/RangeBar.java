@@ -5,7 +5,7 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Color;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
-import org.robotui.data.JointControl.Source;
+import org.robotui.data.joint.JointControl.Source;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.uic.jointcontrol.internal.model.Aim;

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Function;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /**
  * Where joints stand in the robot's own message, so that their values can be named.

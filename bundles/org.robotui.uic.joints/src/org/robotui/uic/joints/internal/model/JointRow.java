@@ -2,7 +2,7 @@ package org.robotui.uic.joints.internal.model;
 
 import java.util.OptionalInt;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.joint.JointState.Joint;
 
 /**
  * A joint, at one moment.

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointState;
+import org.robotui.data.joint.JointState;
 
 /** Remembers the joints of all sources. Used by one thread at a time, the tick. */
 public final class JointTracks {

@@ -7,8 +7,8 @@ import java.util.stream.Stream;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointState;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.joint.JointState.Joint;
 
 /** What is remembered of one source. Used by the tick only. */
 final class SourceTracks {

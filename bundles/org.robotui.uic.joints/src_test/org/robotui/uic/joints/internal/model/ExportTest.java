@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.joint.JointState.Joint;
 
 class ExportTest {
   private static final SourceId ARM = new SourceId("base", "/joint_states");

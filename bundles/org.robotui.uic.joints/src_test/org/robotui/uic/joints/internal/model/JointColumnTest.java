@@ -10,7 +10,7 @@ import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.joint.JointState.Joint;
 
 class JointColumnTest {
   @Test

@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.RawMessage;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Bytes;
-import org.robotui.data.JointState;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.joint.JointState;
+import org.robotui.data.joint.JointState.Joint;
 import org.robotui.testkit.FakeInput;
 
 class JointTracksTest {

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.JointState.Joint;
+import org.robotui.data.joint.JointState.Joint;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeRuicView;

@@ -1,6 +1,6 @@
 package org.robotui.uic.log.internal.model;
 
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 /**
  * A kept entry of the log.

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.port.Envelope;
-import org.robotui.data.LogEntry;
+import org.robotui.data.status.LogEntry;
 
 /** Makes entries of what comes: each once, and none longer than can be kept. One thread. */
 final class Intake {

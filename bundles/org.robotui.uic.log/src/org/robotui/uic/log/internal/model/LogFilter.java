@@ -3,7 +3,7 @@ package org.robotui.uic.log.internal.model;
 import java.util.EnumSet;
 import java.util.Set;
 import java.util.TreeSet;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 /**
  * Which entries are shown.

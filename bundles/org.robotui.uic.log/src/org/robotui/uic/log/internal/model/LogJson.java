@@ -3,8 +3,8 @@ package org.robotui.uic.log.internal.model;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
 import org.robotui.ui.show.RecordJson;
 
 /** Entries of the log as JSON. */

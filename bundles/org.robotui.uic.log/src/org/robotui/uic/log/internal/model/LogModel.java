@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
 import org.robotui.api.port.Input;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 /**
  * The log: takes what comes, keeps the newest, shows what the filter leaves. The tick is called on one thread; filter and

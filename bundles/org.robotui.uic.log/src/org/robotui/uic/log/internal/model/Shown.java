@@ -2,7 +2,7 @@ package org.robotui.uic.log.internal.model;
 
 import java.util.List;
 import java.util.Map;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 /**
  * What the view shows; immutable.

@@ -4,7 +4,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 /** The newest entries, bounded in number and in memory. One thread. */
 final class Store {

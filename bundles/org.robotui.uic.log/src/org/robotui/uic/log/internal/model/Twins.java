@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 /**
  * Recognises what a robot says twice, on two ports, as where one repeats what comes on others. An entry of a second source is

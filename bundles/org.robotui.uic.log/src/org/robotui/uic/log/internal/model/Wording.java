@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 /** Entries in words, for the list, the clipboard and files. Pure, for all threads. */
 public final class Wording {

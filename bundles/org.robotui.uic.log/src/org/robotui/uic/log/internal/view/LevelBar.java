@@ -15,7 +15,7 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 import org.robotui.ui.Face;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.PaintedCanvas;

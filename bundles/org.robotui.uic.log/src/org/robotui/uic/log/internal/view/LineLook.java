@@ -4,7 +4,7 @@ import org.eclipse.swt.graphics.Color;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.graphics.Rectangle;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 import org.robotui.ui.Face;
 import org.robotui.ui.HealthDot;
 import org.robotui.ui.Role;

@@ -1,7 +1,7 @@
 package org.robotui.uic.log.internal.view;
 
 import java.util.Optional;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 

@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.ClockKind;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
 import org.robotui.data.Stamp;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 import org.robotui.testkit.FakeInput;
 
 /** A log in a test's hands, at 2026-01-02 03:04:05 UTC; looking at an entry takes 1 microsecond of its time. */

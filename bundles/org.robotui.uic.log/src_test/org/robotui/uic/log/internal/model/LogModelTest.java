@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 class LogModelTest {
   private final Log log = new Log();

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 class NoticeTest {
   private static final InputState LIVE = new InputState.Live(1, 0);

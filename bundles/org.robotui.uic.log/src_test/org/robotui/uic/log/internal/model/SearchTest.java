@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 class SearchTest {
   private static Entry entry(String message) {

@@ -8,9 +8,9 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.ClockKind;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
 import org.robotui.data.Stamp;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 class TwinsTest {
   private static final LogEntry HOT = new LogEntry(Severity.WARNING, "/motor", "hot", "motor.cpp:3");

@@ -10,7 +10,7 @@ import java.time.ZoneOffset;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robotui.data.Severity;
+import org.robotui.data.status.Severity;
 
 class WordingTest {
   private final Wording wording = new Wording(ZoneOffset.UTC);

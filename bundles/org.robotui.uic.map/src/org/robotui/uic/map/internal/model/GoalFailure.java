@@ -3,7 +3,7 @@ package org.robotui.uic.map.internal.model;
 import java.util.Locale;
 import java.util.Optional;
 import org.robotui.api.port.Envelope;
-import org.robotui.data.NavigationStatus;
+import org.robotui.data.navigation.NavigationStatus;
 
 /**
  * A goal that navigation did not take, or gave up.

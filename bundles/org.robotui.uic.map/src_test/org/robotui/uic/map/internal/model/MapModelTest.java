@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
-import org.robotui.data.NavigationStatus;
+import org.robotui.data.navigation.NavigationStatus;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeUicContext;

@@ -5,7 +5,7 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
-import org.robotui.data.PoseEstimate;
+import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeUicContext;

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldPath;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.record.FieldValue;
 
 /** Reads a number at a path. */
 public final class FieldReader {

@@ -10,8 +10,8 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 
 /** All that could be plotted, as the rows of a tree: the sources, and below those that were opened, their fields. One thread. */
 public final class FieldTree {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
 import org.robotui.api.port.Envelope;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.uic.plot.internal.signal.Expr;
 import org.robotui.uic.plot.internal.signal.Pipeline;
 import org.robotui.uic.plot.internal.signal.Sink;

@@ -18,7 +18,7 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.Data;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.uic.plot.internal.signal.Expr;
 
 /**

@@ -5,7 +5,7 @@ import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
-import org.robotui.data.FieldPath;
+import org.robotui.data.record.FieldPath;
 import org.robotui.uic.plot.internal.signal.ExprParser;
 
 /** What the plot can be configured with. */

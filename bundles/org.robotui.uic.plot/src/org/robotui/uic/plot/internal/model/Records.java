@@ -2,8 +2,8 @@ package org.robotui.uic.plot.internal.model;
 
 import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
-import org.robotui.data.DataRecord;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.DynamicRecord;
 
 /** The two ways to address the fields of a value. */
 public final class Records {

@@ -3,7 +3,7 @@ package org.robotui.uic.plot.internal.signal;
 import java.util.ArrayList;
 import java.util.List;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.FieldPath;
+import org.robotui.data.record.FieldPath;
 
 /**
  * Reads signals: {@code base./odom:twist.linear.x}, or a function of some: {@code derivative(average(base./odom:x, 0.5))}.

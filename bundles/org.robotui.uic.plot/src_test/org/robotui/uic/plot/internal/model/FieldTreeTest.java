@@ -9,10 +9,10 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.Input;
-import org.robotui.data.DataRecord;
-import org.robotui.data.Doubles;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.array.Doubles;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 import org.robotui.uic.plot.internal.Robots;
 
 class FieldTreeTest {

@@ -11,9 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
-import org.robotui.data.DataRecord;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 import org.robotui.uic.plot.internal.Robots;
 import org.robotui.uic.plot.internal.signal.ExprParser;
 

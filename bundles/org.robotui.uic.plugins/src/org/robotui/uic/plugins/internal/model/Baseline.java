@@ -1,8 +1,8 @@
 package org.robotui.uic.plugins.internal.model;
 
 import java.util.Optional;
-import org.robotui.data.ControlPlugins;
-import org.robotui.data.LoopTiming;
+import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.LoopTiming;
 
 /**
  * What was read when the user reset the figures.

@@ -1,7 +1,7 @@
 package org.robotui.uic.plugins.internal.model;
 
 import java.util.Optional;
-import org.robotui.data.Histogram;
+import org.robotui.data.control.Histogram;
 
 /**
  * What a histogram tells in three figures.

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
-import org.robotui.data.ControlPlugins;
-import org.robotui.data.ControlPlugins.Plugin;
-import org.robotui.data.LoopTiming;
+import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.ControlPlugins.Plugin;
+import org.robotui.data.control.LoopTiming;
 
 /**
  * A thread and the plugins that it calls, in the order of the configuration.

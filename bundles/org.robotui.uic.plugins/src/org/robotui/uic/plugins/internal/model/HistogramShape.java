@@ -3,7 +3,7 @@ package org.robotui.uic.plugins.internal.model;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import org.robotui.data.Histogram;
+import org.robotui.data.control.Histogram;
 
 /**
  * How a histogram is drawn: durations from left to right on a logarithmic axis, counts logarithmic too, since what matters is the rare.

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robotui.data.Histogram;
-import org.robotui.data.LoopTiming.Counts;
-import org.robotui.data.LoopTiming.Loop;
-import org.robotui.data.LoopTiming.Schedule;
+import org.robotui.data.control.Histogram;
+import org.robotui.data.control.LoopTiming.Counts;
+import org.robotui.data.control.LoopTiming.Loop;
+import org.robotui.data.control.LoopTiming.Schedule;
 import org.robotui.ui.Health;
 
 /**

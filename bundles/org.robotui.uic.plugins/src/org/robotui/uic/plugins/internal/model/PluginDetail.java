@@ -3,7 +3,7 @@ package org.robotui.uic.plugins.internal.model;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robotui.data.LoopTiming.Counts;
+import org.robotui.data.control.LoopTiming.Counts;
 import org.robotui.ui.Health;
 
 /**

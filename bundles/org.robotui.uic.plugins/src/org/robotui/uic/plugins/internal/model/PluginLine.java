@@ -1,8 +1,8 @@
 package org.robotui.uic.plugins.internal.model;
 
 import java.util.Optional;
-import org.robotui.data.ControlPlugins.Plugin;
-import org.robotui.data.ControlPlugins.State;
+import org.robotui.data.control.ControlPlugins.Plugin;
+import org.robotui.data.control.ControlPlugins.State;
 import org.robotui.ui.Health;
 
 /**

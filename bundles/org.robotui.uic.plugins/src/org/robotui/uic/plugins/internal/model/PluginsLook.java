@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.api.port.InputState;
-import org.robotui.data.ControlPlugins.State;
+import org.robotui.data.control.ControlPlugins.State;
 import org.robotui.ui.Figures;
 import org.robotui.ui.StateView;
 import org.robotui.ui.ask.ControlFirst;

@@ -12,10 +12,10 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.PluginReply;
 import org.robotui.api.port.PluginRequest;
-import org.robotui.data.ControlPlugins.State;
-import org.robotui.data.ControlPlugins;
 import org.robotui.data.Data;
-import org.robotui.data.LoopTiming;
+import org.robotui.data.control.ControlPlugins;
+import org.robotui.data.control.ControlPlugins.State;
+import org.robotui.data.control.LoopTiming;
 import org.robotui.ui.StateView;
 import org.robotui.ui.ask.ControlFirst;
 

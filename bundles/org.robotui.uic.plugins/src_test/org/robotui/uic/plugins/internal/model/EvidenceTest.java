@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.data.Histogram;
+import org.robotui.data.control.Histogram;
 import org.robotui.uic.plugins.internal.Controls;
 
 class EvidenceTest {

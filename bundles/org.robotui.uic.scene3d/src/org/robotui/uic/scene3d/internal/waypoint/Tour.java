@@ -9,7 +9,7 @@ import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
 import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
-import org.robotui.data.NavigationGoal;
+import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Health;
 import org.robotui.ui.scene.CommandNotice;

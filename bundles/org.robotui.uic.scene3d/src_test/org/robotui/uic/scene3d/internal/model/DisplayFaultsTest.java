@@ -7,7 +7,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.config.Placed;
 import org.robotui.api.config.SettingFault;
-import org.robotui.data.LaserScan;
+import org.robotui.data.sensor.LaserScan;
 import org.robotui.testkit.FakeSettings;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 

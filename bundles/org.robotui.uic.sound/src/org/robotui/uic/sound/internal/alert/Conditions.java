@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.robotui.data.Diagnostics;
-import org.robotui.data.FieldPath;
-import org.robotui.data.Severity;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.status.Diagnostics;
+import org.robotui.data.status.Severity;
 
 /** Reads conditions as they are written in a configuration. */
 public final class Conditions {

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.robotui.api.port.Input;
-import org.robotui.data.Diagnostics;
+import org.robotui.data.status.Diagnostics;
 
 /**
  * A part of the robot reports a level.

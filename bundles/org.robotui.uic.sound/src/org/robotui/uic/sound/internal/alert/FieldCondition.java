@@ -7,10 +7,10 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.data.Data;
-import org.robotui.data.DataRecord;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldPath;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DataRecord;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldPath;
+import org.robotui.data.record.FieldValue;
 
 /**
  * Compares a field of what a source sends. The field is looked for by the robot's name first, then by ours.

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
 import org.robotui.api.port.Input;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 /**
  * The robot's programs log something.

@@ -5,7 +5,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.data.Data;
-import org.robotui.data.LogEntry;
+import org.robotui.data.status.LogEntry;
 
 /** What a robot said, as conditions look at it. */
 public interface Signals {

@@ -17,10 +17,10 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Diagnostics;
-import org.robotui.data.FieldValue;
-import org.robotui.data.MapRecord;
-import org.robotui.data.Severity;
+import org.robotui.data.record.FieldValue;
+import org.robotui.data.record.MapRecord;
+import org.robotui.data.status.Diagnostics;
+import org.robotui.data.status.Severity;
 
 class ConditionsTest {
   private final FakeSignals signals = new FakeSignals();

@@ -7,10 +7,10 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Battery;
 import org.robotui.data.Data;
-import org.robotui.data.LogEntry;
-import org.robotui.data.Severity;
+import org.robotui.data.sensor.Battery;
+import org.robotui.data.status.LogEntry;
+import org.robotui.data.status.Severity;
 
 /** What a robot said, in a test's hands. */
 final class FakeSignals implements Signals {

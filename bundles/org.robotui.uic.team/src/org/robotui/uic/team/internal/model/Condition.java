@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.Odometry;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.ui.Figures;
 import org.robotui.ui.LinkLook;
 

@@ -7,8 +7,8 @@ import java.util.Set;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
-import org.robotui.data.FieldValue;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.data.record.FieldValue;
 import org.robotui.ui.Health;
 
 /** What robots do, by the states of their goals as actions tell them ({@code actionlib_msgs/GoalStatusArray}). Worker thread. */

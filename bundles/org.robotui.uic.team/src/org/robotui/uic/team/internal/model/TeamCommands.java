@@ -14,7 +14,7 @@ import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.RuicView;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.VelocityCommand;
+import org.robotui.data.command.VelocityCommand;
 import org.robotui.ui.Health;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.team.internal.TeamPorts;

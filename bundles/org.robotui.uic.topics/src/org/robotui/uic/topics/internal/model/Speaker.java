@@ -9,7 +9,7 @@ import org.robotui.api.command.Output;
 import org.robotui.api.command.Principal;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.MessageCommand;
+import org.robotui.data.command.MessageCommand;
 import org.robotui.ui.Health;
 
 /**

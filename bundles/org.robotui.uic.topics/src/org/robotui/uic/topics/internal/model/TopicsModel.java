@@ -11,7 +11,7 @@ import org.robotui.api.UicContext;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.ask.Measure;
 import org.robotui.ui.ask.Presence;
 import org.robotui.uic.topics.internal.TopicsOptions;

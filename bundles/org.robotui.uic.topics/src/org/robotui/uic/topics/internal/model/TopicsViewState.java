@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.robotui.api.port.Browser.Kind;
 import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.DynamicRecord;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.ask.Measure;
 
 /**

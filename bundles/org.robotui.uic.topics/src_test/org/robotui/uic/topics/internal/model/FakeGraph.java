@@ -10,8 +10,8 @@ import org.robotui.api.port.BrowseInput;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.SourceId;
-import org.robotui.data.FieldShape;
-import org.robotui.data.RecordShape;
+import org.robotui.data.record.FieldShape;
+import org.robotui.data.record.RecordShape;
 
 /** A robot with what a test gives it. */
 public final class FakeGraph implements Browser {

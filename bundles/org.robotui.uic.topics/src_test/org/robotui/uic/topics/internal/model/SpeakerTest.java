@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.InputState;
-import org.robotui.data.MessageCommand;
+import org.robotui.data.command.MessageCommand;
 import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.FakeOutput;
 import org.robotui.ui.Health;

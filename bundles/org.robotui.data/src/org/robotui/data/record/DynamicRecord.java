@@ -1,0 +1,43 @@
+package org.robotui.data.record;
+
+import java.util.List;
+import java.util.Optional;
+import org.robotui.data.Data;
+
+/**
+ * A message of a type that no data type stands for, with the names that the robot gives. Implementations may decode
+ * lazily; they are immutable and safe for use by several threads.
+ */
+public interface DynamicRecord extends Data {
+  /**
+   * The robot's name of the type, for example {@code turtlesim/Pose}.
+   *
+   * @return the type's name
+   */
+  String schema();
+
+  /**
+   * The names of the fields, in their order.
+   *
+   * @return the names
+   */
+  List<String> fields();
+
+  /**
+   * The value of one field of this record.
+   *
+   * @param name one of {@link #fields()}
+   * @return the value, or none where there is no such field
+   */
+  Optional<FieldValue> field(String name);
+
+  /**
+   * The value at a path.
+   *
+   * @param path for example {@code pose.position.x} or {@code ranges[3]}
+   * @return the value, or none where the path leads nowhere
+   */
+  default Optional<FieldValue> at(FieldPath path) {
+    return path.in(this);
+  }
+}
