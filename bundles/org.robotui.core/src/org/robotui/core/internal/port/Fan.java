@@ -16,8 +16,9 @@ import org.robotui.data.Late;
 import org.robotui.data.Stamp;
 
 /**
- * Hands the values of one source to any number of consumers, each with a mailbox of its own, and remembers the newest.
- * Publishing is lock-free; consumers come and go while it goes on.
+ * Hands the values of one source to any number of consumers, and remembers the newest. A consumer of samples reads what is remembered; one of
+ * events has a mailbox from the moment on at which it joins, and one of keyed values from its first draining on. Publishing is lock-free; consumers
+ * come and go while it goes on.
  */
 public final class Fan<T extends Data> {
   private final SourceId source;
@@ -25,6 +26,7 @@ public final class Fan<T extends Data> {
   private final AtomicLong sequence = new AtomicLong();
   private final AtomicReference<Merged<T>> last = new AtomicReference<>();
   private final List<Tap<T>> taps = new CopyOnWriteArrayList<>();
+  private final List<Mailbox<T>> mailboxes = new CopyOnWriteArrayList<>();
   private final RateMeter rate;
 
   /** A fan that starts counting at a moment of the monotonic clock. */
@@ -39,8 +41,8 @@ public final class Fan<T extends Data> {
     Envelope<T> envelope = new Envelope<>(value, source, sequence.getAndIncrement(), stamp, receivedNanos, raw);
     rate.mark(receivedNanos);
     last.updateAndGet(held -> conflate(held, envelope));
-    for (Tap<T> tap : taps) {
-      tap.offer(envelope);
+    for (Mailbox<T> mailbox : mailboxes) {
+      mailbox.offer(envelope);
     }
   }
 
@@ -56,28 +58,29 @@ public final class Fan<T extends Data> {
 
   /** Adds a consumer; it is given at once what late consumers of the type get. */
   public Tap<T> join(Intake intake) {
-    Conflation conflation = intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation();
     boolean late = type.late() != Late.NONE;
-    Tap<T> tap = new Tap<>(this, mailbox(conflation), late ? 0 : sequence.get());
-    // Conflating mailboxes are given the last value after joining, so that none is missed in between; it may come twice, which
-    // they do not mind. A queue would show it twice, so it is filled before.
-    boolean queue = conflation == Conflation.EVENT;
-    if (late && queue) {
-      last().ifPresent(tap::offer);
-    }
+    long since = late ? 0 : sequence.get();
+    Tap<T> tap = new Tap<>(this, reader(intake == Intake.CHOSEN ? Conflation.EVENT : type.conflation(), since), since);
     taps.add(tap);
-    if (late && !queue) {
-      last().ifPresent(tap::offer);
-    }
     return tap;
   }
 
-  private static <T extends Data> Mailbox<T> mailbox(Conflation conflation) {
+  private Reader<T> reader(Conflation conflation, long since) {
     return switch (conflation) {
-      case SAMPLE -> new SampleMailbox<>();
-      case KEYED -> new KeyedMailbox<>();
-      case EVENT -> new EventMailbox<>();
+      case SAMPLE -> new SampleReader<>(this, since);
+      case KEYED -> new MailboxReader<>(this, new KeyedMailbox<>(), since);
+      case EVENT -> MailboxReader.opened(this, new EventMailbox<>(), since);
     };
+  }
+
+  /** Has a mailbox filled by what is published from now on. */
+  void fill(Mailbox<T> mailbox) {
+    mailboxes.add(mailbox);
+  }
+
+  /** Has a mailbox filled no more. */
+  void cease(Mailbox<T> mailbox) {
+    mailboxes.remove(mailbox);
   }
 
   void leave(Tap<T> tap) {

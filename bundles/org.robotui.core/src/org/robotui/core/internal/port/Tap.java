@@ -8,17 +8,13 @@ import org.robotui.data.Data;
 /** One consumer of a source. The source does not know what it is: a view, a recorder, a bridge, a script. */
 public final class Tap<T extends Data> implements AutoCloseable {
   private final Fan<T> fan;
-  private final Mailbox<T> mailbox;
+  private final Reader<T> reader;
   private final long since;
 
-  Tap(Fan<T> fan, Mailbox<T> mailbox, long since) {
+  Tap(Fan<T> fan, Reader<T> reader, long since) {
     this.fan = fan;
-    this.mailbox = mailbox;
+    this.reader = reader;
     this.since = since;
-  }
-
-  void offer(Envelope<T> envelope) {
-    mailbox.offer(envelope);
   }
 
   /** The newest value, as far as this consumer may see it. */
@@ -28,17 +24,18 @@ public final class Tap<T extends Data> implements AutoCloseable {
 
   /** Takes what came since the last call. */
   public int drain(Consumer<? super Envelope<T>> consumer) {
-    return mailbox.drain(consumer);
+    return reader.drain(consumer);
   }
 
   /** Values lost to a full queue. */
   public long dropped() {
-    return mailbox.dropped();
+    return reader.dropped();
   }
 
   /** Leaves. */
   @Override
   public void close() {
     fan.leave(this);
+    reader.close();
   }
 }

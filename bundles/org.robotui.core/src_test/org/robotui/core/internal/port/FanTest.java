@@ -7,8 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
@@ -33,6 +36,28 @@ class FanTest {
   /** An event whose last value late consumers get. */
   @Delivery(conflation = Conflation.EVENT, late = Late.LAST)
   private record Notice(int number) implements Data {}
+
+  /** A keyed value that counts how often it was merged. */
+  @Delivery(conflation = Conflation.KEYED)
+  private record Tagged(AtomicInteger merges, Set<String> tags) implements Keyed<Tagged> {
+    @Override
+    public Tagged over(Tagged older) {
+      merges.incrementAndGet();
+      Set<String> all = new TreeSet<>(older.tags);
+      all.addAll(tags);
+      return new Tagged(merges, all);
+    }
+
+    @Override
+    public int keys() {
+      return tags.size();
+    }
+
+    @Override
+    public Tagged last(int most) {
+      return this;
+    }
+  }
 
   private static <T extends Data> Fan<T> fan(Class<T> type) {
     return new Fan<>(ID, DataType.of(type), 0);
@@ -88,6 +113,7 @@ class FanTest {
   void keysWithoutEndAreBoundedAndWhatIsGivenUpIsCounted() {
     Fan<JointState> fan = fan(JointState.class);
     Tap<JointState> tap = fan.join();
+    drain(tap);
     int many = 3 * Keyed.MOST_KEYS;
     for (int i = 0; i < many; i++) {
       publish(fan, new JointState(List.of(joint("steady", i), joint("joint " + i, i))));
@@ -107,10 +133,43 @@ class FanTest {
   void aSingleValueKeepsAllItsKeys() {
     Fan<JointState> fan = fan(JointState.class);
     Tap<JointState> tap = fan.join();
+    drain(tap);
     publish(fan, new JointState(List.of(joint("old", 1))));
     publish(fan, new JointState(IntStream.range(0, Keyed.MOST_KEYS + 5).mapToObj(i -> joint("joint " + i, i)).toList()));
     assertEquals(Keyed.MOST_KEYS + 5, drain(tap).getFirst().joints().size());
     assertEquals(1, tap.dropped());
+  }
+
+  /** A view that only looks costs a publication nothing: what it merges for late consumers it merges once, for all. */
+  @Test
+  void keyedValuesAreMergedForAConsumerFromItsFirstDrainingOn() {
+    AtomicInteger merges = new AtomicInteger();
+    Fan<Tagged> fan = fan(Tagged.class);
+    Tap<Tagged> looks = fan.join();
+    publish(fan, new Tagged(merges, Set.of("a")));
+    publish(fan, new Tagged(merges, Set.of("b")));
+    assertEquals(1, merges.get(), "for late consumers");
+    assertEquals(Set.of("a", "b"), looks.latest().orElseThrow().value().tags());
+
+    assertEquals(Set.of("a", "b"), drain(looks).getFirst().tags(), "the first draining gives what holds");
+    merges.set(0);
+    publish(fan, new Tagged(merges, Set.of("c")));
+    publish(fan, new Tagged(merges, Set.of("d")));
+    assertEquals(3, merges.get(), "for late consumers, and for this one");
+    assertEquals(Set.of("c", "d"), drain(looks).getFirst().tags());
+  }
+
+  @Test
+  void aConsumerThatLeftBeforeItDrainedIsMergedNothing() {
+    AtomicInteger merges = new AtomicInteger();
+    Fan<Tagged> fan = fan(Tagged.class);
+    Tap<Tagged> left = fan.join();
+    left.close();
+    drain(left);
+    publish(fan, new Tagged(merges, Set.of("a")));
+    publish(fan, new Tagged(merges, Set.of("b")));
+    assertEquals(1, merges.get(), "for late consumers");
+    assertEquals(List.of(), drain(left));
   }
 
   @Test
