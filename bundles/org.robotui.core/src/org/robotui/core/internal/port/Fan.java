@@ -65,7 +65,7 @@ public final class Fan<T extends Data> {
     return tap;
   }
 
-  private Reader<T> reader(Conflation conflation, long since) {
+  private TapReader<T> reader(Conflation conflation, long since) {
     return switch (conflation) {
       case SAMPLE -> new SampleReader<>(this, since);
       case KEYED -> new MailboxReader<>(this, new KeyedMailbox<>(), since);

@@ -5,7 +5,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
 
 /** Takes from a mailbox, which each publication fills from the moment on at which it is opened. */
-final class MailboxReader<T extends Data> implements Reader<T> {
+final class MailboxReader<T extends Data> implements TapReader<T> {
   private final Fan<T> fan;
   private final Mailbox<T> mailbox;
   private final long since;

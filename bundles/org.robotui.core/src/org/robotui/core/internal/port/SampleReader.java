@@ -6,7 +6,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
 
 /** The newest wins: the source remembers it anyway, so nothing is held here but how far this consumer has read. */
-final class SampleReader<T extends Data> implements Reader<T> {
+final class SampleReader<T extends Data> implements TapReader<T> {
   private final Fan<T> fan;
   private volatile long taken;
   private volatile boolean closed;

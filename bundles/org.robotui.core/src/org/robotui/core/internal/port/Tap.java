@@ -8,10 +8,10 @@ import org.robotui.data.Data;
 /** One consumer of a source. The source does not know what it is: a view, a recorder, a bridge, a script. */
 public final class Tap<T extends Data> implements AutoCloseable {
   private final Fan<T> fan;
-  private final Reader<T> reader;
+  private final TapReader<T> reader;
   private final long since;
 
-  Tap(Fan<T> fan, Reader<T> reader, long since) {
+  Tap(Fan<T> fan, TapReader<T> reader, long since) {
     this.fan = fan;
     this.reader = reader;
     this.since = since;

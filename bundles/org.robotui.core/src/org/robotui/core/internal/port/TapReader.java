@@ -5,7 +5,7 @@ import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
 
 /** How one consumer takes what came since it took last. One thread at a time drains; any thread closes. */
-interface Reader<T extends Data> extends AutoCloseable {
+interface TapReader<T extends Data> extends AutoCloseable {
   int drain(Consumer<? super Envelope<T>> consumer);
 
   /** Values lost to a full queue, and keys given up, for this consumer. */
