@@ -12,10 +12,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Writes into the products and into the category of the update site which features there are, so that a new feature is a folder in {@code features}
- * and nothing else. The products are files that Tycho and the IDE read as they are, which is why they hold the list (docs/adr/0112).
+ * Writes into the products and into the category of the update site which features there are, so that a new feature is
+ * a folder in {@code features} and nothing else. The products are files that Tycho and the IDE read as they are, which
+ * is why they hold the list (docs/adr/0112).
  *
- * <p>{@code java releng/ProductFeatures.java ROOT} writes; with {@code --check} it says what is not up to date, and ends with 1.
+ * <p>{@code java releng/ProductFeatures.java ROOT} writes; with {@code --check} it says what is not up to date, and
+ * ends with 1.
  */
 public final class ProductFeatures {
 
@@ -32,7 +34,8 @@ public final class ProductFeatures {
   private static final Pattern CATEGORY_LIST = Pattern.compile("(?s)(<site>\n).*?( *<category-def )");
 
   /** What a window is made of: who uses one of these is of no use without. */
-  private static final Pattern WINDOW = Pattern.compile("org\\.eclipse\\.(swt|jface|ui)\\b.*|org\\.robotui\\.(ui|gl)(\\..*)?");
+  private static final Pattern WINDOW =
+      Pattern.compile("org\\.eclipse\\.(swt|jface|ui)\\b.*|org\\.robotui\\.(ui|gl)(\\..*)?");
 
   private record Feature(String id, List<String> included, List<String> plugins) {
 
@@ -53,13 +56,16 @@ public final class ProductFeatures {
   public static void main(String[] arguments) throws IOException {
     boolean check = arguments.length > 1 && arguments[1].equals("--check");
     List<String> stale = new ProductFeatures(Path.of(arguments[0]), check).run();
-    stale.forEach(file -> System.out.println(check ? file + " does not list the features that there are; write it anew: java releng/ProductFeatures.java ." : file + " was written"));
+    stale.forEach(file -> System.out.println(
+        check ? file + " does not list the features that there are; write it anew: java releng/ProductFeatures.java ."
+            : file + " was written"));
     System.exit(check && !stale.isEmpty() ? 1 : 0);
   }
 
   private List<String> run() throws IOException {
     List<Feature> all = features();
-    List<Feature> roots = all.stream().filter(feature -> all.stream().noneMatch(other -> other.included().contains(feature.id()))).toList();
+    List<Feature> roots = all.stream()
+        .filter(feature -> all.stream().noneMatch(other -> other.included().contains(feature.id()))).toList();
     List<Feature> windowless = new ArrayList<>();
     for (Feature feature : all) {
       if (!needsWindow(feature)) {
@@ -74,8 +80,10 @@ public final class ProductFeatures {
   }
 
   private static String list(List<Feature> features, String line) {
-    return String.join("", features.stream().sorted(Comparator.comparing((Feature feature) -> !feature.isPlatform()).thenComparing(Feature::id))
-        .map(feature -> line.formatted(feature.id())).toList());
+    return String.join("",
+        features.stream()
+            .sorted(Comparator.comparing((Feature feature) -> !feature.isPlatform()).thenComparing(Feature::id))
+            .map(feature -> line.formatted(feature.id())).toList());
   }
 
   private void rewrite(String name, Pattern place, String list) throws IOException {
@@ -102,12 +110,14 @@ public final class ProductFeatures {
   }
 
   private static List<String> ids(String element, String text) {
-    return Pattern.compile("<" + element + "\\s+id=\"([^\"]+)\"").matcher(text).results().map((MatchResult found) -> found.group(1)).toList();
+    return Pattern.compile("<" + element + "\\s+id=\"([^\"]+)\"").matcher(text).results()
+        .map((MatchResult found) -> found.group(1)).toList();
   }
 
   private boolean needsWindow(Feature feature) throws IOException {
     for (String plugin : feature.plugins()) {
-      if (WINDOW.matcher(plugin).matches() || usesWindow(root.resolve("bundles").resolve(plugin).resolve("META-INF/MANIFEST.MF"))) {
+      if (WINDOW.matcher(plugin).matches()
+          || usesWindow(root.resolve("bundles").resolve(plugin).resolve("META-INF/MANIFEST.MF"))) {
         return true;
       }
     }

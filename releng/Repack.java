@@ -16,7 +16,8 @@ import java.util.zip.ZipOutputStream;
  */
 public final class Repack {
   /** The virtual machine loads these itself, and would check signatures at each start. */
-  private static final String UNSIGNED = "(org\\.eclipse\\.equinox\\.launcher|org\\.eclipse\\.osgi|org\\.eclipse\\.osgi\\.compatibility\\.state)_.*";
+  private static final String UNSIGNED =
+      "(org\\.eclipse\\.equinox\\.launcher|org\\.eclipse\\.osgi|org\\.eclipse\\.osgi\\.compatibility\\.state)_.*";
   private static final String SIGNATURE = "META-INF/[^/]*\\.(SF|RSA|DSA|EC)";
 
   private Repack() {}

@@ -2,7 +2,7 @@
 
 cmd_format() {
   [[ $# -eq 0 ]] || usage_error "format takes no arguments: it lays out all Java code of this checkout"
-  need_java
+  need_jdk
   need_maven
   say "Laying out the Java code"
   maven "$KEEP/logs/format.log" -N -q net.revelc.code.formatter:formatter-maven-plugin:format || fail "the code could not be laid out"

@@ -11,29 +11,31 @@ import org.osgi.framework.launch.Framework;
 import org.osgi.framework.launch.FrameworkFactory;
 import org.osgi.framework.wiring.FrameworkWiring;
 
-/** Puts all bundles of a folder into an empty framework and prints those that cannot be resolved. Run from its source. */
+/**
+ * Puts all bundles of a folder into an empty framework and prints those that cannot be resolved. Run from its source.
+ */
 final class ResolveAll {
 
-    private ResolveAll() {
-    }
+  private ResolveAll() {}
 
-    public static void main(String[] arguments) throws Exception {
-        Path storage = Files.createTempDirectory("resolve-all");
-        Framework framework = ServiceLoader.load(FrameworkFactory.class).findFirst().orElseThrow()
-                .newFramework(Map.of(Constants.FRAMEWORK_STORAGE, storage.toString()));
-        framework.init();
-        install(framework.getBundleContext(), new File(arguments[0]));
-        framework.adapt(FrameworkWiring.class).resolveBundles(null);
-        Stream.of(framework.getBundleContext().getBundles())
-                .filter(bundle -> bundle.getState() == Bundle.INSTALLED)
-                .forEach(System.out::println);
-        framework.stop();
-        framework.waitForStop(10_000);
-    }
+  public static void main(String[] arguments) throws Exception {
+    Path storage = Files.createTempDirectory("resolve-all");
+    Framework framework = ServiceLoader.load(FrameworkFactory.class).findFirst().orElseThrow()
+        .newFramework(Map.of(Constants.FRAMEWORK_STORAGE, storage.toString()));
+    framework.init();
+    install(framework.getBundleContext(), new File(arguments[0]));
+    framework.adapt(FrameworkWiring.class).resolveBundles(null);
+    Stream.of(framework.getBundleContext().getBundles())
+        .filter(bundle -> bundle.getState() == Bundle.INSTALLED)
+        .forEach(System.out::println);
+    framework.stop();
+    framework.waitForStop(10_000);
+  }
 
-    private static void install(BundleContext context, File folder) throws Exception {
-        for (File jar : folder.listFiles((parent, name) -> name.endsWith(".jar") && !name.startsWith("org.eclipse.osgi_"))) {
-            context.installBundle(jar.toURI().toString());
-        }
+  private static void install(BundleContext context, File folder) throws Exception {
+    for (File jar : folder
+        .listFiles((parent, name) -> name.endsWith(".jar") && !name.startsWith("org.eclipse.osgi_"))) {
+      context.installBundle(jar.toURI().toString());
     }
+  }
 }

@@ -6,7 +6,10 @@ import org.robotui.lcm.LcmStatistics;
 import org.robotui.lcm.LcmUrl;
 import org.robotui.lcm.SubscriptionOptions;
 
-/** Counts messages with our client and says at each END what came since the last one, and what the client counted as lost. */
+/**
+ * Counts messages with our client and says at each END what came since the last one, and what the client counted as
+ * lost.
+ */
 public final class BenchReceiver {
   private long messages;
   private long bytes;
@@ -45,7 +48,8 @@ public final class BenchReceiver {
       LcmStatistics statistics = lcm.statistics();
       long before = lost;
       lost = statistics.lost() + statistics.incomplete();
-      System.out.printf(Locale.ROOT, "{\"messages\": %d, \"bytes\": %d, \"seconds\": %.9f, \"counted\": %d}%n", messages, bytes,
+      System.out.printf(Locale.ROOT, "{\"messages\": %d, \"bytes\": %d, \"seconds\": %.9f, \"counted\": %d}%n",
+          messages, bytes,
           (last - first) / 1e9, lost - before);
       messages = 0;
       bytes = 0;

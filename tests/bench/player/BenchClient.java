@@ -13,7 +13,10 @@ import org.robotui.player.interfaces.Ranger;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.wire.DeviceId;
 
-/** Decodes data with our client: PORT INTERFACE:INDEX..., then for each count on a line of input says how long so many messages took. */
+/**
+ * Decodes data with our client: PORT INTERFACE:INDEX..., then for each count on a line of input says how long so many
+ * messages took.
+ */
 public final class BenchClient {
   private long left;
   private long first;
@@ -47,9 +50,12 @@ public final class BenchClient {
 
   private void listen(PlayerDevice device) {
     switch (device.id().interfaceCode()) {
-      case 4 -> device.subscribe(Position2d.STATE, (DataListener<Position2d.State>) (value, stamp, time) -> heard(value.position().x()));
-      case 6 -> device.subscribe(Laser.SCAN, (DataListener<Laser.Scan>) (value, stamp, time) -> heard(value.maxRange()));
-      case 40 -> device.subscribe(Camera.IMAGE, (DataListener<Camera.Image>) (value, stamp, time) -> heard(value.width()));
+      case 4 -> device.subscribe(Position2d.STATE,
+          (DataListener<Position2d.State>) (value, stamp, time) -> heard(value.position().x()));
+      case 6 -> device.subscribe(Laser.SCAN,
+          (DataListener<Laser.Scan>) (value, stamp, time) -> heard(value.maxRange()));
+      case 40 -> device.subscribe(Camera.IMAGE,
+          (DataListener<Camera.Image>) (value, stamp, time) -> heard(value.width()));
       default -> device.subscribe(Ranger.RANGES, (DataListener<Ranger.Ranges>) (value, stamp, time) -> heard(stamp));
     }
   }

@@ -11,8 +11,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.robotui.xbot.RtClient;
 
 /**
- * Reads the state of a running control as the workbench does: attached by JNI, decoded out of the shared memory. Each line on stdin says
- * what and for how many seconds, and is answered by one of JSON; times are microseconds.
+ * Reads the state of a running control as the workbench does: attached by JNI, decoded out of the shared memory. Each
+ * line on stdin says what and for how many seconds, and is answered by one of JSON; times are microseconds.
  */
 final class BenchReader {
   private static final double SECOND = 1e9;
@@ -97,7 +97,8 @@ final class BenchReader {
   }
 
   private static String ages(long[] sorted) {
-    return String.format(Locale.ROOT, "{\"p50\": %.2f, \"p99\": %.2f, \"count\": %d}", sorted[sorted.length / 2] / MICRO,
+    return String.format(Locale.ROOT, "{\"p50\": %.2f, \"p99\": %.2f, \"count\": %d}",
+        sorted[sorted.length / 2] / MICRO,
         sorted[sorted.length * 99 / 100] / MICRO, sorted.length);
   }
 

@@ -42,7 +42,8 @@ public final class StockReceiver implements LCMSubscriber {
   private void end(byte flood) {
     if (flood != told) {
       told = flood;
-      System.out.printf(Locale.ROOT, "{\"messages\": %d, \"bytes\": %d, \"seconds\": %.9f}%n", messages, bytes, (last - first) / 1e9);
+      System.out.printf(Locale.ROOT, "{\"messages\": %d, \"bytes\": %d, \"seconds\": %.9f}%n", messages, bytes,
+          (last - first) / 1e9);
       messages = 0;
       bytes = 0;
       first = 0;

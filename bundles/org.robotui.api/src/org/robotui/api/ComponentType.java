@@ -7,8 +7,8 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.port.Port;
 
 /**
- * A type of component, registered as an OSGi service under {@link RficType}, {@link UicType} or {@link RuicType} by the one
- * bundle that implements it. It is readable without an instance, immutable and safe for all threads.
+ * A type of component, registered as an OSGi service under {@link RficType}, {@link UicType} or {@link RuicType} by the
+ * one bundle that implements it. It is readable without an instance, immutable and safe for all threads.
  */
 public interface ComponentType {
   /**
@@ -55,8 +55,8 @@ public interface ComponentType {
   }
 
   /**
-   * Judges settings that fit the schema: what the schema cannot say, such as whether the files that they name are there. May read
-   * files, and is called on a worker whenever a configuration is read.
+   * Judges settings that fit the schema: what the schema cannot say, such as whether the files that they name are
+   * there. May read files, and is called on a worker whenever a configuration is read.
    *
    * @param settings checked against the schema
    * @return what is wrong; a component of this type is not made of such settings

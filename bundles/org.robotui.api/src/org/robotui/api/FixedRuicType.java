@@ -7,8 +7,8 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.layout.Layout;
 
 /**
- * A type of robot user interface that always has the same views at the same places, and nothing to configure. A bundle extends it and
- * says in the constructor what it is: all there is to such a type is its layout.
+ * A type of robot user interface that always has the same views at the same places, and nothing to configure. A bundle
+ * extends it and says in the constructor what it is: all there is to such a type is its layout.
  */
 public abstract class FixedRuicType implements RuicType {
   private final Descriptor descriptor;
@@ -30,7 +30,8 @@ public abstract class FixedRuicType implements RuicType {
     this.layout = layout;
     this.views = UicSpec.of(layout, placeless);
     if (Set.copyOf(views).size() < views.size()) {
-      throw new IllegalArgumentException("the interface '" + id + "' names a view twice: " + views.stream().map(UicSpec::id).toList());
+      throw new IllegalArgumentException(
+          "the interface '" + id + "' names a view twice: " + views.stream().map(UicSpec::id).toList());
     }
   }
 

@@ -38,8 +38,8 @@ public interface RficContext {
   LinkReporter link();
 
   /**
-   * Where all threads of the instance come from, so that none is left unseen. They are platform daemon threads named after
-   * the instance.
+   * Where all threads of the instance come from, so that none is left unseen. They are platform daemon threads named
+   * after the instance.
    *
    * @return the factory
    */

@@ -6,8 +6,9 @@ import java.util.function.BooleanSupplier;
 import org.robotui.api.link.LinkState;
 
 /**
- * The one thread of a robot interface that attaches to something, follows it, and attaches again some time after that has ended. It tells
- * the link of every end. What a connection throws beyond {@link IOException} ends the thread, which core reports.
+ * The one thread of a robot interface that attaches to something, follows it, and attaches again some time after that
+ * has ended. It tells the link of every end. What a connection throws beyond {@link IOException} ends the thread, which
+ * core reports.
  */
 public final class RficWorker {
   /** One connection from its beginning to its end. */
@@ -83,7 +84,8 @@ public final class RficWorker {
   }
 
   /**
-   * Waits for its end, no shorter where the caller is interrupted: it may close because of that, and must leave nothing behind.
+   * Waits for its end, no shorter where the caller is interrupted: it may close because of that, and must leave nothing
+   * behind.
    *
    * @param patience at most so long
    * @return whether it has ended, or never began

@@ -99,23 +99,24 @@ public interface UicContext {
   List<RuicView> ruics();
 
   /**
-   * Has another RUIC shown in place of that of this view, as when the user chooses it in the window. Returns at once; does nothing
-   * where there is no such RUIC.
+   * Has another RUIC shown in place of that of this view, as when the user chooses it in the window. Returns at once;
+   * does nothing where there is no such RUIC.
    *
    * @param ruic its name
    */
   void show(String ruic);
 
   /**
-   * Runs what may block: asking a robot, reading or writing a file. The tasks of one view run in order, on a thread that core owns;
-   * they are interrupted, and what waits is forgotten, when the view ends.
+   * Runs what may block: asking a robot, reading or writing a file. The tasks of one view run in order, on a thread
+   * that core owns; they are interrupted, and what waits is forgotten, when the view ends.
    *
    * @return takes tasks from any thread; one that throws is logged
    */
   Executor background();
 
   /**
-   * Tells the user of something that cannot wait until the view is looked at. Shown by the application, whatever it shows.
+   * Tells the user of something that cannot wait until the view is looked at. Shown by the application, whatever it
+   * shows.
    *
    * @param message a sentence; the name of the RUIC is put before it
    */

@@ -31,9 +31,11 @@ public interface UicType extends ComponentType {
   double rateHz();
 
   /**
-   * What its instances show when a user asks for it at something in another view. It may change, for example with what is installed.
+   * What its instances show when a user asks for it at something in another view. It may change, for example with what
+   * is installed.
    *
-   * @return the entries for the menus of ports, frames and nodes; none for a view that shows only what its ports are connected with
+   * @return the entries for the menus of ports, frames and nodes; none for a view that shows only what its ports are
+   * connected with
    */
   default List<Showing> showings() {
     return List.of();

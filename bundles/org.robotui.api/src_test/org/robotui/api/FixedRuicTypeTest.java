@@ -26,14 +26,16 @@ class FixedRuicTypeTest {
 
     assertEquals("rover", type.id());
     assertEquals(MAP_AND_PLOT, type.layout(settings));
-    assertEquals(List.of(new UicSpec("map", "map"), new UicSpec("plot", "plot"), new UicSpec("text", "text")), type.uics(settings));
+    assertEquals(List.of(new UicSpec("map", "map"), new UicSpec("plot", "plot"), new UicSpec("text", "text")),
+        type.uics(settings));
   }
 
   @Test
   void aViewThatIsNamedTwiceIsRefused() {
     Layout twice = new Tabs(List.of("map", "plot", "map"));
 
-    assertTrue(assertThrows(IllegalArgumentException.class, () -> type(twice)).getMessage().contains("'rover' names a view twice"));
+    assertTrue(assertThrows(IllegalArgumentException.class, () -> type(twice)).getMessage()
+        .contains("'rover' names a view twice"));
     assertThrows(IllegalArgumentException.class, () -> type(MAP_AND_PLOT, "plot"));
   }
 }

@@ -2,7 +2,9 @@ package org.robotui.data;
 
 import java.util.stream.Stream;
 
-/** What is given in coordinate frames. Views ask which these are, to place it and to offer them as frames to draw in. */
+/**
+ * What is given in coordinate frames. Views ask which these are, to place it and to offer them as frames to draw in.
+ */
 public interface Framed {
   /**
    * The frames that it names.

@@ -1,8 +1,9 @@
 package org.robotui.data;
 
 /**
- * A value made of parts with keys, of which the newest per key counts. Merged values hold {@link #most()} keys at most: where
- * keys come without end, those that came first go, unless the newest value has them; they are back with their next value.
+ * A value made of parts with keys, of which the newest per key counts. Merged values hold {@link #most()} keys at most:
+ * where keys come without end, those that came first go, unless the newest value has them; they are back with their
+ * next value.
  *
  * @param <T> the type itself
  */

@@ -29,7 +29,8 @@ class DeliveryTest {
   void typesSayHowTheyAreDelivered() {
     assertEquals(new DataType(LaserScan.class, Conflation.SAMPLE, Late.LAST, true), DataType.of(LaserScan.class));
     assertEquals(new DataType(GridMap.class, Conflation.SAMPLE, Late.LAST, false), DataType.of(GridMap.class));
-    assertEquals(new DataType(RobotDescription.class, Conflation.SAMPLE, Late.LAST, false), DataType.of(RobotDescription.class));
+    assertEquals(new DataType(RobotDescription.class, Conflation.SAMPLE, Late.LAST, false),
+        DataType.of(RobotDescription.class));
     assertEquals(Conflation.KEYED, DataType.of(TransformSet.class).conflation());
     assertEquals(Conflation.EVENT, DataType.of(LogEntry.class).conflation());
     assertEquals(Late.NONE, DataType.of(VelocityCommand.class).late());

@@ -24,7 +24,8 @@ class FramedTest {
 
   @Test
   void everyTypeThatHasAFrameIsFramed() throws Exception {
-    List<Class<?>> silent = types().filter(FramedTest::namesFrames).filter(type -> !Framed.class.isAssignableFrom(type)).toList();
+    List<Class<?>> silent =
+        types().filter(FramedTest::namesFrames).filter(type -> !Framed.class.isAssignableFrom(type)).toList();
 
     assertEquals(List.of(), silent);
   }
@@ -45,11 +46,15 @@ class FramedTest {
     FrameId map = new FrameId("robby", "map");
     FrameId base = new FrameId("robby", "base_link");
 
-    assertEquals(List.of(map, base), new TransformSet(List.of(new FrameTransform(map, base, Stamp.of(1, 0, ClockKind.ROBOT), RigidTransform.IDENTITY, true))).frames().toList());
+    assertEquals(List.of(map, base),
+        new TransformSet(
+            List.of(new FrameTransform(map, base, Stamp.of(1, 0, ClockKind.ROBOT), RigidTransform.IDENTITY, true)))
+            .frames().toList());
   }
 
   private static boolean namesFrames(Class<?> type) {
-    return Data.class.isAssignableFrom(type) && type.isRecord() && Stream.of(type.getRecordComponents()).anyMatch(FramedTest::namesFrames);
+    return Data.class.isAssignableFrom(type) && type.isRecord()
+        && Stream.of(type.getRecordComponents()).anyMatch(FramedTest::namesFrames);
   }
 
   private static boolean namesFrames(RecordComponent component) {
@@ -63,7 +68,8 @@ class FramedTest {
 
   private static boolean hasFrame(Class<?> element) {
     return element == FrameId.class
-        || element.isRecord() && Stream.of(element.getRecordComponents()).anyMatch(part -> part.getType() == FrameId.class || wraps(part));
+        || element.isRecord() && Stream.of(element.getRecordComponents())
+            .anyMatch(part -> part.getType() == FrameId.class || wraps(part));
   }
 
   private static boolean wraps(RecordComponent part) {

@@ -49,7 +49,8 @@ class ValidationTest {
     assertRefused("fieldOfView", () -> reading(Double.NaN, 1));
     assertRefused("cells", () -> new GridMap(FRAME, 0.1, 2, 2, RigidTransform.IDENTITY, Bytes.of((byte) 0)));
     assertRefused("resolution", () -> new GridMap(FRAME, 0, 0, 0, RigidTransform.IDENTITY, Bytes.EMPTY));
-    assertRefused("pixels", () -> new RawImage(FRAME, 4, 2, PixelEncoding.RGB8, false, 12, Bytes.wrap(new byte[23], 0, 23)));
+    assertRefused("pixels",
+        () -> new RawImage(FRAME, 4, 2, PixelEncoding.RGB8, false, 12, Bytes.wrap(new byte[23], 0, 23)));
     assertRefused("step", () -> new RawImage(FRAME, 4, 0, PixelEncoding.RGB8, false, 11, Bytes.EMPTY));
     assertRefused("corners", () -> new Footprint(FRAME, List.of(Vector3.ZERO, Vector3.ZERO)));
     assertRefused("charge", () -> new Battery(12, 1, 1.5, Battery.Status.UNKNOWN));
@@ -94,7 +95,8 @@ class ValidationTest {
 
   @Test
   void hugeSizesDoNotOverflowTheCheck() {
-    assertRefused("pointStep", () -> new PointCloud(FRAME, 1 << 20, 1 << 20, List.of(), 0, 0, ByteOrder.LITTLE_ENDIAN, true, Bytes.EMPTY));
+    assertRefused("pointStep",
+        () -> new PointCloud(FRAME, 1 << 20, 1 << 20, List.of(), 0, 0, ByteOrder.LITTLE_ENDIAN, true, Bytes.EMPTY));
     assertRefused("cells", () -> new GridMap(FRAME, 0.1, 1 << 16, 1 << 16, RigidTransform.IDENTITY, Bytes.EMPTY));
     assertRefused("points", () -> new PointCloud(FRAME, 1, Integer.MAX_VALUE, List.of(), 4, Integer.MAX_VALUE,
         ByteOrder.LITTLE_ENDIAN, true, Bytes.EMPTY));
@@ -131,7 +133,8 @@ class ValidationTest {
 
   @Test
   void stampsOfDifferentClocksHaveNoDifference() {
-    assertThrows(IllegalArgumentException.class, () -> new Stamp(1, ClockKind.WALL).since(new Stamp(0, ClockKind.ROBOT)));
+    assertThrows(IllegalArgumentException.class,
+        () -> new Stamp(1, ClockKind.WALL).since(new Stamp(0, ClockKind.ROBOT)));
     assertDoesNotThrow(() -> new Stamp(1, ClockKind.WALL).since(new Stamp(0, ClockKind.WALL)));
   }
 

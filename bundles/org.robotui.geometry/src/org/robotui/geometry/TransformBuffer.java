@@ -11,8 +11,8 @@ import java.util.Set;
 
 /**
  * The transforms between the frames of a robot over time: a tree whose edges are sampled, or static. Between samples it
- * interpolates; it never extrapolates. A frame has one parent: a transform from another parent moves it there and forgets
- * its history. Safe for use by several threads.
+ * interpolates; it never extrapolates. A frame has one parent: a transform from another parent moves it there and
+ * forgets its history. Safe for use by several threads.
  *
  * @param <F> names a frame, by {@link Object#equals}; its text is shown to users
  */

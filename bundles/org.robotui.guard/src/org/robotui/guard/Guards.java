@@ -4,7 +4,10 @@ import java.io.IOException;
 import org.robotui.guard.internal.client.Launch;
 import org.robotui.guard.internal.client.SharedGuard;
 
-/** One guard for all who share this object: its process runs from the first {@link #open} until the last one is closed. Safe for all threads. */
+/**
+ * One guard for all who share this object: its process runs from the first {@link #open} until the last one is closed.
+ * Safe for all threads.
+ */
 public final class Guards {
   private final SharedGuard shared;
 

@@ -138,7 +138,8 @@ class GuardTest {
     InetSocketAddress address = robot.address();
     robot.close();
     try (Socket socket = guard.sockets().createSocket()) {
-      assertTrue(assertThrows(ConnectException.class, () -> socket.connect(address, 3000)).getMessage().contains("refused"));
+      assertTrue(
+          assertThrows(ConnectException.class, () -> socket.connect(address, 3000)).getMessage().contains("refused"));
     }
   }
 

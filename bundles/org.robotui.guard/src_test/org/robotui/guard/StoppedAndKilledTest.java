@@ -31,8 +31,10 @@ class StoppedAndKilledTest {
   void start() throws Exception {
     robot = new Robot();
     master = new Robot();
-    workbench = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx64m", "-cp", System.getProperty("java.class.path"),
-        Workbench.class.getName(), Integer.toString(robot.address().getPort()), Integer.toString(master.address().getPort()))
+    workbench = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx64m", "-cp",
+        System.getProperty("java.class.path"),
+        Workbench.class.getName(), Integer.toString(robot.address().getPort()),
+        Integer.toString(master.address().getPort()))
         .redirectError(ProcessBuilder.Redirect.DISCARD).start();
     said = workbench.inputReader();
     guard = ProcessHandle.of(Long.parseLong(said.readLine())).orElseThrow();

@@ -6,10 +6,12 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/** A program that is stopped and killed: it takes what comes through a guard, and leaves a farewell. Arguments: the ports of the robot and of who hears farewells. */
+/**
+ * A program that is stopped and killed: it takes what comes through a guard, and leaves a farewell. Arguments: the
+ * ports of the robot and of who hears farewells.
+ */
 final class Workbench {
-  private Workbench() {
-  }
+  private Workbench() {}
 
   public static void main(String[] arguments) throws Exception {
     Guard guard = new Guards().open();

@@ -7,16 +7,16 @@ import org.robotui.lcm.internal.client.LcmClient;
 /**
  * One connection to LCM's messages. It is opened in the background, and again when it broke. Any thread may use it.
  *
- * <p>Providers: {@code udpm} (UDP multicast; options {@code ttl}, {@code recv_buf_size} in bytes and {@code interface}),
- * {@code tcpq} (a server), {@code file} (an event log; options {@code mode=r|w|a}, {@code speed}, where 0 is as fast as
- * possible, and {@code start_timestamp} in microseconds) and {@code memq} (within this object).
+ * <p>Providers: {@code udpm} (UDP multicast; options {@code ttl}, {@code recv_buf_size} in bytes and
+ * {@code interface}), {@code tcpq} (a server), {@code file} (an event log; options {@code mode=r|w|a}, {@code speed},
+ * where 0 is as fast as possible, and {@code start_timestamp} in microseconds) and {@code memq} (within this object).
  */
 public interface Lcm extends AutoCloseable {
 
   /**
    * Opens a connection.
    *
-   * @param url     where to
+   * @param url where to
    * @param options what the owner gives it
    * @return the connection, which may not be there yet: its state says when it is
    * @throws IllegalArgumentException if the URL is wrong; the message says what to write
@@ -46,8 +46,8 @@ public interface Lcm extends AutoCloseable {
    * Sends a message.
    *
    * @param channel the channel: 1 to 63 bytes of UTF-8 without a zero
-   * @param data    the bytes, from position to limit
-   * @throws IOException              if it cannot be sent; the message names the channel and the cause
+   * @param data the bytes, from position to limit
+   * @throws IOException if it cannot be sent; the message names the channel and the cause
    * @throws IllegalArgumentException if the channel is no name
    */
   void publish(String channel, ByteBuffer data) throws IOException;
@@ -56,11 +56,11 @@ public interface Lcm extends AutoCloseable {
    * Subscribes to channels.
    *
    * @param channels a regular expression that the whole name of a channel must match, such as {@code POSE|LASER_.*}
-   * @param options  how messages reach the listener
+   * @param options how messages reach the listener
    * @param listener hears of the messages
    * @return the subscription
    * @throws IllegalArgumentException if it is no regular expression
-   * @throws IllegalStateException    if the connection is closed
+   * @throws IllegalStateException if the connection is closed
    */
   Subscription subscribe(String channels, SubscriptionOptions options, LcmListener listener);
 

@@ -8,18 +8,19 @@ import javax.net.SocketFactory;
 /**
  * What a connection is given by its owner.
  *
- * @param threads         makes all its threads
- * @param states          hears of its state
+ * @param threads makes all its threads
+ * @param states hears of its state
  * @param maxMessageBytes the longest message that is accepted
- * @param partialBytes    how much memory messages may hold of which fragments are missing, all together
- * @param partialTime     how long such a message waits for its next fragment
- * @param receiveBuffer   the receive buffer that the kernel is asked for, unless the URL says {@code recv_buf_size}
- * @param connectTime     how long a server may take to answer
- * @param minBackoff      the pause after the first failed attempt; doubles with each further one
- * @param maxBackoff      the longest pause between attempts
- * @param sockets         makes the sockets to servers, not yet connected
+ * @param partialBytes how much memory messages may hold of which fragments are missing, all together
+ * @param partialTime how long such a message waits for its next fragment
+ * @param receiveBuffer the receive buffer that the kernel is asked for, unless the URL says {@code recv_buf_size}
+ * @param connectTime how long a server may take to answer
+ * @param minBackoff the pause after the first failed attempt; doubles with each further one
+ * @param maxBackoff the longest pause between attempts
+ * @param sockets makes the sockets to servers, not yet connected
  */
-public record LcmOptions(ThreadFactory threads, LcmStateListener states, int maxMessageBytes, long partialBytes, Duration partialTime,
+public record LcmOptions(ThreadFactory threads, LcmStateListener states, int maxMessageBytes, long partialBytes,
+    Duration partialTime,
     int receiveBuffer, Duration connectTime, Duration minBackoff, Duration maxBackoff, SocketFactory sockets) {
 
   /** Checks the bounds. */
@@ -37,14 +38,15 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
   }
 
   /**
-   * Messages up to 64 MiB, as much for partial ones, which wait for 1 s; a receive buffer of 16 MiB, if the kernel gives
-   * it; 5 s for a server, back-off from 0.1 to 5 s.
+   * Messages up to 64 MiB, as much for partial ones, which wait for 1 s; a receive buffer of 16 MiB, if the kernel
+   * gives it; 5 s for a server, back-off from 0.1 to 5 s.
    *
    * @param threads makes all threads of the connection
    * @return the default
    */
   public static LcmOptions standard(ThreadFactory threads) {
-    return new LcmOptions(threads, LcmStateListener.none(), 64 << 20, 64L << 20, Duration.ofSeconds(1), 16 << 20, Duration.ofSeconds(5),
+    return new LcmOptions(threads, LcmStateListener.none(), 64 << 20, 64L << 20, Duration.ofSeconds(1), 16 << 20,
+        Duration.ofSeconds(5),
         Duration.ofMillis(100), Duration.ofSeconds(5), SocketFactory.getDefault());
   }
 
@@ -55,7 +57,8 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * @return the changed options
    */
   public LcmOptions withStates(LcmStateListener listener) {
-    return new LcmOptions(threads, listener, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff,
+    return new LcmOptions(threads, listener, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime,
+        minBackoff, maxBackoff,
         sockets);
   }
 
@@ -63,12 +66,13 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * The same options with other bounds.
    *
    * @param messageBytes the longest message that is accepted
-   * @param partial      how much memory messages may hold of which fragments are missing
-   * @param wait         how long such a message waits for its next fragment
+   * @param partial how much memory messages may hold of which fragments are missing
+   * @param wait how long such a message waits for its next fragment
    * @return the changed options
    */
   public LcmOptions withBounds(int messageBytes, long partial, Duration wait) {
-    return new LcmOptions(threads, states, messageBytes, partial, wait, receiveBuffer, connectTime, minBackoff, maxBackoff,
+    return new LcmOptions(threads, states, messageBytes, partial, wait, receiveBuffer, connectTime, minBackoff,
+        maxBackoff,
         sockets);
   }
 
@@ -80,7 +84,8 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * @return the changed options
    */
   public LcmOptions withTimes(Duration connect, Duration longest) {
-    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connect, minBackoff, longest,
+    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connect,
+        minBackoff, longest,
         sockets);
   }
 
@@ -91,7 +96,8 @@ public record LcmOptions(ThreadFactory threads, LcmStateListener states, int max
    * @return the changed options
    */
   public LcmOptions withSockets(SocketFactory made) {
-    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime, minBackoff, maxBackoff,
+    return new LcmOptions(threads, states, maxMessageBytes, partialBytes, partialTime, receiveBuffer, connectTime,
+        minBackoff, maxBackoff,
         made);
   }
 }

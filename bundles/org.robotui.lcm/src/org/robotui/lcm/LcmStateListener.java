@@ -17,6 +17,6 @@ public interface LcmStateListener {
    * @return the listener
    */
   static LcmStateListener none() {
-    return state -> { };
+    return state -> {};
   }
 }

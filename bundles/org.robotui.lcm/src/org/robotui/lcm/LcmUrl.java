@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
  * {@code tcpq://127.0.0.1:7700}, {@code file:///path/of.lcmlog?speed=2}, {@code memq://}.
  *
  * @param provider the part before {@code ://}
- * @param network  the part after it: an address or a file
- * @param options  what follows a question mark
+ * @param network the part after it: an address or a file
+ * @param options what follows a question mark
  */
 public record LcmUrl(String provider, String network, Map<String, String> options) {
 

@@ -3,7 +3,7 @@ package org.robotui.lcm;
 /**
  * How messages reach a listener.
  *
- * @param queue      how many messages wait for it at most; 0: it is called on the receiving thread
+ * @param queue how many messages wait for it at most; 0: it is called on the receiving thread
  * @param queueBytes how many bytes wait for it at most; a single message may be longer
  */
 public record SubscriptionOptions(int queue, long queueBytes) {
@@ -27,7 +27,8 @@ public record SubscriptionOptions(int queue, long queueBytes) {
   }
 
   /**
-   * The listener is called on a thread of its own. When it is too slow, the oldest messages that wait are dropped and counted.
+   * The listener is called on a thread of its own. When it is too slow, the oldest messages that wait are dropped and
+   * counted.
    *
    * @param messages how many wait at most, at least 1
    * @return the options

@@ -9,8 +9,7 @@ import org.junit.jupiter.api.Assertions;
 /** Waits for conditions of other threads. */
 public final class Eventually {
 
-  private Eventually() {
-  }
+  private Eventually() {}
 
   /** Waits up to a minute and fails if the condition never held. */
   public static void await(String what, BooleanSupplier condition) {

@@ -96,7 +96,8 @@ class FileTest {
     try (Lcm lcm = play(log, "")) {
       awaitEnd(lcm);
       assertEquals(List.of("POSE=1", "POSE=2"), heard.texts());
-      assertTrue(lcm.statistics().damaged() == 1 && lcm.statistics().lastDamage().contains("33 bytes of the log"), lcm.statistics().toString());
+      assertTrue(lcm.statistics().damaged() == 1 && lcm.statistics().lastDamage().contains("33 bytes of the log"),
+          lcm.statistics().toString());
     }
   }
 

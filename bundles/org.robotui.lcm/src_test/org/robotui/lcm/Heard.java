@@ -22,7 +22,8 @@ public final class Heard implements LcmListener {
 
   /** All so far as channel=text. */
   public List<String> texts() {
-    return messages.stream().map(message -> message.channel() + "=" + StandardCharsets.UTF_8.decode(message.data())).toList();
+    return messages.stream().map(message -> message.channel() + "=" + StandardCharsets.UTF_8.decode(message.data()))
+        .toList();
   }
 
   /** A text to publish. */

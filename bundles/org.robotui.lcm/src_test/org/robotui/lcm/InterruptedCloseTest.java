@@ -22,7 +22,8 @@ class InterruptedCloseTest {
     Lcm lcm = Lcm.open(LcmUrl.of("memq://"), LcmOptions.standard(threads));
     lcm.subscribe("SLOW", SubscriptionOptions.queued(1), message -> {
       listening.set(true);
-      Eventually.await("a close that waits", () -> closing.get() && closer.getState() == Thread.State.TIMED_WAITING || returned.get());
+      Eventually.await("a close that waits",
+          () -> closing.get() && closer.getState() == Thread.State.TIMED_WAITING || returned.get());
     });
     Eventually.await("the connection", () -> lcm.state() instanceof LcmState.Connected);
     lcm.publish("SLOW", Heard.text("x"));

@@ -14,7 +14,8 @@ class LcmUrlTest {
 
   @Test
   void partsAreRead() {
-    assertEquals(new LcmUrl("udpm", "239.1.2.3:7000", Map.of("ttl", "1", "recv_buf_size", "9")), LcmUrl.of("udpm://239.1.2.3:7000?ttl=1&recv_buf_size=9"));
+    assertEquals(new LcmUrl("udpm", "239.1.2.3:7000", Map.of("ttl", "1", "recv_buf_size", "9")),
+        LcmUrl.of("udpm://239.1.2.3:7000?ttl=1&recv_buf_size=9"));
     assertEquals(new LcmUrl("file", "/a/b.lcmlog", Map.of("speed", "2")), LcmUrl.of("file:///a/b.lcmlog?speed=2"));
     assertEquals("udpm://?recv_buf_size=9&ttl=1", LcmUrl.of("udpm://?ttl=1&recv_buf_size=9").toString());
   }
@@ -24,8 +25,10 @@ class LcmUrlTest {
     assertEquals("memq://", LcmUrl.of(Map.of("LCM_DEFAULT_URL", "memq://")).toString());
     assertEquals(LcmUrl.DEFAULT, LcmUrl.of(Map.of()).toString());
     assertEquals(LcmUrl.DEFAULT, LcmUrl.of(Map.of("LCM_DEFAULT_URL", " ")).toString());
-    IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> LcmUrl.of(Map.of("LCM_DEFAULT_URL", "here")));
-    assertTrue(e.getMessage().startsWith("LCM_DEFAULT_URL: 'here' is no LCM URL; write for example udpm://"), e.getMessage());
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> LcmUrl.of(Map.of("LCM_DEFAULT_URL", "here")));
+    assertTrue(e.getMessage().startsWith("LCM_DEFAULT_URL: 'here' is no LCM URL; write for example udpm://"),
+        e.getMessage());
   }
 
   @ParameterizedTest
@@ -44,7 +47,8 @@ class LcmUrlTest {
       """)
   void wrongOnesAreRefusedAtOnce(String url, String reason) {
     LcmOptions options = LcmOptions.standard(new TestThreads());
-    IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> Lcm.open(LcmUrl.of(url), options).close());
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> Lcm.open(LcmUrl.of(url), options).close());
     assertTrue(e.getMessage().contains(reason), e.getMessage());
   }
 }

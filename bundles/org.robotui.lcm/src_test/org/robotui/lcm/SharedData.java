@@ -8,8 +8,7 @@ import org.junit.jupiter.api.Assumptions;
 /** The recordings that are shared between repositories. */
 public final class SharedData {
 
-  private SharedData() {
-  }
+  private SharedData() {}
 
   /** A file or folder of the recordings of LCM; skips the test if it is not there. */
   public static Path lcm(String name) {

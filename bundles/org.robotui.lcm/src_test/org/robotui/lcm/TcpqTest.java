@@ -67,7 +67,9 @@ class TcpqTest {
     return lcm;
   }
 
-  /** What a client asks for may reach the server after what another one publishes: so it is published until it comes. */
+  /**
+   * What a client asks for may reach the server after what another one publishes: so it is published until it comes.
+   */
   private void reaches(Lcm from, String channel, String text) {
     Eventually.await(channel, () -> {
       try {
@@ -103,7 +105,9 @@ class TcpqTest {
     Lcm one = client();
     one.subscribe("POSE", SubscriptionOptions.direct(), heard);
     Eventually.await("a failure", () -> states.stream().anyMatch(LcmState.Failed.class::isInstance));
-    String reason = ((LcmState.Failed) states.stream().filter(LcmState.Failed.class::isInstance).findFirst().orElseThrow()).reason();
+    String reason =
+        ((LcmState.Failed) states.stream().filter(LcmState.Failed.class::isInstance).findFirst().orElseThrow())
+            .reason();
     assertTrue(reason.contains("cannot reach the LCM server 127.0.0.1:" + port), reason);
     TcpqServer first = server(options());
     reaches(connected(one), "POSE", "first");
@@ -121,7 +125,8 @@ class TcpqTest {
     reader.subscribe("END", SubscriptionOptions.direct(), heard);
     Lcm writer = connected(client());
     try (Socket lazy = new Socket(InetAddress.getLoopbackAddress(), port)) {
-      lazy.getOutputStream().write(ByteBuffer.allocate(18).putInt(0x287617fb).putInt(0x100).putInt(2).putInt(2).put((byte) '.').put((byte) '*').array());
+      lazy.getOutputStream().write(ByteBuffer.allocate(18).putInt(0x287617fb).putInt(0x100).putInt(2).putInt(2)
+          .put((byte) '.').put((byte) '*').array());
       Eventually.await("lost messages of the lazy one", () -> {
         try {
           writer.publish("DATA", Heard.bytes(500_000, 1));
@@ -221,8 +226,9 @@ class TcpqTest {
       Thread thread = threads.newThread(() -> lie(liar, HexFormat.of().parseHex(frames.replace(" ", ""))));
       thread.start();
       client();
-      Eventually.await(() -> reason + " among " + states, () -> states.stream().filter(state -> state.toString().contains(reason)
-          && state.toString().contains("127.0.0.1:" + port)).count() >= 2);
+      Eventually.await(() -> reason + " among " + states,
+          () -> states.stream().filter(state -> state.toString().contains(reason)
+              && state.toString().contains("127.0.0.1:" + port)).count() >= 2);
     }
   }
 
@@ -243,6 +249,7 @@ class TcpqTest {
     Lcm one = connected(client());
     one.subscribe("Größe", SubscriptionOptions.direct(), heard);
     reaches(one, "Größe", "ü");
-    assertEquals("Größe", new String(heard.messages().getFirst().channel().getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8));
+    assertEquals("Größe",
+        new String(heard.messages().getFirst().channel().getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8));
   }
 }

@@ -46,7 +46,8 @@ class UdpmTest {
   }
 
   private Lcm open(String more) {
-    Lcm lcm = Lcm.open(LcmUrl.of("udpm://" + GROUP + ":" + port + "?ttl=0&interface=lo" + more), LcmOptions.standard(threads));
+    Lcm lcm = Lcm.open(LcmUrl.of("udpm://" + GROUP + ":" + port + "?ttl=0&interface=lo" + more),
+        LcmOptions.standard(threads));
     open.add(lcm);
     Eventually.await("the group: " + lcm.state(), () -> lcm.state() instanceof LcmState.Connected);
     return lcm;
@@ -91,7 +92,8 @@ class UdpmTest {
     assertEquals(40_000, small.statistics().receiveBuffer());
     LcmStatistics large = one.statistics();
     assertTrue(large.receiveBufferWanted() == 16 << 20 && large.receiveBuffer() > 100_000, large.toString());
-    assertTrue(one.state().toString().contains("receive buffer " + large.receiveBuffer() + " of 16777216 bytes"), one.state().toString());
+    assertTrue(one.state().toString().contains("receive buffer " + large.receiveBuffer() + " of 16777216 bytes"),
+        one.state().toString());
   }
 
   /** While the receiving thread is held up, the kernel's buffer runs over. */
@@ -113,7 +115,8 @@ class UdpmTest {
     LcmStatistics figures = slow.statistics();
     assertTrue(figures.lost() > 0, figures.toString());
     long ends = one.statistics().published() - count;
-    assertTrue(figures.received() + figures.lost() <= count + ends && figures.received() + figures.lost() >= count, figures + " of " + count);
+    assertTrue(figures.received() + figures.lost() <= count + ends && figures.received() + figures.lost() >= count,
+        figures + " of " + count);
   }
 
   private static void await(CountDownLatch latch) {
@@ -169,7 +172,8 @@ class UdpmTest {
       stranger.send(new DatagramPacket(junk, junk.length, InetAddress.getByName(GROUP), port));
       Eventually.await("the damage", () -> other.statistics().damaged() == 1);
     }
-    assertTrue(other.statistics().lastDamage().matches("from [0-9.]+:\\d+: a channel has 1 to 63 bytes and a zero.*"), other.statistics().lastDamage());
+    assertTrue(other.statistics().lastDamage().matches("from [0-9.]+:\\d+: a channel has 1 to 63 bytes and a zero.*"),
+        other.statistics().lastDamage());
     publish("GOOD");
     Eventually.await("the good one", () -> heard.texts().equals(List.of("GOOD=x")));
   }
@@ -195,8 +199,11 @@ class UdpmTest {
         LcmOptions.standard(threads).withStates(states::add));
     open.add(lost);
     Eventually.await("two attempts", () -> states.stream().filter(LcmState.Failed.class::isInstance).count() >= 2);
-    LcmState.Failed failed = (LcmState.Failed) states.stream().filter(LcmState.Failed.class::isInstance).findFirst().orElseThrow();
-    assertTrue(failed.reason().contains("there is no network interface 'none7', but ") && failed.reason().contains("lo"), failed.reason());
+    LcmState.Failed failed =
+        (LcmState.Failed) states.stream().filter(LcmState.Failed.class::isInstance).findFirst().orElseThrow();
+    assertTrue(
+        failed.reason().contains("there is no network interface 'none7', but ") && failed.reason().contains("lo"),
+        failed.reason());
     IOException e = assertThrows(IOException.class, () -> lost.publish("POSE", Heard.text("")));
     assertTrue(e.getMessage().contains("POSE") && e.getMessage().contains("none7"), e.getMessage());
   }

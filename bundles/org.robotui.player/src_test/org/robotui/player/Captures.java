@@ -17,11 +17,11 @@ import org.robotui.player.wire.PlayerMessage;
 public final class Captures {
 
   /** The recorded connections. */
-  public static final List<String> NAMES = List.of("position2d", "errors", "rangers", "two_devices_pull", "simulation_map_properties", "log",
+  public static final List<String> NAMES = List.of("position2d", "errors", "rangers", "two_devices_pull",
+      "simulation_map_properties", "log",
       "bumper", "everything_robot0", "everything_robot1", "everything_robot2_list", "dummy_devices", "dummy_camera");
 
-  private Captures() {
-  }
+  private Captures() {}
 
   /** A file of the recordings. */
   public static Path file(String name) {

@@ -62,7 +62,8 @@ class ClientServerTest {
   }
 
   static List<String> interfaces() {
-    return Layouts.standard().all().stream().map(InterfaceLayout::name).filter(name -> !List.of("any", "player").contains(name)).sorted()
+    return Layouts.standard().all().stream().map(InterfaceLayout::name)
+        .filter(name -> !List.of("any", "player").contains(name)).sorted()
         .toList();
   }
 
@@ -83,7 +84,8 @@ class ClientServerTest {
 
     @Override
     public Answer onRequest(PlayerMessage request) {
-      return new Answer.Ack(layouts.of(request).orElseThrow().answer().map(struct -> zeros(layouts, struct)).orElse(ByteBuffer.allocate(0)));
+      return new Answer.Ack(layouts.of(request).orElseThrow().answer().map(struct -> zeros(layouts, struct))
+          .orElse(ByteBuffer.allocate(0)));
     }
   }
 
@@ -104,7 +106,8 @@ class ClientServerTest {
 
     for (MessageLayout message : world.layouts.byName(name).orElseThrow().messages()) {
       PlayerRecord body = message.payload().map(struct -> PlayerRecord.of(struct, Map.of()))
-          .orElseGet(() -> PlayerRecord.of(world.layouts.byName("any").orElseThrow().structs().get("switch"), Map.of()));
+          .orElseGet(
+              () -> PlayerRecord.of(world.layouts.byName("any").orElseThrow().structs().get("switch"), Map.of()));
       switch (message.type()) {
         case DATA -> {
           served.publish(message, body, World.STAMP);
@@ -161,11 +164,12 @@ class ClientServerTest {
   void whatIsNotThereIsRefusedOrSilent() throws Exception {
     PlayerServer server = world.server(0);
     server.add("position2d", 0, "sim", base(new AtomicReference<>()));
-    PlayerClient client = world.client(server.port(), options -> options.withTimes(World.LONG, World.LONG, Duration.ofMillis(300), World.LONG));
+    PlayerClient client = world.client(server.port(),
+        options -> options.withTimes(World.LONG, World.LONG, Duration.ofMillis(300), World.LONG));
     World.awaitLink(client);
     PlayerDevice gripper = client.device("gripper", 0);
 
-    gripper.subscribe((message, nanos) -> { });
+    gripper.subscribe((message, nanos) -> {});
     Eventually.await("it is refused", () -> gripper.state() instanceof DeviceState.Refused);
     Outcome<?> silent = World.outcome(gripper.request(Gripper.GET_GEOMETRY, new Empty()));
     assertInstanceOf(Outcome.TimedOut.class, silent);
@@ -180,9 +184,11 @@ class ClientServerTest {
     PlayerServer server = world.server(ServerOptions.loopback(world.threads, 0, () -> 0).withKey(key));
 
     PlayerClient stranger = world.client(server.port());
-    Eventually.await("the stranger is refused", () -> stranger.state() instanceof LinkState.Failed failed && failed.reason().contains("key"));
-    PlayerClient wrong = world.client(server.port(), options -> options.withKey(new byte[] {1}));
-    Eventually.await("the wrong key is refused", () -> wrong.state() instanceof LinkState.Failed failed && failed.reason().contains("key"));
+    Eventually.await("the stranger is refused",
+        () -> stranger.state() instanceof LinkState.Failed failed && failed.reason().contains("key"));
+    PlayerClient wrong = world.client(server.port(), options -> options.withKey(new byte[]{1}));
+    Eventually.await("the wrong key is refused",
+        () -> wrong.state() instanceof LinkState.Failed failed && failed.reason().contains("key"));
     World.awaitLink(world.client(server.port(), options -> options.withKey(key)));
   }
 
@@ -214,12 +220,13 @@ class ClientServerTest {
     int port = first.port();
     PlayerClient client = world.client(port);
     PlayerDevice device = client.device("position2d", 0);
-    device.subscribe((message, nanos) -> { });
+    device.subscribe((message, nanos) -> {});
     Eventually.await("it is open", () -> device.state().equals(new DeviceState.Open("first")));
 
     first.close();
     Eventually.await("the link is lost", () -> client.state() instanceof LinkState.Failed);
-    LinkState.Failed lost = (LinkState.Failed) world.links.stream().filter(LinkState.Failed.class::isInstance).findFirst().orElseThrow();
+    LinkState.Failed lost =
+        (LinkState.Failed) world.links.stream().filter(LinkState.Failed.class::isInstance).findFirst().orElseThrow();
     assertTrue(lost.reason().startsWith("127.0.0.1:" + port), lost.reason());
     assertEquals(new DeviceState.Waiting(), device.state());
     assertInstanceOf(Outcome.Failed.class, World.outcome(device.request(Position2d.RESET_ODOMETRY, new Empty())));
@@ -234,13 +241,14 @@ class ClientServerTest {
     CountDownLatch stuck = new CountDownLatch(1);
     AtomicReference<Position2d.Velocity> driven = new AtomicReference<>();
     PlayerServer server = world.server(0);
-    server.add("position2d", 0, "slow", new TypedHandler(world.layouts, clients::set).on(Position2d.VELOCITY, velocity -> {
-      await(stuck);
-      driven.set(velocity);
-    }));
+    server.add("position2d", 0, "slow",
+        new TypedHandler(world.layouts, clients::set).on(Position2d.VELOCITY, velocity -> {
+          await(stuck);
+          driven.set(velocity);
+        }));
     PlayerClient client = world.connected(server.port());
     PlayerDevice device = client.device("position2d", 0);
-    device.subscribe((message, nanos) -> { });
+    device.subscribe((message, nanos) -> {});
     Eventually.await("it is open", () -> device.state() instanceof DeviceState.Open);
 
     int sent = 0;
@@ -269,7 +277,7 @@ class ClientServerTest {
     server.add("position2d", 0, "sim", base(driven));
     PlayerClient client = world.connected(server.port());
     PlayerDevice device = client.device("position2d", 0);
-    device.subscribe((message, nanos) -> { });
+    device.subscribe((message, nanos) -> {});
     Eventually.await("it is open", () -> device.state() instanceof DeviceState.Open);
 
     Position2d.Velocity stop = new Position2d.Velocity(ZERO, false);

@@ -75,7 +75,8 @@ class HostilePeersTest {
   private String reasonOf(ServerSocket server) {
     PlayerClient client = world.client(server.getLocalPort(), options -> options.withTimes(SHORT, SHORT, SHORT, SHORT));
     Eventually.await("the link fails", () -> world.links.stream().anyMatch(LinkState.Failed.class::isInstance));
-    LinkState.Failed failed = (LinkState.Failed) world.links.stream().filter(LinkState.Failed.class::isInstance).findFirst().orElseThrow();
+    LinkState.Failed failed =
+        (LinkState.Failed) world.links.stream().filter(LinkState.Failed.class::isInstance).findFirst().orElseThrow();
     assertTrue(failed.reason().startsWith("127.0.0.1:" + server.getLocalPort()), failed.reason());
     client.close();
     return failed.reason();
@@ -108,7 +109,8 @@ class HostilePeersTest {
 
   @Test
   void aServerWhoseListLies() throws IOException {
-    PlayerMessage list = PlayerMessage.of(SERVER, MessageType.ACK, 1, ByteBuffer.allocate(8).putInt(1 << 28).putInt(1 << 28).flip());
+    PlayerMessage list =
+        PlayerMessage.of(SERVER, MessageType.ACK, 1, ByteBuffer.allocate(8).putInt(1 << 28).putInt(1 << 28).flip());
     has(reasonOf(liar(Framing.banner("3.1"), Framing.bytes(list.withSequence(1)))), "devices: ");
   }
 
@@ -118,14 +120,15 @@ class HostilePeersTest {
     Eventually.await("it tries", () -> world.links.contains(new LinkState.Connecting()));
     long begin = System.nanoTime();
     client.close();
-    assertTrue(Duration.ofNanos(System.nanoTime() - begin).compareTo(Duration.ofSeconds(20)) < 0, "handshakes may take a minute here");
+    assertTrue(Duration.ofNanos(System.nanoTime() - begin).compareTo(Duration.ofSeconds(20)) < 0,
+        "handshakes may take a minute here");
     assertEquals(new LinkState.Closed(), client.state());
   }
 
   @Test
   void aServerGoesOnWhateverItsClientsSay() throws IOException {
     PlayerServer server = world.server(ServerOptions.loopback(world.threads, 0, () -> 0).withBounds(8, 16, SHORT));
-    server.add("position2d", 0, "sim", new TypedHandler(world.layouts, none -> { }).on(Position2d.VELOCITY, none -> {
+    server.add("position2d", 0, "sim", new TypedHandler(world.layouts, none -> {}).on(Position2d.VELOCITY, none -> {
       throw new IllegalStateException("a handler that fails");
     }));
     byte[] half = new byte[20];

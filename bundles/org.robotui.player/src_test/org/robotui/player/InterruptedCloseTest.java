@@ -27,11 +27,13 @@ class InterruptedCloseTest {
   @Test
   void threadsAreWaitedForAfterAnInterrupt() throws Exception {
     Thread closer = Thread.currentThread();
-    PlayerClient client = world.client(world.server(0).port(), none -> ClientOptions.standard(threads).withLinks(state -> {
-      if (state instanceof LinkState.Closed) {
-        Eventually.await("a close that waits", () -> closing.get() && closer.getState() == Thread.State.TIMED_WAITING || returned.get());
-      }
-    }));
+    PlayerClient client =
+        world.client(world.server(0).port(), none -> ClientOptions.standard(threads).withLinks(state -> {
+          if (state instanceof LinkState.Closed) {
+            Eventually.await("a close that waits",
+                () -> closing.get() && closer.getState() == Thread.State.TIMED_WAITING || returned.get());
+          }
+        }));
     World.awaitLink(client);
     closer.interrupt();
     closing.set(true);

@@ -36,13 +36,15 @@ import org.robotui.player.layout.Kind;
 /** All kinds of messages that have a Java record. */
 public final class Kinds {
 
-  private static final List<Class<?>> CLASSES = List.of(Actarray.class, AnyDevice.class, Blobfinder.class, Bumper.class, Camera.class, Dio.class,
-      Fiducial.class, Gps.class, Gripper.class, Health.class, Imu.class, Joystick.class, Laser.class, Localize.class, Opaque.class, Planner.class,
-      PlayerLog.class, PlayerMap.class, Pointcloud3d.class, Position2d.class, Position3d.class, Power.class, Ptz.class, Ranger.class,
-      Server.class, Simulation.class, Sonar.class, Speech.class);
+  private static final List<Class<?>> CLASSES =
+      List.of(Actarray.class, AnyDevice.class, Blobfinder.class, Bumper.class, Camera.class, Dio.class,
+          Fiducial.class, Gps.class, Gripper.class, Health.class, Imu.class, Joystick.class, Laser.class,
+          Localize.class, Opaque.class, Planner.class,
+          PlayerLog.class, PlayerMap.class, Pointcloud3d.class, Position2d.class, Position3d.class, Power.class,
+          Ptz.class, Ranger.class,
+          Server.class, Simulation.class, Sonar.class, Speech.class);
 
-  private Kinds() {
-  }
+  private Kinds() {}
 
   /** Every constant of those classes. */
   public static List<Kind> all() {

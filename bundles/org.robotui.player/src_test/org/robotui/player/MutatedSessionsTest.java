@@ -37,7 +37,8 @@ class MutatedSessionsTest {
   private final SplittableRandom random = new SplittableRandom(2026);
 
   @ParameterizedTest
-  @ValueSource(strings = {"position2d", "errors", "rangers", "simulation_map_properties", "everything_robot0", "dummy_devices"})
+  @ValueSource(strings = {"position2d", "errors", "rangers", "simulation_map_properties", "everything_robot0",
+      "dummy_devices"})
   @Timeout(1_200)
   void damagedMessagesAreRefusedOrDecoded(String connection) {
     List<PlayerMessage> kinds = oneOfEachKind(connection);
@@ -45,7 +46,8 @@ class MutatedSessionsTest {
     for (Effort effort = Effort.of(ROUNDS, LONG); effort.goesOn();) {
       PlayerMessage message = kinds.get(random.nextInt(kinds.size()));
       byte[] body = damage(message.payload());
-      refused += decodes(PlayerMessage.of(message.device(), message.type(), message.subtype(), ByteBuffer.wrap(body))) ? 0 : 1;
+      refused +=
+          decodes(PlayerMessage.of(message.device(), message.type(), message.subtype(), ByteBuffer.wrap(body))) ? 0 : 1;
     }
     assertTrue(refused > 0, "some damages matter");
   }

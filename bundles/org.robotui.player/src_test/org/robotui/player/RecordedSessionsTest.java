@@ -42,7 +42,8 @@ class RecordedSessionsTest {
   void everyMessageIsDecodedAndEncodedToTheSameBytes(String connection) throws PlayerException {
     for (PlayerMessage message : both(connection).toList()) {
       PlayerRecord record = layouts.decode(message);
-      assertTrue(layouts.of(message).isPresent() || message.subtype() == 99 || message.subtype() == 77, message + " is not known");
+      assertTrue(layouts.of(message).isPresent() || message.subtype() == 99 || message.subtype() == 77,
+          message + " is not known");
       assertEquals(message.payload(), layouts.encode(record), () -> message + " as " + record.layout());
     }
   }
@@ -86,7 +87,8 @@ class RecordedSessionsTest {
     return switch (kind) {
       case Kind.Data<?> data -> layouts.codec(data);
       case Kind.Command<?> command -> layouts.codec(command);
-      case Kind.Request<?, ?> request -> message.type() == MessageType.ACK ? layouts.answer(request) : layouts.question(request);
+      case Kind.Request<?, ?> request -> message.type() == MessageType.ACK ? layouts.answer(request)
+          : layouts.question(request);
     };
   }
 
@@ -112,7 +114,8 @@ class RecordedSessionsTest {
   void theRobotIsWhereItWas() throws PlayerException {
     Position2d.State first = first("position2d", Position2d.STATE);
 
-    assertEquals(new Pose2d(-6.946, -6.947, Math.PI / 4), new Pose2d(first.position().x(), first.position().y(), Math.PI / 4));
+    assertEquals(new Pose2d(-6.946, -6.947, Math.PI / 4),
+        new Pose2d(first.position().x(), first.position().y(), Math.PI / 4));
     assertEquals(Math.PI / 4, first.position().yaw(), 1e-6);
     assertFalse(first.stall());
   }
@@ -150,7 +153,8 @@ class RecordedSessionsTest {
   }
 
   private <T> T first(String connection, Kind.Data<T> kind) throws PlayerException {
-    PlayerMessage message = Captures.fromServer(connection).stream().filter(each -> isOf(each, kind)).findFirst().orElseThrow();
+    PlayerMessage message =
+        Captures.fromServer(connection).stream().filter(each -> isOf(each, kind)).findFirst().orElseThrow();
     return layouts.codec(kind).decode(message.payload());
   }
 }

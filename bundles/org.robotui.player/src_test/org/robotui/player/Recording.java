@@ -14,16 +14,18 @@ import org.robotui.player.wire.PlayerMessage;
 record Recording(List<Turn> turns) {
 
   /** One message of the client and what followed it. */
-  record Turn(PlayerMessage said, List<PlayerMessage> followed) { }
+  record Turn(PlayerMessage said, List<PlayerMessage> followed) {}
 
-  private record Timed(double time, boolean fromClient, PlayerMessage message) { }
+  private record Timed(double time, boolean fromClient, PlayerMessage message) {}
 
-  private record Segment(double time, boolean fromClient, int length) { }
+  private record Segment(double time, boolean fromClient, int length) {}
 
   static Recording of(String connection) {
-    List<Segment> segments = new String(Captures.bytes(connection + ".timeline.csv"), StandardCharsets.US_ASCII).lines().skip(1)
-        .map(line -> line.split(",")).map(row -> new Segment(Double.parseDouble(row[0]), row[1].equals("c2s"), Integer.parseInt(row[2])))
-        .toList();
+    List<Segment> segments =
+        new String(Captures.bytes(connection + ".timeline.csv"), StandardCharsets.US_ASCII).lines().skip(1)
+            .map(line -> line.split(","))
+            .map(row -> new Segment(Double.parseDouble(row[0]), row[1].equals("c2s"), Integer.parseInt(row[2])))
+            .toList();
     // at the same instant the answer stands behind its question
     List<Timed> all = Stream.concat(timed(Captures.fromClient(connection), 0, true, segments).stream(),
         timed(Captures.fromServer(connection), PlayerMessage.BANNER_BYTES, false, segments).stream())
@@ -40,7 +42,8 @@ record Recording(List<Turn> turns) {
   }
 
   /** A message is as old as the segment with its last byte. */
-  private static List<Timed> timed(List<PlayerMessage> messages, int start, boolean fromClient, List<Segment> segments) {
+  private static List<Timed> timed(List<PlayerMessage> messages, int start, boolean fromClient,
+      List<Segment> segments) {
     List<Segment> own = segments.stream().filter(each -> each.fromClient == fromClient).toList();
     List<Timed> timed = new ArrayList<>();
     long end = start;

@@ -18,8 +18,8 @@ import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
 
 /**
- * Plays the server's side of a recording: says what the real server said, as long as the client says what the recorded client said.
- * The list of devices, for which our client asks first, is answered from the recording as well.
+ * Plays the server's side of a recording: says what the real server said, as long as the client says what the recorded
+ * client said. The list of devices, for which our client asks first, is answered from the recording as well.
  */
 final class ReplayServer implements AutoCloseable {
 
@@ -86,7 +86,8 @@ final class ReplayServer implements AutoCloseable {
 
   private Server.Device spokenOf(Recording.Turn turn) {
     DeviceAddress address = turn.said().device();
-    if (address.interfaceCode() == DeviceAddress.SERVER && turn.said().subtype() == layouts.message(Server.ACCESS).subtype()) {
+    if (address.interfaceCode() == DeviceAddress.SERVER
+        && turn.said().subtype() == layouts.message(Server.ACCESS).subtype()) {
       try {
         return layouts.question(Server.ACCESS).decode(turn.said().payload()).device();
       } catch (PlayerException e) {
@@ -98,12 +99,14 @@ final class ReplayServer implements AutoCloseable {
 
   private void turn(Recording.Turn turn, PlayerMessage said) throws IOException {
     PlayerMessage expected = turn.said();
-    if (said.type() != expected.type() || said.subtype() != expected.subtype() || !said.device().id().equals(expected.device().id())
+    if (said.type() != expected.type() || said.subtype() != expected.subtype()
+        || !said.device().id().equals(expected.device().id())
         || !said.payload().equals(expected.payload()) || said.stamp() != expected.stamp()) {
       differences.add("turn " + played + ": " + said + " instead of " + expected);
     }
     for (PlayerMessage each : turn.followed()) {
-      boolean numbered = each.sequence() == expected.sequence() && each.device().interfaceCode() == DeviceAddress.SERVER;
+      boolean numbered =
+          each.sequence() == expected.sequence() && each.device().interfaceCode() == DeviceAddress.SERVER;
       write(Framing.bytes(numbered ? each.withSequence(said.sequence()) : each));
     }
   }

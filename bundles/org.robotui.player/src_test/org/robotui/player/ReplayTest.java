@@ -59,10 +59,12 @@ class ReplayTest {
       say(client, each);
       turn++;
       int over = turn;
-      Eventually.await("turn " + turn + " of " + connection + " is over, " + server.differences(), () -> server.played() >= over
-          || !server.differences().isEmpty());
+      Eventually.await("turn " + turn + " of " + connection + " is over, " + server.differences(),
+          () -> server.played() >= over
+              || !server.differences().isEmpty());
       assertEquals(List.of(), server.differences());
-      expected += each.followed().stream().filter(message -> message.type() == MessageType.DATA && open.containsKey(message.device().id()))
+      expected += each.followed().stream()
+          .filter(message -> message.type() == MessageType.DATA && open.containsKey(message.device().id()))
           .count();
       long all = expected;
       Eventually.await("all data of turn " + turn + " of " + connection + " came", () -> data.get() >= all);
@@ -79,7 +81,9 @@ class ReplayTest {
     if (toServer && said.subtype() == world.layouts.message(Server.ACCESS).subtype()) {
       access(client, turn, world.layouts.question(Server.ACCESS).decode(said.payload()));
     } else if (said.type() == MessageType.COMMAND) {
-      assertTrue(client.device(said.device().id()).command(world.layouts.of(said).orElseThrow(), world.layouts.decode(said)), said.toString());
+      assertTrue(
+          client.device(said.device().id()).command(world.layouts.of(said).orElseThrow(), world.layouts.decode(said)),
+          said.toString());
     } else {
       answered(turn, ask(client.device(said.device().id()), said));
     }
@@ -116,7 +120,8 @@ class ReplayTest {
   private static <T extends Outcome<?>> void answered(Recording.Turn turn, CompletableFuture<T> future) {
     answer(turn).ifPresent(answer -> {
       Eventually.await(turn.said() + " is answered", future::isDone);
-      assertEquals(answer.type() == MessageType.ACK, future.join() instanceof Outcome.Done<?>, () -> turn.said() + ": " + future.join());
+      assertEquals(answer.type() == MessageType.ACK, future.join() instanceof Outcome.Done<?>,
+          () -> turn.said() + ": " + future.join());
     });
   }
 }

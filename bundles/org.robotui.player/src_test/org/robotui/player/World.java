@@ -42,7 +42,8 @@ final class World implements AutoCloseable {
   }
 
   PlayerClient client(int port, UnaryOperator<ClientOptions> change) {
-    ClientOptions patient = ClientOptions.standard(threads).withTimes(LONG, LONG, LONG, Duration.ofMillis(200)).withLinks(links::add);
+    ClientOptions patient =
+        ClientOptions.standard(threads).withTimes(LONG, LONG, LONG, Duration.ofMillis(200)).withLinks(links::add);
     return closing(new PlayerClient("127.0.0.1", port, layouts, change.apply(patient)));
   }
 

@@ -19,8 +19,7 @@ final class EnvironmentParser {
   private final Map<String, XmlRpcValue> parameters = new LinkedHashMap<>();
   private final List<String> rest = new ArrayList<>();
 
-  private EnvironmentParser() {
-  }
+  private EnvironmentParser() {}
 
   static RosEnvironment parse(Map<String, String> variables, List<String> arguments) {
     EnvironmentParser parser = new EnvironmentParser();
@@ -66,7 +65,8 @@ final class EnvironmentParser {
       HostPort.ofUri(uri, "http");
       return URI.create(uri);
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException("ROS_MASTER_URI: " + e.getMessage() + "; write for example " + DEFAULT_MASTER, e);
+      throw new IllegalArgumentException("ROS_MASTER_URI: " + e.getMessage() + "; write for example " + DEFAULT_MASTER,
+          e);
     }
   }
 
@@ -83,6 +83,7 @@ final class EnvironmentParser {
       return XmlRpcValue.of(Double.parseDouble(text));
     }
     return text.equalsIgnoreCase("true") || text.equalsIgnoreCase("false")
-        ? XmlRpcValue.of(Boolean.parseBoolean(text)) : XmlRpcValue.of(text);
+        ? XmlRpcValue.of(Boolean.parseBoolean(text))
+        : XmlRpcValue.of(text);
   }
 }

@@ -4,9 +4,9 @@ import java.util.Objects;
 
 /**
  * A name in the ROS graph: global ({@code /a/b}), relative ({@code a/b}) or private ({@code ~a}). It holds letters,
- * digits, underscores and slashes and starts with a letter, {@code /} or {@code ~}. Global names are those that a master
- * hands out, and some nodes register names that ROS only warns of: a global name may hold all visible ASCII characters but
- * {@code ~}. Repeated and trailing slashes are removed.
+ * digits, underscores and slashes and starts with a letter, {@code /} or {@code ~}. Global names are those that a
+ * master hands out, and some nodes register names that ROS only warns of: a global name may hold all visible ASCII
+ * characters but {@code ~}. Repeated and trailing slashes are removed.
  *
  * @param text the name as it is written
  */

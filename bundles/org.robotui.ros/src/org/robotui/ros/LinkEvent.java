@@ -5,9 +5,9 @@ import org.robotui.net.call.Outcome;
 /**
  * A change of one link's state. What becomes of calls to services of other nodes is told by their {@link Outcome}.
  *
- * @param kind  what the link is for
- * @param name  the topic or service; the node's own name for the master's link
- * @param peer  the other side: its node name as soon as it is known, else its address
+ * @param kind what the link is for
+ * @param name the topic or service; the node's own name for the master's link
+ * @param peer the other side: its node name as soon as it is known, else its address
  * @param state the new state
  */
 public record LinkEvent(Kind kind, String name, String peer, LinkState state) {

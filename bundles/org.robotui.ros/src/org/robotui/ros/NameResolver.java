@@ -6,8 +6,8 @@ import java.util.Map;
 /**
  * Turns names into global ones as seen from one node, with remappings applied.
  *
- * @param node       the node's own global name, the home of private names
- * @param namespace  the global namespace in which relative names live
+ * @param node the node's own global name, the home of private names
+ * @param namespace the global namespace in which relative names live
  * @param remappings from name to name, both already global
  */
 public record NameResolver(GraphName node, GraphName namespace, Map<GraphName, GraphName> remappings) {
@@ -20,15 +20,16 @@ public record NameResolver(GraphName node, GraphName namespace, Map<GraphName, G
   /**
    * The resolver of a node.
    *
-   * @param node       the node's global name
-   * @param namespace  the namespace of relative names
+   * @param node the node's global name
+   * @param namespace the namespace of relative names
    * @param remappings from name to name as the user wrote them
    * @return a resolver with both sides of each remapping resolved
    */
   public static NameResolver of(GraphName node, GraphName namespace, Map<String, String> remappings) {
     NameResolver plain = new NameResolver(node, namespace, Map.of());
     Map<GraphName, GraphName> resolved = new LinkedHashMap<>();
-    remappings.forEach((from, to) -> resolved.put(plain.globalize(GraphName.of(from)), plain.globalize(GraphName.of(to))));
+    remappings
+        .forEach((from, to) -> resolved.put(plain.globalize(GraphName.of(from)), plain.globalize(GraphName.of(to))));
     return new NameResolver(node, namespace, resolved);
   }
 

@@ -1,6 +1,8 @@
 package org.robotui.ros;
 
-/** A node's time: this machine's, or that of {@code /clock} while {@code /use_sim_time} is true. Any thread may read it. */
+/**
+ * A node's time: this machine's, or that of {@code /clock} while {@code /use_sim_time} is true. Any thread may read it.
+ */
 public interface NodeClock {
 
   /**

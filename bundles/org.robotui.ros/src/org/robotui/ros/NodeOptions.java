@@ -10,17 +10,18 @@ import javax.net.SocketFactory;
 /**
  * What a node is given by its owner.
  *
- * @param threads          makes all threads of the node
- * @param links            hears of the state of all links
- * @param maxMessageBytes  the longest message that is accepted; at most {@code Integer.MAX_VALUE - 8}
- * @param maxHeaderBytes   the longest connection header that is accepted
+ * @param threads makes all threads of the node
+ * @param links hears of the state of all links
+ * @param maxMessageBytes the longest message that is accepted; at most {@code Integer.MAX_VALUE - 8}
+ * @param maxHeaderBytes the longest connection header that is accepted
  * @param handshakeTimeout for connecting and for each header, not for messages
- * @param masterCheck      how often the node checks that the master still knows it
- * @param minBackoff       the pause after the first failed attempt to reach a peer; doubles with each further one
- * @param maxBackoff       the longest pause between attempts
- * @param records          a folder where the node keeps a note of itself while it is registered, see {@link StaleRegistrations}; none if empty
- * @param sockets          makes the sockets to publishers and services, not yet connected
- * @param farewells        takes what shall be said to the master when this process cannot say it itself
+ * @param masterCheck how often the node checks that the master still knows it
+ * @param minBackoff the pause after the first failed attempt to reach a peer; doubles with each further one
+ * @param maxBackoff the longest pause between attempts
+ * @param records a folder where the node keeps a note of itself while it is registered, see {@link StaleRegistrations};
+ * none if empty
+ * @param sockets makes the sockets to publishers and services, not yet connected
+ * @param farewells takes what shall be said to the master when this process cannot say it itself
  */
 public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMessageBytes, int maxHeaderBytes,
     Duration handshakeTimeout, Duration masterCheck, Duration minBackoff, Duration maxBackoff, Optional<Path> records,
@@ -34,7 +35,8 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
     Objects.requireNonNull(sockets, "sockets");
     Objects.requireNonNull(farewells, "farewells");
     if (maxMessageBytes < 1 || maxMessageBytes > Integer.MAX_VALUE - 8 || maxHeaderBytes < 64) {
-      throw new IllegalArgumentException("messages of " + maxMessageBytes + " and headers of " + maxHeaderBytes + " bytes");
+      throw new IllegalArgumentException(
+          "messages of " + maxMessageBytes + " and headers of " + maxHeaderBytes + " bytes");
     }
     if (minBackoff.isNegative() || minBackoff.isZero() || maxBackoff.compareTo(minBackoff) < 0) {
       throw new IllegalArgumentException("back-off from " + minBackoff + " to " + maxBackoff);
@@ -48,8 +50,10 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    * @return the default
    */
   public static NodeOptions standard(ThreadFactory threads) {
-    return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5), Duration.ofSeconds(2),
-        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty(), SocketFactory.getDefault(), UnregisterHandler.none());
+    return new NodeOptions(threads, LinkListener.none(), 1L << 30, 1 << 20, Duration.ofSeconds(5),
+        Duration.ofSeconds(2),
+        Duration.ofMillis(100), Duration.ofSeconds(5), Optional.empty(), SocketFactory.getDefault(),
+        UnregisterHandler.none());
   }
 
   /**
@@ -59,7 +63,8 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    * @return the changed options
    */
   public NodeOptions withLinks(LinkListener listener) {
-    return new NodeOptions(threads, listener, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
+    return new NodeOptions(threads, listener, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck,
+        minBackoff,
         maxBackoff, records, sockets, farewells);
   }
 
@@ -70,44 +75,48 @@ public record NodeOptions(ThreadFactory threads, LinkListener links, long maxMes
    * @return the changed options
    */
   public NodeOptions withMaxMessageBytes(long bytes) {
-    return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records,
+    return new NodeOptions(threads, links, bytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff,
+        records,
         sockets, farewells);
   }
 
   /**
    * The same options with other times.
    *
-   * @param handshake   for connecting and for each header
-   * @param check       how often the node checks that the master still knows it
+   * @param handshake for connecting and for each header
+   * @param check how often the node checks that the master still knows it
    * @param longestWait the longest pause between attempts to reach a peer
    * @return the changed options
    */
   public NodeOptions withTimes(Duration handshake, Duration check, Duration longestWait) {
-    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait, records,
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshake, check, minBackoff, longestWait,
+        records,
         sockets, farewells);
   }
 
   /**
    * The same options with a folder for notes.
    *
-   * @param folder where the node keeps a note of itself, so that {@link StaleRegistrations} can clear up after a kill; made if
-   *               it is not there
+   * @param folder where the node keeps a note of itself, so that {@link StaleRegistrations} can clear up after a kill;
+   * made if it is not there
    * @return the changed options
    */
   public NodeOptions withRecords(Path folder) {
-    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff,
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
+        maxBackoff,
         Optional.of(folder), sockets, farewells);
   }
 
   /**
    * The same options for a node of which another process takes care, too.
    *
-   * @param made  makes sockets, not yet connected; they close and time out as usual ones do
+   * @param made makes sockets, not yet connected; they close and time out as usual ones do
    * @param taker what shall be said to the master when this process cannot say it itself
    * @return the changed options
    */
   public NodeOptions withCare(SocketFactory made, UnregisterHandler taker) {
-    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff, maxBackoff, records,
+    return new NodeOptions(threads, links, maxMessageBytes, maxHeaderBytes, handshakeTimeout, masterCheck, minBackoff,
+        maxBackoff, records,
         made, taker);
   }
 }

@@ -17,7 +17,7 @@ public interface Parameters {
   /**
    * Sets a parameter; a struct replaces a whole namespace.
    *
-   * @param name  the parameter
+   * @param name the parameter
    * @param value its new value
    * @return done, or why not
    */
@@ -57,7 +57,7 @@ public interface Parameters {
   /**
    * Listens to a parameter, from now on and across restarts of the master.
    *
-   * @param name     the parameter or namespace
+   * @param name the parameter or namespace
    * @param listener hears of its value
    * @return closing it ends the subscription
    */

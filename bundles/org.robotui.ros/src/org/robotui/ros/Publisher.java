@@ -26,7 +26,8 @@ public interface Publisher<T> extends AutoCloseable {
   void publishUrgently(T message);
 
   /**
-   * Waits until all that was published is handed to the network, for every subscriber: closing drops what waits. Interrupting does not end it.
+   * Waits until all that was published is handed to the network, for every subscriber: closing drops what waits.
+   * Interrupting does not end it.
    *
    * @param patience at most so long
    * @return false where some of it still waits, as for a subscriber that does not read

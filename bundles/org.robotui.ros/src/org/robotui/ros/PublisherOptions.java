@@ -3,10 +3,10 @@ package org.robotui.ros;
 /**
  * How a publisher sends.
  *
- * @param latch         whether the last message is kept and sent to each new subscriber
+ * @param latch whether the last message is kept and sent to each new subscriber
  * @param queueMessages how many messages wait per subscriber before the oldest are dropped
- * @param queueBytes    how many bytes wait per subscriber before the oldest messages are dropped; one always may wait
- * @param prompt        whether as little as possible is entrusted to a network that stalls, because what comes late does harm
+ * @param queueBytes how many bytes wait per subscriber before the oldest messages are dropped; one always may wait
+ * @param prompt whether as little as possible is entrusted to a network that stalls, because what comes late does harm
  */
 public record PublisherOptions(boolean latch, int queueMessages, long queueBytes, boolean prompt) {
 
@@ -46,8 +46,8 @@ public record PublisherOptions(boolean latch, int queueMessages, long queueBytes
   }
 
   /**
-   * For commands: only the newest message waits, and a network that stalls holds the few that were on their way and
-   * no more, where it would else hold all that a long outage makes, and hand it out at its end.
+   * For commands: only the newest message waits, and a network that stalls holds the few that were on their way and no
+   * more, where it would else hold all that a long outage makes, and hand it out at its end.
    *
    * @return the options
    */

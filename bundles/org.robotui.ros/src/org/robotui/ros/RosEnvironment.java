@@ -10,13 +10,13 @@ import java.util.Optional;
  * What a node finds around it: the master's address, its own address, its namespace and its remappings, from the
  * environment variables and the command line as every ROS program reads them.
  *
- * @param masterUri   the master's address
- * @param host        the address or host name to announce to peers; empty announces, and listens on, loopback only
- * @param namespace   the namespace of relative names
- * @param nodeName    the name given on the command line ({@code __name:=}), if any
- * @param remappings  from name to name as the user wrote them
- * @param parameters  private parameters given on the command line ({@code _name:=value}), without the underscore
- * @param arguments   the command line's other arguments, in order
+ * @param masterUri the master's address
+ * @param host the address or host name to announce to peers; empty announces, and listens on, loopback only
+ * @param namespace the namespace of relative names
+ * @param nodeName the name given on the command line ({@code __name:=}), if any
+ * @param remappings from name to name as the user wrote them
+ * @param parameters private parameters given on the command line ({@code _name:=value}), without the underscore
+ * @param arguments the command line's other arguments, in order
  */
 public record RosEnvironment(URI masterUri, Optional<String> host, GraphName namespace, Optional<GraphName> nodeName,
     Map<String, String> remappings, Map<String, XmlRpcValue> parameters, List<String> arguments) {
@@ -33,8 +33,8 @@ public record RosEnvironment(URI masterUri, Optional<String> host, GraphName nam
   }
 
   /**
-   * Reads environment variables and command line. {@code ROS_HOSTNAME} wins over {@code ROS_IP}, and the command
-   * line ({@code __master:= __hostname:= __ip:= __ns:= __name:= _param:= from:=to}) over both.
+   * Reads environment variables and command line. {@code ROS_HOSTNAME} wins over {@code ROS_IP}, and the command line
+   * ({@code __master:= __hostname:= __ip:= __ns:= __name:= _param:= from:=to}) over both.
    *
    * @param variables the environment variables
    * @param arguments the command line
@@ -52,7 +52,8 @@ public record RosEnvironment(URI masterUri, Optional<String> host, GraphName nam
    * @return the environment
    */
   public static RosEnvironment of(URI masterUri) {
-    return new RosEnvironment(masterUri, Optional.empty(), GraphName.ROOT, Optional.empty(), Map.of(), Map.of(), List.of());
+    return new RosEnvironment(masterUri, Optional.empty(), GraphName.ROOT, Optional.empty(), Map.of(), Map.of(),
+        List.of());
   }
 
   /**

@@ -7,8 +7,8 @@ import org.robotui.ros.msgs.rosgraph_msgs.Log;
 import org.robotui.ros.msgs.std_msgs.Header;
 
 /**
- * A node's entries in the log of all nodes, {@code /rosout}. A node that opens none stays out of it. Any thread may write;
- * writing never waits.
+ * A node's entries in the log of all nodes, {@code /rosout}. A node that opens none stays out of it. Any thread may
+ * write; writing never waits.
  */
 public final class RosLog implements AutoCloseable {
 
@@ -57,7 +57,7 @@ public final class RosLog implements AutoCloseable {
    *
    * @param level how bad it is
    * @param where the part of the node it is about; stands where others name their source file
-   * @param text  for a user
+   * @param text for a user
    */
   public void write(Level level, String where, String text) {
     write(level, where, text, node.clock().nowNanos());
@@ -68,7 +68,7 @@ public final class RosLog implements AutoCloseable {
    *
    * @param level how bad it is
    * @param where the part of the node it is about
-   * @param text  for a user
+   * @param text for a user
    * @param nanos when, nanoseconds since the epoch
    */
   public void write(Level level, String where, String text, long nanos) {

@@ -18,8 +18,8 @@ public interface RosNode extends AutoCloseable {
    * Opens a node. The master need not be there yet.
    *
    * @param environment the surroundings
-   * @param name        the node's name, relative to the environment's namespace; a name given on the command line wins
-   * @param options     what the owner gives it
+   * @param name the node's name, relative to the environment's namespace; a name given on the command line wins
+   * @param options what the owner gives it
    * @return the open node
    * @throws IOException if it cannot listen on its own address
    */
@@ -51,52 +51,53 @@ public interface RosNode extends AutoCloseable {
   /**
    * Publishes a topic.
    *
-   * @param topic   the topic's name
-   * @param codec   the codec of its messages
+   * @param topic the topic's name
+   * @param codec the codec of its messages
    * @param options how to send
-   * @param <T>     the Java value of a message
+   * @param <T> the Java value of a message
    * @return the publisher
    * @throws IllegalStateException if this node publishes the topic already, or is closed
-   * @throws InvalidNameException  if the topic is no name
+   * @throws InvalidNameException if the topic is no name
    */
   <T> Publisher<T> publisher(String topic, MessageCodec<T> codec, PublisherOptions options);
 
   /**
    * Subscribes to a topic. There may be several subscribers to one topic, each with links of its own.
    *
-   * @param topic    the topic's name
-   * @param codec    the codec of its messages
-   * @param options  how to receive
+   * @param topic the topic's name
+   * @param codec the codec of its messages
+   * @param options how to receive
    * @param listener hears of the messages
-   * @param <T>      the Java value of a message
+   * @param <T> the Java value of a message
    * @return the subscriber
    * @throws IllegalStateException if the node is closed
-   * @throws InvalidNameException  if the topic is no name
+   * @throws InvalidNameException if the topic is no name
    */
-  <T> Subscriber subscriber(String topic, MessageCodec<T> codec, SubscriberOptions options, MessageListener<T> listener);
+  <T> Subscriber subscriber(String topic, MessageCodec<T> codec, SubscriberOptions options,
+      MessageListener<T> listener);
 
   /**
    * Offers a service.
    *
    * @param service the service's name
-   * @param codec   the codec of its calls
+   * @param codec the codec of its calls
    * @param handler answers the calls
-   * @param <Q>     the Java value of a request
-   * @param <R>     the Java value of a response
+   * @param <Q> the Java value of a request
+   * @param <R> the Java value of a response
    * @return the server
    * @throws IllegalStateException if this node offers the service already, or is closed
-   * @throws InvalidNameException  if the service is no name
+   * @throws InvalidNameException if the service is no name
    */
   <Q, R> ServiceServer serviceServer(String service, ServiceCodec<Q, R> codec, ServiceHandler<Q, R> handler);
 
   /**
    * Prepares calls to a service. Nothing is sent before the first call.
    *
-   * @param service    the service's name
-   * @param codec      the codec of its calls
+   * @param service the service's name
+   * @param codec the codec of its calls
    * @param persistent whether the connection stays open between calls; it is made again when it broke
-   * @param <Q>        the Java value of a request
-   * @param <R>        the Java value of a response
+   * @param <Q> the Java value of a request
+   * @param <R> the Java value of a response
    * @return the client
    * @throws InvalidNameException if the service is no name
    */
@@ -144,19 +145,20 @@ public interface RosNode extends AutoCloseable {
    * The end of the node.
    *
    * @return completes with the reason once the node is closed, by its owner or because the master asked it to (another
-   *         node took its name)
+   * node took its name)
    */
   CompletionStage<String> whenClosed();
 
   /**
-   * Tells the master, without waiting for it, that it may forget all of this node; to be followed by {@link #close}. What is connected stays so
-   * until then, unless the other side hangs up, as publishers and subscribers may when they hear of it. What is made from now on nobody hears of.
+   * Tells the master, without waiting for it, that it may forget all of this node; to be followed by {@link #close}.
+   * What is connected stays so until then, unless the other side hangs up, as publishers and subscribers may when they
+   * hear of it. What is made from now on nobody hears of.
    */
   void leave();
 
   /**
-   * Closes everything in less than a second, also when peers or the master hang, or the caller is interrupted. Unregisters from the master
-   * meanwhile.
+   * Closes everything in less than a second, also when peers or the master hang, or the caller is interrupted.
+   * Unregisters from the master meanwhile.
    */
   @Override
   void close();

@@ -13,7 +13,7 @@ public interface ServiceHandler<Q, R> {
    * Answers one call. Called on the thread of the client's connection, several at once if there are several clients;
    * may take its time.
    *
-   * @param request  the request
+   * @param request the request
    * @param callerId the client's node name
    * @return the response
    * @throws ServiceException to refuse the call; the message is sent to the client

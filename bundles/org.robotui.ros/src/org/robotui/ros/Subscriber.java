@@ -57,7 +57,10 @@ public interface Subscriber extends AutoCloseable {
    */
   long listenerErrors();
 
-  /** Unregisters from the master, in the background, and closes all links. A running listener call may still end after it. */
+  /**
+   * Unregisters from the master, in the background, and closes all links. A running listener call may still end after
+   * it.
+   */
   @Override
   void close();
 }

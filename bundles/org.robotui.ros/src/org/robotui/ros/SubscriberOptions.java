@@ -3,9 +3,9 @@ package org.robotui.ros;
 /**
  * How a subscriber receives.
  *
- * @param tcpNoDelay    whether publishers are asked to send small messages at once
- * @param announcesType whether the master is told which type is wanted; it remembers that of a topic that nobody publishes
- *                      even after the subscriber has gone
+ * @param tcpNoDelay whether publishers are asked to send small messages at once
+ * @param announcesType whether the master is told which type is wanted; it remembers that of a topic that nobody
+ * publishes even after the subscriber has gone
  */
 public record SubscriberOptions(boolean tcpNoDelay, boolean announcesType) {
 

@@ -8,9 +8,9 @@ import java.util.TreeSet;
 /**
  * Who publishes, subscribes and serves what, as the master knows it.
  *
- * @param publishers  node names by topic
+ * @param publishers node names by topic
  * @param subscribers node names by topic
- * @param services    node names by service
+ * @param services node names by service
  */
 public record SystemState(Map<String, List<String>> publishers, Map<String, List<String>> subscribers,
     Map<String, List<String>> services) {

@@ -6,4 +6,4 @@ package org.robotui.ros;
  * @param name the topic's global name
  * @param type the full name of its message type; {@code *} if nobody said
  */
-public record TopicInfo(String name, String type) { }
+public record TopicInfo(String name, String type) {}

@@ -15,35 +15,35 @@ public sealed interface XmlRpcValue {
    *
    * @param value the text
    */
-  record Text(String value) implements XmlRpcValue { }
+  record Text(String value) implements XmlRpcValue {}
 
   /**
    * A 32-bit integer.
    *
    * @param value the number
    */
-  record Int(int value) implements XmlRpcValue { }
+  record Int(int value) implements XmlRpcValue {}
 
   /**
    * A truth value.
    *
    * @param value true or false
    */
-  record Bool(boolean value) implements XmlRpcValue { }
+  record Bool(boolean value) implements XmlRpcValue {}
 
   /**
    * A 64-bit float.
    *
    * @param value the number
    */
-  record Real(double value) implements XmlRpcValue { }
+  record Real(double value) implements XmlRpcValue {}
 
   /**
    * A date, as it was written.
    *
    * @param iso8601 the text, such as {@code 20260131T12:00:00}
    */
-  record DateTime(String iso8601) implements XmlRpcValue { }
+  record DateTime(String iso8601) implements XmlRpcValue {}
 
   /**
    * Bytes.

@@ -13,7 +13,8 @@ import org.robotui.ros.message.RawMessage;
 
 class ClockTest {
 
-  private static final MessageInfo CLOCK = new MessageInfo("rosgraph_msgs/Clock", "a9c97c1d230cfc112e270351a944ee47", "time clock\n");
+  private static final MessageInfo CLOCK =
+      new MessageInfo("rosgraph_msgs/Clock", "a9c97c1d230cfc112e270351a944ee47", "time clock\n");
 
   private static RawMessage clock(int seconds) {
     return new RawMessage(CLOCK, new MessageWriter().time(seconds, 500).view());

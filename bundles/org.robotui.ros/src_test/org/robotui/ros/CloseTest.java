@@ -39,7 +39,7 @@ class CloseTest {
       RosNode watcher = graph.node("watcher");
       for (int i = 0; i < 20; i++) {
         node.publisher("out" + i, TEXT, PublisherOptions.standard());
-        node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+        node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> {});
       }
       node.serviceServer("service", new ServiceCodec<>("a/B", "*", TEXT, TEXT), (request, caller) -> request);
       assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
@@ -81,10 +81,11 @@ class CloseTest {
       node.leave();
       node.leave();
       RosNode watcher = graph.node("watcher");
-      Eventually.await("forgotten", () -> !watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
+      Eventually.await("forgotten",
+          () -> !watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
       publisher.publish("still here?");
       Eventually.await("heard", () -> heard.get() == 1);
-      node.subscriber("late", TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+      node.subscriber("late", TEXT, SubscriberOptions.standard(), (text, reception) -> {});
       assertQuick(node);
       assertFalse(watcher.master().systemState().toOptional().orElseThrow().nodes().contains("/node"));
     }
@@ -99,7 +100,7 @@ class CloseTest {
         node.publisher("first", TEXT, PublisherOptions.standard());
         assertTrue(node.awaitRegistered(Duration.ofSeconds(10)));
         for (int i = 0; i < 20; i++) {
-          node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+          node.subscriber("in" + i, TEXT, SubscriberOptions.standard(), (text, reception) -> {});
         }
         LockSupport.parkNanos(round * 500_000L);
         assertQuick(node);
@@ -116,7 +117,7 @@ class CloseTest {
       RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:" + silent.getLocalPort())),
           GraphName.of("node"), NodeOptions.standard(threads));
       node.publisher("out", TEXT, PublisherOptions.standard());
-      node.subscriber("in", TEXT, SubscriberOptions.standard(), (text, reception) -> { });
+      node.subscriber("in", TEXT, SubscriberOptions.standard(), (text, reception) -> {});
       assertQuick(node);
       threads.assertNoneLeft();
     }
@@ -141,7 +142,8 @@ class CloseTest {
   @Test
   void aMasterThatIsNotThereDoesNotHoldUpClose() throws Exception {
     TestThreads threads = new TestThreads();
-    RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:1")), GraphName.of("node"), NodeOptions.standard(threads));
+    RosNode node = RosNode.open(RosEnvironment.of(URI.create("http://127.0.0.1:1")), GraphName.of("node"),
+        NodeOptions.standard(threads));
     node.publisher("out", TEXT, PublisherOptions.standard());
     assertQuick(node);
     threads.assertNoneLeft();
@@ -178,7 +180,8 @@ class CloseTest {
       Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.latched());
       listener.subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> listener.close());
       publisher.publish("end");
-      assertEquals("closed by its owner", listener.whenClosed().toCompletableFuture().get(5, java.util.concurrent.TimeUnit.SECONDS));
+      assertEquals("closed by its owner",
+          listener.whenClosed().toCompletableFuture().get(5, java.util.concurrent.TimeUnit.SECONDS));
     }
   }
 
@@ -192,8 +195,9 @@ class CloseTest {
       second.publisher("two", TEXT, PublisherOptions.standard());
       String reason = first.whenClosed().toCompletableFuture().get(10, java.util.concurrent.TimeUnit.SECONDS);
       assertTrue(reason.contains("/master") && reason.contains("new node registered with same name"), reason);
-      Eventually.await("the second one's topic alone", () -> second.master().publishedTopics().toOptional().orElseThrow()
-          .stream().map(TopicInfo::name).toList().equals(List.of("/rosout_agg", "/two")));
+      Eventually.await("the second one's topic alone",
+          () -> second.master().publishedTopics().toOptional().orElseThrow()
+              .stream().map(TopicInfo::name).toList().equals(List.of("/rosout_agg", "/two")));
     }
   }
 }

@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Assertions;
 
 /**
- * Inputs that decoders once stumbled over, or might: one folder a decoder, one small file an input, replayed in every run.
- * A fuzzer that finds another one says what to put there.
+ * Inputs that decoders once stumbled over, or might: one folder a decoder, one small file an input, replayed in every
+ * run. A fuzzer that finds another one says what to put there.
  */
 public final class Corpus {
 
@@ -25,8 +25,7 @@ public final class Corpus {
     boolean accepts(byte[] input);
   }
 
-  private Corpus() {
-  }
+  private Corpus() {}
 
   /** The inputs for one decoder. */
   public static List<Path> of(String decoder) throws IOException {
@@ -36,8 +35,9 @@ public final class Corpus {
   }
 
   private static Path folder() {
-    Stream<Path> places = Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of), Stream.of(Path.of("")))
-        .flatMap(root -> Stream.of(root.resolve("bundles/org.robotui.ros").resolve(PLACE), root.resolve(PLACE)));
+    Stream<Path> places =
+        Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of), Stream.of(Path.of("")))
+            .flatMap(root -> Stream.of(root.resolve("bundles/org.robotui.ros").resolve(PLACE), root.resolve(PLACE)));
     return places.filter(Files::isDirectory).findFirst()
         .orElseThrow(() -> new AssertionError("the corpus is not found: set ROBOTUI_ROOT to the repository"));
   }
@@ -47,7 +47,8 @@ public final class Corpus {
     try {
       return decoder.accepts(input);
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-      return Assertions.fail("put this into " + PLACE + "/" + name + " (base64): " + Base64.getEncoder().encodeToString(input), e);
+      return Assertions
+          .fail("put this into " + PLACE + "/" + name + " (base64): " + Base64.getEncoder().encodeToString(input), e);
     }
   }
 }

@@ -36,9 +36,11 @@ import org.robotui.testkit.Effort;
 class CorpusTest {
 
   private static final int LIMIT = 1 << 20;
-  private static final String NESTED = "Part[] parts\nstring[2] names\nfloat64[] numbers\n===\nMSG: p/Part\nuint8[] bytes\nstring name\n";
+  private static final String NESTED =
+      "Part[] parts\nstring[2] names\nfloat64[] numbers\n===\nMSG: p/Part\nuint8[] bytes\nstring name\n";
   private static final Map<String, Corpus.Decoder> DECODERS = Map.of(
-      "call", CorpusTest::call, "response", CorpusTest::response, "header", CorpusTest::header, "frames", CorpusTest::frames,
+      "call", CorpusTest::call, "response", CorpusTest::response, "header", CorpusTest::header, "frames",
+      CorpusTest::frames,
       "definition", CorpusTest::definition, "message", CorpusTest::message);
 
   static Stream<String> decoders() {
@@ -90,7 +92,8 @@ class CorpusTest {
 
   private static boolean message(byte[] input) {
     try {
-      return new DynamicCodec(MessageSchema.parse("p/Fuzzed", NESTED)).decode(ByteBuffer.wrap(input)).fields().size() == 3;
+      return new DynamicCodec(MessageSchema.parse("p/Fuzzed", NESTED)).decode(ByteBuffer.wrap(input)).fields()
+          .size() == 3;
     } catch (MessageException e) {
       return false;
     } catch (DefinitionException e) {
@@ -174,7 +177,8 @@ class CorpusTest {
 
   /** Elements without bytes: any number of them would fit into nothing. */
   @ParameterizedTest
-  @ValueSource(strings = {"N[] n\n===\nMSG: p/N\n", "N[999999999] n\n===\nMSG: p/N\n", "A[] a\n===\nMSG: p/A\nN[1000] n\n===\nMSG: p/N\n"})
+  @ValueSource(strings = {"N[] n\n===\nMSG: p/N\n", "N[999999999] n\n===\nMSG: p/N\n",
+      "A[] a\n===\nMSG: p/A\nN[1000] n\n===\nMSG: p/N\n"})
   @Timeout(20)
   void arraysOfNothingAreBounded(String definition) {
     byte[] many = {-1, -1, -1, 0x7f};

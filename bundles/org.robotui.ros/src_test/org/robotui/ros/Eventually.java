@@ -8,8 +8,7 @@ import org.junit.jupiter.api.Assertions;
 /** Waits for conditions of other threads. */
 public final class Eventually {
 
-  private Eventually() {
-  }
+  private Eventually() {}
 
   /** Waits up to ten seconds and fails if the condition never held. */
   public static void await(String what, BooleanSupplier condition) {

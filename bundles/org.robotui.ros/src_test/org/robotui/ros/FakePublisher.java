@@ -34,8 +34,10 @@ final class FakePublisher implements AutoCloseable {
   FakePublisher(Graph graph, String name, Script script) throws Exception {
     Workers workers = new Workers(graph.threads());
     slave = new XmlRpcServer(InetAddress.getByName("127.0.0.1"), 0, XmlRpcLimits.standard(), workers, name);
-    XmlRpcValue endpoint = XmlRpcValue.of(XmlRpcValue.of("TCPROS"), XmlRpcValue.of("127.0.0.1"), XmlRpcValue.of(server.getLocalPort()));
-    slave.start(new ApiMethods().add("requestTopic", call -> ApiMethods.success("", endpoint), XmlRpcValue.Text.class, XmlRpcValue.Array.class));
+    XmlRpcValue endpoint =
+        XmlRpcValue.of(XmlRpcValue.of("TCPROS"), XmlRpcValue.of("127.0.0.1"), XmlRpcValue.of(server.getLocalPort()));
+    slave.start(new ApiMethods().add("requestTopic", call -> ApiMethods.success("", endpoint), XmlRpcValue.Text.class,
+        XmlRpcValue.Array.class));
     workers.start(name, () -> accept(script));
     register(graph, name);
   }
@@ -43,8 +45,9 @@ final class FakePublisher implements AutoCloseable {
   private void register(Graph graph, String name) throws Exception {
     HostPort master = HostPort.ofUri(graph.master().uri().toString(), "http");
     try (XmlRpcClient client = new XmlRpcClient(master, XmlRpcLimits.standard().withMessage(Duration.ofSeconds(5)))) {
-      client.call("registerPublisher", List.of(XmlRpcValue.of(name), XmlRpcValue.of("/chatter"), XmlRpcValue.of("std_msgs/String"),
-          XmlRpcValue.of("http://127.0.0.1:" + slave.port() + "/")));
+      client.call("registerPublisher",
+          List.of(XmlRpcValue.of(name), XmlRpcValue.of("/chatter"), XmlRpcValue.of("std_msgs/String"),
+              XmlRpcValue.of("http://127.0.0.1:" + slave.port() + "/")));
     }
   }
 

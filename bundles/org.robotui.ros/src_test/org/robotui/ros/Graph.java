@@ -35,7 +35,8 @@ public final class Graph implements AutoCloseable {
 
   /** The options of quick tests. */
   public NodeOptions options() {
-    return NodeOptions.standard(threads).withTimes(Duration.ofSeconds(2), Duration.ofMillis(200), Duration.ofMillis(500));
+    return NodeOptions.standard(threads).withTimes(Duration.ofSeconds(2), Duration.ofMillis(200),
+        Duration.ofMillis(500));
   }
 
   public RosNode node(String name) throws IOException {

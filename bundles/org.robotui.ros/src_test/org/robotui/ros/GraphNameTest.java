@@ -23,7 +23,8 @@ class GraphNameTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "1a", "_a", "a b", "a-b", "a~", "ä", "a:b", " a", "/a b", "/a~b", "/\u00e4", "/a\n", "~a-b"})
+  @ValueSource(strings = {"", "1a", "_a", "a b", "a-b", "a~", "ä", "a:b", " a", "/a b", "/a~b", "/\u00e4", "/a\n",
+      "~a-b"})
   void otherTextsAreRefusedWithTheReason(String text) {
     String message = assertThrows(InvalidNameException.class, () -> GraphName.of(text)).getMessage();
     assertTrue(message.contains("'" + text + "'"), message);
@@ -36,7 +37,8 @@ class GraphNameTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"/scan,/scan", "scan,/robot/scan", "~scan,/robot/base/scan", "in,/out", "/robot/in,/out", "~,/robot/base"})
+  @CsvSource({"/scan,/scan", "scan,/robot/scan", "~scan,/robot/base/scan", "in,/out", "/robot/in,/out",
+      "~,/robot/base"})
   void namesResolveInTheirNamespaceAndAreRemapped(String name, String global) {
     NameResolver names = NameResolver.of(GraphName.of("/robot/base"), GraphName.of("/robot"), Map.of("in", "/out"));
     assertEquals(global, names.resolve(name).text());
@@ -60,14 +62,16 @@ class GraphNameTest {
   @Test
   void theEnvironmentIsReadFromVariablesAndCommandLine() {
     RosEnvironment environment = RosEnvironment.of(
-        Map.of("ROS_MASTER_URI", "http://robot_1:11311/", "ROS_IP", "10.0.0.1", "ROS_HOSTNAME", "me", "ROS_NAMESPACE", "left"),
+        Map.of("ROS_MASTER_URI", "http://robot_1:11311/", "ROS_IP", "10.0.0.1", "ROS_HOSTNAME", "me", "ROS_NAMESPACE",
+            "left"),
         List.of("scan:=/laser", "__name:=base", "_rate:=10", "_frame:=odom", "_on:=true", "--verbose"));
     assertEquals(URI.create("http://robot_1:11311/"), environment.masterUri());
     assertEquals(Optional.of("me"), environment.host());
     assertEquals(GraphName.of("/left"), environment.namespace());
     assertEquals(Optional.of(GraphName.of("base")), environment.nodeName());
     assertEquals(Map.of("scan", "/laser"), environment.remappings());
-    assertEquals(Map.of("rate", XmlRpcValue.of(10), "frame", XmlRpcValue.of("odom"), "on", XmlRpcValue.of(true)), environment.parameters());
+    assertEquals(Map.of("rate", XmlRpcValue.of(10), "frame", XmlRpcValue.of("odom"), "on", XmlRpcValue.of(true)),
+        environment.parameters());
     assertEquals(List.of("--verbose"), environment.arguments());
   }
 

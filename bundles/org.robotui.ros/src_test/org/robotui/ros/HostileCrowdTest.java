@@ -36,7 +36,8 @@ class HostileCrowdTest {
     graph = new Graph();
     talker = graph.node("talker");
     honest = talker.publisher("chatter", new TextCodec(), PublisherOptions.standard());
-    graph.node("listener").subscriber("chatter", new TextCodec(), SubscriberOptions.standard(), (text, reception) -> heard.add(text));
+    graph.node("listener").subscriber("chatter", new TextCodec(), SubscriberOptions.standard(),
+        (text, reception) -> heard.add(text));
     Eventually.await("the honest link", () -> honest.numSubscribers() == 1);
     talker.serviceServer("door", HostileCrowdTest.echo(), (request, caller) -> request);
     assertTrue(talker.awaitRegistered(Duration.ofSeconds(5)));
@@ -45,7 +46,8 @@ class HostileCrowdTest {
   }
 
   private static org.robotui.ros.message.ServiceCodec<String, String> echo() {
-    return new org.robotui.ros.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(), new TextCodec());
+    return new org.robotui.ros.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
+        new TextCodec());
   }
 
   @AfterEach
@@ -80,7 +82,7 @@ class HostileCrowdTest {
   @Test
   void halfOpenConnectionsAreEndedAfterTheHandshakeTime() throws Exception {
     for (int i = 0; i < 100; i++) {
-      connect(tcp, new byte[] {(byte) 0xff, (byte) 0xff, 0x0f});
+      connect(tcp, new byte[]{(byte) 0xff, (byte) 0xff, 0x0f});
     }
     honest.publish("meanwhile");
     Eventually.await("a message meanwhile", () -> heard.contains("meanwhile"));
@@ -133,7 +135,8 @@ class HostileCrowdTest {
 
   @Test
   void garbageAtOurMasterIsRefusedAndOthersAreServed() throws Exception {
-    for (String garbage : List.of("\u0000\u0001\u0002\r\n\r\n", "GET / HTTP/1.1\r\n\r\n", "POST / HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n",
+    for (String garbage : List.of("\u0000\u0001\u0002\r\n\r\n", "GET / HTTP/1.1\r\n\r\n",
+        "POST / HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n",
         "POST / HTTP/1.1\r\nContent-Length: 60\r\n\r\n<?xml version='1.0'?><!DOCTYPE a [<!ENTITY b 'c'>]><methodCall/>",
         "POST / HTTP/1.1\r\n" + "X: y\r\n".repeat(4_000))) {
       connect(master, garbage.getBytes(StandardCharsets.ISO_8859_1));
@@ -168,12 +171,15 @@ class HostileCrowdTest {
   @Test
   void wrongArgumentsAtOurMasterChangeNothing() throws Exception {
     try (XmlRpcClient liar = new XmlRpcClient(master, XmlRpcLimits.standard())) {
-      for (String method : List.of("registerPublisher", "registerSubscriber", "registerService", "unregisterPublisher", "lookupNode",
+      for (String method : List.of("registerPublisher", "registerSubscriber", "registerService", "unregisterPublisher",
+          "lookupNode",
           "getPublishedTopics", "setParam", "subscribeParam")) {
-        assertTrue(fault(liar, method, XmlRpcValue.of(1), XmlRpcValue.of(true), XmlRpcValue.of(2), XmlRpcValue.of(3)).contains(" takes "), method);
+        assertTrue(fault(liar, method, XmlRpcValue.of(1), XmlRpcValue.of(true), XmlRpcValue.of(2), XmlRpcValue.of(3))
+            .contains(" takes "), method);
       }
       fault(liar, "unregisterPublisher", XmlRpcValue.of("/chatter"), XmlRpcValue.of("http://127.0.0.1:1/"));
     }
-    assertTrue(talker.master().systemState().toOptional().orElseThrow().publishers().get("/chatter").contains("/talker"));
+    assertTrue(
+        talker.master().systemState().toOptional().orElseThrow().publishers().get("/chatter").contains("/talker"));
   }
 }

@@ -18,11 +18,15 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robotui.ros.LinkEvent.Kind;
 
-/** Masters that answer what they should not: the node at it says why it has no master, and a node at another one goes on. */
+/**
+ * Masters that answer what they should not: the node at it says why it has no master, and a node at another one goes
+ * on.
+ */
 class HostileMasterTest {
 
-  private static final String BOMB = "<?xml version='1.0'?><!DOCTYPE b [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY c \"&a;&a;&a;&a;&a;\">]>"
-      + "<methodResponse><params><param><value>&c;&c;&c;</value></param></params></methodResponse>";
+  private static final String BOMB =
+      "<?xml version='1.0'?><!DOCTYPE b [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY c \"&a;&a;&a;&a;&a;\">]>"
+          + "<methodResponse><params><param><value>&c;&c;&c;</value></param></params></methodResponse>";
   private static final String HEAD = "HTTP/1.1 200 OK\r\nContent-Length: ";
 
   private final LinkLog links = new LinkLog();
@@ -34,7 +38,8 @@ class HostileMasterTest {
   void start() throws Exception {
     graph = new Graph();
     honest = graph.node("honest").publisher("chatter", new TextCodec(), PublisherOptions.standard());
-    graph.node("listener").subscriber("chatter", new TextCodec(), SubscriberOptions.standard(), (text, reception) -> heard.add(text));
+    graph.node("listener").subscriber("chatter", new TextCodec(), SubscriberOptions.standard(),
+        (text, reception) -> heard.add(text));
     Eventually.await("the honest link", () -> honest.numSubscribers() == 1);
   }
 
@@ -54,21 +59,26 @@ class HostileMasterTest {
     return Stream.of(
         Arguments.of("garbage", ScriptedServer.answers("\u0000\u0001\u0002 what?\r\n\r\n"), "HTTP"),
         Arguments.of("nothing", ScriptedServer.answers(""), "closed"),
-        Arguments.of("cut off in the header", ScriptedServer.answers("HTTP/1.1 200 OK\r\nConte"), "HTTP header cut off"),
-        Arguments.of("cut off in the body", ScriptedServer.answers(HEAD + "500\r\n\r\n<methodResponse>"), "HTTP body cut off"),
+        Arguments.of("cut off in the header", ScriptedServer.answers("HTTP/1.1 200 OK\r\nConte"),
+            "HTTP header cut off"),
+        Arguments.of("cut off in the body", ScriptedServer.answers(HEAD + "500\r\n\r\n<methodResponse>"),
+            "HTTP body cut off"),
         Arguments.of("a length that lies upwards", ScriptedServer.answers(HEAD + "2147483647\r\n\r\n"), "at most"),
         Arguments.of("a length that is negative", ScriptedServer.answers(HEAD + "-5\r\n\r\n"), "'-5'"),
         Arguments.of("no length", ScriptedServer.answers("HTTP/1.1 200 OK\r\n\r\n<a/>"), "without Content-Length"),
         Arguments.of("an error", ScriptedServer.answers("HTTP/1.1 500 No\r\nContent-Length: 0\r\n\r\n"), "500 No"),
-        Arguments.of("a header without end", ScriptedServer.floods("HTTP/1.1 200 OK\r\n", "X-More: y\r\n"), "header longer than"),
+        Arguments.of("a header without end", ScriptedServer.floods("HTTP/1.1 200 OK\r\n", "X-More: y\r\n"),
+            "header longer than"),
         Arguments.of("an XML bomb", ScriptedServer.answers(ScriptedServer.http(BOMB)), "document types"),
         Arguments.of("endless nesting", ScriptedServer.answers(ScriptedServer.http("<methodResponse><params><param>"
             + "<value><array><data>".repeat(10_000))), "nested deeper"),
         Arguments.of("an element with an endless name", ScriptedServer.answers(ScriptedServer.http(
             "<methodResponse><params><param><value><" + "x".repeat(1 << 20) + ">")), "unknown type"),
         Arguments.of("a wrong shape", ScriptedServer.answers(ScriptedServer.http("<methodResponse><params><param>"
-            + "<value><int>1</int></value></param></params></methodResponse>")), "did not answer [code, status, value]"),
-        Arguments.of("a refusal without end", ScriptedServer.answers(ScriptedServer.http(refusal("no\n".repeat(1 << 18)))), "no no"));
+            + "<value><int>1</int></value></param></params></methodResponse>")),
+            "did not answer [code, status, value]"),
+        Arguments.of("a refusal without end",
+            ScriptedServer.answers(ScriptedServer.http(refusal("no\n".repeat(1 << 18)))), "no no"));
   }
 
   private static String refusal(String status) {
@@ -78,7 +88,8 @@ class HostileMasterTest {
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("answers")
-  void anAnswerThatIsNoneIsTheReasonOfAFailedLink(String name, ScriptedServer.Script script, String reason) throws Exception {
+  void anAnswerThatIsNoneIsTheReasonOfAFailedLink(String name, ScriptedServer.Script script, String reason)
+      throws Exception {
     try (ScriptedServer master = new ScriptedServer(graph, script)) {
       nodeAt(master);
       links.awaitReason(Kind.MASTER, "127.0.0.1:" + master.port(), reason);
@@ -89,7 +100,8 @@ class HostileMasterTest {
 
   @Test
   void aMasterThatDripsBytesOrSaysNothingTimesOut() throws Exception {
-    for (ScriptedServer.Script script : List.of(ScriptedServer.silence(), ScriptedServer.drips("HTTP/1.1 200 OK\r\n", "x"))) {
+    for (ScriptedServer.Script script : List.of(ScriptedServer.silence(),
+        ScriptedServer.drips("HTTP/1.1 200 OK\r\n", "x"))) {
       try (ScriptedServer master = new ScriptedServer(graph, script)) {
         RosNode node = nodeAt(master);
         Eventually.await("a time-out", Duration.ofSeconds(20), () -> links.reasons(Kind.MASTER).stream().anyMatch(
@@ -105,20 +117,24 @@ class HostileMasterTest {
   void parametersAndQuestionsFailWithTheMastersName() throws Exception {
     try (ScriptedServer master = new ScriptedServer(graph, ScriptedServer.answers(ScriptedServer.http(BOMB)))) {
       RosNode node = nodeAt(master);
-      for (Outcome<?> outcome : List.of(node.parameters().get("/speed"), node.parameters().names(), node.master().systemState(),
+      for (Outcome<?> outcome : List.of(node.parameters().get("/speed"), node.parameters().names(),
+          node.master().systemState(),
           node.master().topicTypes())) {
         assertFalse(outcome instanceof Outcome.Done);
-        assertTrue(outcome.reason().contains("127.0.0.1:" + master.port()) && outcome.reason().contains("document types"), outcome.reason());
+        assertTrue(
+            outcome.reason().contains("127.0.0.1:" + master.port()) && outcome.reason().contains("document types"),
+            outcome.reason());
       }
     }
   }
 
   @Test
   void valuesOfWrongTypesAreLeftOut() throws Exception {
-    String odd = "<methodResponse><params><param><value><array><data><value><int>1</int></value><value/><value><array><data>"
-        + "<value><int>7</int></value><value><array><data><value>/t</value></data></array></value>"
-        + "<value><array><data><value>/a</value><value>b/C</value></data></array></value><value><struct/></value>"
-        + "</data></array></value></data></array></value></param></params></methodResponse>";
+    String odd =
+        "<methodResponse><params><param><value><array><data><value><int>1</int></value><value/><value><array><data>"
+            + "<value><int>7</int></value><value><array><data><value>/t</value></data></array></value>"
+            + "<value><array><data><value>/a</value><value>b/C</value></data></array></value><value><struct/></value>"
+            + "</data></array></value></data></array></value></param></params></methodResponse>";
     try (ScriptedServer master = new ScriptedServer(graph, ScriptedServer.answers(ScriptedServer.http(odd)))) {
       RosNode node = nodeAt(master);
       assertEquals(new Outcome.Done<>(List.of(new TopicInfo("/a", "b/C"))), node.master().topicTypes());

@@ -45,37 +45,44 @@ class HostilePublisherTest {
       honest.publish("still here");
       Eventually.await("the honest publisher's message", () -> heard.contains("still here"));
       assertEquals(1, honest.numSubscribers());
-      assertTrue(links.reasons(Kind.SUBSCRIPTION).stream().noneMatch(r -> r.contains("/honest")), "the honest link failed");
+      assertTrue(links.reasons(Kind.SUBSCRIPTION).stream().noneMatch(r -> r.contains("/honest")),
+          "the honest link failed");
     }
   }
 
   private static String[] concat(String[] words, String... more) {
-    return java.util.stream.Stream.concat(java.util.stream.Stream.of(words), java.util.stream.Stream.of(more)).toArray(String[]::new);
+    return java.util.stream.Stream.concat(java.util.stream.Stream.of(words), java.util.stream.Stream.of(more))
+        .toArray(String[]::new);
   }
 
   @Test
   void aHeaderThatIsTooLong() throws Exception {
-    expect(out -> out.write(new MessageWriter().i32(0x7fffffff).toByteArray()), "connection header of 2147483647 bytes announced");
+    expect(out -> out.write(new MessageWriter().i32(0x7fffffff).toByteArray()),
+        "connection header of 2147483647 bytes announced");
   }
 
   @Test
   void aHeaderOfNegativeLength() throws Exception {
-    expect(out -> out.write(new MessageWriter().i32(-1).toByteArray()), "connection header of 4294967295 bytes announced");
+    expect(out -> out.write(new MessageWriter().i32(-1).toByteArray()),
+        "connection header of 4294967295 bytes announced");
   }
 
   @Test
   void aHeaderThatIsCutOff() throws Exception {
-    expect(out -> out.write(new MessageWriter().i32(100).string("callerid=/x").toByteArray()), "connection header cut off: 15 of 100");
+    expect(out -> out.write(new MessageWriter().i32(100).string("callerid=/x").toByteArray()),
+        "connection header cut off: 15 of 100");
   }
 
   @Test
   void aFieldThatIsLongerThanTheHeader() throws Exception {
-    expect(out -> out.write(new MessageWriter().i32(8).i32(1000).i32(0).toByteArray()), "field at byte 0 is longer than the header");
+    expect(out -> out.write(new MessageWriter().i32(8).i32(1000).i32(0).toByteArray()),
+        "field at byte 0 is longer than the header");
   }
 
   @Test
   void aFieldWithoutAName() throws Exception {
-    expect(out -> out.write(new MessageWriter().i32(9).string("hello").toByteArray()), "field at byte 0 is not name=value");
+    expect(out -> out.write(new MessageWriter().i32(9).string("hello").toByteArray()),
+        "field at byte 0 is not name=value");
   }
 
   @Test
@@ -120,8 +127,10 @@ class HostilePublisherTest {
 
   @Test
   void anotherMd5Sum() throws Exception {
-    byte[] other = ConnectionHeader.of("/liar").with(new MessageInfo("std_msgs/Int32", "da5909fbe378aeaf85e547e830cc1bb7", "int32 data\n")).encode();
-    expect(out -> out.write(other), "/liar", "std_msgs/Int32 with MD5 sum da5909fbe378aeaf85e547e830cc1bb7", "expected std_msgs/String");
+    byte[] other = ConnectionHeader.of("/liar")
+        .with(new MessageInfo("std_msgs/Int32", "da5909fbe378aeaf85e547e830cc1bb7", "int32 data\n")).encode();
+    expect(out -> out.write(other), "/liar", "std_msgs/Int32 with MD5 sum da5909fbe378aeaf85e547e830cc1bb7",
+        "expected std_msgs/String");
   }
 
   @Test
@@ -147,7 +156,8 @@ class HostilePublisherTest {
   void namesAndReasonsWithoutEndAreCutToWhatCanBeRead() throws Exception {
     byte[] book = ConnectionHeader.error("/liar" + "r".repeat(100_000), "no\n".repeat(100_000)).encode();
     expect(out -> out.write(book), "/liarrr");
-    assertTrue(links.reasons(Kind.SUBSCRIPTION).stream().allMatch(reason -> reason.length() < 600 && reason.indexOf('\n') < 0));
+    assertTrue(links.reasons(Kind.SUBSCRIPTION).stream()
+        .allMatch(reason -> reason.length() < 600 && reason.indexOf('\n') < 0));
   }
 
   @Test
@@ -172,7 +182,7 @@ class HostilePublisherTest {
   void aLengthThatIsCutOff() throws Exception {
     expect(out -> {
       out.write(FakePublisher.goodHeader());
-      out.write(new byte[] {1, 2});
+      out.write(new byte[]{1, 2});
     }, "/liar", "cut off in the length of message");
   }
 
@@ -191,10 +201,11 @@ class HostilePublisherTest {
 
   @Test
   void lyingPublishersAreTriedEverMoreRarely() throws Exception {
-    try (FakePublisher liar = new FakePublisher(graph, "/liar", out -> out.write(new byte[] {-1, -1, -1, -1}))) {
+    try (FakePublisher liar = new FakePublisher(graph, "/liar", out -> out.write(new byte[]{-1, -1, -1, -1}))) {
       Eventually.await("some attempts", () -> liar.connections() >= 4);
       List<Long> pauses = links.events().stream().map(LinkEvent::state)
-          .filter(LinkState.Failed.class::isInstance).map(state -> ((LinkState.Failed) state).retryAfter().toMillis()).toList();
+          .filter(LinkState.Failed.class::isInstance).map(state -> ((LinkState.Failed) state).retryAfter().toMillis())
+          .toList();
       assertTrue(pauses.get(2) > pauses.get(0) && pauses.stream().allMatch(pause -> pause <= 500), pauses.toString());
     }
   }

@@ -23,11 +23,14 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.message.MessageWriter;
 import org.robotui.ros.message.ServiceCodec;
 
-/** Servers of services that answer what they should not: the call fails with a reason, in time, and other calls do not. */
+/**
+ * Servers of services that answer what they should not: the call fails with a reason, in time, and other calls do not.
+ */
 class HostileServiceServerTest {
 
-  private static final ServiceCodec<String, String> ECHO = new ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef",
-      new TextCodec(), new TextCodec());
+  private static final ServiceCodec<String, String> ECHO =
+      new ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef",
+          new TextCodec(), new TextCodec());
 
   /** What a server sends after it read the client's header. */
   private interface Bytes {
@@ -44,7 +47,8 @@ class HostileServiceServerTest {
     RosNode honest = graph.node("honest");
     honest.serviceServer("honest", ECHO, (request, caller) -> request);
     assertTrue(honest.awaitRegistered(Duration.ofSeconds(5)));
-    client = graph.open(RosEnvironment.of(graph.master().uri()), "client", graph.options().withMaxMessageBytes(1_000_000));
+    client =
+        graph.open(RosEnvironment.of(graph.master().uri()), "client", graph.options().withMaxMessageBytes(1_000_000));
   }
 
   @AfterEach
@@ -56,7 +60,8 @@ class HostileServiceServerTest {
   }
 
   private void register(String uri) throws Exception {
-    try (XmlRpcClient master = new XmlRpcClient(HostPort.ofUri(graph.master().uri().toString(), "http"), XmlRpcLimits.standard())) {
+    try (XmlRpcClient master =
+        new XmlRpcClient(HostPort.ofUri(graph.master().uri().toString(), "http"), XmlRpcLimits.standard())) {
       master.call("registerService", List.of(XmlRpcValue.of("/liar"), XmlRpcValue.of("/lies"), XmlRpcValue.of(uri),
           XmlRpcValue.of("http://127.0.0.1:1/")));
     }
@@ -85,8 +90,10 @@ class HostileServiceServerTest {
   static Stream<Arguments> lies() {
     return Stream.of(
         lie("a header that is too long", out -> out.i32(-1).toByteArray(), "connection header of 4294967295 bytes"),
-        lie("a header that is cut off", out -> out.i32(100).i32(1).toByteArray(), "connection header cut off: 4 of 100"),
-        lie("a refusal as long as a book", out -> ConnectionHeader.error("/liar", "no\n".repeat(100_000)).encode(), "refused: no no"),
+        lie("a header that is cut off", out -> out.i32(100).i32(1).toByteArray(),
+            "connection header cut off: 4 of 100"),
+        lie("a refusal as long as a book", out -> ConnectionHeader.error("/liar", "no\n".repeat(100_000)).encode(),
+            "refused: no no"),
         lie("nothing", out -> new byte[0], "closed by the peer"));
   }
 
@@ -101,8 +108,10 @@ class HostileServiceServerTest {
     return Stream.of(
         after("an answer of another kind", out -> out.u8(7).i32(0).toByteArray(), "answer that starts with 7"),
         after("an answer that is too long", out -> out.u8(1).i32(-1).toByteArray(), "response of 4294967295 bytes"),
-        after("an answer that is cut off", out -> out.u8(1).i32(900_000).i32(1).toByteArray(), "response cut off: 4 of 900000"),
-        after("an answer without its length", out -> out.u8(1).u8(1).toByteArray(), "cut off in the length of response"),
+        after("an answer that is cut off", out -> out.u8(1).i32(900_000).i32(1).toByteArray(),
+            "response cut off: 4 of 900000"),
+        after("an answer without its length", out -> out.u8(1).u8(1).toByteArray(),
+            "cut off in the length of response"),
         after("an answer that is none", out -> out.u8(1).i32(8).i32(77).i32(0).toByteArray(), "data"),
         after("no answer", out -> new byte[0], "closed by the peer before its answer"));
   }
@@ -126,7 +135,8 @@ class HostileServiceServerTest {
 
   @Test
   void silenceAndDripsTimeOut() throws Exception {
-    String start = new String(new MessageWriter().i32(1000).toByteArray(), java.nio.charset.StandardCharsets.ISO_8859_1);
+    String start =
+        new String(new MessageWriter().i32(1000).toByteArray(), java.nio.charset.StandardCharsets.ISO_8859_1);
     for (ScriptedServer.Script script : List.of(ScriptedServer.silence(), ScriptedServer.drips(start, "x"))) {
       Outcome<?> outcome = assertInstanceOf(Outcome.TimedOut.class, call(script, Duration.ofMillis(700)));
       assertTrue(outcome.reason().contains("/lies"), outcome.reason());
@@ -152,7 +162,8 @@ class HostileServiceServerTest {
     })) {
       register(server.uri("rosrpc"));
       Outcome<?> outcome = assertInstanceOf(Outcome.Failed.class, client.probeService("/lies", Duration.ofSeconds(2)));
-      assertTrue(outcome.reason().contains("/lies") && outcome.reason().contains("without field 'type'"), outcome.reason());
+      assertTrue(outcome.reason().contains("/lies") && outcome.reason().contains("without field 'type'"),
+          outcome.reason());
     }
   }
 }

@@ -65,7 +65,8 @@ class HostileSlaveCallsTest {
 
   @Test
   void publishersThatAreNoAddressesFailWithTheirText() throws Exception {
-    call("publisherUpdate", XmlRpcValue.of("/chatter"), XmlRpcValue.ofTexts(List.of("file:///etc/passwd", "http://", "x".repeat(100_000), "")));
+    call("publisherUpdate", XmlRpcValue.of("/chatter"),
+        XmlRpcValue.ofTexts(List.of("file:///etc/passwd", "http://", "x".repeat(100_000), "")));
     links.awaitReason(Kind.SUBSCRIPTION, "/chatter", "'file:///etc/passwd' is no http://host:port URI");
     assertTrue(links.events().stream().allMatch(event -> event.peer().length() < 600), "peers that nobody can read");
     call("publisherUpdate", XmlRpcValue.of("/chatter"), XmlRpcValue.ofTexts(List.of()));
@@ -77,13 +78,16 @@ class HostileSlaveCallsTest {
       String answer = call(method, XmlRpcValue.of(1), XmlRpcValue.of(true), XmlRpcValue.of(2.5)).toString();
       assertTrue(answer.contains(method + " takes"), answer);
     }
-    assertTrue(call("paramUpdate", XmlRpcValue.of("not a name!"), XmlRpcValue.of(1)).toString().contains("not a name!"));
+    assertTrue(
+        call("paramUpdate", XmlRpcValue.of("not a name!"), XmlRpcValue.of(1)).toString().contains("not a name!"));
     assertTrue(parameters.stream().noneMatch(value -> value.contains("2.5")), parameters.toString());
   }
 
   @Test
   void aTopicThatIsNotPublishedIsNotOffered() throws Exception {
-    String answer = call("requestTopic", XmlRpcValue.of("/secret"), XmlRpcValue.of(XmlRpcValue.ofTexts(List.of("TCPROS")))).toString();
+    String answer =
+        call("requestTopic", XmlRpcValue.of("/secret"), XmlRpcValue.of(XmlRpcValue.ofTexts(List.of("TCPROS"))))
+            .toString();
     assertTrue(answer.contains("does not publish /secret"), answer);
   }
 

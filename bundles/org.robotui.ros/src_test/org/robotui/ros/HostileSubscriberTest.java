@@ -21,8 +21,9 @@ import org.robotui.ros.message.ServiceCodec;
 /** Subscribers and service clients that send what they should not. */
 class HostileSubscriberTest {
 
-  private static final ServiceCodec<String, String> ECHO = new ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef",
-      new TextCodec(), new TextCodec());
+  private static final ServiceCodec<String, String> ECHO =
+      new ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef",
+          new TextCodec(), new TextCodec());
 
   private final LinkLog links = new LinkLog();
   private final List<String> heard = new CopyOnWriteArrayList<>();
@@ -72,7 +73,8 @@ class HostileSubscriberTest {
 
   @Test
   void anotherTypeIsRefusedWithBothSums() throws Exception {
-    expectRefusal(ConnectionHeaders.subscriber("/chatter", "abc"), "abc", "992ce8a1687cec8c8bd883ec73ca41d1", "/chatter");
+    expectRefusal(ConnectionHeaders.subscriber("/chatter", "abc"), "abc", "992ce8a1687cec8c8bd883ec73ca41d1",
+        "/chatter");
     links.awaitReason(Kind.PUBLICATION, "/chatter", "/liar", "abc", "992ce8a1687cec8c8bd883ec73ca41d1");
   }
 

@@ -16,9 +16,11 @@ class MasterRestartTest {
     List<Optional<XmlRpcValue>> values = new CopyOnWriteArrayList<>();
     List<String> heard = new CopyOnWriteArrayList<>();
     try (Graph graph = new Graph()) {
-      Publisher<String> publisher = graph.node("talker").publisher("chatter", new TextCodec(), PublisherOptions.standard());
+      Publisher<String> publisher =
+          graph.node("talker").publisher("chatter", new TextCodec(), PublisherOptions.standard());
       RosNode listener = graph.node("listener", links);
-      listener.subscriber("chatter", new TextCodec(), SubscriberOptions.standard(), (text, reception) -> heard.add(text));
+      listener.subscriber("chatter", new TextCodec(), SubscriberOptions.standard(),
+          (text, reception) -> heard.add(text));
       listener.parameters().subscribe("/speed", (key, value) -> values.add(value));
       Eventually.await("a link", () -> publisher.numSubscribers() == 1 && values.size() == 1);
       graph.restartMaster();

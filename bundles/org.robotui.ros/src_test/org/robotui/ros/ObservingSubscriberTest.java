@@ -27,9 +27,10 @@ class ObservingSubscriberTest {
   }
 
   private List<TopicInfo> typesAfter(SubscriberOptions options) {
-    node.subscriber("nothing", new TextCodec(), options, (text, reception) -> { });
+    node.subscriber("nothing", new TextCodec(), options, (text, reception) -> {});
     assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
-    return node.master().topicTypes().toOptional().orElseThrow().stream().filter(topic -> topic.name().equals("/nothing")).toList();
+    return node.master().topicTypes().toOptional().orElseThrow().stream()
+        .filter(topic -> topic.name().equals("/nothing")).toList();
   }
 
   @Test
@@ -46,7 +47,8 @@ class ObservingSubscriberTest {
   void anObserverHearsWhatIsPublishedLater() throws Exception {
     List<String> heard = new java.util.concurrent.CopyOnWriteArrayList<>();
     node.subscriber("chatter", new TextCodec(), SubscriberOptions.observing(), (text, reception) -> heard.add(text));
-    Publisher<String> publisher = graph.node("talker").publisher("chatter", new TextCodec(), PublisherOptions.latched());
+    Publisher<String> publisher =
+        graph.node("talker").publisher("chatter", new TextCodec(), PublisherOptions.latched());
     publisher.publish("hello");
     Eventually.await("the message", () -> heard.contains("hello"));
   }

@@ -22,8 +22,10 @@ class ParameterTest {
   @BeforeEach
   void start() throws Exception {
     graph = new Graph();
-    parameters = graph.open(RosEnvironment.of(Map.of("ROS_MASTER_URI", graph.master().uri().toString()), List.of("__ns:=/robot")),
-        "node", graph.options()).parameters();
+    parameters = graph
+        .open(RosEnvironment.of(Map.of("ROS_MASTER_URI", graph.master().uri().toString()), List.of("__ns:=/robot")),
+            "node", graph.options())
+        .parameters();
     other = graph.node("other");
   }
 
@@ -39,8 +41,9 @@ class ParameterTest {
   @Test
   void allTypesComeBackAsTheyWereSet() {
     XmlRpcValue all = new XmlRpcValue.Struct(Map.of("text", XmlRpcValue.of("a<b&c"), "int", XmlRpcValue.of(-5),
-        "real", XmlRpcValue.of(0.1), "no", XmlRpcValue.of(false), "list", XmlRpcValue.of(XmlRpcValue.of(1), XmlRpcValue.of("x")),
-        "bytes", new XmlRpcValue.Binary(new byte[] {0, -1, 7})));
+        "real", XmlRpcValue.of(0.1), "no", XmlRpcValue.of(false), "list",
+        XmlRpcValue.of(XmlRpcValue.of(1), XmlRpcValue.of("x")),
+        "bytes", new XmlRpcValue.Binary(new byte[]{0, -1, 7})));
     assertEquals(new Outcome.Done<>(true), parameters.set("all", all));
     assertEquals(new Outcome.Done<>(all), parameters.get("/robot/all"));
     assertEquals(new Outcome.Done<>(XmlRpcValue.of(0.1)), parameters.get("all/real"));
@@ -81,21 +84,26 @@ class ParameterTest {
     other.parameters().set("/limits/speed", XmlRpcValue.of(1));
     Eventually.await("a value", () -> heard.contains(Map.entry("/limits/speed", Optional.of(XmlRpcValue.of(1)))));
     other.parameters().set("/limits", struct("speed", XmlRpcValue.of(2)));
-    Eventually.await("a value set by its namespace", () -> heard.contains(Map.entry("/limits/speed", Optional.of(XmlRpcValue.of(2)))));
+    Eventually.await("a value set by its namespace",
+        () -> heard.contains(Map.entry("/limits/speed", Optional.of(XmlRpcValue.of(2)))));
     other.parameters().set("/limits/speed", struct("max", XmlRpcValue.of(3)));
     other.parameters().set("/limits/speed/max", XmlRpcValue.of(4));
-    Eventually.await("a value below", () -> heard.contains(Map.entry("/limits/speed/max", Optional.of(XmlRpcValue.of(4)))));
+    Eventually.await("a value below",
+        () -> heard.contains(Map.entry("/limits/speed/max", Optional.of(XmlRpcValue.of(4)))));
     int before = heard.size();
     other.parameters().delete("/limits");
     Eventually.await("the deletion", () -> heard.size() > before
         && heard.get(heard.size() - 1).equals(Map.entry("/limits/speed", Optional.empty())));
     parameters.set("/limits", struct("speed", XmlRpcValue.of(5)));
-    Eventually.await("one's own change", () -> heard.contains(Map.entry("/limits/speed", Optional.of(XmlRpcValue.of(5)))));
+    Eventually.await("one's own change",
+        () -> heard.contains(Map.entry("/limits/speed", Optional.of(XmlRpcValue.of(5)))));
   }
 
   @Test
   void privateParametersOfTheCommandLineAreSet() throws Exception {
-    graph.open(RosEnvironment.of(Map.of("ROS_MASTER_URI", graph.master().uri().toString()), List.of("_rate:=2.5")), "cam", graph.options());
-    Eventually.await("the parameter", () -> parameters.get("/cam/rate").equals(new Outcome.Done<>(XmlRpcValue.of(2.5))));
+    graph.open(RosEnvironment.of(Map.of("ROS_MASTER_URI", graph.master().uri().toString()), List.of("_rate:=2.5")),
+        "cam", graph.options());
+    Eventually.await("the parameter",
+        () -> parameters.get("/cam/rate").equals(new Outcome.Done<>(XmlRpcValue.of(2.5))));
   }
 }

@@ -30,8 +30,10 @@ class PromptPublisherTest {
   void start() throws Exception {
     graph = new Graph();
     node = graph.node("driver");
-    node.serviceServer("door", new org.robotui.ros.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
-        new TextCodec()), (request, caller) -> request);
+    node.serviceServer("door",
+        new org.robotui.ros.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
+            new TextCodec()),
+        (request, caller) -> request);
     assertTrue(node.awaitRegistered(java.time.Duration.ofSeconds(3)));
   }
 

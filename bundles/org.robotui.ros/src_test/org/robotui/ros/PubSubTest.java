@@ -40,7 +40,8 @@ class PubSubTest {
     RosNode talker = graph.node("talker");
     RosNode listener = graph.node("listener");
     Publisher<String> publisher = talker.publisher("chatter", TEXT, PublisherOptions.standard());
-    Subscriber subscriber = listener.subscriber("/chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> receptions.add(reception));
+    Subscriber subscriber = listener.subscriber("/chatter", TEXT, SubscriberOptions.standard(),
+        (text, reception) -> receptions.add(reception));
     Eventually.await("a subscriber", () -> publisher.numSubscribers() == 1 && subscriber.numPublishers() == 1);
     publisher.publish("hello");
     Eventually.await("the message", () -> receptions.size() == 1);
@@ -54,7 +55,8 @@ class PubSubTest {
   @Test
   void manyMessagesArriveInOrderWithoutLoss() throws Exception {
     List<String> got = new CopyOnWriteArrayList<>();
-    Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard().withQueue(100_000));
+    Publisher<String> publisher =
+        graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard().withQueue(100_000));
     listen(graph.node("listener"), "chatter", got);
     Eventually.await("a subscriber", () -> publisher.numSubscribers() == 1);
     List<String> sent = java.util.stream.IntStream.range(0, 5_000).mapToObj(Integer::toString).toList();
@@ -115,7 +117,8 @@ class PubSubTest {
     LinkLog links = new LinkLog();
     MessageInfo other = new MessageInfo("std_msgs/Int32", "da5909fbe378aeaf85e547e830cc1bb7", "int32 data\n");
     graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard());
-    graph.node("listener", links).subscriber("chatter", new RawCodec(other), SubscriberOptions.standard(), (raw, r) -> { });
+    graph.node("listener", links).subscriber("chatter", new RawCodec(other), SubscriberOptions.standard(),
+        (raw, r) -> {});
     links.awaitReason(Kind.SUBSCRIPTION, "/chatter", "std_msgs/Int32", "std_msgs/String", "/talker");
   }
 
@@ -136,7 +139,8 @@ class PubSubTest {
   @Test
   void aSubscriberThatHangsCostsMessagesButNoTime() throws Exception {
     java.util.concurrent.CountDownLatch release = new java.util.concurrent.CountDownLatch(1);
-    Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard().withQueue(10));
+    Publisher<String> publisher =
+        graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard().withQueue(10));
     List<String> got = new CopyOnWriteArrayList<>();
     graph.node("slow").subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, reception) -> {
       try {
@@ -164,10 +168,11 @@ class PubSubTest {
   void aListenerThatThrowsIsCountedAndTheLinkGoesOn() throws Exception {
     List<String> got = new CopyOnWriteArrayList<>();
     Publisher<String> publisher = graph.node("talker").publisher("chatter", TEXT, PublisherOptions.standard());
-    Subscriber subscriber = graph.node("listener").subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, r) -> {
-      got.add(text);
-      throw new IllegalStateException("on purpose");
-    });
+    Subscriber subscriber =
+        graph.node("listener").subscriber("chatter", TEXT, SubscriberOptions.standard(), (text, r) -> {
+          got.add(text);
+          throw new IllegalStateException("on purpose");
+        });
     Eventually.await("a link", () -> publisher.numSubscribers() == 1);
     publisher.publish("a");
     publisher.publish("b");
@@ -184,7 +189,8 @@ class PubSubTest {
     first.close();
     node.publisher("chatter", TEXT, PublisherOptions.standard());
     assertThrows(InvalidNameException.class, () -> node.publisher("a b", TEXT, PublisherOptions.standard()));
-    assertThrows(IllegalArgumentException.class, () -> node.publisher("raw", new RawCodec(), PublisherOptions.standard()));
+    assertThrows(IllegalArgumentException.class,
+        () -> node.publisher("raw", new RawCodec(), PublisherOptions.standard()));
   }
 
   @Test
@@ -204,7 +210,8 @@ class PubSubTest {
     List<String> got = new CopyOnWriteArrayList<>();
     NodeOptions options = NodeOptions.standard(Thread.ofVirtual().factory());
     RosEnvironment environment = RosEnvironment.of(graph.master().uri());
-    Publisher<String> publisher = graph.open(environment, "talker", options).publisher("chatter", TEXT, PublisherOptions.latched());
+    Publisher<String> publisher =
+        graph.open(environment, "talker", options).publisher("chatter", TEXT, PublisherOptions.latched());
     listen(graph.open(environment, "listener", options), "chatter", got);
     publisher.publish("light");
     Eventually.await("the message", () -> got.equals(List.of("light")));

@@ -14,8 +14,9 @@ import org.robotui.ros.message.ServiceCodec;
 
 class ServiceTest {
 
-  private static final ServiceCodec<String, String> ECHO = new ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef",
-      new TextCodec(), new TextCodec());
+  private static final ServiceCodec<String, String> ECHO =
+      new ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef",
+          new TextCodec(), new TextCodec());
   private static final Duration TIME = Duration.ofSeconds(3);
 
   private Graph graph;
@@ -136,7 +137,8 @@ class ServiceTest {
   @Test
   void anotherTypeIsRefusedWithBothSums() {
     offer((request, caller) -> request);
-    ServiceCodec<String, String> other = new ServiceCodec<>("test/Other", "ffffffffffffffffffffffffffffffff", new TextCodec(), new TextCodec());
+    ServiceCodec<String, String> other =
+        new ServiceCodec<>("test/Other", "ffffffffffffffffffffffffffffffff", new TextCodec(), new TextCodec());
     try (ServiceClient<String, String> echo = client.serviceClient("echo", other, false)) {
       Outcome<?> outcome = assertInstanceOf(Outcome.Failed.class, echo.call("a", TIME));
       assertTrue(outcome.reason().contains(ECHO.md5()) && outcome.reason().contains(other.md5()), outcome.reason());
@@ -146,7 +148,9 @@ class ServiceTest {
   @Test
   void aProbeTellsTheType() {
     offer((request, caller) -> request);
-    assertEquals(new Outcome.Done<>(new ServiceIdentity("test/Echo", ECHO.md5(), "std_msgs/String", "std_msgs/String", "/server")),
+    assertEquals(
+        new Outcome.Done<>(
+            new ServiceIdentity("test/Echo", ECHO.md5(), "std_msgs/String", "std_msgs/String", "/server")),
         client.probeService("echo", TIME));
   }
 }

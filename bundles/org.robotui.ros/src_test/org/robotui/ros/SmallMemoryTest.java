@@ -32,8 +32,9 @@ class SmallMemoryTest {
   @Timeout(120)
   void peersThatSendMoreThanThereIsMemoryCostTheirOwnLinks() throws Exception {
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-    Process process = new ProcessBuilder(java, "-Xmx64m", "-XX:+UseSerialGC", "-Dorg.slf4j.simpleLogger.defaultLogLevel=off", "-cp",
-        classPath(), SmallMemoryTest.class.getName()).redirectErrorStream(true).start();
+    Process process =
+        new ProcessBuilder(java, "-Xmx64m", "-XX:+UseSerialGC", "-Dorg.slf4j.simpleLogger.defaultLogLevel=off", "-cp",
+            classPath(), SmallMemoryTest.class.getName()).redirectErrorStream(true).start();
     try (InputStream out = process.getInputStream()) {
       String printed = new String(out.readAllBytes(), StandardCharsets.UTF_8);
       assertEquals(0, process.waitFor(), printed);
@@ -58,7 +59,8 @@ class SmallMemoryTest {
     LinkLog links = new LinkLog();
     List<String> heard = new CopyOnWriteArrayList<>();
     try (Graph graph = new Graph()) {
-      Publisher<String> honest = graph.node("honest").publisher("chatter", new TextCodec(), PublisherOptions.standard());
+      Publisher<String> honest =
+          graph.node("honest").publisher("chatter", new TextCodec(), PublisherOptions.standard());
       RosNode victim = graph.open(RosEnvironment.of(graph.master().uri()), "victim",
           graph.options().withLinks(links).withMaxMessageBytes(1L << 30));
       victim.subscriber("chatter", new TextCodec(), SubscriberOptions.standard(), (text, reception) -> heard.add(text));
@@ -83,7 +85,8 @@ class SmallMemoryTest {
       }
     })) {
       Eventually.await("the giant's failure", Duration.ofSeconds(30),
-          () -> links.reasons(LinkEvent.Kind.SUBSCRIPTION).stream().anyMatch(reason -> reason.contains("no memory for its message")));
+          () -> links.reasons(LinkEvent.Kind.SUBSCRIPTION).stream()
+              .anyMatch(reason -> reason.contains("no memory for its message")));
     }
   }
 
@@ -93,7 +96,8 @@ class SmallMemoryTest {
     List<Socket> sockets = new ArrayList<>();
     for (int i = 0; i < 100; i++) {
       Socket socket = new Socket(http.host(), http.port());
-      socket.getOutputStream().write("POST / HTTP/1.1\r\nContent-Length: 16000000\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
+      socket.getOutputStream()
+          .write("POST / HTTP/1.1\r\nContent-Length: 16000000\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
       sockets.add(socket);
     }
     for (Socket socket : sockets) {
@@ -118,7 +122,8 @@ class SmallMemoryTest {
 
   private static void send(Socket socket, byte[] body) {
     try {
-      socket.getOutputStream().write("POST / HTTP/1.1\r\nContent-Length: 16000000\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
+      socket.getOutputStream()
+          .write("POST / HTTP/1.1\r\nContent-Length: 16000000\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
       for (int i = 0; i < 8; i++) {
         socket.getOutputStream().write(body);
       }

@@ -62,7 +62,8 @@ final class Demo implements AutoCloseable {
       faces.add(new PlayerFace(options.playerPort(), Demo::thread));
     }
     if (options.speaks().contains(Speech.LCM)) {
-      faces.add(new LcmFace(options.lcmUrl(), options.lcmTypes().orElseThrow(), options.ros().namespace(), Demo::thread));
+      faces.add(
+          new LcmFace(options.lcmUrl(), options.lcmTypes().orElseThrow(), options.ros().namespace(), Demo::thread));
     }
     Settings settings = Settings.of(options.robot(), options.seed());
     for (Face face : faces) {

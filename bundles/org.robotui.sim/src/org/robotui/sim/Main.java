@@ -70,7 +70,8 @@ public final class Main {
     return 0;
   }
 
-  private static void ready(Map<String, String> addresses, AutoCloseable running, Runnable end, Optional<ProcessHandle> parent, PrintStream out) {
+  private static void ready(Map<String, String> addresses, AutoCloseable running, Runnable end,
+      Optional<ProcessHandle> parent, PrintStream out) {
     Runtime.getRuntime().addShutdownHook(new Thread(() -> closeInTime(running), "shutdown"));
     parent.ifPresent(process -> process.onExit().thenRun(end));
     // in one piece, so that who reads the first line can read all

@@ -46,7 +46,8 @@ final class OptionParser {
       take(arguments.get(next++));
     }
     if (speaks.contains(Speech.LCM) && lcmTypes.isEmpty()) {
-      throw new IllegalArgumentException("--speak lcm needs --lcm-types, the folder with the .lcm files of the package robotui");
+      throw new IllegalArgumentException(
+          "--speak lcm needs --lcm-types, the folder with the .lcm files of the package robotui");
     }
     RosOptions ros = new RosOptions(port, namespace, name, realMaster, simTime, rosArguments);
     return new Options(robot, speaks, ros, playerPort, lcmUrl, lcmTypes, seed, speedFactor, parent, swarm);
@@ -89,7 +90,8 @@ final class OptionParser {
   private RobotModel robot(String option) {
     String wanted = value(option);
     return Robots.named(wanted)
-        .orElseThrow(() -> new IllegalArgumentException(option + " knows no robot '" + wanted + "', but " + String.join(", ", Robots.names())));
+        .orElseThrow(() -> new IllegalArgumentException(
+            option + " knows no robot '" + wanted + "', but " + String.join(", ", Robots.names())));
   }
 
   private Set<Speech> speaks(String option) {

@@ -54,11 +54,13 @@ class DemoLcmTest {
   }
 
   private void start(String... more) throws Exception {
-    List<String> arguments = new ArrayList<>(List.of("--speak", "lcm", "--lcm-types", LcmTypes.folder().toString(), "--speed-factor", "5"));
+    List<String> arguments =
+        new ArrayList<>(List.of("--speak", "lcm", "--lcm-types", LcmTypes.folder().toString(), "--speed-factor", "5"));
     arguments.addAll(List.of(more));
     demo = Demo.start(Options.parse(arguments));
     open.add(demo);
-    client = Lcm.open(LcmUrl.of(demo.addresses().get("LCM_DEFAULT_URL")), LcmOptions.standard(task -> Thread.ofPlatform().daemon().unstarted(task)));
+    client = Lcm.open(LcmUrl.of(demo.addresses().get("LCM_DEFAULT_URL")),
+        LcmOptions.standard(task -> Thread.ofPlatform().daemon().unstarted(task)));
     open.add(client);
     client.subscribe("[A-Z_]+", SubscriptionOptions.direct(), message -> {
       try {
@@ -126,7 +128,8 @@ class DemoLcmTest {
     LcmRecord laser = next("LASER");
     assertEquals(361, laser.numbers("ranges").orElseThrow().size());
     assertEquals(-Math.PI / 2, number(laser, "angle_min"), 1e-9);
-    assertTrue(number(laser, "utime") > before && number(laser, "utime") < before + 60e6, "utime " + number(laser, "utime"));
+    assertTrue(number(laser, "utime") > before && number(laser, "utime") < before + 60e6,
+        "utime " + number(laser, "utime"));
     LcmRecord sonar = next("SONAR");
     assertEquals(16, sonar.numbers("ranges").orElseThrow().size());
     assertEquals(Math.toRadians(50), number(sonar, "yaw[1]"), 1e-6);
@@ -140,7 +143,8 @@ class DemoLcmTest {
     assertEquals(320, ImageIO.read(new ByteArrayInputStream(jpeg)).getWidth());
     LcmRecord transforms = next("TRANSFORMS");
     assertEquals("odom", transforms.text("transforms[0].child").orElseThrow());
-    assertEquals(number(next("POSE"), "position[0]"), number(transforms, "transforms[0].position[0]") + number(next("ODOMETRY"), "position[0]"), 0.1);
+    assertEquals(number(next("POSE"), "position[0]"),
+        number(transforms, "transforms[0].position[0]") + number(next("ODOMETRY"), "position[0]"), 0.1);
     LcmRecord map = next("MAP");
     assertEquals(number(map, "width") * number(map, "height"), map.numbers("cells").orElseThrow().size());
   }
@@ -156,7 +160,8 @@ class DemoLcmTest {
     client.publish("VELOCITY", ByteBuffer.wrap(new byte[20]));
     send("VELOCITY", velocity(0.2, 0));
     await("ODOMETRY", odometry -> Math.abs(number(odometry, "linear_velocity[0]") - 0.2) < 1e-9);
-    assertEquals("[left, right]", next("BUMPER").at("names").map(names -> ((org.robotui.lcm.type.LcmValue.Texts) names).values().toString()).orElseThrow());
+    assertEquals("[left, right]", next("BUMPER").at("names")
+        .map(names -> ((org.robotui.lcm.type.LcmValue.Texts) names).values().toString()).orElseThrow());
   }
 
   @Test
@@ -180,12 +185,14 @@ class DemoLcmTest {
   void aNamespaceStandsBeforeAllChannels() throws Exception {
     start("--namespace", "team/keira");
     next("TEAM_KEIRA_POSE");
-    assertTrue(heard.keySet().stream().filter(name -> !name.equals("ROBOTUI_PROBE")).allMatch(name -> name.startsWith("TEAM_KEIRA_")), heard.keySet().toString());
+    assertTrue(heard.keySet().stream().filter(name -> !name.equals("ROBOTUI_PROBE"))
+        .allMatch(name -> name.startsWith("TEAM_KEIRA_")), heard.keySet().toString());
   }
 
   @Test
   void aServerDoesAsWell() throws Exception {
-    try (TcpqServer server = TcpqServer.open(TcpqServerOptions.loopback(task -> Thread.ofPlatform().daemon().unstarted(task), 0))) {
+    try (TcpqServer server =
+        TcpqServer.open(TcpqServerOptions.loopback(task -> Thread.ofPlatform().daemon().unstarted(task), 0))) {
       String url = "tcpq://127.0.0.1:" + server.address().getPort();
       start("--lcm-url", url);
       assertEquals(URI.create(url), URI.create(demo.addresses().get("LCM_DEFAULT_URL")));
@@ -197,8 +204,10 @@ class DemoLcmTest {
   void whatIsMissingIsNamed(@TempDir Path empty) throws IOException {
     Files.writeString(empty.resolve("other_t.lcm"), "struct other_t { int32_t x; }");
     Options without = Options.parse(List.of("--speak", "lcm", "--lcm-types", empty.toString()));
-    assertTrue(assertThrows(IllegalArgumentException.class, () -> Demo.start(without)).getMessage().contains("robotui."));
-    Options nowhere = Options.parse(List.of("--speak", "lcm", "--lcm-types", LcmTypes.folder().toString(), "--lcm-url", "tcpq://127.0.0.1:1"));
+    assertTrue(
+        assertThrows(IllegalArgumentException.class, () -> Demo.start(without)).getMessage().contains("robotui."));
+    Options nowhere = Options.parse(
+        List.of("--speak", "lcm", "--lcm-types", LcmTypes.folder().toString(), "--lcm-url", "tcpq://127.0.0.1:1"));
     assertTrue(assertThrows(IOException.class, () -> Demo.start(nowhere)).getMessage().contains("127.0.0.1:1"));
   }
 }

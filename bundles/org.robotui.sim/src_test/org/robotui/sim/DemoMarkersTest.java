@@ -34,7 +34,10 @@ import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.ros.msgs.visualization_msgs.Marker;
 import org.robotui.ros.msgs.visualization_msgs.MarkerArray;
 
-/** What the demo shows in space, over loopback: points, markers, and a waypoint that is moved by hand. Ten times faster than real. */
+/**
+ * What the demo shows in space, over loopback: points, markers, and a waypoint that is moved by hand. Ten times faster
+ * than real.
+ */
 class DemoMarkersTest {
   private static final Duration PATIENCE = Duration.ofSeconds(20);
 
@@ -88,26 +91,32 @@ class DemoMarkersTest {
   @Test
   void objectsAreShownWithTheirNames() throws InterruptedException {
     MarkerArray objects = await(listen("/objects", RecordCodec.of(MarkerArray.class)), any -> true);
-    assertTrue(objects.markers().stream().anyMatch(m -> m.type() == Marker.TEXT_VIEW_FACING && m.text().equals("server rack")));
+    assertTrue(objects.markers().stream()
+        .anyMatch(m -> m.type() == Marker.TEXT_VIEW_FACING && m.text().equals("server rack")));
     Marker person = objects.markers().stream().filter(m -> m.ns().equals("people")).findFirst().orElseThrow();
     assertTrue(person.lifetime() > 0 && person.scale().z() > 1);
-    assertEquals(objects.markers().size(), objects.markers().stream().map(m -> m.ns() + m.id()).distinct().count(), "names are unique");
+    assertEquals(objects.markers().size(), objects.markers().stream().map(m -> m.ns() + m.id()).distinct().count(),
+        "names are unique");
   }
 
   @Test
   void theWaypointIsMovedAndTheRobotSentToIt() throws InterruptedException {
     BlockingQueue<Log> log = listen("/rosout", RecordCodec.of(Log.class));
-    BlockingQueue<InteractiveMarkerUpdate> updates = listen("/waypoint/update", RecordCodec.of(InteractiveMarkerUpdate.class));
-    InteractiveMarkerInit all = await(listen("/waypoint/update_full", RecordCodec.of(InteractiveMarkerInit.class)), any -> true);
+    BlockingQueue<InteractiveMarkerUpdate> updates =
+        listen("/waypoint/update", RecordCodec.of(InteractiveMarkerUpdate.class));
+    InteractiveMarkerInit all =
+        await(listen("/waypoint/update_full", RecordCodec.of(InteractiveMarkerInit.class)), any -> true);
     assertEquals("Go", all.markers().getFirst().menuEntries().getFirst().title());
     await(updates, m -> m.type() == InteractiveMarkerUpdate.KEEP_ALIVE && m.seqNum() == all.seqNum());
-    Publisher<InteractiveMarkerFeedback> hand = observer.publisher("/waypoint/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), PublisherOptions.latched());
+    Publisher<InteractiveMarkerFeedback> hand = observer.publisher("/waypoint/feedback",
+        RecordCodec.of(InteractiveMarkerFeedback.class), PublisherOptions.latched());
     hand.publish(feedback(InteractiveMarkerFeedback.POSE_UPDATE, 2.6, 3.2, 0));
     InteractiveMarkerUpdate moved = await(updates, m -> m.type() == InteractiveMarkerUpdate.UPDATE);
     assertEquals(all.seqNum() + 1, moved.seqNum());
     assertEquals(3.2, moved.poses().getFirst().pose().position().y());
     hand.publish(feedback(InteractiveMarkerFeedback.POSE_UPDATE, -40, 3.2, 0));
-    assertEquals(2.6, await(updates, m -> m.seqNum() == all.seqNum() + 2).poses().getFirst().pose().position().x(), "it stays in the building");
+    assertEquals(2.6, await(updates, m -> m.seqNum() == all.seqNum() + 2).poses().getFirst().pose().position().x(),
+        "it stays in the building");
     hand.publish(feedback(InteractiveMarkerFeedback.MENU_SELECT, 2.6, 3.2, 1));
     await(log, entry -> entry.msg().equals("goal reached"));
   }

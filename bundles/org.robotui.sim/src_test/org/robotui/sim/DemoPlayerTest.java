@@ -63,7 +63,8 @@ class DemoPlayerTest {
   }
 
   private PlayerClient client(int port) throws InterruptedException {
-    PlayerClient made = new PlayerClient("127.0.0.1", port, layouts, ClientOptions.standard(task -> Thread.ofPlatform().daemon().unstarted(task)));
+    PlayerClient made = new PlayerClient("127.0.0.1", port, layouts,
+        ClientOptions.standard(task -> Thread.ofPlatform().daemon().unstarted(task)));
     open.add(made);
     eventually(() -> made.state() instanceof LinkState.Connected);
     return made;
@@ -132,10 +133,12 @@ class DemoPlayerTest {
   @Test
   void eachRobotHasTheDevicesOfItsSensors() throws Exception {
     start("natalie");
-    assertEquals(List.of("camera:0", "camera:1", "imu:0", "laser:0", "localize:0", "map:0", "planner:0", "position2d:0", "power:0", "ptz:0",
+    assertEquals(List.of("camera:0", "camera:1", "imu:0", "laser:0", "localize:0", "map:0", "planner:0", "position2d:0",
+        "power:0", "ptz:0",
         "ranger:0", "ranger:1", "sonar:0"), devices());
     start("keira");
-    assertEquals(List.of("bumper:0", "camera:0", "camera:1", "imu:0", "laser:0", "localize:0", "map:0", "planner:0", "position2d:0", "power:0",
+    assertEquals(List.of("bumper:0", "camera:0", "camera:1", "imu:0", "laser:0", "localize:0", "map:0", "planner:0",
+        "position2d:0", "power:0",
         "ranger:0"), devices());
   }
 
@@ -148,7 +151,8 @@ class DemoPlayerTest {
     base.await(state -> state.velocity().x() == 0);
     PlayerClient other = client(client.device("position2d", 0).address().orElseThrow().robot());
     Heard<Position2d.State> second = new Heard<>(other, "position2d", 0, Position2d.STATE);
-    second.device.command(Position2d.POSITION, new Position2d.Position(new Pose2d(50, 0, 0), new Pose2d(0.3, 0, 0.5), true));
+    second.device.command(Position2d.POSITION,
+        new Position2d.Position(new Pose2d(50, 0, 0), new Pose2d(0.3, 0, 0.5), true));
     second.await(state -> state.velocity().x() > 0.2);
     base.subscription.close();
     eventually(() -> !(client.device("position2d", 0).state() instanceof DeviceState.Open));
@@ -165,8 +169,10 @@ class DemoPlayerTest {
     Heard<Position2d.State> base = new Heard<>(client, "position2d", 0, Position2d.STATE);
     base.ask(Position2d.SET_ODOMETRY, new Position2d.Odometry(new Pose2d(1, 2, 0.5)));
     base.await(state -> state.position().equals(new Pose2d(1, 2, 0.5)));
-    base.device.command(Position2d.POSITION, new Position2d.Position(new Pose2d(1.4, 2.2, 0), new Pose2d(0, 0, 0), true));
-    base.await(state -> Math.hypot(state.position().x() - 1.4, state.position().y() - 2.2) < 0.08 && state.velocity().x() == 0);
+    base.device.command(Position2d.POSITION,
+        new Position2d.Position(new Pose2d(1.4, 2.2, 0), new Pose2d(0, 0, 0), true));
+    base.await(state -> Math.hypot(state.position().x() - 1.4, state.position().y() - 2.2) < 0.08
+        && state.velocity().x() == 0);
     base.ask(Position2d.RESET_ODOMETRY, new Empty());
     base.await(state -> Math.abs(state.position().x()) < 0.01 && Math.abs(state.position().y()) < 0.01);
     base.refuses(Position2d.SET_ODOMETRY, new Position2d.Odometry(new Pose2d(Double.NaN, 0, 0)));
@@ -207,7 +213,8 @@ class DemoPlayerTest {
     assertEquals(Math.toRadians(50), old.ask(Sonar.GET_GEOMETRY, new Empty()).poses().get(1).yaw(), 1e-9);
     Heard<Ranger.Ranges> laser = new Heard<>(client, "ranger", 1, Ranger.RANGES);
     Ranger.Config config = laser.ask(Ranger.GET_CONFIG, new Empty());
-    assertEquals(laser.next().ranges().length - 1, Math.round((config.maxAngle() - config.minAngle()) / config.resolution()));
+    assertEquals(laser.next().ranges().length - 1,
+        Math.round((config.maxAngle() - config.minAngle()) / config.resolution()));
     laser.refuses(Ranger.SET_CONFIG, config);
     assertEquals(0.3, laser.ask(Ranger.GET_GEOMETRY, new Empty()).pose().z(), 1e-9);
   }
@@ -219,7 +226,8 @@ class DemoPlayerTest {
     assertEquals(2, bumper.ask(Bumper.GET_GEOMETRY, new Empty()).bumpers().size());
     assertFalse(pressed(bumper.next()));
     Heard<Position2d.State> base = new Heard<>(client, "position2d", 0, Position2d.STATE);
-    base.device.command(Position2d.POSITION, new Position2d.Position(new Pose2d(-5, 0, Math.PI), new Pose2d(0.4, 0, 1), true));
+    base.device.command(Position2d.POSITION,
+        new Position2d.Position(new Pose2d(-5, 0, Math.PI), new Pose2d(0.4, 0, 1), true));
     bumper.await(DemoPlayerTest::pressed);
     base.await(state -> state.stall() && state.velocity().x() == 0);
     Bumper.State after = bumper.next();
@@ -253,7 +261,8 @@ class DemoPlayerTest {
     Heard<PlayerMap.Info> map = new Heard<>(client, "map", 0, PlayerMap.INFO);
     PlayerMap.Info info = map.ask(PlayerMap.GET_INFO, new Empty());
     assertEquals(0.05, info.scale(), 1e-6);
-    PlayerMap.Tile tile = map.ask(PlayerMap.GET_TILE, new PlayerMap.Tile(10, 20, info.width() - 10, info.height() - 20, 0, new byte[0]));
+    PlayerMap.Tile tile =
+        map.ask(PlayerMap.GET_TILE, new PlayerMap.Tile(10, 20, info.width() - 10, info.height() - 20, 0, new byte[0]));
     byte[] cells = new byte[(int) (tile.width() * tile.height())];
     Inflater inflater = new Inflater();
     inflater.setInput(tile.cells());
@@ -281,7 +290,8 @@ class DemoPlayerTest {
     assertEquals(new Pose2d(2.6, 5.6, 1), way.waypoints().getLast());
     assertTrue(way.distance() > 2, "distance " + way.distance());
     planner.await(Planner.State::done);
-    localize.await(guess -> Math.hypot(guess.hypotheses().getFirst().mean().x() - 2.6, guess.hypotheses().getFirst().mean().y() - 5.6) < 0.2);
+    localize.await(guess -> Math.hypot(guess.hypotheses().getFirst().mean().x() - 2.6,
+        guess.hypotheses().getFirst().mean().y() - 5.6) < 0.2);
     assertEquals(100, localize.ask(Localize.GET_PARTICLES, new Empty()).particles().size());
     localize.ask(Localize.SET_POSE, new Localize.Estimate(new Pose2d(1, 1, 0), new double[6]));
     localize.await(guess -> Math.abs(guess.hypotheses().getFirst().mean().x() - 1) < 0.05);
@@ -344,10 +354,13 @@ class DemoPlayerTest {
 
   private void drive(Demo demo) throws IOException {
     var options = org.robotui.ros.NodeOptions.standard(task -> Thread.ofPlatform().daemon().unstarted(task));
-    var node = org.robotui.ros.RosNode.open(org.robotui.ros.RosEnvironment.of(demo.masterUri()), org.robotui.ros.GraphName.of("driver"), options);
+    var node = org.robotui.ros.RosNode.open(org.robotui.ros.RosEnvironment.of(demo.masterUri()),
+        org.robotui.ros.GraphName.of("driver"), options);
     open.add(node);
-    node.publisher("/cmd_vel", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.Twist.class), org.robotui.ros.PublisherOptions.latched())
+    node.publisher("/cmd_vel", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.Twist.class),
+        org.robotui.ros.PublisherOptions.latched())
         .publish(new org.robotui.ros.msgs.geometry_msgs.Twist(
-            new org.robotui.ros.msgs.geometry_msgs.Vector3(0.2, 0, 0), new org.robotui.ros.msgs.geometry_msgs.Vector3(0, 0, 0)));
+            new org.robotui.ros.msgs.geometry_msgs.Vector3(0.2, 0, 0),
+            new org.robotui.ros.msgs.geometry_msgs.Vector3(0, 0, 0)));
   }
 }

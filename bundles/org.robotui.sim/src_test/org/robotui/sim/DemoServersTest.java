@@ -68,8 +68,10 @@ class DemoServersTest {
 
   private ActionClient moveBase() {
     MessageRegistry registry = new MessageRegistry(new LocalDefinitions(List.of(), List.of()));
-    ActionType type = ActionType.find("move_base_msgs/MoveBaseAction", registry) instanceof SchemaLookup.Found<ActionType> found
-        ? found.schema() : null;
+    ActionType type =
+        ActionType.find("move_base_msgs/MoveBaseAction", registry) instanceof SchemaLookup.Found<ActionType> found
+            ? found.schema()
+            : null;
     return ActionClient.open(observer, GraphName.of("/move_base"), type, registry,
         ActionOptions.standard(Thread.ofPlatform().daemon().factory()));
   }
@@ -82,7 +84,8 @@ class DemoServersTest {
       }
     };
     Map<String, ?> pose = Map.of("position", Map.of("x", x, "y", y), "orientation", Map.of("w", 1));
-    Outcome<GoalHandle> sent = client.send(Map.of("target_pose", Map.of("header", Map.of("frame_id", frame), "pose", pose)), listener, PATIENCE);
+    Outcome<GoalHandle> sent = client
+        .send(Map.of("target_pose", Map.of("header", Map.of("frame_id", frame), "pose", pose)), listener, PATIENCE);
     return sent.toOptional().orElseThrow(() -> new AssertionError(sent.reason()));
   }
 
@@ -92,7 +95,8 @@ class DemoServersTest {
 
   private <T> T first(String topic, MessageCodec<T> codec) throws InterruptedException {
     BlockingQueue<T> queue = new LinkedBlockingQueue<>();
-    try (var subscriber = observer.subscriber(topic, codec, SubscriberOptions.standard(), (message, from) -> queue.add(message))) {
+    try (var subscriber =
+        observer.subscriber(topic, codec, SubscriberOptions.standard(), (message, from) -> queue.add(message))) {
       T message = queue.poll(PATIENCE.toNanos(), TimeUnit.NANOSECONDS);
       assertTrue(message != null, subscriber.topic() + " is silent");
       return message;
@@ -105,7 +109,9 @@ class DemoServersTest {
       GoalOutcome outcome = end(drive(client, "base_link", 1, 0));
       assertEquals(GoalEnd.SUCCEEDED, outcome.end(), outcome.toString());
       assertTrue(feedback.stream().distinct().count() > 2, feedback.toString());
-      assertEquals(new Outcome.Done<>(List.of(new ActionInfo(GraphName.of("/move_base"), "move_base_msgs/MoveBaseAction", "/base"))),
+      assertEquals(
+          new Outcome.Done<>(
+              List.of(new ActionInfo(GraphName.of("/move_base"), "move_base_msgs/MoveBaseAction", "/base"))),
           Actions.list(observer.master()));
     }
   }
@@ -140,15 +146,19 @@ class DemoServersTest {
   @Test
   void limitsAreTunedWhileItRuns() {
     assertEquals(new Outcome.Done<>(List.of("/base")), ReconfigureServers.list(observer.master()));
-    try (ReconfigureClient client = ReconfigureClient.open(observer, GraphName.of("/base"), ReconfigureListener.none())) {
+    try (ReconfigureClient client =
+        ReconfigureClient.open(observer, GraphName.of("/base"), ReconfigureListener.none())) {
       assertTrue(client.await(PATIENCE));
-      assertEquals(List.of("Careful", "Normal", "Brisk"), client.description().orElseThrow().parameter("driving_style").orElseThrow()
-          .choices().stream().map(choice -> choice.name()).toList());
+      assertEquals(List.of("Careful", "Normal", "Brisk"),
+          client.description().orElseThrow().parameter("driving_style").orElseThrow()
+              .choices().stream().map(choice -> choice.name()).toList());
       Outcome<ConfigValues> outcome = client.set(Map.of("max_linear_speed", 99, "driving_style", 2), PATIENCE);
-      ConfigValues now = assertInstanceOf(Outcome.Done.class, outcome).value() instanceof ConfigValues values ? values : null;
+      ConfigValues now =
+          assertInstanceOf(Outcome.Done.class, outcome).value() instanceof ConfigValues values ? values : null;
       assertEquals(new ConfigValue.Real(1.5), now.values().get("max_linear_speed"));
       assertEquals(new ConfigValue.Whole(2), now.values().get("driving_style"));
-      assertEquals(new XmlRpcValue.Real(1.5), observer.parameters().get("/base/max_linear_speed").toOptional().orElseThrow());
+      assertEquals(new XmlRpcValue.Real(1.5),
+          observer.parameters().get("/base/max_linear_speed").toOptional().orElseThrow());
     }
   }
 
@@ -157,7 +167,8 @@ class DemoServersTest {
     NavSatFix fix = first("/fix", RecordCodec.of(NavSatFix.class));
     assertEquals("gps_link", fix.header().frameId());
     assertEquals(48.2655, fix.latitude(), 1e-3);
-    assertEquals(List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"), first("/joint_states", RecordCodec.of(JointState.class)).name());
+    assertEquals(List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"),
+        first("/joint_states", RecordCodec.of(JointState.class)).name());
     Image depth = first("/camera/depth/image_raw", RecordCodec.of(Image.class));
     assertEquals("16UC1", depth.encoding());
     assertEquals(depth.height() * depth.step(), depth.data().remaining());

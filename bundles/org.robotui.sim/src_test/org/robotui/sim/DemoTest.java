@@ -103,8 +103,10 @@ class DemoTest {
   void itSaysWhatItIsMadeOfWithLinksNamedAsItsFrames() throws InterruptedException {
     XmlRpcValue told = observer.parameters().get("/keira/robot_description").toOptional().orElseThrow();
     String urdf = ((XmlRpcValue.Text) told).value();
-    TFMessage moving = await(listen("/tf", RecordCodec.of(TFMessage.class)), message -> message.transforms().size() > 2);
-    List<String> frames = moving.transforms().stream().map(transform -> transform.childFrameId()).filter(name -> !name.endsWith("odom")).toList();
+    TFMessage moving =
+        await(listen("/tf", RecordCodec.of(TFMessage.class)), message -> message.transforms().size() > 2);
+    List<String> frames = moving.transforms().stream().map(transform -> transform.childFrameId())
+        .filter(name -> !name.endsWith("odom")).toList();
     assertTrue(frames.contains("keira/left_wheel_link"), frames.toString());
     frames.forEach(frame -> assertTrue(urdf.contains("<link name=\"" + frame + "\">"), frame));
   }
@@ -127,7 +129,8 @@ class DemoTest {
   void itDrivesToAGoalGivenInItsOwnFrame() throws InterruptedException {
     BlockingQueue<Log> log = listen("/rosout", RecordCodec.of(Log.class));
     Publisher<PoseStamped> goal =
-        observer.publisher("/keira/move_base_simple/goal", RecordCodec.of(PoseStamped.class), PublisherOptions.latched());
+        observer.publisher("/keira/move_base_simple/goal", RecordCodec.of(PoseStamped.class),
+            PublisherOptions.latched());
     var ahead = new org.robotui.ros.msgs.geometry_msgs.Pose(
         new org.robotui.ros.msgs.geometry_msgs.Point(1, 0, 0),
         new org.robotui.ros.msgs.geometry_msgs.Quaternion(0, 0, 0, 1));

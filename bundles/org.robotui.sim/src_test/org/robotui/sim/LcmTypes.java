@@ -13,6 +13,7 @@ final class LcmTypes {
     while (folder != null && !Files.isDirectory(folder.resolve("configs/lcm/types"))) {
       folder = folder.getParent();
     }
-    return Optional.ofNullable(folder).orElseThrow(() -> new AssertionError("configs/lcm/types is not above here")).resolve("configs/lcm/types");
+    return Optional.ofNullable(folder).orElseThrow(() -> new AssertionError("configs/lcm/types is not above here"))
+        .resolve("configs/lcm/types");
   }
 }

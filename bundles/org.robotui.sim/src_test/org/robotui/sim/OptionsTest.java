@@ -30,13 +30,17 @@ class OptionsTest {
   void everyOptionIsRead() {
     Options options = Options.parse(List.of(
         "--port", "11311", "--namespace", "/keira/", "--name", "base", "--seed", "-7", "--speed-factor", "2.5",
-        "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12", "plan:=/move_base/plan",
-        "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--lcm-url", "udpm://239.1.1.1:7000", "--lcm-types", "types"));
+        "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12",
+        "plan:=/move_base/plan",
+        "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--lcm-url", "udpm://239.1.1.1:7000",
+        "--lcm-types", "types"));
     RosOptions ros = new RosOptions(
-        11311, "keira", "base", Optional.of(URI.create("http://localhost:11311")), true, List.of("plan:=/move_base/plan"));
+        11311, "keira", "base", Optional.of(URI.create("http://localhost:11311")), true,
+        List.of("plan:=/move_base/plan"));
     assertEquals(
         new Options(
-            Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros, 6665, Optional.of(URI.create("udpm://239.1.1.1:7000")),
+            Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros, 6665,
+            Optional.of(URI.create("udpm://239.1.1.1:7000")),
             Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12),
         options);
   }

@@ -33,8 +33,8 @@ import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
 
 /**
- * What stock clients said to a real server, said to ours: answers must be of the same kinds, and so must be the data. What they said to
- * devices that our robots do not have, or to a driver that refuses everything, is left out.
+ * What stock clients said to a real server, said to ours: answers must be of the same kinds, and so must be the data.
+ * What they said to devices that our robots do not have, or to a driver that refuses everything, is left out.
  */
 class RecordedPlayerClientsTest {
   private static final long PATIENCE_SECONDS = 20;
@@ -87,7 +87,8 @@ class RecordedPlayerClientsTest {
   @Test
   void theMapAnswersAsRecorded() throws Exception {
     Set<String> sent = replay("natalie", "dummy_devices", Set.of("ptz"));
-    assertTrue(sent.containsAll(Set.of("imu:0 1", "laser:0 1", "position2d:0 1", "power:0 1", "ptz:0 1")), sent.toString());
+    assertTrue(sent.containsAll(Set.of("imu:0 1", "laser:0 1", "position2d:0 1", "power:0 1", "ptz:0 1")),
+        sent.toString());
   }
 
   @Test
@@ -115,7 +116,8 @@ class RecordedPlayerClientsTest {
       Optional<MessageType> recorded = Optional.ofNullable(answers.get(key(message))).map(Deque::poll);
       if (message.type() == MessageType.REQUEST && isComparable(message, recorded, ours, differs)) {
         send(socket, message);
-        assertEquals(recorded, answer(message, recorded.isPresent()), () -> session + ": the answer to " + what(message));
+        assertEquals(recorded, answer(message, recorded.isPresent()),
+            () -> session + ": the answer to " + what(message));
         awaitData(message, recorded);
       } else if (message.type() == MessageType.COMMAND) {
         send(socket, message);
@@ -125,7 +127,8 @@ class RecordedPlayerClientsTest {
   }
 
   /** What was refused because it was not there must be refused here, too; what was there may be missing here. */
-  private boolean isComparable(PlayerMessage message, Optional<MessageType> recorded, Set<String> ours, Set<String> differs) {
+  private boolean isComparable(PlayerMessage message, Optional<MessageType> recorded, Set<String> ours,
+      Set<String> differs) {
     String device = subject(message);
     boolean direct = message.device().interfaceCode() != DeviceAddress.SERVER;
     boolean has = ours.contains(device) || device.startsWith("player");
@@ -135,7 +138,8 @@ class RecordedPlayerClientsTest {
 
   /** The device that a message is about. */
   private String subject(PlayerMessage message) {
-    if (message.device().interfaceCode() != DeviceAddress.SERVER || message.subtype() != ACCESS && message.subtype() != DRIVER) {
+    if (message.device().interfaceCode() != DeviceAddress.SERVER
+        || message.subtype() != ACCESS && message.subtype() != DRIVER) {
       return layouts.nameOf(message.device());
     }
     ByteBuffer address = message.payload();
@@ -165,7 +169,7 @@ class RecordedPlayerClientsTest {
     send(socket, list);
     ByteBuffer answer = await(list).payload();
     Set<String> names = new TreeSet<>();
-    for (answer.position(2 * Integer.BYTES); answer.hasRemaining(); ) {
+    for (answer.position(2 * Integer.BYTES); answer.hasRemaining();) {
       names.add(layouts.nameOf(new DeviceAddress(answer.getInt(), answer.getInt(), answer.getInt(), answer.getInt())));
     }
     return names;
@@ -251,7 +255,8 @@ class RecordedPlayerClientsTest {
   private static Path recordings() {
     Path root = Path.of(Optional.ofNullable(System.getenv("ROBOTUI_SHARED")).orElse("../../../shared"));
     Path folder = root.resolve("captures/player");
-    Assumptions.assumeTrue(Files.isDirectory(folder), folder + " is not there: set ROBOTUI_SHARED to the folder of recordings");
+    Assumptions.assumeTrue(Files.isDirectory(folder),
+        folder + " is not there: set ROBOTUI_SHARED to the folder of recordings");
     return folder;
   }
 }

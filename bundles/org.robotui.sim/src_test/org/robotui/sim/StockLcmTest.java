@@ -20,12 +20,17 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The stock logger records the simulated robot, stock classes made by lcm-gen decode the record, and the stock library drives. */
+/**
+ * The stock logger records the simulated robot, stock classes made by lcm-gen decode the record, and the stock library
+ * drives.
+ */
 class StockLcmTest {
   private static final Path JAR = Path.of("/usr/share/java/lcm.jar");
   private static final Map<String, String> COMMON = Map.ofEntries(
-      Map.entry("POSE", "pose_t"), Map.entry("ODOMETRY", "odometry_t"), Map.entry("TRANSFORMS", "transforms_t"), Map.entry("LASER", "laser_t"),
-      Map.entry("IMU", "imu_t"), Map.entry("BATTERY", "battery_t"), Map.entry("CAMERA", "image_t"), Map.entry("MAP", "map_t"),
+      Map.entry("POSE", "pose_t"), Map.entry("ODOMETRY", "odometry_t"), Map.entry("TRANSFORMS", "transforms_t"),
+      Map.entry("LASER", "laser_t"),
+      Map.entry("IMU", "imu_t"), Map.entry("BATTERY", "battery_t"), Map.entry("CAMERA", "image_t"),
+      Map.entry("MAP", "map_t"),
       Map.entry("PATH", "path_t"), Map.entry("GOAL_STATUS", "goal_status_t"), Map.entry("LOG", "log_t"));
   private static final String BIN = Path.of(System.getProperty("java.home"), "bin").toString();
 
@@ -55,7 +60,8 @@ class StockLcmTest {
     channels.put(ownChannel, ownType);
     compile();
     Path log = folder.resolve("log");
-    Demo demo = Demo.start(Options.parse(List.of("--robot", robot, "--speak", "lcm", "--lcm-types", LcmTypes.folder().toString())));
+    Demo demo = Demo
+        .start(Options.parse(List.of("--robot", robot, "--speak", "lcm", "--lcm-types", LcmTypes.folder().toString())));
     try (demo) {
       String url = demo.addresses().get("LCM_DEFAULT_URL");
       Assumptions.assumeTrue(url.startsWith("udpm:"), "there is no multicast here");
@@ -71,23 +77,27 @@ class StockLcmTest {
     Process reader = start(java("read", log.toString(), table.toString()));
     String text = output(reader);
     assertEquals(0, exit(reader), text);
-    Map<String, Double> counts = text.lines().map(line -> line.split(" ")).collect(Collectors.toMap(words -> words[0], words -> Double.parseDouble(words[1])));
+    Map<String, Double> counts = text.lines().map(line -> line.split(" "))
+        .collect(Collectors.toMap(words -> words[0], words -> Double.parseDouble(words[1])));
     assertTrue(counts.keySet().containsAll(channels.keySet()), () -> "only " + counts);
     Set<String> others = Set.of("fastest");
-    assertTrue(counts.keySet().stream().allMatch(name -> channels.containsKey(name) || others.contains(name)), counts::toString);
+    assertTrue(counts.keySet().stream().allMatch(name -> channels.containsKey(name) || others.contains(name)),
+        counts::toString);
     assertTrue(counts.get("ODOMETRY") > 100, counts::toString);
     assertEquals(0.25, counts.get("fastest"), 1e-9);
   }
 
   private void compile() throws IOException, InterruptedException {
-    try (InputStream in = StockLcmTest.class.getResourceAsStream("StockPeer.java.txt"); Stream<Path> files = Files.list(LcmTypes.folder().resolve("robotui"))) {
+    try (InputStream in = StockLcmTest.class.getResourceAsStream("StockPeer.java.txt");
+        Stream<Path> files = Files.list(LcmTypes.folder().resolve("robotui"))) {
       Files.write(folder.resolve("StockPeer.java"), in.readAllBytes());
       List<String> generate = new ArrayList<>(List.of("lcm-gen", "-j", "--jpath", folder.toString()));
       files.map(Path::toString).filter(name -> name.endsWith(".lcm")).forEach(generate::add);
       Process generator = start(generate.toArray(String[]::new));
       assertEquals(0, exit(generator), output(generator));
     }
-    List<String> compile = new ArrayList<>(List.of(BIN + "/javac", "-nowarn", "-cp", JAR.toString(), "-d", folder.toString(), folder.resolve("StockPeer.java").toString()));
+    List<String> compile = new ArrayList<>(List.of(BIN + "/javac", "-nowarn", "-cp", JAR.toString(), "-d",
+        folder.toString(), folder.resolve("StockPeer.java").toString()));
     try (Stream<Path> files = Files.list(folder.resolve("robotui"))) {
       files.map(Path::toString).forEach(compile::add);
     }
@@ -97,7 +107,8 @@ class StockLcmTest {
   }
 
   private String[] java(String... arguments) {
-    List<String> command = new ArrayList<>(List.of(BIN + "/java", "-Djava.net.preferIPv4Stack=true", "-cp", JAR + ":" + folder, "StockPeer"));
+    List<String> command = new ArrayList<>(
+        List.of(BIN + "/java", "-Djava.net.preferIPv4Stack=true", "-cp", JAR + ":" + folder, "StockPeer"));
     command.addAll(List.of(arguments));
     return command.toArray(String[]::new);
   }
@@ -119,7 +130,8 @@ class StockLcmTest {
 
   private static boolean isThere(String tool) {
     try {
-      return new ProcessBuilder("sh", "-c", "command -v " + tool).redirectOutput(ProcessBuilder.Redirect.DISCARD).start().waitFor() == 0;
+      return new ProcessBuilder("sh", "-c", "command -v " + tool).redirectOutput(ProcessBuilder.Redirect.DISCARD)
+          .start().waitFor() == 0;
     } catch (IOException e) {
       return false;
     } catch (InterruptedException e) {

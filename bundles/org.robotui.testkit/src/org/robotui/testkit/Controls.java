@@ -23,6 +23,8 @@ public final class Controls {
   }
 
   private static Stream<Control> everything(Control in) {
-    return in instanceof Composite box ? Stream.concat(Stream.of(in), Arrays.stream(box.getChildren()).flatMap(Controls::everything)) : Stream.of(in);
+    return in instanceof Composite box
+        ? Stream.concat(Stream.of(in), Arrays.stream(box.getChildren()).flatMap(Controls::everything))
+        : Stream.of(in);
   }
 }

@@ -3,8 +3,8 @@ package org.robotui.testkit;
 import java.time.Duration;
 
 /**
- * How hard tests with random input try: so many rounds in everyday runs; in long ones ({@code ./robotui test --long}) as
- * many as a time allows. The times of all such tests together are about an hour. Used by one thread.
+ * How hard tests with random input try: so many rounds in everyday runs; in long ones ({@code ./robotui test --long})
+ * as many as a time allows. The times of all such tests together are about an hour. Used by one thread.
  */
 public final class Effort {
   private static final int LONG = 50;

@@ -15,7 +15,8 @@ import org.robotui.geometry.TransformLookup;
 
 /** Frames that a test fixes. */
 public final class FakeFrames implements Frames {
-  private final TransformBuffer<FrameId> buffer = new TransformBuffer<>(new TransformLimits(10_000_000_000L, 10_000, 4000));
+  private final TransformBuffer<FrameId> buffer =
+      new TransformBuffer<>(new TransformLimits(10_000_000_000L, 10_000, 4000));
   private volatile Optional<List<FrameLink>> links = Optional.empty();
   private volatile List<FrameRefusal> refusals = List.of();
 
@@ -32,7 +33,8 @@ public final class FakeFrames implements Frames {
 
   @Override
   public TransformLookup<FrameId> lookup(FrameId target, FrameId source, Optional<Stamp> stamp) {
-    return stamp.map(at -> buffer.lookup(target, source, at.nanos())).orElseGet(() -> buffer.lookupLatest(target, source));
+    return stamp.map(at -> buffer.lookup(target, source, at.nanos()))
+        .orElseGet(() -> buffer.lookupLatest(target, source));
   }
 
   @Override
@@ -58,8 +60,9 @@ public final class FakeFrames implements Frames {
 
   @Override
   public List<FrameLink> links() {
-    return links.orElseGet(() -> buffer.edges().stream().map(edge -> new FrameLink(edge.parent(), edge.child(), edge.isStatic(),
-        Optional.empty(), 0, edge.samples(), edge.authority(), 0, 0, List.of())).toList());
+    return links
+        .orElseGet(() -> buffer.edges().stream().map(edge -> new FrameLink(edge.parent(), edge.child(), edge.isStatic(),
+            Optional.empty(), 0, edge.samples(), edge.authority(), 0, 0, List.of())).toList());
   }
 
   @Override

@@ -19,7 +19,8 @@ import org.robotui.data.Late;
 import org.robotui.data.Stamp;
 
 /**
- * An input that holds what a test puts in. It conflates nothing: {@link #drain} gives all values put since the last call.
+ * An input that holds what a test puts in. It conflates nothing: {@link #drain} gives all values put since the last
+ * call.
  *
  * @param <T> the type of the data
  */
@@ -96,7 +97,8 @@ public final class FakeInput<T extends Data> implements Input<T> {
    */
   public synchronized void put(
       SourceId source, T value, long receivedNanos, Optional<Stamp> stamp, Optional<RawMessage> raw) {
-    Envelope<T> envelope = new Envelope<>(value, source, sequences.merge(source, 0L, (n, first) -> n + 1), stamp, receivedNanos, raw);
+    Envelope<T> envelope =
+        new Envelope<>(value, source, sequences.merge(source, 0L, (n, first) -> n + 1), stamp, receivedNanos, raw);
     newest.put(source, envelope);
     last = Optional.of(envelope);
     queue.add(envelope);

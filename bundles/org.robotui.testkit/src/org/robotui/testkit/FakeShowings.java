@@ -11,7 +11,10 @@ import org.robotui.api.show.ShowChoice;
 import org.robotui.api.show.Showing;
 import org.robotui.api.show.Subject;
 
-/** The views of a RUIC that show what a user points at, as a test says: it offers them, and notes what they are asked for. Safe for all threads. */
+/**
+ * The views of a RUIC that show what a user points at, as a test says: it offers them, and notes what they are asked
+ * for. Safe for all threads.
+ */
 public final class FakeShowings {
   /**
    * What was to be shown.

@@ -37,7 +37,8 @@ public final class GalleryWindow {
    * @param ground what is seen between the cells
    * @param fill puts the states in
    */
-  public static <T> void show(Function<Display, T> looks, Function<T, Color> ground, BiConsumer<GalleryWindow, T> fill) {
+  public static <T> void show(Function<Display, T> looks, Function<T, Color> ground,
+      BiConsumer<GalleryWindow, T> fill) {
     Display display = new Display();
     T look = looks.apply(display);
     GalleryWindow window = new GalleryWindow(display, ground.apply(look));

@@ -11,7 +11,10 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
-/** PNG files of eight bits red, green and blue, without filters: as much of the format as pictures of tests need, and no toolkit. */
+/**
+ * PNG files of eight bits red, green and blue, without filters: as much of the format as pictures of tests need, and no
+ * toolkit.
+ */
 final class Png {
   private static final byte[] MAGIC = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   private static final int HEADER = 0x49484452;

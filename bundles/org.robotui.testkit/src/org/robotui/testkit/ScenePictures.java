@@ -29,10 +29,11 @@ import org.robotui.gl.shape.Placings;
 import org.robotui.gl.shape.Rgba;
 
 /**
- * Makes pictures of parts with the real renderer, and compares them with golden ones: PNG files beside the class of the test, as
- * resources. Needs a display: {@code @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)}. A picture that is not as
- * the golden one is written to {@code target/pictures}. With {@code -Drobotui.pictures=FOLDER}, where the folder is the root of the test's
- * sources, golden pictures are written there and not compared.
+ * Makes pictures of parts with the real renderer, and compares them with golden ones: PNG files beside the class of the
+ * test, as resources. Needs a display:
+ * {@code @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)}. A picture that is not as the golden
+ * one is written to {@code target/pictures}. With {@code -Drobotui.pictures=FOLDER}, where the folder is the root of
+ * the test's sources, golden pictures are written there and not compared.
  */
 public final class ScenePictures implements AutoCloseable {
   /** The background in the dark theme. */
@@ -72,7 +73,8 @@ public final class ScenePictures implements AutoCloseable {
     Vector3 ahead = to.minus(from);
     double yaw = Math.atan2(ahead.y(), ahead.x());
     double pitch = Math.atan2(-ahead.z(), Math.hypot(ahead.x(), ahead.y()));
-    return new Eye(new RigidTransform(from, Quaternion.fromRollPitchYaw(0, pitch, yaw)), new Perspective(Math.toRadians(60)), NEAR, FAR);
+    return new Eye(new RigidTransform(from, Quaternion.fromRollPitchYaw(0, pitch, yaw)),
+        new Perspective(Math.toRadians(60)), NEAR, FAR);
   }
 
   /**
@@ -82,7 +84,8 @@ public final class ScenePictures implements AutoCloseable {
    * @return the eye, for a picture that is wider than high
    */
   public static Eye overview(List<Part> parts) {
-    Box3 box = parts.stream().flatMap(part -> part.bounds().stream()).reduce(Box3::union).orElse(new Box3(Vector3.ZERO, Vector3.ZERO));
+    Box3 box = parts.stream().flatMap(part -> part.bounds().stream()).reduce(Box3::union)
+        .orElse(new Box3(Vector3.ZERO, Vector3.ZERO));
     double away = 2 * Math.max(box.radius(), NEAR);
     Eye near = eye(box.center().plus(new Vector3(-0.6 * away, -0.3 * away, 0.74 * away)), box.center());
     return new Eye(near.fixedFromEye(), near.projection(), away / 1000, 2 * away);
@@ -103,7 +106,8 @@ public final class ScenePictures implements AutoCloseable {
   }
 
   /**
-   * What a display draws, and a coordinate system where the fixed frame is: x red, y green, z blue, so that a picture shows what lies where.
+   * What a display draws, and a coordinate system where the fixed frame is: x red, y green, z blue, so that a picture
+   * shows what lies where.
    *
    * @param parts what is drawn
    * @param length of its axes, metres
@@ -112,7 +116,8 @@ public final class ScenePictures implements AutoCloseable {
   public static List<Part> withAxes(List<Part> parts, double length) {
     Placings axes = new Placings(1);
     axes.add(RigidTransform.IDENTITY, new Vector3(length, length, length));
-    Part part = new Part("axes of the test", axes.of(Meshes.axes()), RigidTransform.IDENTITY, Material.lit(Rgba.WHITE), Describer.of("axes"));
+    Part part = new Part("axes of the test", axes.of(Meshes.axes()), RigidTransform.IDENTITY, Material.lit(Rgba.WHITE),
+        Describer.of("axes"));
     return Stream.concat(Stream.of(part), parts.stream()).toList();
   }
 
@@ -175,8 +180,9 @@ public final class ScenePictures implements AutoCloseable {
   }
 
   /**
-   * Fails where parts do not look as in the golden picture: by more than a tenth of a channel may differ one pixel in a hundred, and of those
-   * that are not background in one of the pictures, one in ten, so that something small cannot get lost.
+   * Fails where parts do not look as in the golden picture: by more than a tenth of a channel may differ one pixel in a
+   * hundred, and of those that are not background in one of the pictures, one in ten, so that something small cannot
+   * get lost.
    *
    * @param test beside whose class the picture lies
    * @param name of the picture, without its ending
@@ -195,14 +201,16 @@ public final class ScenePictures implements AutoCloseable {
     int drawn = golden.rgb().length - Math.min(golden.count(background, 2), actual.count(background, 2));
     if (differ > Math.min(PIXEL_TOLERANCE * actual.rgb().length, DRAWN_TOLERANCE * drawn)) {
       Path written = write(Path.of("target", "pictures", name + ".png"), actual);
-      throw new AssertionError(differ + " of " + actual.rgb().length + " pixels differ from " + name + ".png: see " + written.toAbsolutePath());
+      throw new AssertionError(differ + " of " + actual.rgb().length + " pixels differ from " + name + ".png: see "
+          + written.toAbsolutePath());
     }
   }
 
   private static SceneImage golden(Class<?> test, String name) {
     try (InputStream in = test.getResourceAsStream(name + ".png")) {
       if (in == null) {
-        throw new AssertionError("there is no " + name + ".png beside " + test.getName() + "; -D" + FOLDER + "=... writes it");
+        throw new AssertionError(
+            "there is no " + name + ".png beside " + test.getName() + "; -D" + FOLDER + "=... writes it");
       }
       return Png.read(in.readAllBytes());
     } catch (IOException e) {

@@ -44,7 +44,7 @@ class ScenePicturesTest {
     float[] xyz = new float[11 * 2 * 6];
     for (int i = 0; i < 11; i++) {
       float at = (i - 5) * 0.4f;
-      System.arraycopy(new float[] {at, -2, 0, at, 2, 0, -2, at, 0, 2, at, 0}, 0, xyz, 12 * i, 12);
+      System.arraycopy(new float[]{at, -2, 0, at, 2, 0, -2, at, 0, 2, at, 0}, 0, xyz, 12 * i, 12);
     }
     return part("grid", LineSet.of(LineSet.Kind.SEGMENTS, 1, xyz), Material.flat(Rgba.of(0x7d8590).withAlpha(0.5)));
   }
@@ -52,11 +52,12 @@ class ScenePicturesTest {
   private static Part axes() {
     float[] xyz = {0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1};
     ByteBuffer rgba = ByteBuffer.allocate(24);
-    for (int color : new int[] {0xe5484dff, 0x46a758ff, 0x3e8eedff}) {
+    for (int color : new int[]{0xe5484dff, 0x46a758ff, 0x3e8eedff}) {
       rgba.putInt(color).putInt(color);
     }
     FloatBuffer corners = FloatBuffer.wrap(xyz);
-    return part("axes", new LineSet(corners, Optional.of(rgba.flip()), LineSet.Kind.SEGMENTS, 4, Box3.around(corners)), Material.flat(Rgba.WHITE));
+    return part("axes", new LineSet(corners, Optional.of(rgba.flip()), LineSet.Kind.SEGMENTS, 4, Box3.around(corners)),
+        Material.flat(Rgba.WHITE));
   }
 
   /** A wave of points, coloured by height. */
@@ -77,7 +78,8 @@ class ScenePicturesTest {
 
   @Test
   void pointsInPixels() {
-    List<Part> parts = List.of(grid(), axes(), part("cloud", wave(120, 2, Unit.PIXELS, Style.SQUARE), Material.flat(Rgba.WHITE)));
+    List<Part> parts =
+        List.of(grid(), axes(), part("cloud", wave(120, 2, Unit.PIXELS, Style.SQUARE), Material.flat(Rgba.WHITE)));
     PICTURES.assertLike(getClass(), "points-pixels", ScenePictures.request(parts, ABOVE));
   }
 
@@ -103,8 +105,10 @@ class ScenePicturesTest {
 
   @Test
   void whatIsTranslucentShowsWhatLiesBehind() {
-    Part glass = new Part("glass", Solids.box(1.6f, 1.6f, 0.2f), RigidTransform.planar(-0.6, -0.4, 0.3), Material.lit(Rgba.of(0x3e8eed).withAlpha(0.4)), Describer.of("glass"));
-    List<Part> parts = List.of(glass, grid(), axes(), part("box", Solids.box(0.5f, 0.5f, 1.2f), Material.lit(Rgba.of(0xd97f3d))));
+    Part glass = new Part("glass", Solids.box(1.6f, 1.6f, 0.2f), RigidTransform.planar(-0.6, -0.4, 0.3),
+        Material.lit(Rgba.of(0x3e8eed).withAlpha(0.4)), Describer.of("glass"));
+    List<Part> parts =
+        List.of(glass, grid(), axes(), part("box", Solids.box(0.5f, 0.5f, 1.2f), Material.lit(Rgba.of(0xd97f3d))));
     PICTURES.assertLike(getClass(), "translucent", ScenePictures.request(parts, ABOVE));
   }
 
@@ -114,27 +118,32 @@ class ScenePicturesTest {
     ByteBuffer rgba = ByteBuffer.allocate(100);
     for (int i = 0; i < 25; i++) {
       double turn = i * 0.2;
-      placings.put(i % 5 * 0.8f - 1.6f).put(i / 5 * 0.8f - 1.6f).put(0).put(0).put(0).put((float) Math.sin(turn)).put((float) Math.cos(turn));
+      placings.put(i % 5 * 0.8f - 1.6f).put(i / 5 * 0.8f - 1.6f).put(0).put(0).put(0).put((float) Math.sin(turn))
+          .put((float) Math.cos(turn));
       placings.put(1).put(0.5f).put(0.3f + 0.1f * (i % 7));
       rgba.putInt(0x4080ffff + (i * 9 << 24));
     }
     Instances many = Instances.of(Solids.box(0.4f, 0.4f, 0.4f), placings.flip(), Optional.of(rgba.flip()));
-    PICTURES.assertLike(getClass(), "instances", ScenePictures.request(List.of(grid(), part("many", many, Material.lit(Rgba.WHITE))), ABOVE));
+    PICTURES.assertLike(getClass(), "instances",
+        ScenePictures.request(List.of(grid(), part("many", many, Material.lit(Rgba.WHITE))), ABOVE));
   }
 
   private static Part label(String text, float size, Unit unit, double z) {
-    return new Part(text, new Label(text, size, unit), new RigidTransform(new Vector3(0, 0, z), Quaternion.IDENTITY), Material.flat(Rgba.of(0xffc857)), Describer.of(text));
+    return new Part(text, new Label(text, size, unit), new RigidTransform(new Vector3(0, 0, z), Quaternion.IDENTITY),
+        Material.flat(Rgba.of(0xffc857)), Describer.of(text));
   }
 
   @Test
   void wordsFaceTheCamera() {
-    List<Part> parts = List.of(grid(), label("base_link 12.5 m/s", 18, Unit.PIXELS, 1.2), label("Keira: Wagen 3", 0.5f, Unit.METRES, 0));
+    List<Part> parts = List.of(grid(), label("base_link 12.5 m/s", 18, Unit.PIXELS, 1.2),
+        label("Keira: Wagen 3", 0.5f, Unit.METRES, 0));
     PICTURES.assertLike(getClass(), "labels", ScenePictures.request(parts, ABOVE));
   }
 
   @Test
   void aPictureOfOnePartShowsItsColourInTheMiddle() {
-    SceneImage image = PICTURES.picture(ScenePictures.request(List.of(part("box", Solids.box(1, 1, 1), Material.flat(Rgba.of(0x40c080)))), ABOVE));
+    SceneImage image = PICTURES.picture(
+        ScenePictures.request(List.of(part("box", Solids.box(1, 1, 1), Material.flat(Rgba.of(0x40c080)))), ABOVE));
     assertEquals(0x40c080, image.at(160, 120));
     assertEquals(0x1b1e23, image.at(2, 2));
     assertTrue(image.count(0x40c080, 0) > 2000);

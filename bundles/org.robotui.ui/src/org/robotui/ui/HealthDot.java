@@ -52,7 +52,7 @@ public final class HealthDot {
   }
 
   private static void triangle(GC gc, int left, int top, int size) {
-    gc.fillPolygon(new int[] {left - 1, top + size, left + size / 2, top - 1, left + size + 1, top + size});
+    gc.fillPolygon(new int[]{left - 1, top + size, left + size / 2, top - 1, left + size + 1, top + size});
   }
 
   private static void cross(GC gc, int left, int top, int size) {

@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The icons: strokes of one weight in a square of 16 units, y downwards. The outline is a list of {@code M x y}, {@code L x y},
- * {@code C x1 y1 x2 y2 x y}, {@code Z} and, beyond the usual, {@code O x y r} for a circle.
+ * The icons: strokes of one weight in a square of 16 units, y downwards. The outline is a list of {@code M x y},
+ * {@code L x y}, {@code C x1 y1 x2 y2 x y}, {@code Z} and, beyond the usual, {@code O x y r} for a circle.
  */
 public enum Icon {
   /** Keep the robot in the middle. */
@@ -58,7 +58,8 @@ public enum Icon {
   /** Drive. */
   STEER("O 8 8 6.3 O 8 8 1.8 M 1.9 7 L 6.2 7.6 M 14.1 7 L 9.8 7.6 M 8 9.8 L 8 14.3"),
   /** Connect. */
-  LINK("M 6.5 9.5 L 9.5 6.5 M 7 4.5 L 9 2.5 C 11 0.5 15.5 5 13.5 7 L 11.5 9 M 9 11.5 L 7 13.5 C 5 15.5 0.5 11 2.5 9 L 4.5 7"),
+  LINK(
+      "M 6.5 9.5 L 9.5 6.5 M 7 4.5 L 9 2.5 C 11 0.5 15.5 5 13.5 7 L 11.5 9 M 9 11.5 L 7 13.5 C 5 15.5 0.5 11 2.5 9 L 4.5 7"),
   /** What is within is seen. */
   OPEN("M 3.5 6 L 8 10.5 L 12.5 6"),
   /** What is within is not seen. */

@@ -9,8 +9,8 @@ import org.eclipse.swt.graphics.Transform;
 import org.robotui.ui.internal.PatternLook;
 
 /**
- * Draws large images that are drawn again and again. The toolkit converts all pixels of an image whenever it draws it, only to learn its size; an area
- * that is filled with a pattern of it is filled from where the pixels are (ADR 70).
+ * Draws large images that are drawn again and again. The toolkit converts all pixels of an image whenever it draws it,
+ * only to learn its size; an area that is filled with a pattern of it is filled from where the pixels are (ADR 70).
  */
 public final class ImageFill {
   private static final int OPAQUE = 255;
@@ -19,7 +19,8 @@ public final class ImageFill {
   private ImageFill() {}
 
   /**
-   * Draws a part of an image, enlarged as the interpolation of the graphics context says, and with its alpha. Display thread.
+   * Draws a part of an image, enlarged as the interpolation of the graphics context says, and with its alpha. Display
+   * thread.
    *
    * @param gc where; has no transform and no pattern afterwards
    * @param image what
@@ -37,7 +38,8 @@ public final class ImageFill {
   }
 
   /**
-   * Draws a part of an image into an area, enlarged as the interpolation of the graphics context says, and with its alpha. Display thread.
+   * Draws a part of an image into an area, enlarged as the interpolation of the graphics context says, and with its
+   * alpha. Display thread.
    *
    * @param gc where; has no transform and no pattern afterwards
    * @param image what
@@ -47,7 +49,8 @@ public final class ImageFill {
   public static void draw(GC gc, Image image, Rectangle part, Rectangle area) {
     float across = (float) area.width / part.width;
     float down = (float) area.height / part.height;
-    Transform place = new Transform(gc.getDevice(), across, 0, 0, down, area.x - across * part.x, area.y - down * part.y);
+    Transform place =
+        new Transform(gc.getDevice(), across, 0, 0, down, area.x - across * part.x, area.y - down * part.y);
     draw(gc, image, part, place);
     place.dispose();
   }

@@ -11,8 +11,9 @@ import org.eclipse.swt.graphics.PaletteData;
 import org.robotui.ui.internal.SurfacePixels;
 
 /**
- * An image whose pixels are replaced again and again: those of a camera, or of a scene that is turned. They are written where the toolkit keeps them; it
- * would otherwise convert them one by one, which takes longer than all the painting (ADR 70). Belongs to one thread at a time.
+ * An image whose pixels are replaced again and again: those of a camera, or of a scene that is turned. They are written
+ * where the toolkit keeps them; it would otherwise convert them one by one, which takes longer than all the painting
+ * (ADR 70). Belongs to one thread at a time.
  */
 public final class LiveImage {
   private static final int DEPTH = 32;
@@ -79,7 +80,10 @@ public final class LiveImage {
     return zoom == HUNDRED ? new Image(device, data) : new Image(device, scaled(data));
   }
 
-  /** Pixels that are drawn as they are at this zoom, which the toolkit would otherwise enlarge; those of 100 % are asked for and never drawn. */
+  /**
+   * Pixels that are drawn as they are at this zoom, which the toolkit would otherwise enlarge; those of 100 % are asked
+   * for and never drawn.
+   */
   private ImageDataProvider scaled(ImageData data) {
     return wanted -> wanted == zoom ? data : new ImageData(width(), height(), DEPTH, ORDER);
   }
@@ -115,7 +119,10 @@ public final class LiveImage {
     return image;
   }
 
-  /** It was painted, or will be, and its pixels were or will be others. Display thread, before the first painting of new pixels and after the last one. */
+  /**
+   * It was painted, or will be, and its pixels were or will be others. Display thread, before the first painting of new
+   * pixels and after the last one.
+   */
   public void changed() {
     pixels.filter(p -> !image.isDisposed()).ifPresent(p -> p.forget(image));
   }

@@ -17,7 +17,8 @@ public final class MatchLook {
    * @return false also where an optional port is not connected: that is no fault
    */
   public static boolean missing(Match match) {
-    return match.state() != MatchState.CONNECTED && (match.arity() == Arity.ONE || match.state() == MatchState.AMBIGUOUS);
+    return match.state() != MatchState.CONNECTED
+        && (match.arity() == Arity.ONE || match.state() == MatchState.AMBIGUOUS);
   }
 
   /**
@@ -78,6 +79,7 @@ public final class MatchLook {
    */
   public static String details(Match match) {
     String peers = peers(match);
-    return match.port() + "\n" + match.typeName() + "\n" + word(match) + (peers.isEmpty() ? "" : ": " + peers) + "\n" + match.reason();
+    return match.port() + "\n" + match.typeName() + "\n" + word(match) + (peers.isEmpty() ? "" : ": " + peers) + "\n"
+        + match.reason();
   }
 }

@@ -67,7 +67,8 @@ public final class PaintedCanvas extends Canvas {
     this.ground = ground;
     this.display = getDisplay();
     setBackground(theme.color(ground));
-    // Each paint sets its own foreground: one of the control would be read back from a style sheet, as text, before every paint.
+    // Each paint sets its own foreground: one of the control would be read back from a style sheet, as text, before
+    // every paint.
     setFont(theme.font(Face.BODY));
     addPaintListener(this::paint);
     addDisposeListener(e -> atEnd.forEach(Runnable::run));
@@ -103,8 +104,8 @@ public final class PaintedCanvas extends Canvas {
   }
 
   /**
-   * How many pixels of the screen there are to a hundred points. Asking the display for its monitors takes as long as a painting, so it is asked only
-   * when the canvas or its window has moved. Display thread.
+   * How many pixels of the screen there are to a hundred points. Asking the display for its monitors takes as long as a
+   * painting, so it is asked only when the canvas or its window has moved. Display thread.
    *
    * @return percent
    */

@@ -83,12 +83,14 @@ public final class PortLook {
    * @return several lines
    */
   public static String details(PortStatus port) {
-    StringBuilder text = new StringBuilder(port.port() + "\n" + port.kind().name().toLowerCase(Locale.ROOT) + " of " + port.typeName());
+    StringBuilder text =
+        new StringBuilder(port.port() + "\n" + port.kind().name().toLowerCase(Locale.ROOT) + " of " + port.typeName());
     if (port.count() > 0) {
       text.append("\n").append(port.count()).append(" values, ").append(Figures.rate(port.rateHz())).append(", newest ")
           .append(Figures.ageOfValue(port.ageSeconds())).append(" old, ").append(port.dropped()).append(" dropped");
     }
     text.append(port.wanted() ? "" : "\nno view uses it");
-    return text + (port.problem().isEmpty() ? "" : "\n" + port.problem()) + (port.value().isEmpty() ? "" : "\n" + port.value());
+    return text + (port.problem().isEmpty() ? "" : "\n" + port.problem())
+        + (port.value().isEmpty() ? "" : "\n" + port.value());
   }
 }

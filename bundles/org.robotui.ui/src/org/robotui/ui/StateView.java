@@ -8,8 +8,9 @@ import org.eclipse.swt.graphics.TextLayout;
 import org.robotui.api.port.InputState;
 
 /**
- * How the states of an input look, the same in all views. A view paints its content where {@link #showsContent} says so,
- * with {@link #contentAlpha}, and then has this painted over it. Display thread, but for the questions, which are pure.
+ * How the states of an input look, the same in all views. A view paints its content where {@link #showsContent} says
+ * so, with {@link #contentAlpha}, and then has this painted over it. Display thread, but for the questions, which are
+ * pure.
  */
 public final class StateView {
   /** Letters of a sentence: what a robot calls things may have a million, which would take a second for every paint. */
@@ -60,7 +61,8 @@ public final class StateView {
       case InputState.Live l -> l.rateHz() > 0 ? Figures.rate(l.rateHz()) : "live";
       case InputState.Stale s when s.refused() -> "refused";
       case InputState.Stale s -> s.lostSeconds().isPresent()
-          ? "lost for " + Figures.age(s.lostSeconds().getAsDouble()) : "stale " + Figures.age(s.ageSeconds());
+          ? "lost for " + Figures.age(s.lostSeconds().getAsDouble())
+          : "stale " + Figures.age(s.ageSeconds());
       case InputState.Failed f -> "failed";
     };
   }
@@ -69,7 +71,8 @@ public final class StateView {
    * The word of old data, with what is to be known of it.
    *
    * @param state the state
-   * @return that values are late needs no explanation; that nothing can come does: {@code lost for 12 s: base.map: nobody publishes /map
+   * @return that values are late needs no explanation; that nothing can come does:
+   * {@code lost for 12 s: base.map: nobody publishes /map
    *     any more}
    */
   public static String sentence(InputState.Stale state) {
@@ -97,8 +100,8 @@ public final class StateView {
   }
 
   /**
-   * Paints what the state has to say: nothing where data is live, a banner where it is old, else dot, word and sentence in
-   * the middle.
+   * Paints what the state has to say: nothing where data is live, a banner where it is old, else dot, word and sentence
+   * in the middle.
    *
    * @param gc where to paint
    * @param area the content's area
@@ -106,7 +109,7 @@ public final class StateView {
    */
   public void paint(GC gc, Rectangle area, InputState state) {
     switch (state) {
-      case InputState.Live l -> { }
+      case InputState.Live l -> {}
       case InputState.Stale s when s.refused() -> banner(gc, area, Health.WARNING, s.explanation());
       case InputState.Stale s -> banner(gc, area, Health.STALE, sentence(s));
       default -> message(gc, area, health(state), title(state), state.explanation());

@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
- * Makes the actions of a view, which stay the same, for its surface, which is made anew each time the view is shown. Without a surface they do
- * nothing. Display thread.
+ * Makes the actions of a view, which stay the same, for its surface, which is made anew each time the view is shown.
+ * Without a surface they do nothing. Display thread.
  *
  * @param <S> the surface
  */
@@ -55,6 +55,7 @@ public final class SurfaceActions<S> {
    * @return the action
    */
   public ViewAction switched(String id, String label, Icon icon, Predicate<S> on, Consumer<S> run) {
-    return new ViewAction(id, label, icon.id(), Optional.of(() -> surface.filter(on).isPresent()), () -> surface.ifPresent(run));
+    return new ViewAction(id, label, icon.id(), Optional.of(() -> surface.filter(on).isPresent()),
+        () -> surface.ifPresent(run));
   }
 }

@@ -6,14 +6,14 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.Uic;
 
 /**
- * A view in a window. {@link #tick} runs on the view's own worker and prepares; the methods here run on the display thread
- * and only paint and take input: they never block, decode or send (sending goes through
- * the outputs of its context, which returns at once).
+ * A view in a window. {@link #tick} runs on the view's own worker and prepares; the methods here run on the display
+ * thread and only paint and take input: they never block, decode or send (sending goes through the outputs of its
+ * context, which returns at once).
  */
 public interface SwtUic extends Uic {
   /**
-   * Creates the control. Called each time the view is shown in a part; the control of an earlier call has been disposed by
-   * then. It must fill its parent without a border of its own.
+   * Creates the control. Called each time the view is shown in a part; the control of an earlier call has been disposed
+   * by then. It must fill its parent without a border of its own.
    *
    * @param parent the part's composite, with a fill layout
    * @param context what the window gives
@@ -21,7 +21,10 @@ public interface SwtUic extends Uic {
    */
   Control createControl(Composite parent, UiContext context);
 
-  /** Shows what the last ticks prepared, usually by a redraw. Called on the display thread, never more often than painted. */
+  /**
+   * Shows what the last ticks prepared, usually by a redraw. Called on the display thread, never more often than
+   * painted.
+   */
   void refresh();
 
   /**

@@ -12,8 +12,8 @@ import org.eclipse.swt.graphics.FontData;
 import org.eclipse.swt.graphics.RGB;
 
 /**
- * Colours and fonts of a look. Colours may be read on any thread; fonts belong to the display. Whoever made it disposes it;
- * views do not.
+ * Colours and fonts of a look. Colours may be read on any thread; fonts belong to the display. Whoever made it disposes
+ * it; views do not.
  */
 public final class Theme {
   /** The distance that other distances are multiples of, pixels. */
@@ -116,8 +116,8 @@ public final class Theme {
   }
 
   /**
-   * Colours of the traces of a plot in an order that colour-blind users can tell apart: blue, orange, green, purple, brown,
-   * pink, grey.
+   * Colours of the traces of a plot in an order that colour-blind users can tell apart: blue, orange, green, purple,
+   * brown, pink, grey.
    *
    * @return the colours; not to be disposed
    */

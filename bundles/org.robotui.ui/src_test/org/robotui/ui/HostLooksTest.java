@@ -75,6 +75,7 @@ class HostLooksTest {
   }
 
   private static Match match(Arity arity, MatchState state) {
-    return new Match(new SourceId("map", "scan"), PortKind.STREAM, "LaserScan", arity, state, List.of(PORT), List.of(), "because");
+    return new Match(new SourceId("map", "scan"), PortKind.STREAM, "LaserScan", arity, state, List.of(PORT), List.of(),
+        "because");
   }
 }

@@ -79,12 +79,12 @@ class ImageFillTest {
   @Test
   void drawsWhatTheToolkitDraws() {
     Rectangle all = new Rectangle(0, 0, PIXELS, PIXELS);
-    for (boolean translucent : new boolean[] {false, true}) {
+    for (boolean translucent : new boolean[]{false, true}) {
       Image image = motley(translucent);
-      assertEquals(0, differing(image, all, new float[] {1, 0, 0, 1, 7, 9}, SWT.NONE));
-      assertEquals(0, differing(image, all, new float[] {5, 0, 0, -5, 4, 50}, SWT.NONE));
-      assertEquals(0, differing(image, all, new float[] {4, 2, -2, 4, 20, 3}, SWT.NONE));
-      assertEquals(0, differing(image, all, new float[] {0.5f, 0, 0, 0.5f, 3, 3}, SWT.LOW));
+      assertEquals(0, differing(image, all, new float[]{1, 0, 0, 1, 7, 9}, SWT.NONE));
+      assertEquals(0, differing(image, all, new float[]{5, 0, 0, -5, 4, 50}, SWT.NONE));
+      assertEquals(0, differing(image, all, new float[]{4, 2, -2, 4, 20, 3}, SWT.NONE));
+      assertEquals(0, differing(image, all, new float[]{0.5f, 0, 0, 0.5f, 3, 3}, SWT.LOW));
       image.dispose();
     }
   }
@@ -95,7 +95,9 @@ class ImageFillTest {
     Rectangle part = new Rectangle(2, 3, 4, 3);
     Rectangle area = new Rectangle(10, 5, 40, 45);
     byte[] ours = drawn(gc -> ImageFill.draw(gc, image, part, area), SWT.NONE);
-    byte[] theirs = drawn(gc -> gc.drawImage(image, part.x, part.y, part.width, part.height, area.x, area.y, area.width, area.height), SWT.NONE);
+    byte[] theirs = drawn(
+        gc -> gc.drawImage(image, part.x, part.y, part.width, part.height, area.x, area.y, area.width, area.height),
+        SWT.NONE);
     assertEquals(0, wrong(ours, theirs));
     image.dispose();
   }

@@ -44,7 +44,7 @@ class LiveImageTest {
   void showsWhatItWasGivenLast() {
     LiveImage image = new LiveImage(display, EDGE, EDGE, 100);
     int[] rgb = new int[EDGE * EDGE + 5]; // more than it needs is no harm
-    for (int color : new int[] {0xff0000, 0x00ff00, 0x0000ff, 0x123456}) {
+    for (int color : new int[]{0xff0000, 0x00ff00, 0x0000ff, 0x123456}) {
       Arrays.fill(rgb, color);
       image.set(rgb);
       assertEquals(new RGB(color >> 16, color >> 8 & 0xff, color & 0xff), painted(image));

@@ -29,9 +29,7 @@ class PaletteTest {
   }
 
   @ParameterizedTest
-  @EnumSource(
-      value = Role.class,
-      names = {"TEXT", "DIM", "ACCENT", "GOOD", "WARNING", "BAD", "PLAN", "SONAR"})
+  @EnumSource(value = Role.class, names = {"TEXT", "DIM", "ACCENT", "GOOD", "WARNING", "BAD", "PLAN", "SONAR"})
   void textOfTheLightThemeIsLegibleOnAllGrounds(Role text) {
     assertLegible(Themes.lightPalette(), text);
   }

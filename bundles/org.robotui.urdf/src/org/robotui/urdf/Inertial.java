@@ -15,4 +15,5 @@ import org.robotui.geometry.RigidTransform;
  * @param iyz product of inertia
  */
 public record Inertial(
-    RigidTransform linkFromCenter, double mass, double ixx, double iyy, double izz, double ixy, double ixz, double iyz) {}
+    RigidTransform linkFromCenter, double mass, double ixx, double iyy, double izz, double ixy, double ixz,
+    double iyz) {}

@@ -18,7 +18,8 @@ final class JointReader {
 
   static Joint read(XmlNode node) throws Refusal {
     Joint.Type type = type(node);
-    return new Joint(node.required("name"), type, node.requiredChild("parent").required("link"), node.requiredChild("child").required("link"),
+    return new Joint(node.required("name"), type, node.requiredChild("parent").required("link"),
+        node.requiredChild("child").required("link"),
         LinkReader.origin(node), axis(node, type), limits(node), soft(node), mimic(node));
   }
 
@@ -31,10 +32,12 @@ final class JointReader {
       for (int steps = 0; at.mimic().isPresent(); steps++) {
         String next = at.mimic().get().joint();
         if (!byName.containsKey(next)) {
-          throw nodes.get(at.name()).refusal("the joint '" + at.name() + "' mimics '" + next + "', but there is no such <joint>");
+          throw nodes.get(at.name())
+              .refusal("the joint '" + at.name() + "' mimics '" + next + "', but there is no such <joint>");
         }
         if (steps > joints.size() || next.equals(joint.name())) {
-          throw nodes.get(joint.name()).refusal("the joint '" + joint.name() + "' mimics itself, by '" + at.name() + "'");
+          throw nodes.get(joint.name())
+              .refusal("the joint '" + joint.name() + "' mimics itself, by '" + at.name() + "'");
         }
         at = byName.get(next);
       }
@@ -48,7 +51,8 @@ final class JointReader {
         return type;
       }
     }
-    throw node.refusal("type=\"" + word + "\" of the joint '" + node.required("name") + "', must be revolute, continuous, prismatic, fixed, floating or planar");
+    throw node.refusal("type=\"" + word + "\" of the joint '" + node.required("name")
+        + "', must be revolute, continuous, prismatic, fixed, floating or planar");
   }
 
   private static Vector3 axis(XmlNode node, Joint.Type type) throws Refusal {
@@ -57,7 +61,8 @@ final class JointReader {
     double length = along.norm();
     if (!(length > 0)) {
       if (type.single()) {
-        throw axis.orElse(node).refusal("the axis of the joint '" + node.required("name") + "' has no length, must be a direction such as xyz=\"0 0 1\"");
+        throw axis.orElse(node).refusal("the axis of the joint '" + node.required("name")
+            + "' has no length, must be a direction such as xyz=\"0 0 1\"");
       }
       return ALONG_X;
     }
@@ -71,7 +76,8 @@ final class JointReader {
     }
     XmlNode at = limit.get();
     return Optional.of(new Joint.Limits(
-        Numbers.or(at, "lower", 0), Numbers.or(at, "upper", 0), Numbers.or(at, "effort", 0), Numbers.or(at, "velocity", 0)));
+        Numbers.or(at, "lower", 0), Numbers.or(at, "upper", 0), Numbers.or(at, "effort", 0),
+        Numbers.or(at, "velocity", 0)));
   }
 
   private static Optional<Joint.SoftLimits> soft(XmlNode node) throws Refusal {
@@ -80,8 +86,9 @@ final class JointReader {
       return Optional.empty();
     }
     XmlNode at = safety.get();
-    return Optional.of(new Joint.SoftLimits(Numbers.or(at, "soft_lower_limit", 0), Numbers.or(at, "soft_upper_limit", 0),
-        Numbers.or(at, "k_position", 0), Numbers.or(at, "k_velocity", 0)));
+    return Optional
+        .of(new Joint.SoftLimits(Numbers.or(at, "soft_lower_limit", 0), Numbers.or(at, "soft_upper_limit", 0),
+            Numbers.or(at, "k_position", 0), Numbers.or(at, "k_velocity", 0)));
   }
 
   private static Optional<Joint.Mimic> mimic(XmlNode node) throws Refusal {
@@ -90,6 +97,7 @@ final class JointReader {
       return Optional.empty();
     }
     XmlNode at = mimic.get();
-    return Optional.of(new Joint.Mimic(at.required("joint"), Numbers.or(at, "multiplier", 1), Numbers.or(at, "offset", 0)));
+    return Optional
+        .of(new Joint.Mimic(at.required("joint"), Numbers.or(at, "multiplier", 1), Numbers.or(at, "offset", 0)));
   }
 }

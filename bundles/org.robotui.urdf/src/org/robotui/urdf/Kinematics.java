@@ -21,10 +21,12 @@ public final class Kinematics {
   }
 
   /**
-   * Where all links are. Joints that follow others need no position; one without, or with one that is no finite number, is at 0.
+   * Where all links are. Joints that follow others need no position; one without, or with one that is no finite number,
+   * is at 0.
    *
    * @param positions by joint, radians or metres
-   * @param free where the children of floating and planar joints are in the frame of the joint, by joint; at its origin where it is missing
+   * @param free where the children of floating and planar joints are in the frame of the joint, by joint; at its origin
+   * where it is missing
    * @return root from link, by name of the link
    */
   public Map<String, RigidTransform> rootFromLinks(Map<String, Double> positions, Map<String, RigidTransform> free) {

@@ -32,7 +32,8 @@ final class LinkReader {
       collisions.add(new Collision(collision.attribute("name").orElse(""), origin(collision), geometry(collision)));
     }
     Optional<XmlNode> inertial = node.child("inertial");
-    return new Link(node.required("name"), inertial.isPresent() ? Optional.of(inertial(inertial.get())) : Optional.empty(), visuals, collisions);
+    return new Link(node.required("name"),
+        inertial.isPresent() ? Optional.of(inertial(inertial.get())) : Optional.empty(), visuals, collisions);
   }
 
   /** The {@code origin} of an element, where it lies if there is none. */
@@ -43,14 +44,17 @@ final class LinkReader {
     }
     Vector3 turns = Numbers.vector(origin.get(), "rpy", Vector3.ZERO);
     return new RigidTransform(
-        Numbers.vector(origin.get(), "xyz", Vector3.ZERO), Quaternion.fromRollPitchYaw(turns.x(), turns.y(), turns.z()));
+        Numbers.vector(origin.get(), "xyz", Vector3.ZERO),
+        Quaternion.fromRollPitchYaw(turns.x(), turns.y(), turns.z()));
   }
 
   private static Inertial inertial(XmlNode node) throws Refusal {
     XmlNode mass = node.requiredChild("mass");
     XmlNode moments = node.requiredChild("inertia");
-    return new Inertial(origin(node), notNegative(mass, "value"), Numbers.of(moments, "ixx"), Numbers.of(moments, "iyy"),
-        Numbers.of(moments, "izz"), Numbers.or(moments, "ixy", 0), Numbers.or(moments, "ixz", 0), Numbers.or(moments, "iyz", 0));
+    return new Inertial(origin(node), notNegative(mass, "value"), Numbers.of(moments, "ixx"),
+        Numbers.of(moments, "iyy"),
+        Numbers.of(moments, "izz"), Numbers.or(moments, "ixy", 0), Numbers.or(moments, "ixz", 0),
+        Numbers.or(moments, "iyz", 0));
   }
 
   private static Geometry geometry(XmlNode node) throws Refusal {
@@ -69,7 +73,7 @@ final class LinkReader {
         case "mesh" -> {
           return new Geometry.MeshFile(form.required("filename"), Numbers.vector(form, "scale", ONE));
         }
-        default -> { }
+        default -> {}
       }
     }
     throw geometry.refusal("<geometry> has no form, must have one of <box>, <cylinder>, <sphere>, <mesh>");
@@ -77,7 +81,8 @@ final class LinkReader {
 
   private static Vector3 notNegative(XmlNode node, Vector3 size) throws Refusal {
     if (size.x() < 0 || size.y() < 0 || size.z() < 0) {
-      throw node.refusal("size=\"" + node.attribute("size").orElse("") + "\" is negative, must be three lengths in metres");
+      throw node
+          .refusal("size=\"" + node.attribute("size").orElse("") + "\" is negative, must be three lengths in metres");
     }
     return size;
   }

@@ -12,7 +12,8 @@ import java.util.Optional;
  * @param states named positions
  * @param disabledCollisions pairs of links that are not checked against each other
  */
-public record SemanticModel(String name, List<Group> groups, List<GroupState> states, List<LinkPair> disabledCollisions) {
+public record SemanticModel(String name, List<Group> groups, List<GroupState> states,
+    List<LinkPair> disabledCollisions) {
   /**
    * Copies the lists.
    *

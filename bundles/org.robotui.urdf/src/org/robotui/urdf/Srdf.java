@@ -63,7 +63,8 @@ public final class Srdf {
     }
     List<SemanticModel.LinkPair> pairs = new ArrayList<>();
     for (XmlNode node : robot.children("disable_collisions")) {
-      pairs.add(new SemanticModel.LinkPair(node.required("link1"), node.required("link2"), node.attribute("reason").orElse("")));
+      pairs.add(new SemanticModel.LinkPair(node.required("link1"), node.required("link2"),
+          node.attribute("reason").orElse("")));
     }
     return new SemanticModel(robot.attribute("name").orElse(""), resolved, states, pairs);
   }
@@ -75,7 +76,8 @@ public final class Srdf {
     }
     XmlNode node = groupNodes.get(name);
     if (depth > DEEPEST) {
-      throw node.refusal("the group '" + name + "' contains itself, or groups lie more than " + DEEPEST + " deep in each other");
+      throw node.refusal(
+          "the group '" + name + "' contains itself, or groups lie more than " + DEEPEST + " deep in each other");
     }
     Set<String> joints = new LinkedHashSet<>();
     Set<String> links = new LinkedHashSet<>();
@@ -143,7 +145,8 @@ public final class Srdf {
       carrier = model.carrier(at);
     }
     if (!at.equals(base.get())) {
-      warnings.add(new Problem(node.line(), "no joints lead from the link '" + base.get() + "' to '" + tip.get() + "'"));
+      warnings
+          .add(new Problem(node.line(), "no joints lead from the link '" + base.get() + "' to '" + tip.get() + "'"));
       return List.of();
     }
     return joints;

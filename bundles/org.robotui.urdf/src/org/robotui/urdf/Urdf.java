@@ -39,7 +39,8 @@ public final class Urdf {
 
   private RobotModel read(XmlNode robot) throws Refusal {
     if (!robot.name().equals("robot")) {
-      throw robot.refusal("the outermost element is <" + robot.name() + ">, must be <robot name=\"...\"> of a URDF (a xacro file must be expanded first)");
+      throw robot.refusal("the outermost element is <" + robot.name()
+          + ">, must be <robot name=\"...\"> of a URDF (a xacro file must be expanded first)");
     }
     surfaces.global(robot.children("material"));
     Map<String, XmlNode> linkNodes = unique(robot.children("link"));
@@ -71,7 +72,8 @@ public final class Urdf {
       String name = node.required("name");
       XmlNode earlier = byName.putIfAbsent(name, node);
       if (earlier != null) {
-        throw node.refusal("a second <" + node.name() + "> has the name '" + name + "' (the first is in line " + earlier.line() + "); names must be unique");
+        throw node.refusal("a second <" + node.name() + "> has the name '" + name + "' (the first is in line "
+            + earlier.line() + "); names must be unique");
       }
     }
     return byName;
@@ -79,19 +81,22 @@ public final class Urdf {
 
   /** Which link carries all, and the joints from there on. */
   private record UrdfTree(String root, List<Joint> ordered) {
-    static UrdfTree check(XmlNode robot, Set<String> links, List<Joint> joints, Map<String, XmlNode> nodes) throws Refusal {
+    static UrdfTree check(XmlNode robot, Set<String> links, List<Joint> joints, Map<String, XmlNode> nodes)
+        throws Refusal {
       Map<String, Joint> carriers = new LinkedHashMap<>();
       for (Joint joint : joints) {
         known(links, joint.parent(), "parent", nodes.get(joint.name()));
         known(links, joint.child(), "child", nodes.get(joint.name()));
         Joint other = carriers.putIfAbsent(joint.child(), joint);
         if (other != null) {
-          throw nodes.get(joint.name()).refusal("the link '" + joint.child() + "' is child of both joints '" + other.name() + "' and '" + joint.name() + "'; a link has one parent");
+          throw nodes.get(joint.name()).refusal("the link '" + joint.child() + "' is child of both joints '"
+              + other.name() + "' and '" + joint.name() + "'; a link has one parent");
         }
       }
       List<String> roots = links.stream().filter(link -> !carriers.containsKey(link)).toList();
       if (roots.size() > 1) {
-        throw robot.refusal("the links '" + roots.get(0) + "' and '" + roots.get(1) + "' have no parent both; all but one link must be child of a joint");
+        throw robot.refusal("the links '" + roots.get(0) + "' and '" + roots.get(1)
+            + "' have no parent both; all but one link must be child of a joint");
       }
       for (String link : links) {
         acyclic(link, carriers, nodes);
@@ -101,7 +106,8 @@ public final class Urdf {
 
     private static void known(Set<String> links, String link, String role, XmlNode joint) throws Refusal {
       if (!links.contains(link)) {
-        throw joint.refusal("the joint '" + joint.attribute("name").orElse("") + "' has the " + role + " '" + link + "', but there is no such <link>");
+        throw joint.refusal("the joint '" + joint.attribute("name").orElse("") + "' has the " + role + " '" + link
+            + "', but there is no such <link>");
       }
     }
 
@@ -111,7 +117,8 @@ public final class Urdf {
       while (carrier.isPresent()) {
         Joint joint = carrier.get();
         if (joint.parent().equals(start) || steps++ > carriers.size()) {
-          throw nodes.get(joint.name()).refusal("the link '" + start + "' carries itself, by the joint '" + joint.name() + "'; joints must make a tree");
+          throw nodes.get(joint.name()).refusal(
+              "the link '" + start + "' carries itself, by the joint '" + joint.name() + "'; joints must make a tree");
         }
         carrier = Optional.ofNullable(carriers.get(joint.parent()));
       }

@@ -10,8 +10,8 @@ import org.robotui.urdf.internal.Refusal;
 import org.robotui.urdf.internal.XmlNode;
 
 /**
- * Materials as RViz takes them: one of the robot goes before one of a visual with the same name, and a name is known everywhere once a
- * visual defined it. A name that nobody defines is a warning, as such models are common.
+ * Materials as RViz takes them: one of the robot goes before one of a visual with the same name, and a name is known
+ * everywhere once a visual defined it. A name that nobody defines is a warning, as such models are common.
  */
 final class UrdfSurfaces {
   private final List<Problem> warnings;
@@ -45,18 +45,21 @@ final class UrdfSurfaces {
     for (XmlNode node : undefined) {
       String name = node.attribute("name").orElse("");
       if (!byName.containsKey(name)) {
-        warnings.add(new Problem(node.line(), "the material '" + name + "' is defined nowhere; write <color rgba=\"...\"/> in it, or define it under <robot>"));
+        warnings.add(new Problem(node.line(), "the material '" + name
+            + "' is defined nowhere; write <color rgba=\"...\"/> in it, or define it under <robot>"));
       }
     }
   }
 
   /** The links with materials in place of their names. */
   List<Link> applied(List<Link> links) {
-    return links.stream().map(link -> new Link(link.name(), link.inertial(), link.visuals().stream().map(this::applied).toList(), link.collisions())).toList();
+    return links.stream().map(link -> new Link(link.name(), link.inertial(),
+        link.visuals().stream().map(this::applied).toList(), link.collisions())).toList();
   }
 
   private Visual applied(Visual visual) {
-    Optional<Surface> surface = visual.surface().map(s -> byName.getOrDefault(s.name(), s)).filter(s -> s.color().isPresent() || s.texture().isPresent());
+    Optional<Surface> surface = visual.surface().map(s -> byName.getOrDefault(s.name(), s))
+        .filter(s -> s.color().isPresent() || s.texture().isPresent());
     return new Visual(visual.name(), visual.linkFromForm(), visual.geometry(), surface);
   }
 

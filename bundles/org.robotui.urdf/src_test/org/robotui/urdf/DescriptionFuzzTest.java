@@ -21,7 +21,8 @@ class DescriptionFuzzTest {
       if (read instanceof Parsed.Refused<RobotModel>(Problem problem)) {
         assertFalse(problem.message().isBlank());
       }
-      read.found().ifPresent(model -> assertEquals(model.links().size(), new Kinematics(model).rootFromLinks(Map.of(), Map.of()).size()));
+      read.found().ifPresent(
+          model -> assertEquals(model.links().size(), new Kinematics(model).rootFromLinks(Map.of(), Map.of()).size()));
     }
   }
 

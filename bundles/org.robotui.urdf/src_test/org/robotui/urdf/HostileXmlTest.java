@@ -28,15 +28,18 @@ class HostileXmlTest {
   @Test
   void readsNoOtherFile(@TempDir Path folder) throws IOException {
     Path secret = Files.writeString(folder.resolve("secret"), "hidden-words");
-    String problem = assertRefused("<!DOCTYPE robot [<!ENTITY f SYSTEM \"" + secret.toUri() + "\">]><robot name=\"r\"><link name=\"a\">&f;</link></robot>", "DOCTYPE");
+    String problem = assertRefused("<!DOCTYPE robot [<!ENTITY f SYSTEM \"" + secret.toUri()
+        + "\">]><robot name=\"r\"><link name=\"a\">&f;</link></robot>", "DOCTYPE");
     assertFalse(problem.contains("hidden-words"), problem);
-    assertRefused("<!DOCTYPE robot SYSTEM \"" + secret.toUri() + "\"><robot name=\"r\"><link name=\"a\"/></robot>", "DOCTYPE");
+    assertRefused("<!DOCTYPE robot SYSTEM \"" + secret.toUri() + "\"><robot name=\"r\"><link name=\"a\"/></robot>",
+        "DOCTYPE");
   }
 
   @Test
   void followsNoInclusion(@TempDir Path folder) throws IOException {
     Path other = Files.writeString(folder.resolve("link.xml"), "<link name=\"included\"/>");
-    String text = "<robot name='r' xmlns:xi='http://www.w3.org/2001/XInclude'><link name='a'/><xi:include href='" + other.toUri() + "'/></robot>";
+    String text = "<robot name='r' xmlns:xi='http://www.w3.org/2001/XInclude'><link name='a'/><xi:include href='"
+        + other.toUri() + "'/></robot>";
     assertTrue(Urdf.parse(text).found().orElseThrow().link("included").isEmpty());
   }
 
@@ -49,8 +52,10 @@ class HostileXmlTest {
 
   @Test
   void doesTheSameInMeshes() {
-    byte[] bomb = "<!DOCTYPE COLLADA [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><COLLADA>&a;</COLLADA>".getBytes(StandardCharsets.UTF_8);
-    MeshRead.Refused refused = assertInstanceOf(MeshRead.Refused.class, MeshReader.read("x.dae", bomb, name -> Optional.empty()));
+    byte[] bomb = "<!DOCTYPE COLLADA [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><COLLADA>&a;</COLLADA>"
+        .getBytes(StandardCharsets.UTF_8);
+    MeshRead.Refused refused =
+        assertInstanceOf(MeshRead.Refused.class, MeshReader.read("x.dae", bomb, name -> Optional.empty()));
     assertTrue(refused.why().contains("DOCTYPE"), refused.why());
   }
 

@@ -35,6 +35,7 @@ class KinematicsTest {
 
   @Test
   void takesWhatIsNoNumberAsZero() {
-    assertNear(0, 0, 1.5, kinematics.rootFromLinks(Map.of("lift", Double.NaN), Map.of()).get("slide").translation(), 1e-12);
+    assertNear(0, 0, 1.5, kinematics.rootFromLinks(Map.of("lift", Double.NaN), Map.of()).get("slide").translation(),
+        1e-12);
   }
 }

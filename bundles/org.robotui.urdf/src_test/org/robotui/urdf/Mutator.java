@@ -8,8 +8,9 @@ import java.util.Random;
 
 /** Breaks texts and bytes as files break, and as people who mean harm break them. */
 public final class Mutator {
-  private static final List<String> NASTY = List.of("-1", "4294967295", "1e999", "NaN", "", "<", ">", "\"", "]]>", "&x;", "\u0000", "../../",
-      "99999999999999999999", "<link name=\"base\"/>", "#v", "0 0 0", "<!DOCTYPE a>");
+  private static final List<String> NASTY =
+      List.of("-1", "4294967295", "1e999", "NaN", "", "<", ">", "\"", "]]>", "&x;", "\u0000", "../../",
+          "99999999999999999999", "<link name=\"base\"/>", "#v", "0 0 0", "<!DOCTYPE a>");
 
   private Mutator() {}
 
@@ -32,8 +33,9 @@ public final class Mutator {
     int length = random.nextInt(Math.min(40, sample.length - at + 1));
     return switch (random.nextInt(6)) {
       case 0 -> joined(sample, 0, at, new byte[0], sample.length);
-      case 1 -> joined(sample, 0, at, new byte[] {(byte) random.nextInt(256)}, Math.min(sample.length, at + 1));
-      case 2 -> joined(sample, 0, at, NASTY.get(random.nextInt(NASTY.size())).getBytes(StandardCharsets.UTF_8), at + length);
+      case 1 -> joined(sample, 0, at, new byte[]{(byte) random.nextInt(256)}, Math.min(sample.length, at + 1));
+      case 2 -> joined(sample, 0, at, NASTY.get(random.nextInt(NASTY.size())).getBytes(StandardCharsets.UTF_8),
+          at + length);
       case 3 -> joined(sample, 0, at, new byte[0], at + length);
       case 4 -> joined(sample, 0, at, Arrays.copyOfRange(sample, at, at + length), at);
       default -> joined(sample, 0, at, Arrays.copyOfRange(sample, Math.max(0, at - 100), at), at);

@@ -37,7 +37,8 @@ final class SharedRobots {
 
   private static Optional<Path> root() {
     String configured = System.getenv("ROBOTUI_SHARED");
-    return configured != null ? Optional.of(Path.of(configured)) : repository().map(repository -> repository.resolveSibling("shared"));
+    return configured != null ? Optional.of(Path.of(configured))
+        : repository().map(repository -> repository.resolveSibling("shared"));
   }
 
   private static Optional<Path> repository() {

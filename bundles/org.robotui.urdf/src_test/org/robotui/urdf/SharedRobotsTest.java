@@ -46,7 +46,8 @@ class SharedRobotsTest {
       assertFalse(uris.isEmpty() && !file.toString().contains("collision"));
       for (String uri : uris) {
         PackageFile.Found found = assertInstanceOf(PackageFile.Found.class, folders.find(uri), uri);
-        MeshRead read = MeshReader.read(uri, found.bytes(), name -> folders.beside(found, name).found().map(SharedRobotsTest::bytes));
+        MeshRead read = MeshReader.read(uri, found.bytes(),
+            name -> folders.beside(found, name).found().map(SharedRobotsTest::bytes));
         MeshRead.Ok ok = assertInstanceOf(MeshRead.Ok.class, read, () -> uri + ": " + read);
         assertEquals(List.of(), ok.warnings(), uri);
       }
@@ -61,9 +62,11 @@ class SharedRobotsTest {
     assertEquals(17.4519, mass(panda), 1e-4);
     Kinematics kinematics = new Kinematics(panda);
     KinematicsTest.assertNear(0.088, 0, 0.926, relative(kinematics, Map.of(), "panda_link0", "panda_link8"), 1e-6);
-    Map<String, Double> bent = Map.of("panda_joint2", -0.785398, "panda_joint4", -2.356194, "panda_joint6", 1.570796, "panda_joint7", 0.785398);
+    Map<String, Double> bent = Map.of("panda_joint2", -0.785398, "panda_joint4", -2.356194, "panda_joint6", 1.570796,
+        "panda_joint7", 0.785398);
     KinematicsTest.assertNear(0.306891, 0, 0.590282, relative(kinematics, bent, "panda_link0", "panda_link8"), 1e-5);
-    SemanticModel semantics = Srdf.parse(SharedRobots.text("panda_description/srdf/panda.srdf"), panda).found().orElseThrow();
+    SemanticModel semantics =
+        Srdf.parse(SharedRobots.text("panda_description/srdf/panda.srdf"), panda).found().orElseThrow();
     assertEquals(8, semantics.group("arm_and_hand").orElseThrow().joints().size());
   }
 
@@ -72,7 +75,8 @@ class SharedRobotsTest {
     RobotModel husky = model("husky_description/urdf/husky.urdf");
     assertEquals(15, husky.links().size());
     assertEquals(56.582, mass(husky), 1e-3);
-    KinematicsTest.assertNear(0.256, 0.2854, 0.03282, relative(new Kinematics(husky), Map.of(), "base_link", "front_left_wheel_link"), 1e-6);
+    KinematicsTest.assertNear(0.256, 0.2854, 0.03282,
+        relative(new Kinematics(husky), Map.of(), "base_link", "front_left_wheel_link"), 1e-6);
   }
 
   @Test
@@ -83,11 +87,13 @@ class SharedRobotsTest {
     Kinematics kinematics = new Kinematics(coman);
     KinematicsTest.assertNear(0, 0.0726, -0.5168, relative(kinematics, Map.of(), "Waist", "l_sole"), 1e-4);
     SemanticModel semantics = Srdf.parse(SharedRobots.text("coman_urdf/srdf/coman.srdf"), coman).found().orElseThrow();
-    Map<String, Double> home = semantics.states().stream().filter(s -> s.name().equals("home")).findFirst().orElseThrow().positions();
+    Map<String, Double> home =
+        semantics.states().stream().filter(s -> s.name().equals("home")).findFirst().orElseThrow().positions();
     assertEquals(29, home.size());
     KinematicsTest.assertNear(0.0914, 0.211909, 0.076352, relative(kinematics, home, "Waist", "l_wrist"), 1e-5);
     Set<String> groups = semantics.groups().stream().map(SemanticModel.Group::name).collect(Collectors.toSet());
-    assertEquals(true, groups.containsAll(Set.of("left_arm", "right_arm", "left_leg", "right_leg", "torso")), groups.toString());
+    assertEquals(true, groups.containsAll(Set.of("left_arm", "right_arm", "left_leg", "right_leg", "torso")),
+        groups.toString());
   }
 
   @Test

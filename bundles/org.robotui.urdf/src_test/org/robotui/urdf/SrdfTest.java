@@ -28,12 +28,14 @@ class SrdfTest {
 
   @Test
   void warnsOfWhatTheRobotLacks() {
-    assertEquals(List.of(new Problem(6, "the robot has no joint 'none'")), assertInstanceOf(Parsed.Ok.class, read).warnings());
+    assertEquals(List.of(new Problem(6, "the robot has no joint 'none'")),
+        assertInstanceOf(Parsed.Ok.class, read).warnings());
   }
 
   @Test
   void refusesGroupsThatContainEachOther() {
-    String text = "<robot name='arm'><group name='a'><group name='b'/></group><group name='b'><group name='a'/></group></robot>";
+    String text =
+        "<robot name='arm'><group name='a'><group name='b'/></group><group name='b'><group name='a'/></group></robot>";
     Parsed.Refused<?> refused = assertInstanceOf(Parsed.Refused.class, Srdf.parse(text, UrdfTest.arm()));
     assertTrue(refused.problem().message().contains("contains itself"), refused.problem().toString());
   }

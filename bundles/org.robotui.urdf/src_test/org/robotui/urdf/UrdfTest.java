@@ -42,12 +42,14 @@ class UrdfTest {
         <visual><geometry><sphere radius="1"/></geometry><material name="m"><color rgba="1 0 0 1"/></material></visual>
         </link></robot>""";
     assertEquals(List.of(), assertInstanceOf(Parsed.Ok.class, Urdf.parse(text)).warnings());
-    assertEquals(new Color(1, 0, 0, 1), Urdf.parse(text).found().orElseThrow().links().get(0).visuals().get(0).surface().orElseThrow().color().orElseThrow());
+    assertEquals(new Color(1, 0, 0, 1), Urdf.parse(text).found().orElseThrow().links().get(0).visuals().get(0).surface()
+        .orElseThrow().color().orElseThrow());
   }
 
   @Test
   void warnsOfAMaterialThatNobodyDefines() {
-    Parsed.Ok<?> read = assertInstanceOf(Parsed.Ok.class, Urdf.parse("<robot name='r'><link name='a'>\n<visual><geometry><sphere radius='1'/></geometry><material name='gray'/></visual></link></robot>"));
+    Parsed.Ok<?> read = assertInstanceOf(Parsed.Ok.class, Urdf.parse(
+        "<robot name='r'><link name='a'>\n<visual><geometry><sphere radius='1'/></geometry><material name='gray'/></visual></link></robot>"));
     assertEquals(2, read.warnings().get(0).line());
     assertTrue(read.warnings().get(0).message().contains("'gray'"));
   }
@@ -104,7 +106,8 @@ class UrdfTest {
         <joint name="one" type="fixed"><parent link="root"/><child link="a"/></joint>
         <joint name="two" type="fixed"><parent link="root"/><child link="a"/></joint></robot>""";
     Parsed.Refused<?> refused = assertInstanceOf(Parsed.Refused.class, Urdf.parse(text));
-    assertTrue(refused.problem().message().contains("child of both joints 'one' and 'two'"), refused.problem().toString());
+    assertTrue(refused.problem().message().contains("child of both joints 'one' and 'two'"),
+        refused.problem().toString());
     assertEquals(3, refused.problem().line());
   }
 

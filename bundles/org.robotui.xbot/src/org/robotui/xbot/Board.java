@@ -38,7 +38,8 @@ public record Board(
    * @param velocity greatest speed per second
    * @param effort greatest effort, newton metres or newton
    */
-  public record Joint(String name, int id, boolean prismatic, double lower, double upper, double velocity, double effort) {}
+  public record Joint(String name, int id, boolean prismatic, double lower, double upper, double velocity,
+      double effort) {}
 
   /**
    * One process of plugins.

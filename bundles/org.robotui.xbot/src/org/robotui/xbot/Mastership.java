@@ -9,8 +9,8 @@ import org.robotui.xbot.internal.NativeClient;
 import org.robotui.xbot.internal.References;
 
 /**
- * The right to tell the joints what to do, while the communication plugin runs. It has a connection of its own, so that no request
- * delays a reference, and ends with it, also when this process dies.
+ * The right to tell the joints what to do, while the communication plugin runs. It has a connection of its own, so that
+ * no request delays a reference, and ends with it, also when this process dies.
  */
 public final class Mastership implements AutoCloseable {
   private static final Duration TIMEOUT = Duration.ofSeconds(2);

@@ -9,8 +9,8 @@ import org.robotui.xbot.internal.NativeClient;
 import org.robotui.xbot.internal.Segments;
 
 /**
- * A connection to a running control of this machine and user. All methods are safe for all threads; {@link #request} blocks up to its
- * time-out and others that talk to the supervisor wait for it, reading the state never does.
+ * A connection to a running control of this machine and user. All methods are safe for all threads; {@link #request}
+ * blocks up to its time-out and others that talk to the supervisor wait for it, reading the state never does.
  */
 public final class RtClient implements AutoCloseable {
   private static final Duration TIMEOUT = Duration.ofSeconds(2);

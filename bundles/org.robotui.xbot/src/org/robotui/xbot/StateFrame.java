@@ -8,14 +8,16 @@ import org.robotui.geometry.Vector3;
  * The robot in one cycle of its control.
  *
  * @param cycle its number, from 1
- * @param sensedNanos when it was measured, by the monotonic clock of the machine, which is that of {@link System#nanoTime} here
+ * @param sensedNanos when it was measured, by the monotonic clock of the machine, which is that of
+ * {@link System#nanoTime} here
  * @param hardware what the hardware says
  * @param joints in the order of the board
  * @param imus in the order of the board
  * @param forceTorques in the order of the board
  */
 public record StateFrame(
-    long cycle, long sensedNanos, Hardware hardware, List<Joint> joints, List<Imu> imus, List<ForceTorque> forceTorques) {
+    long cycle, long sensedNanos, Hardware hardware, List<Joint> joints, List<Imu> imus,
+    List<ForceTorque> forceTorques) {
   /** What the hardware says. */
   public enum Hardware {
     /** All is well. */

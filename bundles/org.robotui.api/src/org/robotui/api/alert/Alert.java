@@ -14,10 +14,12 @@ import java.util.Optional;
  * @param times how often it began since it was acknowledged, at least 1
  * @param lasting whether its condition holds
  * @param acknowledged whether somebody has said to have seen it; it is not heard then
- * @param mutedUntil until when it is not heard, {@link Instant#MAX} where nothing ends that; empty or in the past where it is heard
+ * @param mutedUntil until when it is not heard, {@link Instant#MAX} where nothing ends that; empty or in the past where
+ * it is heard
  */
 public record Alert(
-    AlertId id, String condition, String source, String value, Instant since, int times, boolean lasting, boolean acknowledged,
+    AlertId id, String condition, String source, String value, Instant since, int times, boolean lasting,
+    boolean acknowledged,
     Optional<Instant> mutedUntil) {
   /**
    * Whether it waits for somebody.

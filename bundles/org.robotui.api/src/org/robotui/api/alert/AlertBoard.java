@@ -4,7 +4,10 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 
-/** The alerts of a RUIC, as users see them and what they do with them. Nothing of it outlives the RUIC. Safe for all threads; never blocks. */
+/**
+ * The alerts of a RUIC, as users see them and what they do with them. Nothing of it outlives the RUIC. Safe for all
+ * threads; never blocks.
+ */
 public interface AlertBoard {
   /**
    * What is on or was not acknowledged yet.
@@ -14,15 +17,16 @@ public interface AlertBoard {
   List<Alert> alerts();
 
   /**
-   * Says that somebody has seen an alert: it is not heard any more until it begins anew, and is listed only while it lasts.
+   * Says that somebody has seen an alert: it is not heard any more until it begins anew, and is listed only while it
+   * lasts.
    *
    * @param alert which; one that is not listed is left as it is
    */
   void acknowledge(AlertId alert);
 
   /**
-   * Keeps one alert from being heard for a time, also when it begins anew meanwhile. It is listed all the same.
-   * As many can be muted as are listed; beyond that, the one is heard again that is not listed and would be heard soonest.
+   * Keeps one alert from being heard for a time, also when it begins anew meanwhile. It is listed all the same. As many
+   * can be muted as are listed; beyond that, the one is heard again that is not listed and would be heard soonest.
    *
    * @param alert which
    * @param until when it is heard again; {@link Instant#MAX} for when somebody says so; empty for now

@@ -36,8 +36,9 @@ public interface Authority {
   void giveBack(Principal principal);
 
   /**
-   * Stops and latches: the configured stop call, and zero on the robot's main motion ports and wherever we drove. It is said once, and again as often as the
-   * robot reports motion until the stop is released, whoever moves it. Needs no lease and does not depend on the display thread.
+   * Stops and latches: the configured stop call, and zero on the robot's main motion ports and wherever we drove. It is
+   * said once, and again as often as the robot reports motion until the stop is released, whoever moves it. Needs no
+   * lease and does not depend on the display thread.
    *
    * @param by who stops
    */

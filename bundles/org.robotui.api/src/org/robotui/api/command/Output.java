@@ -13,8 +13,8 @@ import org.robotui.data.Data;
  */
 public interface Output<T extends Data> {
   /**
-   * Gives a command. Returns at once; called from any thread. A command that keeps something moving must be renewed within
-   * its validity, else the arbiter stops the motion.
+   * Gives a command. Returns at once; called from any thread. A command that keeps something moving must be renewed
+   * within its validity, else the arbiter stops the motion.
    *
    * @param command the command
    * @param validFor how long it is true; nothing is sent later

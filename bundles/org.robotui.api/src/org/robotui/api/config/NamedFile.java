@@ -11,8 +11,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /**
- * Reads files that users name. Only regular files are read, and only as much as was agreed on, so that a wrong name costs neither memory nor
- * time; errors are sentences for users, behind the name of the file, and tell nothing of what is in it.
+ * Reads files that users name. Only regular files are read, and only as much as was agreed on, so that a wrong name
+ * costs neither memory nor time; errors are sentences for users, behind the name of the file, and tell nothing of what
+ * is in it.
  */
 public final class NamedFile {
   private NamedFile() {}
@@ -23,7 +24,8 @@ public final class NamedFile {
    * @param file which
    * @param most the most bytes that it may have
    * @return its content
-   * @throws IOException where it is not there, no regular file, too large or cannot be read; the message says which, without its name
+   * @throws IOException where it is not there, no regular file, too large or cannot be read; the message says which,
+   * without its name
    */
   public static byte[] bytes(Path file, long most) throws IOException {
     try {

@@ -3,8 +3,8 @@ package org.robotui.api.config;
 import java.nio.file.Path;
 
 /**
- * A value together with where it is written, for components that can only judge it later, or that read files relative to the one
- * in which they are named. See {@link ValueType.WithPlace}.
+ * A value together with where it is written, for components that can only judge it later, or that read files relative
+ * to the one in which they are named. See {@link ValueType.WithPlace}.
  *
  * @param value Boolean, Long, Double, String, List or Map, as its type says
  * @param file the configuration file as the user named it; empty for a value that stands in no file

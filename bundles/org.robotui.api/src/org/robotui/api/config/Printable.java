@@ -1,8 +1,9 @@
 package org.robotui.api.config;
 
 /**
- * Text that came from a file or a network, made harmless for a terminal: characters that would steer it, break the line or turn the
- * direction of writing are shown as {@code \}{@code u001b}. This is the one place that knows which they are.
+ * Text that came from a file or a network, made harmless for a terminal: characters that would steer it, break the line
+ * or turn the direction of writing are shown as {@code \}{@code u001b}. This is the one place that knows which they
+ * are.
  */
 public final class Printable {
   private static final String BIDIRECTIONAL = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069";

@@ -6,7 +6,8 @@ import java.util.Optional;
 
 /**
  * Checked values: every setting of the schema has a value of its type, or is absent where that is allowed. Asking for a
- * name that the schema lacks, or with the wrong type, is a programming error and throws {@link IllegalArgumentException}.
+ * name that the schema lacks, or with the wrong type, is a programming error and throws
+ * {@link IllegalArgumentException}.
  *
  * @param schema what may be there
  * @param values Boolean, Long, Double, String, List, Map or nested Settings by name, fallbacks included

@@ -7,11 +7,12 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 
 /**
- * What a text must be like: its syntax, which is judged without an instance and without a robot. A text of a configuration never has control
- * characters, and is never longer than {@link #LONGEST}, whatever its rule.
+ * What a text must be like: its syntax, which is judged without an instance and without a robot. A text of a
+ * configuration never has control characters, and is never longer than {@link #LONGEST}, whatever its rule.
  *
  * @param expected what is expected, with an example, as it stands behind "must be"
- * @param fault why a text is not like that; an empty reason where there is nothing to add, nothing where it fits. Never throws
+ * @param fault why a text is not like that; an empty reason where there is nothing to add, nothing where it fits. Never
+ * throws
  */
 public record TextRule(String expected, Function<String, Optional<String>> fault) {
   /** The most characters of a text. */
@@ -24,11 +25,15 @@ public record TextRule(String expected, Function<String, Optional<String>> fault
   public static final TextRule HOST = matching("the name or address of a host, such as robot.local or 10.0.0.1",
       "[A-Za-z0-9_]([A-Za-z0-9._-]{0,252}[A-Za-z0-9_])?|\\[?[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(%[A-Za-z0-9]+)?]?");
 
-  /** A coordinate frame: {@code map}, or {@code robot/map}. Robots choose these names, so that little is known of them. */
-  public static final TextRule FRAME = matching("the name of a frame, such as map or Natalie/map", "[^\\s](.{0,510}[^\\s])?");
+  /**
+   * A coordinate frame: {@code map}, or {@code robot/map}. Robots choose these names, so that little is known of them.
+   */
+  public static final TextRule FRAME =
+      matching("the name of a frame, such as map or Natalie/map", "[^\\s](.{0,510}[^\\s])?");
 
   /** A port of a component: the id of the component, a dot, and the name of the port. */
-  public static final TextRule SOURCE = matching("a port of a component, such as base.odom", "[A-Za-z_][A-Za-z0-9_-]*\\..+");
+  public static final TextRule SOURCE =
+      matching("a port of a component, such as base.odom", "[A-Za-z_][A-Za-z0-9_-]*\\..+");
 
   /**
    * Checks the parts.

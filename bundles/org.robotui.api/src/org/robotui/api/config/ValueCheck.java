@@ -18,8 +18,10 @@ final class ValueCheck {
     return switch (type) {
       case ValueType.Text t -> text(value).filter(v -> t.fault(v).isEmpty()).map(v -> v);
       case ValueType.Flag f -> Optional.of(value).filter(Boolean.class::isInstance);
-      case ValueType.Num n -> number(value).map(Number::doubleValue).filter(v -> v >= n.min() && v <= n.max()).map(v -> v);
-      case ValueType.Int i -> number(value).flatMap(ValueCheck::whole).filter(v -> v >= i.min() && v <= i.max()).map(v -> v);
+      case ValueType.Num n -> number(value).map(Number::doubleValue).filter(v -> v >= n.min() && v <= n.max())
+          .map(v -> v);
+      case ValueType.Int i -> number(value).flatMap(ValueCheck::whole).filter(v -> v >= i.min() && v <= i.max())
+          .map(v -> v);
       case ValueType.Choice c -> Optional.of(value).filter(String.class::isInstance).filter(c.words()::contains);
       case ValueType.ListOf l -> value instanceof List<?> list ? list(l, list) : Optional.empty();
       case ValueType.MapOf m -> value instanceof Map<?, ?> map ? map(m, map) : Optional.empty();
@@ -39,7 +41,8 @@ final class ValueCheck {
   }
 
   private static Optional<Long> whole(Number number) {
-    boolean fraction = (number instanceof Double || number instanceof Float) && number.doubleValue() != number.longValue();
+    boolean fraction =
+        (number instanceof Double || number instanceof Float) && number.doubleValue() != number.longValue();
     return fraction ? Optional.empty() : Optional.of(number.longValue());
   }
 
@@ -70,18 +73,21 @@ final class ValueCheck {
     return switch (type) {
       case ValueType.Text t -> t.rule().expected();
       case ValueType.Flag f -> "true or false";
-      case ValueType.Num n -> "a number from " + plain(n.min()) + " to " + plain(n.max()) + (n.unit().isEmpty() ? "" : " in " + n.unit());
+      case ValueType.Num n -> "a number from " + plain(n.min()) + " to " + plain(n.max())
+          + (n.unit().isEmpty() ? "" : " in " + n.unit());
       case ValueType.Int i -> "a whole number from " + i.min() + " to " + i.max();
       case ValueType.Choice c -> "one of " + String.join(", ", c.words());
       case ValueType.ListOf l -> "a list, each element " + expected(l.element());
       case ValueType.MapOf m -> "names with values, each " + expected(m.value());
       case ValueType.Section s -> "a section";
-      case ValueType.AnyOf a -> a.alternatives().stream().map(ValueCheck::expected).collect(Collectors.joining(", or "));
+      case ValueType.AnyOf a -> a.alternatives().stream().map(ValueCheck::expected)
+          .collect(Collectors.joining(", or "));
       case ValueType.WithPlace p -> expected(p.value());
     };
   }
 
   private static String plain(double number) {
-    return number == Math.rint(number) && Math.abs(number) < MOST_DIGITS ? Long.toString((long) number) : Double.toString(number);
+    return number == Math.rint(number) && Math.abs(number) < MOST_DIGITS ? Long.toString((long) number)
+        : Double.toString(number);
   }
 }

@@ -43,7 +43,8 @@ public sealed interface ValueType {
      */
     public Optional<String> fault(String text) {
       return text.length() > TextRule.LONGEST
-          ? Optional.of("it has " + text.length() + " characters; at most " + TextRule.LONGEST + " are read") : rule.fault().apply(text);
+          ? Optional.of("it has " + text.length() + " characters; at most " + TextRule.LONGEST + " are read")
+          : rule.fault().apply(text);
     }
   }
 
@@ -51,11 +52,13 @@ public sealed interface ValueType {
   record Flag() implements ValueType {}
 
   /**
-   * A finite number within limits, which are finite as well: what has no bound by its nature gets one beyond everything that makes sense.
+   * A finite number within limits, which are finite as well: what has no bound by its nature gets one beyond everything
+   * that makes sense.
    *
    * @param min the smallest allowed
    * @param max the largest allowed
-   * @param unit for display, for example {@code m/s}; empty for a plain number, such as a share, whose help says what it counts
+   * @param unit for display, for example {@code m/s}; empty for a plain number, such as a share, whose help says what
+   * it counts
    */
   record Num(double min, double max, String unit) implements ValueType {
     /**

@@ -1,8 +1,9 @@
 package org.robotui.api.host;
 
 /**
- * A RUIC that is put together: its robot interface is tried, what it offers says which views fit, and the configuration is written. The
- * interface runs until this is closed; nothing is wired to it, and nothing is sent. Safe for all threads.
+ * A RUIC that is put together: its robot interface is tried, what it offers says which views fit, and the configuration
+ * is written. The interface runs until this is closed; nothing is wired to it, and nothing is sent. Safe for all
+ * threads.
  */
 public interface Composition extends AutoCloseable {
   /**

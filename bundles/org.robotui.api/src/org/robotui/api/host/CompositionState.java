@@ -18,7 +18,8 @@ import org.robotui.api.port.SourceId;
  * @param views every type of view, those that fit first
  * @param ruics every type of RUIC, the best first
  */
-public record CompositionState(Stage stage, String sentence, LinkState link, List<PortStatus> ports, List<ViewFit> views, List<RuicFit> ruics) {
+public record CompositionState(Stage stage, String sentence, LinkState link, List<PortStatus> ports,
+    List<ViewFit> views, List<RuicFit> ruics) {
   /** How far it is. */
   public enum Stage {
     /** It is not reached yet. */
@@ -81,17 +82,20 @@ public record CompositionState(Stage stage, String sentence, LinkState link, Lis
   }
 
   /**
-   * What is proposed to be shown with a type of RUIC: those of its views that fit. A view that has to be told its ports is among them.
+   * What is proposed to be shown with a type of RUIC: those of its views that fit. A view that has to be told its ports
+   * is among them.
    *
    * @param ruic id of the type
    * @return types of views, in the order of its layout
    */
   public List<String> proposedViews(String ruic) {
-    return ruic(ruic).stream().flatMap(r -> r.views().stream()).filter(v -> view(v).filter(ViewFit::fits).isPresent()).toList();
+    return ruic(ruic).stream().flatMap(r -> r.views().stream()).filter(v -> view(v).filter(ViewFit::fits).isPresent())
+        .toList();
   }
 
   /**
-   * What is proposed where several ports fit: the one with the shortest name, which is the plain one where others are derived, else the first.
+   * What is proposed where several ports fit: the one with the shortest name, which is the plain one where others are
+   * derived, else the first.
    *
    * @param shown types of views
    * @return the port of the robot by port of a view
@@ -99,7 +103,8 @@ public record CompositionState(Stage stage, String sentence, LinkState link, Lis
   public Map<SourceId, SourceId> proposedConnections(List<String> shown) {
     Map<SourceId, SourceId> all = new LinkedHashMap<>();
     shown.stream().flatMap(v -> view(v).stream()).flatMap(v -> v.choices().stream())
-        .forEach(m -> m.candidates().stream().min(Comparator.comparingInt(c -> c.port().length())).ifPresent(c -> all.put(m.port(), c)));
+        .forEach(m -> m.candidates().stream().min(Comparator.comparingInt(c -> c.port().length()))
+            .ifPresent(c -> all.put(m.port(), c)));
     return all;
   }
 }

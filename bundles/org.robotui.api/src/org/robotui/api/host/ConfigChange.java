@@ -4,7 +4,8 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * A configuration that runs was changed by somebody in its file. Where something is wrong with it, what runs goes on as it was.
+ * A configuration that runs was changed by somebody in its file. Where something is wrong with it, what runs goes on as
+ * it was.
  *
  * @param file which
  * @param problems what is wrong with it now

@@ -4,8 +4,9 @@ import java.util.concurrent.CompletionStage;
 import org.robotui.api.port.SourceId;
 
 /**
- * A robot interface that is tried beside the one whose place it shall take. It connects to its robot and says what that has, but nothing
- * is wired to it and it is never commanded. Closing it ends the trial; what runs is not touched. Safe for all threads.
+ * A robot interface that is tried beside the one whose place it shall take. It connects to its robot and says what that
+ * has, but nothing is wired to it and it is never commanded. Closing it ends the trial; what runs is not touched. Safe
+ * for all threads.
  */
 public interface Exchange extends AutoCloseable {
   /**
@@ -24,9 +25,9 @@ public interface Exchange extends AutoCloseable {
   void choose(SourceId port, SourceId peer);
 
   /**
-   * Exchanges: what we drive is stopped and leases are given back, the old interface ends, streams, frames and the clock are reset, and
-   * the new one starts in its place. Views and other interfaces go on. Where the new one cannot be started, the old one is started
-   * again. Afterwards the trial has ended, unless it was refused.
+   * Exchanges: what we drive is stopped and leases are given back, the old interface ends, streams, frames and the
+   * clock are reset, and the new one starts in its place. Views and other interfaces go on. Where the new one cannot be
+   * started, the old one is started again. Afterwards the trial has ended, unless it was refused.
    *
    * @param goWithout true to do it also where used connections would be lost or the robot has not answered yet
    * @return completes when it is done, and says what came of it

@@ -9,8 +9,8 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
 
 /**
- * The core, as an application sees it: an OSGi service. Methods return at once unless they say otherwise, and are safe for
- * all threads.
+ * The core, as an application sees it: an OSGi service. Methods return at once unless they say otherwise, and are safe
+ * for all threads.
  */
 public interface Host {
   /**
@@ -22,8 +22,8 @@ public interface Host {
   void open(Surface surface, Principal principal);
 
   /**
-   * Reads a configuration and adds its RUICs. Reads the file, so not on the display thread. From then on the file is watched, see
-   * {@link HostListener#configurationChanged}.
+   * Reads a configuration and adds its RUICs. Reads the file, so not on the display thread. From then on the file is
+   * watched, see {@link HostListener#configurationChanged}.
    *
    * @param file the YAML file
    * @return what is wrong with it; RUICs without errors are added all the same
@@ -93,8 +93,8 @@ public interface Host {
   Subscription listen(HostListener listener);
 
   /**
-   * The display thread lives. An application with a window calls this from its display thread at least every 50 ms once it
-   * has called it for the first time; a silence of 200 ms ends streaming commands of its principal with zero.
+   * The display thread lives. An application with a window calls this from its display thread at least every 50 ms once
+   * it has called it for the first time; a silence of 200 ms ends streaming commands of its principal with zero.
    */
   void displayAlive();
 
@@ -113,7 +113,8 @@ public interface Host {
   void stopAll(Principal by);
 
   /**
-   * How long {@link #close} may take with what runs now: the robot interfaces of a team end at once, but on as many processors as there are.
+   * How long {@link #close} may take with what runs now: the robot interfaces of a team end at once, but on as many
+   * processors as there are.
    *
    * @param limit how long, where a few robot interfaces run
    * @return as long, or longer where many do

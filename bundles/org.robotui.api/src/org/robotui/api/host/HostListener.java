@@ -15,8 +15,8 @@ public interface HostListener {
   default void ruicChanged(String ruic) {}
 
   /**
-   * A view of a selected RUIC has something new to show. An application has it painted on its display thread, once for any
-   * number of calls.
+   * A view of a selected RUIC has something new to show. An application has it painted on its display thread, once for
+   * any number of calls.
    *
    * @param ruic name of the RUIC
    * @param uic id of the view
@@ -32,8 +32,8 @@ public interface HostListener {
   default void showWanted(String from, String wanted) {}
 
   /**
-   * The user wants to see something in a view. An application that shows the RUIC brings the view to the front and calls
-   * {@link org.robotui.api.Uic#show}.
+   * The user wants to see something in a view. An application that shows the RUIC brings the view to the front and
+   * calls {@link org.robotui.api.Uic#show}.
    *
    * @param ruic name of the RUIC
    * @param uic id of the view
@@ -51,7 +51,8 @@ public interface HostListener {
   default void alert(String ruic, String message) {}
 
   /**
-   * Something concerned the application itself and soon is over, such as a display that does not answer: worth a look now, not later.
+   * Something concerned the application itself and soon is over, such as a display that does not answer: worth a look
+   * now, not later.
    *
    * @param message what it was
    */

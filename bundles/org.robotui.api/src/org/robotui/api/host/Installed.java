@@ -14,7 +14,8 @@ import org.robotui.api.UicType.Surface;
  * @param surface where a view can be shown; only of views
  * @param views ids of the types of views that a RUIC of it has when nothing is set; only of RUICs
  */
-public record Installed(Kind kind, Descriptor descriptor, String bundle, Optional<Surface> surface, List<String> views) {
+public record Installed(Kind kind, Descriptor descriptor, String bundle, Optional<Surface> surface,
+    List<String> views) {
   /** What types there are. */
   public enum Kind {
     /** Of robot interfaces: frameworks. */

@@ -11,7 +11,8 @@ import java.util.Map;
  * @param type id of its type: the framework
  * @param robot the robot that it speaks to
  * @param title what users call it, empty where not written
- * @param settings what is written for its type, in the order of writing: texts as written, Boolean, Number, List and Map
+ * @param settings what is written for its type, in the order of writing: texts as written, Boolean, Number, List and
+ * Map
  */
 public record InterfaceConfig(String id, String type, String robot, String title, Map<String, Object> settings) {
   /**

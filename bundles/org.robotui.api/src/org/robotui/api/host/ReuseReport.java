@@ -90,11 +90,13 @@ public record ReuseReport(List<String> ruics, List<Row> rows) {
   }
 
   private Pair pair(String one, String other) {
-    return new Pair(one, other, count(one, other, true, true), count(one, other, true, false), count(one, other, false, true));
+    return new Pair(one, other, count(one, other, true, true), count(one, other, true, false),
+        count(one, other, false, true));
   }
 
   private long count(String one, String other, boolean withOne, boolean withOther) {
-    return rows.stream().filter(r -> r.users().contains(one) == withOne && r.users().contains(other) == withOther).count();
+    return rows.stream().filter(r -> r.users().contains(one) == withOne && r.users().contains(other) == withOther)
+        .count();
   }
 
   /**
@@ -116,7 +118,8 @@ public record ReuseReport(List<String> ruics, List<Row> rows) {
       return "no robot UI runs";
     }
     String names = ruics.size() == 1 ? ruics.getFirst() + " uses "
-        : String.join(", ", ruics.subList(0, ruics.size() - 1)) + " and " + ruics.getLast() + " share " + sharedByAll() + " of ";
+        : String.join(", ", ruics.subList(0, ruics.size() - 1)) + " and " + ruics.getLast() + " share " + sharedByAll()
+            + " of ";
     return names + rows.size() + " bundles";
   }
 
@@ -127,7 +130,8 @@ public record ReuseReport(List<String> ruics, List<Row> rows) {
    */
   public String markdown() {
     List<String> lines = new ArrayList<>();
-    lines.add("| kind | bundle | " + ruics.stream().map(ReuseReport::escaped).collect(Collectors.joining(" | ")) + " | used by |");
+    lines.add("| kind | bundle | " + ruics.stream().map(ReuseReport::escaped).collect(Collectors.joining(" | "))
+        + " | used by |");
     lines.add("|---|---|" + ":-:|".repeat(ruics.size()) + "--:|");
     for (Row row : rows) {
       String cells = ruics.stream().map(r -> row.users().contains(r) ? "x" : " ").collect(Collectors.joining(" | "));
@@ -137,8 +141,9 @@ public record ReuseReport(List<String> ruics, List<Row> rows) {
       lines.add("");
       lines.add("| | | shared | only the first | only the second |");
       lines.add("|---|---|--:|--:|--:|");
-      pairs().forEach(p -> lines.add("| " + escaped(p.one()) + " | " + escaped(p.other()) + " | " + p.shared() + " | " + p.onlyOne() + " | "
-          + p.onlyOther() + " |"));
+      pairs().forEach(p -> lines
+          .add("| " + escaped(p.one()) + " | " + escaped(p.other()) + " | " + p.shared() + " | " + p.onlyOne() + " | "
+              + p.onlyOther() + " |"));
     }
     return String.join("\n", lines) + "\n";
   }
@@ -148,19 +153,22 @@ public record ReuseReport(List<String> ruics, List<Row> rows) {
   }
 
   /**
-   * The matrix as comma-separated values with a heading: kind, bundle, name, a column per RUIC with 1 or 0, count of users.
+   * The matrix as comma-separated values with a heading: kind, bundle, name, a column per RUIC with 1 or 0, count of
+   * users.
    *
    * @return lines
    */
   public String csv() {
-    Stream<String> head = Stream.of(Stream.concat(Stream.concat(Stream.of("kind", "bundle", "name"), ruics.stream()), Stream.of("used_by"))
-        .map(ReuseReport::quoted).collect(Collectors.joining(",")));
+    Stream<String> head = Stream
+        .of(Stream.concat(Stream.concat(Stream.of("kind", "bundle", "name"), ruics.stream()), Stream.of("used_by"))
+            .map(ReuseReport::quoted).collect(Collectors.joining(",")));
     return Stream.concat(head, rows.stream().map(this::csv)).collect(Collectors.joining("\n", "", "\n"));
   }
 
   private String csv(Row row) {
     String cells = ruics.stream().map(r -> row.users().contains(r) ? "1" : "0").collect(Collectors.joining(","));
-    return word(row.kind()) + "," + quoted(row.bundle()) + "," + quoted(row.name()) + "," + cells + "," + row.users().size();
+    return word(row.kind()) + "," + quoted(row.bundle()) + "," + quoted(row.name()) + "," + cells + ","
+        + row.users().size();
   }
 
   private static String quoted(String text) {

@@ -3,8 +3,8 @@ package org.robotui.api.host;
 import java.util.Set;
 
 /**
- * Which of a RUIC's robots the user means. All its views share it: what is selected in a table is marked on a map, and commanded from
- * there. Safe for all threads; never blocks.
+ * Which of a RUIC's robots the user means. All its views share it: what is selected in a table is marked on a map, and
+ * commanded from there. Safe for all threads; never blocks.
  */
 public interface RobotSelection {
   /**

@@ -16,7 +16,8 @@ public interface Ruic extends RuicView {
   Layout layout();
 
   /**
-   * Whether it waits until it is shown for the first time, as {@code start: when_shown} has it; until then nothing of it runs.
+   * Whether it waits until it is shown for the first time, as {@code start: when_shown} has it; until then nothing of
+   * it runs.
    *
    * @return how it is configured now
    */
@@ -76,8 +77,8 @@ public interface Ruic extends RuicView {
   Optional<InterfaceConfig> written(String id);
 
   /**
-   * Tries another robot interface beside the one with its id. Nothing changes before {@link Exchange#apply}. What is exchanged is kept
-   * across restarts, in place of what the file says, until the file says something else.
+   * Tries another robot interface beside the one with its id. Nothing changes before {@link Exchange#apply}. What is
+   * exchanged is kept across restarts, in place of what the file says, until the file says something else.
    *
    * @param wanted how it shall be configured
    * @return the trial; must be closed

@@ -63,11 +63,12 @@ public interface RuicView {
   RobotClock clock();
 
   /**
-   * What can be done with something that the user points at: what the types of views that are installed declare. May look at every port.
+   * What can be done with something that the user points at: what the types of views that are installed declare. May
+   * look at every port.
    *
    * @param subject a port, a frame or a node of this RUIC
-   * @return an entry for each view that could show it, and for each type of which there is no view here, with the reason; those that can be
-   *     done first, then by label
+   * @return an entry for each view that could show it, and for each type of which there is no view here, with the
+   * reason; those that can be done first, then by label
    */
   List<ShowChoice> showChoices(Subject subject);
 
@@ -83,13 +84,14 @@ public interface RuicView {
    * The newest value of a stream.
    *
    * @param port a port of a robot interface
-   * @return the value, merged for keyed types; none before the first, where nobody has asked the robot for it, or where there is no such stream
+   * @return the value, merged for keyed types; none before the first, where nobody has asked the robot for it, or where
+   * there is no such stream
    */
   Optional<Envelope<?>> newest(SourceId port);
 
   /**
-   * Has transforms forgotten, but for fixed ones, and what its views collected over time, as when the clock jumps back. What robots say but
-   * once, such as a map, stays.
+   * Has transforms forgotten, but for fixed ones, and what its views collected over time, as when the clock jumps back.
+   * What robots say but once, such as a map, stays.
    */
   void reset();
 

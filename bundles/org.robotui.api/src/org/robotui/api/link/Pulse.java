@@ -3,8 +3,9 @@ package org.robotui.api.link;
 import java.time.Duration;
 
 /**
- * Whether a robot is heard. A network that stalls takes what is sent and delivers it later, all at once; a motion must not wait
- * there. The silence of what usually comes often tells of it much sooner than any connection does. Safe for all threads.
+ * Whether a robot is heard. A network that stalls takes what is sent and delivers it later, all at once; a motion must
+ * not wait there. The silence of what usually comes often tells of it much sooner than any connection does. Safe for
+ * all threads.
  */
 public final class Pulse {
   private static final long SILENCE_NANOS = Duration.ofMillis(500).toNanos();

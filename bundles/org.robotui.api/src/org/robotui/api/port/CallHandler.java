@@ -11,8 +11,8 @@ import org.robotui.data.record.DynamicRecord;
 @FunctionalInterface
 public interface CallHandler<Q, R> {
   /**
-   * Handles a request. Called on a worker thread of core and may block until the deadline of the invocation; the thread is
-   * interrupted when the caller cancels or the time is over.
+   * Handles a request. Called on a worker thread of core and may block until the deadline of the invocation; the thread
+   * is interrupted when the caller cancels or the time is over.
    *
    * @param invocation the request
    * @return the reply

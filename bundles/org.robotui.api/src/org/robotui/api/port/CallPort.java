@@ -10,7 +10,8 @@ package org.robotui.api.port;
  * @param reply what is answered
  * @param arity how many connections a view takes
  * @param help a sentence for users
- * @param guarded true where calls command the robot: they need the lease, are refused while stopped, and a stop cancels them
+ * @param guarded true where calls command the robot: they need the lease, are refused while stopped, and a stop cancels
+ * them
  */
 public record CallPort<Q, R>(
     String name, Class<Q> request, Class<R> reply, Arity arity, String help, boolean guarded) implements Port {

@@ -10,9 +10,9 @@ import org.robotui.data.Data;
 @FunctionalInterface
 public interface CommandSink<T extends Data> {
   /**
-   * Sends one command now or not at all: it must not be queued over a reconnection. Called on a sender thread that serves
-   * this robot interface alone, never the display thread. It should return within 20 ms; a call that blocks for a second is
-   * fenced, and no further command goes to the port.
+   * Sends one command now or not at all: it must not be queued over a reconnection. Called on a sender thread that
+   * serves this robot interface alone, never the display thread. It should return within 20 ms; a call that blocks for
+   * a second is fenced, and no further command goes to the port.
    *
    * @param command the command, limited already
    * @return whether it went out
@@ -20,9 +20,10 @@ public interface CommandSink<T extends Data> {
   Sent send(T command);
 
   /**
-   * Says zero since the robot's stop is latched, on the same thread and by the same rules as {@link #send}. It is called once, again while the robot reports
-   * motion, and where we drove also over a reconnection. Where we never drove, it must have no effect but that of the zero itself: nothing is opened or
-   * started for it, and what is no main motion of the robot answers {@link Sent.Unneeded}.
+   * Says zero since the robot's stop is latched, on the same thread and by the same rules as {@link #send}. It is
+   * called once, again while the robot reports motion, and where we drove also over a reconnection. Where we never
+   * drove, it must have no effect but that of the zero itself: nothing is opened or started for it, and what is no main
+   * motion of the robot answers {@link Sent.Unneeded}.
    *
    * @param zero the command that stops
    * @param ours whether we drove here, so that the stop is ours to bring about
@@ -45,7 +46,8 @@ public interface CommandSink<T extends Data> {
     record Refused(String reason) implements Sent {}
 
     /**
-     * It was not, and need not be: a stop for what we never drove and what is no main motion of the robot. It is not said here again.
+     * It was not, and need not be: a stop for what we never drove and what is no main motion of the robot. It is not
+     * said here again.
      */
     record Unneeded() implements Sent {}
   }

@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import org.robotui.data.Data;
 
 /**
- * The view's end of a stream. It is polled, from any thread and without blocking, so that a slow view never slows a robot
- * interface. Sets of sources change while it is used.
+ * The view's end of a stream. It is polled, from any thread and without blocking, so that a slow view never slows a
+ * robot interface. Sets of sources change while it is used.
  *
  * @param <T> the type of the data
  */
@@ -43,8 +43,8 @@ public interface Input<T extends Data> {
   List<Candidate> candidates();
 
   /**
-   * Chooses what is taken, in place of what was chosen before. Streams that go on being chosen lose nothing. Called from any
-   * thread.
+   * Chooses what is taken, in place of what was chosen before. Streams that go on being chosen lose nothing. Called
+   * from any thread.
    *
    * @param sources what to take; those that are not there yet are taken when they come
    * @throws IllegalStateException where the port is not {@link Intake#CHOSEN}
@@ -84,9 +84,9 @@ public interface Input<T extends Data> {
   int drain(Consumer<? super Envelope<T>> consumer);
 
   /**
-   * Has the next {@link #drain} give again what holds until something newer comes: the last value of sources whose sender keeps it for late
-   * comers, or whose type does not expire, as if they were connected anew. For a view that has forgotten what it took, as the clock of the
-   * robot jumped back: call it before draining, on the thread that drains.
+   * Has the next {@link #drain} give again what holds until something newer comes: the last value of sources whose
+   * sender keeps it for late comers, or whose type does not expire, as if they were connected anew. For a view that has
+   * forgotten what it took, as the clock of the robot jumped back: call it before draining, on the thread that drains.
    */
   void recall();
 

@@ -39,16 +39,17 @@ public sealed interface InputState {
   }
 
   /**
-   * There is a value, but it is older than it should be, is not the newest that was sent, or nothing newer can come. What was received stays in sight,
-   * marked as old.
+   * There is a value, but it is older than it should be, is not the newest that was sent, or nothing newer can come.
+   * What was received stays in sight, marked as old.
    *
    * @param ageSeconds age of the newest value
    * @param explanation for example that the link is lost
    * @param refused true where a newer message came, which could not be used
-   * @param lostSeconds for how long nothing can come, as the link is lost, the source failed or nobody publishes any more; empty where
-   *     values are merely late
+   * @param lostSeconds for how long nothing can come, as the link is lost, the source failed or nobody publishes any
+   * more; empty where values are merely late
    */
-  record Stale(double ageSeconds, String explanation, boolean refused, OptionalDouble lostSeconds) implements InputState {
+  record Stale(double ageSeconds, String explanation, boolean refused, OptionalDouble lostSeconds)
+      implements InputState {
     /**
      * Values are late.
      *

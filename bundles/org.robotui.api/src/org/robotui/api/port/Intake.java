@@ -5,8 +5,8 @@ public enum Intake {
   /** All that matching connects; values not yet taken conflate as their type says. */
   MATCHED,
   /**
-   * Only what the view chooses with {@link Input#choose}; a robot is not asked for the rest. Every value is queued, of samples too,
-   * within bounds of count and size: for plots, echoes, conditions and recorders.
+   * Only what the view chooses with {@link Input#choose}; a robot is not asked for the rest. Every value is queued, of
+   * samples too, within bounds of count and size: for plots, echoes, conditions and recorders.
    */
   CHOSEN
 }

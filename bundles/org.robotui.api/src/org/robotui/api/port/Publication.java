@@ -39,8 +39,9 @@ public interface Publication<T extends Data> extends Offer {
   void lost(long count, String reason);
 
   /**
-   * Says whether the sender keeps its last value for those who ask later, as ROS publishers that latch. Such a value holds until the next one comes
-   * and is not stale by its age, unless values come more than once a second. Called on any I/O thread; without a call they are not kept.
+   * Says whether the sender keeps its last value for those who ask later, as ROS publishers that latch. Such a value
+   * holds until the next one comes and is not stale by its age, unless values come more than once a second. Called on
+   * any I/O thread; without a call they are not kept.
    *
    * @param forLateComers true where the last one is kept
    */

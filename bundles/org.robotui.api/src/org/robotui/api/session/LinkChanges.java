@@ -4,7 +4,9 @@ import java.util.Optional;
 import org.robotui.api.link.LinkReporter;
 import org.robotui.api.link.LinkState;
 
-/** Reports the state of a link only when it has changed, for sessions that look at it again and again. For one thread. */
+/**
+ * Reports the state of a link only when it has changed, for sessions that look at it again and again. For one thread.
+ */
 public final class LinkChanges {
   private final LinkReporter link;
   private Optional<LinkState> told = Optional.empty();

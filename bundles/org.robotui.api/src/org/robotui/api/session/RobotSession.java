@@ -17,8 +17,9 @@ public interface RobotSession {
   Optional<String> follow(BooleanSupplier over) throws IOException, InterruptedException;
 
   /**
-   * Stops what it drives, withdraws its offers and closes its connection, in a bounded time also where the robot hangs. Called once, when
-   * {@link #follow} has ended or, at the end of the robot interface, on another thread beside it, which it should end.
+   * Stops what it drives, withdraws its offers and closes its connection, in a bounded time also where the robot hangs.
+   * Called once, when {@link #follow} has ended or, at the end of the robot interface, on another thread beside it,
+   * which it should end.
    */
   void close();
 }

@@ -6,7 +6,8 @@ import java.io.IOException;
 @FunctionalInterface
 public interface SessionFactory {
   /**
-   * Opens a session, on the thread of the robot interface. It may block; at the end of the robot interface the thread is interrupted.
+   * Opens a session, on the thread of the robot interface. It may block; at the end of the robot interface the thread
+   * is interrupted.
    *
    * @param scope what the session needs beside itself and is closed after it, also where opening it fails
    * @return the session

@@ -11,8 +11,8 @@ import org.robotui.api.RficWorker;
 import org.robotui.api.link.LinkState;
 
 /**
- * A robot interface that is one session after another. Sessions are opened, followed and closed on one thread; at the end the session is
- * closed beside it, so that whatever blocks there ends.
+ * A robot interface that is one session after another. Sessions are opened, followed and closed on one thread; at the
+ * end the session is closed beside it, so that whatever blocks there ends.
  */
 public final class SessionRfic implements Rfic {
   private static final Duration END = Duration.ofSeconds(2);
@@ -64,8 +64,8 @@ public final class SessionRfic implements Rfic {
   }
 
   /**
-   * Closes the session and waits for its thread: two seconds at most, also where the session hangs, and no shorter where this thread
-   * is interrupted. What still runs then is seen by core, as it owns the threads.
+   * Closes the session and waits for its thread: two seconds at most, also where the session hangs, and no shorter
+   * where this thread is interrupted. What still runs then is seen by core, as it owns the threads.
    */
   @Override
   public void close() {

@@ -1,7 +1,8 @@
 /**
- * What robot interfaces have in common that are one session after another: {@link org.robotui.api.session.SessionRfic} opens a session,
- * follows it on a thread of its own, tells the link why it ended, opens the next one some time later, and ends all of it in a bounded time.
- * A new robot interface gives a {@link org.robotui.api.session.SessionFactory}; its sessions offer ports and report the link.
+ * What robot interfaces have in common that are one session after another: {@link org.robotui.api.session.SessionRfic}
+ * opens a session, follows it on a thread of its own, tells the link why it ended, opens the next one some time later,
+ * and ends all of it in a bounded time. A new robot interface gives a {@link org.robotui.api.session.SessionFactory};
+ * its sessions offer ports and report the link.
  */
 @org.osgi.annotation.versioning.Version("1.0.0")
 package org.robotui.api.session;

@@ -6,7 +6,8 @@ import org.robotui.data.Data;
 import org.robotui.data.DataType;
 
 /**
- * One way in which the views of a type show something that a user points at elsewhere: what stands in the menus of ports, frames and nodes.
+ * One way in which the views of a type show something that a user points at elsewhere: what stands in the menus of
+ * ports, frames and nodes.
  *
  * @param id unique within the type of view, given back to the view with what it shall show
  * @param label what the user reads in a menu, a short imperative such as {@code Echo} or {@code Show in Map}

@@ -10,7 +10,8 @@ public sealed interface Subject {
    * A stream, or some of the fields of its values.
    *
    * @param port a port of a robot interface
-   * @param fields paths as {@link org.robotui.data.record.FieldPath} reads them, for example {@code linear.x}; empty for the whole value
+   * @param fields paths as {@link org.robotui.data.record.FieldPath} reads them, for example {@code linear.x}; empty
+   * for the whole value
    */
   record Stream(SourceId port, List<String> fields) implements Subject {
     /**

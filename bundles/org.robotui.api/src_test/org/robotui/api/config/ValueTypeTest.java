@@ -40,7 +40,8 @@ class ValueTypeTest {
 
   @Test
   void whatIsWithinListsMapsAndSectionsMustFitAsWell() {
-    Schema schema = new Schema(List.of(Setting.required("size", METRES, "How long."), Setting.of("on", new ValueType.Flag(), true, "Whether.")));
+    Schema schema = new Schema(List.of(Setting.required("size", METRES, "How long."),
+        Setting.of("on", new ValueType.Flag(), true, "Whether.")));
     ValueType section = new ValueType.Section(schema);
 
     assertEquals(Optional.of(List.of(1.0, 2.0)), new ValueType.ListOf(METRES).fit(List.of(1, 2)));
@@ -59,7 +60,8 @@ class ValueTypeTest {
     assertEquals(Optional.of(2.5), either.fit(2.5));
     assertEquals(Optional.of("auto"), either.fit("auto"));
     refuses(either, "manual", -2);
-    assertEquals("a whole number from 0 to 9223372036854775807, or a number from 0 to 10 in m, or one of auto", either.expected());
+    assertEquals("a whole number from 0 to 9223372036854775807, or a number from 0 to 10 in m, or one of auto",
+        either.expected());
   }
 
   @Test

@@ -92,7 +92,9 @@ class SessionRficTest {
     });
     reached.await();
     made.close();
-    assertEquals(List.of(new LinkState.Connecting("the robot"), new LinkState.Failed("it was ended", SOON), new LinkState.Disconnected()),
+    assertEquals(
+        List.of(new LinkState.Connecting("the robot"), new LinkState.Failed("it was ended", SOON),
+            new LinkState.Disconnected()),
         context.states);
     assertEquals(3, events.size(), "each is closed once");
   }

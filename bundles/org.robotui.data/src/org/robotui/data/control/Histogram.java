@@ -8,7 +8,8 @@ import org.robotui.data.internal.Check;
  * How often durations occurred.
  *
  * @param counts how many fell into each bucket
- * @param lower least duration of each bucket, nanoseconds, rising; a bucket ends where the next begins, the last has no end
+ * @param lower least duration of each bucket, nanoseconds, rising; a bucket ends where the next begins, the last has no
+ * end
  * @param max the longest, nanoseconds
  */
 public record Histogram(List<Long> counts, List<Long> lower, long max) {

@@ -13,4 +13,5 @@ import org.robotui.geometry.RigidTransform;
  * @param parentFromChild the transform
  * @param fixed true where it never changes
  */
-public record FrameTransform(FrameId parent, FrameId child, Stamp stamp, RigidTransform parentFromChild, boolean fixed) {}
+public record FrameTransform(FrameId parent, FrameId child, Stamp stamp, RigidTransform parentFromChild,
+    boolean fixed) {}

@@ -30,7 +30,8 @@ public record TransformSet(List<FrameTransform> transforms) implements Keyed<Tra
 
   @Override
   public Stream<FrameId> frames() {
-    return transforms.stream().flatMap(transform -> Stream.of(transform.parent(), transform.child())).filter(FrameId::isNamed);
+    return transforms.stream().flatMap(transform -> Stream.of(transform.parent(), transform.child()))
+        .filter(FrameId::isNamed);
   }
 
   @Override

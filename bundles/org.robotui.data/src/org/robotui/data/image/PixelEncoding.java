@@ -7,7 +7,10 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** How a pixel is stored. The names are those of ROS; the meaning of the abstract ones, say 32FC3, is left to who sends them. */
+/**
+ * How a pixel is stored. The names are those of ROS; the meaning of the abstract ones, say 32FC3, is left to who sends
+ * them.
+ */
 public enum PixelEncoding {
   /** Red, green, blue. */
   RGB8(Sample.U8, 3),

@@ -6,7 +6,10 @@ import org.robotui.geometry.Vector3;
 
 /** Validation at construction: the message names the component and what is wrong with it. */
 public final class Check {
-  /** The greatest coordinate that a robot can mean, metres: farther than the moon, and still exact to a thousandth of a millimetre. */
+  /**
+   * The greatest coordinate that a robot can mean, metres: farther than the moon, and still exact to a thousandth of a
+   * millimetre.
+   */
   public static final double FARTHEST = 1e9;
 
   private static final double UNIT_TOLERANCE = 0.01;
@@ -33,7 +36,8 @@ public final class Check {
 
   public static void place(Vector3 place, String component) {
     if (!isNear(place)) {
-      that(false, component, "must be finite and within " + FARTHEST + " m, is " + place.x() + ", " + place.y() + ", " + place.z());
+      that(false, component,
+          "must be finite and within " + FARTHEST + " m, is " + place.x() + ", " + place.y() + ", " + place.z());
     }
   }
 

@@ -11,7 +11,8 @@ import org.robotui.data.Delivery;
  * @param parts one after the other
  */
 @Delivery(expires = false)
-public record DisplayedTrajectory(String model, List<JointState.Joint> start, List<JointTrajectory> parts) implements Trajectory {
+public record DisplayedTrajectory(String model, List<JointState.Joint> start, List<JointTrajectory> parts)
+    implements Trajectory {
   /**
    * Copies the lists.
    *

@@ -9,7 +9,8 @@ import org.robotui.data.command.MotionLimits;
 import org.robotui.data.internal.Check;
 
 /**
- * What joints shall do. It holds until it expires; then, and for joints that it does not name, the robot's control holds.
+ * What joints shall do. It holds until it expires; then, and for joints that it does not name, the robot's control
+ * holds.
  *
  * @param joints one entry a joint; none is: command nothing any more
  */
@@ -43,11 +44,13 @@ public record JointCommand(List<Joint> joints) implements Motion<JointCommand> {
     }
 
     private Joint within(MotionLimits limits) {
-      // Which joints slide is for the robot's control to know, which has a limit for each: here the looser of both holds.
+      // Which joints slide is for the robot's control to know, which has a limit for each: here the looser of both
+      // holds.
       double limit = Math.max(limits.linear(), limits.angular());
       double velocity = Math.clamp(reference.velocity(), -limit, limit);
-      return velocity == reference.velocity() ? this : new Joint(name, new JointControl.Reference(reference.position(), velocity,
-          reference.effort(), reference.stiffness(), reference.damping()), modes);
+      return velocity == reference.velocity() ? this
+          : new Joint(name, new JointControl.Reference(reference.position(), velocity,
+              reference.effort(), reference.stiffness(), reference.damping()), modes);
     }
   }
 

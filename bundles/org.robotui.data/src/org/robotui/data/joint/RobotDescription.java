@@ -12,10 +12,12 @@ import org.robotui.data.internal.Check;
  * @param name where it comes from, for users: a parameter, a file
  * @param urdf links, joints and forms as URDF; not checked here
  * @param srdf groups and named positions as SRDF; empty where there is none
- * @param packageRoots folders of this machine that are packages or contain packages, in which the meshes that the text names are looked for
+ * @param packageRoots folders of this machine that are packages or contain packages, in which the meshes that the text
+ * names are looked for
  */
 @Delivery(expires = false)
-public record RobotDescription(String robot, String name, String urdf, String srdf, List<String> packageRoots) implements Data {
+public record RobotDescription(String robot, String name, String urdf, String srdf, List<String> packageRoots)
+    implements Data {
   /** The most characters of a text. */
   public static final int LONGEST = 16_000_000;
 
@@ -30,7 +32,8 @@ public record RobotDescription(String robot, String name, String urdf, String sr
    */
   public RobotDescription {
     Check.that(!robot.isBlank(), "robot", "a description belongs to a robot");
-    Check.that(!urdf.isBlank() && urdf.length() <= LONGEST, "urdf", "must have 1 to " + LONGEST + " characters, has " + urdf.length());
+    Check.that(!urdf.isBlank() && urdf.length() <= LONGEST, "urdf",
+        "must have 1 to " + LONGEST + " characters, has " + urdf.length());
     Check.that(srdf.length() <= LONGEST, "srdf", "must have at most " + LONGEST + " characters, has " + srdf.length());
     packageRoots = List.copyOf(packageRoots);
   }

@@ -1,7 +1,8 @@
 package org.robotui.data.marker;
 
 /**
- * A colour as robots send it, sRGB, not premultiplied. It may be anything a robot can send; who draws it brings it into range.
+ * A colour as robots send it, sRGB, not premultiplied. It may be anything a robot can send; who draws it brings it into
+ * range.
  *
  * @param red 0 to 1
  * @param green 0 to 1

@@ -39,7 +39,8 @@ public record InteractiveMarkerSet(boolean all, List<Entry> entries) implements 
 
   @Override
   public Stream<FrameId> frames() {
-    return entries.stream().flatMap(entry -> entry.marker().stream()).map(InteractiveMarker::frame).filter(FrameId::isNamed);
+    return entries.stream().flatMap(entry -> entry.marker().stream()).map(InteractiveMarker::frame)
+        .filter(FrameId::isNamed);
   }
 
   @Override

@@ -10,8 +10,8 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 
 /**
- * Something that a robot wants to be shown in space. Numbers are as the robot sent them: a pose may be none (not finite, or a
- * rotation of no length), a scale zero. Who draws says what is wrong with which marker.
+ * Something that a robot wants to be shown in space. Numbers are as the robot sent them: a pose may be none (not
+ * finite, or a rotation of no length), a scale zero. Who draws says what is wrong with which marker.
  *
  * @param key its name
  * @param frame the frame of its pose
@@ -60,7 +60,10 @@ public record Marker(
 
   /** What a marker looks like. */
   public enum Type {
-    /** Along x, scaled in length, width and height; or from the first to the second point with diameters of shaft and head. */
+    /**
+     * Along x, scaled in length, width and height; or from the first to the second point with diameters of shaft and
+     * head.
+     */
     ARROW,
     /** A box with edges of the scale. */
     CUBE,

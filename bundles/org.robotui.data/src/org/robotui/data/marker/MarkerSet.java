@@ -12,8 +12,8 @@ import org.robotui.data.Late;
 import org.robotui.data.internal.Merge;
 
 /**
- * What became of markers of one source, the newest per namespace and id. Merged values keep that a marker was taken away, so that
- * a consumer that knew it hears of it.
+ * What became of markers of one source, the newest per namespace and id. Merged values keep that a marker was taken
+ * away, so that a consumer that knew it hears of it.
  *
  * @param all true where there are no markers but these: whatever came before is gone
  * @param entries what became of each marker

@@ -41,7 +41,8 @@ public record GridMap(FrameId frame, double resolution, int width, int height, R
     Check.within(resolution, FINEST, COARSEST, "resolution");
     Check.notNegative(width, "width");
     Check.notNegative(height, "height");
-    Check.that((long) width * height == cells.size(), "cells", "must be " + width + " x " + height + ", are " + cells.size());
+    Check.that((long) width * height == cells.size(), "cells",
+        "must be " + width + " x " + height + ", are " + cells.size());
     Check.that(Math.max(width, height) * resolution <= Check.FARTHEST, "size",
         "must be within " + Check.FARTHEST + " m, is " + width * resolution + " x " + height * resolution);
     Check.pose(origin, "origin");

@@ -8,8 +8,8 @@ import org.robotui.data.internal.Check;
 import org.robotui.geometry.RigidTransform;
 
 /**
- * Where a robot is believed to be: what localisation says, or what a user tells it. It holds until the next one: a localisation speaks when the robot has
- * moved, and has nothing to say of one that stands.
+ * Where a robot is believed to be: what localisation says, or what a user tells it. It holds until the next one: a
+ * localisation speaks when the robot has moved, and has nothing to say of one that stands.
  *
  * @param frame the frame in which it is given, usually the map
  * @param pose frame from base

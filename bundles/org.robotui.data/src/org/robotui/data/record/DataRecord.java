@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.robotui.data.Data;
 
 /**
- * Any data type as a dynamic record: the fields are those of the Java record, in SI units, so that whatever shows numbers can show
- * all of them alike. Nothing is converted before it is asked for.
+ * Any data type as a dynamic record: the fields are those of the Java record, in SI units, so that whatever shows
+ * numbers can show all of them alike. Nothing is converted before it is asked for.
  */
 public final class DataRecord implements DynamicRecord {
   private static final ClassValue<RecordFields> FIELDS = new ClassValue<>() {

@@ -9,7 +9,10 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.robotui.geometry.Quaternion;
 
-/** The fields of one Java record type, and those that users ask for although they are computed: the angles of a rotation. */
+/**
+ * The fields of one Java record type, and those that users ask for although they are computed: the angles of a
+ * rotation.
+ */
 final class RecordFields {
   private final Map<String, Function<Record, Optional<FieldValue>>> byName;
   private final List<String> names;

@@ -9,7 +9,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What users may want to know of a data type: what it means, its fields, and their units. It says what the source code of the type says.
+ * What users may want to know of a data type: what it means, its fields, and their units. It says what the source code
+ * of the type says.
  *
  * @param name the name of the type, for example {@code LaserScan}, or {@code JointState.Joint} for one within another
  * @param text what it stands for; paragraphs are separated by line breaks
@@ -85,7 +86,8 @@ public record TypeDoc(String name, String text, List<Field> fields) {
   }
 
   private static TypeDoc one(List<String> lines) {
-    List<Field> fields = lines.stream().filter(line -> line.startsWith(FIELD)).map(line -> line.substring(FIELD.length()).split("\t", -1))
+    List<Field> fields = lines.stream().filter(line -> line.startsWith(FIELD))
+        .map(line -> line.substring(FIELD.length()).split("\t", -1))
         .map(words -> new Field(words[0], words[1], words[2])).toList();
     String text = String.join("\n", lines.stream().skip(1).filter(line -> !line.startsWith(FIELD)).toList());
     return new TypeDoc(lines.getFirst(), text, fields);

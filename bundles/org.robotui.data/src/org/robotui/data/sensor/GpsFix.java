@@ -43,6 +43,7 @@ public record GpsFix(
   public GpsFix {
     Check.that(!(Math.abs(latitude) > Math.PI / 2 + 1e-9), "latitude", "must be within a quarter turn, is " + latitude);
     Check.that(!(Math.abs(longitude) > 2 * Math.PI), "longitude", "must be within a full turn, is " + longitude);
-    Check.that(!(Math.abs(altitude) > Check.FARTHEST), "altitude", "must be within " + Check.FARTHEST + " m, is " + altitude);
+    Check.that(!(Math.abs(altitude) > Check.FARTHEST), "altitude",
+        "must be within " + Check.FARTHEST + " m, is " + altitude);
   }
 }

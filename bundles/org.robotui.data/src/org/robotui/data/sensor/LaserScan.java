@@ -9,9 +9,9 @@ import org.robotui.data.internal.Check;
 /**
  * One sweep of a planar laser scanner.
  *
- * <p>Ranges follow REP-117: a finite number between the limits is an echo, {@code +inf} no echo within
- * {@code rangeMax} (the beam was free), {@code -inf} something too close to measure, NaN an invalid measurement. A finite
- * value outside the limits is to be read as no echo; {@link #isEcho} decides.
+ * <p>Ranges follow REP-117: a finite number between the limits is an echo, {@code +inf} no echo within {@code rangeMax}
+ * (the beam was free), {@code -inf} something too close to measure, NaN an invalid measurement. A finite value outside
+ * the limits is to be read as no echo; {@link #isEcho} decides.
  *
  * @param frame frame of the scanner: beams lie in its x-y plane, angle 0 along x
  * @param angleMin angle of the first beam, radians

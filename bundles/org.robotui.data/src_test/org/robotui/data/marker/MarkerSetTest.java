@@ -29,7 +29,8 @@ class MarkerSetTest {
 
   @Test
   void whatWasTakenAwayIsKeptForThoseWhoKnewIt() {
-    MarkerSet merged = new MarkerSet(false, List.of(gone(1), added(3))).over(new MarkerSet(false, List.of(added(1), added(2))));
+    MarkerSet merged =
+        new MarkerSet(false, List.of(gone(1), added(3))).over(new MarkerSet(false, List.of(added(1), added(2))));
     assertEquals(List.of(gone(1), added(2), added(3)), merged.entries());
   }
 

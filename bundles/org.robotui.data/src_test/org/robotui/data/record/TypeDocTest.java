@@ -35,7 +35,8 @@ class TypeDocTest {
 
   @Test
   void saysWhatATypeIsMadeOf() {
-    assertEquals(List.of("JointState", "JointState.Joint"), TypeDoc.find("JointState").stream().map(TypeDoc::name).toList());
+    assertEquals(List.of("JointState", "JointState.Joint"),
+        TypeDoc.find("JointState").stream().map(TypeDoc::name).toList());
   }
 
   @Test
@@ -46,7 +47,8 @@ class TypeDocTest {
   @Test
   void allFieldsOfAllTypesAreDescribed() throws IOException {
     for (TypeDoc doc : described()) {
-      doc.fields().forEach(field -> assertTrue(!field.text().isBlank(), doc.name() + "." + field.name() + " has no description"));
+      doc.fields().forEach(
+          field -> assertTrue(!field.text().isBlank(), doc.name() + "." + field.name() + " has no description"));
     }
   }
 
@@ -56,12 +58,14 @@ class TypeDocTest {
     String wanted = described().stream().map(TypeDocTest::text).collect(Collectors.joining());
     Files.createDirectories(WANTED.getParent());
     Files.writeString(WANTED, wanted);
-    assertEquals(wanted, Files.readString(WRITTEN), "the sources have changed; copy " + WANTED + " to " + WRITTEN + " of this bundle");
+    assertEquals(wanted, Files.readString(WRITTEN),
+        "the sources have changed; copy " + WANTED + " to " + WRITTEN + " of this bundle");
   }
 
   private static String text(TypeDoc doc) {
     return "= " + doc.name() + "\n" + doc.text() + "\n"
-        + doc.fields().stream().map(f -> "- " + f.name() + "\t" + f.type() + "\t" + f.text() + "\n").collect(Collectors.joining());
+        + doc.fields().stream().map(f -> "- " + f.name() + "\t" + f.type() + "\t" + f.text() + "\n")
+            .collect(Collectors.joining());
   }
 
   private static List<TypeDoc> described() throws IOException {
@@ -105,7 +109,8 @@ class TypeDocTest {
       if (!component.isBlank()) {
         String declared = component.strip().replaceAll("\\s+", " ");
         int last = declared.lastIndexOf(' ');
-        fields.add(new TypeDoc.Field(declared.substring(last + 1), declared.substring(0, last), texts.getOrDefault(declared.substring(last + 1), "")));
+        fields.add(new TypeDoc.Field(declared.substring(last + 1), declared.substring(0, last),
+            texts.getOrDefault(declared.substring(last + 1), "")));
       }
     }
     return new TypeDoc(name, text, fields);
@@ -114,7 +119,8 @@ class TypeDocTest {
   /** Without marks that only Javadoc reads; a paragraph in a line. */
   private static String words(String javadoc) {
     return Stream.of(javadoc.split("<p>")).map(paragraph -> paragraph
-            .replaceAll("\\{@(?:code|link|linkplain)\\s+#?([^}]*)}", "$1").replaceAll("</?[a-z]+>", "").replaceAll("\\s+", " ").strip())
+        .replaceAll("\\{@(?:code|link|linkplain)\\s+#?([^}]*)}", "$1").replaceAll("</?[a-z]+>", "")
+        .replaceAll("\\s+", " ").strip())
         .filter(paragraph -> !paragraph.isEmpty()).collect(Collectors.joining("\n"));
   }
 }

@@ -67,7 +67,8 @@ public final class BumperEntity implements Entity {
   @Override
   public Optional<Description> describeAt(double x, double y, double tolerance) {
     return strips.stream()
-        .map(strip -> new Description("bumper " + strip.index() + (strip.pressed() ? ": pressed" : ": free"), strip.distance(x, y)))
+        .map(strip -> new Description("bumper " + strip.index() + (strip.pressed() ? ": pressed" : ": free"),
+            strip.distance(x, y)))
         .filter(description -> description.distance() <= tolerance)
         .min(Comparator.comparingDouble(Description::distance));
   }

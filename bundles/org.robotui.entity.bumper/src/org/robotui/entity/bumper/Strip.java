@@ -35,7 +35,8 @@ record Strip(int index, boolean pressed, double[] line) {
   double distance(double x, double y) {
     double nearest = Double.POSITIVE_INFINITY;
     for (int i = 0; i + 3 < line.length; i += 2) {
-      nearest = Math.min(nearest, distance(x - line[i], y - line[i + 1], line[i + 2] - line[i], line[i + 3] - line[i + 1]));
+      nearest =
+          Math.min(nearest, distance(x - line[i], y - line[i + 1], line[i + 2] - line[i], line[i + 3] - line[i + 1]));
     }
     return nearest;
   }

@@ -20,7 +20,8 @@ class BumperEntityTest {
   @Test
   void aBentBumperLiesOnTheRimOfTheRobot() {
     double length = Math.PI / 2 * RADIUS;
-    Strip strip = Strip.of(0, new Bumper(RigidTransform.planar(RADIUS, 0, 0), length, RADIUS, true), RigidTransform.planar(1, 0, Math.PI / 2)).orElseThrow();
+    Strip strip = Strip.of(0, new Bumper(RigidTransform.planar(RADIUS, 0, 0), length, RADIUS, true),
+        RigidTransform.planar(1, 0, Math.PI / 2)).orElseThrow();
     for (int i = 0; i < strip.line().length; i += 2) {
       assertEquals(RADIUS, Math.hypot(strip.line()[i] - 1, strip.line()[i + 1]), 1e-9);
     }
@@ -29,10 +30,13 @@ class BumperEntityTest {
 
   @Test
   void aStraightOneIsASegmentAndABendEndsAfterAFullTurn() {
-    Strip straight = Strip.of(0, new Bumper(RigidTransform.planar(0.3, 0, 0), 0.4, 0, false), RigidTransform.IDENTITY).orElseThrow();
+    Strip straight =
+        Strip.of(0, new Bumper(RigidTransform.planar(0.3, 0, 0), 0.4, 0, false), RigidTransform.IDENTITY).orElseThrow();
     assertEquals(4, straight.line().length);
     assertEquals(0.1, straight.distance(0.4, 0.1), 1e-9);
-    Strip round = Strip.of(0, new Bumper(RigidTransform.planar(RADIUS, 0, 0), 1e9, RADIUS, false), RigidTransform.IDENTITY).orElseThrow();
+    Strip round =
+        Strip.of(0, new Bumper(RigidTransform.planar(RADIUS, 0, 0), 1e9, RADIUS, false), RigidTransform.IDENTITY)
+            .orElseThrow();
     assertEquals(0, round.distance(-RADIUS, 0), 1e-9);
     assertTrue(round.line().length < 200);
   }
@@ -50,7 +54,8 @@ class BumperEntityTest {
 
   @Test
   void aPlaceThatIsNotKnownIsNotDrawn() {
-    entity.prepare(new Bumpers(BASE, List.of(new Bumper(RigidTransform.IDENTITY, 0, 0, true))), RigidTransform.IDENTITY);
+    entity.prepare(new Bumpers(BASE, List.of(new Bumper(RigidTransform.IDENTITY, 0, 0, true))),
+        RigidTransform.IDENTITY);
     assertTrue(entity.bounds().isEmpty());
   }
 }

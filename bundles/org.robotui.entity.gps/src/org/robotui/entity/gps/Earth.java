@@ -15,8 +15,9 @@ final class Earth {
     double sin = Math.sin(place.latitude());
     double cos = Math.cos(place.latitude());
     double across = EQUATOR / Math.sqrt(1 - ECCENTRICITY2 * sin * sin);
-    return new double[] {
-        across * cos * Math.cos(place.longitude()), across * cos * Math.sin(place.longitude()), across * (1 - ECCENTRICITY2) * sin};
+    return new double[]{
+        across * cos * Math.cos(place.longitude()), across * cos * Math.sin(place.longitude()),
+        across * (1 - ECCENTRICITY2) * sin};
   }
 
   /** The place below or above a point: its height over the ellipsoid may be a hundred kilometres. */

@@ -43,7 +43,8 @@ public record GeoPoint(double latitude, double longitude) {
    * @return the place, or none where it has none
    */
   public static Optional<GeoPoint> of(GpsFix fix) {
-    boolean known = fix.quality() != GpsFix.Quality.NO_FIX && Double.isFinite(fix.latitude()) && Double.isFinite(fix.longitude());
+    boolean known =
+        fix.quality() != GpsFix.Quality.NO_FIX && Double.isFinite(fix.latitude()) && Double.isFinite(fix.longitude());
     return known ? Optional.of(new GeoPoint(fix.latitude(), fix.longitude())) : Optional.empty();
   }
 }

@@ -18,7 +18,8 @@ public final class GeoText {
    * @return for example {@code 42.375812° N  71.147395° W}
    */
   public static String decimal(GeoPoint place) {
-    return Figures.fixed(Math.toDegrees(Math.abs(place.latitude())), DECIMALS) + "\u00b0\u00a0" + northOrSouth(place) + "  "
+    return Figures.fixed(Math.toDegrees(Math.abs(place.latitude())), DECIMALS) + "\u00b0\u00a0" + northOrSouth(place)
+        + "  "
         + Figures.fixed(Math.toDegrees(Math.abs(place.longitude())), DECIMALS) + "\u00b0\u00a0" + eastOrWest(place);
   }
 
@@ -40,7 +41,8 @@ public final class GeoText {
    * @return for example {@code 42.3758120, -71.1473947}, exact to about a centimetre
    */
   public static String plain(GeoPoint place) {
-    return String.format(Locale.ROOT, "%.7f, %.7f", Math.toDegrees(place.latitude()), Math.toDegrees(place.longitude()));
+    return String.format(Locale.ROOT, "%.7f, %.7f", Math.toDegrees(place.latitude()),
+        Math.toDegrees(place.longitude()));
   }
 
   /**
@@ -70,7 +72,8 @@ public final class GeoText {
     long degrees = all / (SIXTY * SIXTY * HUNDREDTHS);
     long minutes = all / (SIXTY * HUNDREDTHS) % SIXTY;
     long seconds = all / HUNDREDTHS % SIXTY;
-    return String.format(Locale.ROOT, "%0" + digits + "d\u00b0%02d\u2032%02d.%02d\u2033", degrees, minutes, seconds, all % HUNDREDTHS);
+    return String.format(Locale.ROOT, "%0" + digits + "d\u00b0%02d\u2032%02d.%02d\u2033", degrees, minutes, seconds,
+        all % HUNDREDTHS);
   }
 
   private static String northOrSouth(GeoPoint place) {

@@ -38,7 +38,8 @@ public record Geodesic(double distance, double bearing) {
   }
 
   /** One round of the formula: the arc on the auxiliary sphere. */
-  private record Arc(double sinSigma, double cosSigma, double sigma, double sinAlpha, double cos2Alpha, double cosMiddle) {
+  private record Arc(double sinSigma, double cosSigma, double sigma, double sinAlpha, double cos2Alpha,
+      double cosMiddle) {
     static Arc of(double u1, double u2, double lambda) {
       double a = Math.cos(u2) * Math.sin(lambda);
       double b = Math.cos(u1) * Math.sin(u2) - Math.sin(u1) * Math.cos(u2) * Math.cos(lambda);

@@ -13,8 +13,8 @@ import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Viewport;
 
 /**
- * A receiver: where it is, within what circle, with what quality, and the way it has gone. Without a fix it stays at its last
- * place, hollow. The way is bounded in memory whatever comes.
+ * A receiver: where it is, within what circle, with what quality, and the way it has gone. Without a fix it stays at
+ * its last place, hollow. The way is bounded in memory whatever comes.
  */
 public final class GpsEntity implements Entity {
   private static final int CAPACITY = 12_000;
@@ -34,7 +34,8 @@ public final class GpsEntity implements Entity {
   private volatile boolean byQuality;
   private volatile Optional<String> name = Optional.empty();
 
-  private record Prepared(double[] way, byte[] qualities, LocalPlane.Point at, GpsFix fix, GeoPoint place, Bounds reach) {
+  private record Prepared(double[] way, byte[] qualities, LocalPlane.Point at, GpsFix fix, GeoPoint place,
+      Bounds reach) {
     Prepared(double[] way, byte[] qualities, LocalPlane.Point at, GpsFix fix, GeoPoint place) {
       this(way, qualities, at, fix, place, reach(way, at));
     }
@@ -132,7 +133,8 @@ public final class GpsEntity implements Entity {
     double radius = p.fix.horizontalAccuracy() * painter.viewport().scale();
     if (p.fix.quality() != GpsFix.Quality.NO_FIX && radius > DOT && radius < LARGEST_CIRCLE) {
       painter.opacity(CIRCLE_OPACITY).fill(FixLook.role(p.fix.quality())).disc(p.at.east(), p.at.north(), radius);
-      painter.opacity(RING_OPACITY).stroke(FixLook.role(p.fix.quality())).width(1).circle(p.at.east(), p.at.north(), radius);
+      painter.opacity(RING_OPACITY).stroke(FixLook.role(p.fix.quality())).width(1).circle(p.at.east(), p.at.north(),
+          radius);
       painter.opacity(1);
     }
   }
@@ -181,7 +183,8 @@ public final class GpsEntity implements Entity {
 
   private static String words(Prepared p) {
     String accuracy = Double.isFinite(p.fix.horizontalAccuracy())
-        ? "  \u00b1" + Figures.of(p.fix.horizontalAccuracy(), 2, "m") : "";
+        ? "  \u00b1" + Figures.of(p.fix.horizontalAccuracy(), 2, "m")
+        : "";
     return FixLook.word(p.fix.quality()) + accuracy + "\n" + GeoText.decimal(p.place);
   }
 }

@@ -3,8 +3,8 @@ package org.robotui.entity.gps;
 import java.util.Optional;
 
 /**
- * A plane that touches the earth at an origin: x east, y north, metres. Also at the poles and across the antimeridian. A
- * distance of 10 km is 4 mm too short on it, one of 100 km 4 m.
+ * A plane that touches the earth at an origin: x east, y north, metres. Also at the poles and across the antimeridian.
+ * A distance of 10 km is 4 mm too short on it, one of 100 km 4 m.
  *
  * @param origin where it touches
  */
@@ -57,7 +57,8 @@ public record LocalPlane(GeoPoint origin) {
     if (!(distance2 <= REACH * REACH)) {
       return Optional.empty();
     }
-    // The earth falls away from the plane, and the point below one of the plane is not the one beneath it: found in rounds.
+    // The earth falls away from the plane, and the point below one of the plane is not the one beneath it: found in
+    // rounds.
     double aimEast = east;
     double aimNorth = north;
     double up = -distance2 / (2 * Earth.MEAN);
@@ -76,7 +77,8 @@ public record LocalPlane(GeoPoint origin) {
     double[] o = Earth.centred(origin);
     double cosLat = Math.cos(origin.latitude());
     return cosLat * Math.cos(origin.longitude()) * (surface[0] - o[0])
-        + cosLat * Math.sin(origin.longitude()) * (surface[1] - o[1]) + Math.sin(origin.latitude()) * (surface[2] - o[2]);
+        + cosLat * Math.sin(origin.longitude()) * (surface[1] - o[1])
+        + Math.sin(origin.latitude()) * (surface[2] - o[2]);
   }
 
   private GeoPoint below(double east, double north, double up) {

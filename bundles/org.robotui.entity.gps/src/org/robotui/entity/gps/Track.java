@@ -6,8 +6,8 @@ import org.robotui.data.sensor.GpsFix;
 import org.robotui.ui.scene.PositionHistory;
 
 /**
- * Where a receiver has been: a way of which each place has its time and quality. The places are kept, so that they can be put on
- * another plane. Not safe for several threads.
+ * Where a receiver has been: a way of which each place has its time and quality. The places are kept, so that they can
+ * be put on another plane. Not safe for several threads.
  */
 final class Track {
   private static final double FINEST = 0.1;

@@ -37,12 +37,13 @@ class EarthTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"42.375812, -71.147395", "0, 0", "0, 180", "-17.8, 179.9999", "89.9999, 20", "-89.9999, -130", "90, 0", "-90, 0"})
+  @CsvSource({"42.375812, -71.147395", "0, 0", "0, 180", "-17.8, 179.9999", "89.9999, 20", "-89.9999, -130", "90, 0",
+      "-90, 0"})
   void thePlaneIsTrueNearItsOrigin(double latitude, double longitude) {
     GeoPoint origin = GeoPoint.degrees(latitude, longitude);
     LocalPlane plane = new LocalPlane(origin);
     assertEquals(new LocalPlane.Point(0, 0), round(plane.point(origin).orElseThrow()));
-    for (double[] at : new double[][] {{100, 0}, {0, 250}, {-3000, 4000}, {7000, -7000}}) {
+    for (double[] at : new double[][]{{100, 0}, {0, 250}, {-3000, 4000}, {7000, -7000}}) {
       GeoPoint place = plane.place(at[0], at[1]).orElseThrow();
       LocalPlane.Point again = plane.point(place).orElseThrow();
       assertEquals(at[0], again.east(), 1e-6);
@@ -96,6 +97,7 @@ class EarthTest {
   }
 
   private static LocalPlane.Point round(LocalPlane.Point p) {
-    return new LocalPlane.Point(Math.abs(Math.round(p.east() * 1e6) / 1e6), Math.abs(Math.round(p.north() * 1e6) / 1e6));
+    return new LocalPlane.Point(Math.abs(Math.round(p.east() * 1e6) / 1e6),
+        Math.abs(Math.round(p.north() * 1e6) / 1e6));
   }
 }

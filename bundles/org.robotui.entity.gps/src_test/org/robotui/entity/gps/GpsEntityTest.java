@@ -51,7 +51,9 @@ class GpsEntityTest {
   @Test
   void aReceiverWithoutFixStaysWhereItWas() {
     entity.prepare(fix(GpsFix.Quality.FIX, 30, 40), PLANE, 0, FOREVER);
-    entity.prepare(new GpsFix(new FrameId("Keira", "gps"), GpsFix.Quality.NO_FIX, Double.NaN, Double.NaN, 0, Double.NaN), PLANE, 1, FOREVER);
+    entity.prepare(
+        new GpsFix(new FrameId("Keira", "gps"), GpsFix.Quality.NO_FIX, Double.NaN, Double.NaN, 0, Double.NaN), PLANE, 1,
+        FOREVER);
     assertTrue(entity.describeAt(30, 40, 1).orElseThrow().text().startsWith("no fix"));
     assertTrue(entity.describeAt(33, 40, 1).isEmpty());
   }

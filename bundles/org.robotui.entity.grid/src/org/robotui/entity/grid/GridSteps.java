@@ -12,7 +12,8 @@ public final class GridSteps {
   private GridSteps() {}
 
   /**
-   * The multiples of a distance within a range. There are a thousand at most, whatever the numbers are: nobody can tell more lines apart.
+   * The multiples of a distance within a range. There are a thousand at most, whatever the numbers are: nobody can tell
+   * more lines apart.
    *
    * @param low from here, metres
    * @param high to here

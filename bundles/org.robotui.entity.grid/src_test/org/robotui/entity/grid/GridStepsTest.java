@@ -26,11 +26,11 @@ class GridStepsTest {
 
   @Test
   void linesAreBoundedWhateverIsSeen() {
-    assertArrayEquals(new double[] {-2, 0, 2}, GridSteps.within(-3, 3, 2));
+    assertArrayEquals(new double[]{-2, 0, 2}, GridSteps.within(-3, 3, 2));
     double[] starts = {0, -0.0, 5e31, -1e300, Double.MAX_VALUE, Double.NaN, Double.NEGATIVE_INFINITY};
     for (double low : starts) {
-      for (double high : new double[] {low, low + 1e5, 1e300, Double.POSITIVE_INFINITY, Double.NaN}) {
-        for (double step : new double[] {0, 1e-320, 1e-9, 5000, 1e300, Double.NaN, Double.POSITIVE_INFINITY}) {
+      for (double high : new double[]{low, low + 1e5, 1e300, Double.POSITIVE_INFINITY, Double.NaN}) {
+        for (double step : new double[]{0, 1e-320, 1e-9, 5000, 1e300, Double.NaN, Double.POSITIVE_INFINITY}) {
           assertTrue(GridSteps.within(low, high, step).length <= 1000);
         }
       }

@@ -11,8 +11,8 @@ import org.robotui.ui.scene.Entity;
 import org.robotui.ui.scene.Painter;
 
 /**
- * A grid map. Preparing builds a pyramid of ever coarser maps once per map; painting takes the level that suits the zoom, and
- * of that the tiles that are seen.
+ * A grid map. Preparing builds a pyramid of ever coarser maps once per map; painting takes the level that suits the
+ * zoom, and of that the tiles that are seen.
  */
 public final class GridMapEntity implements Entity {
   private static final double OVERLAY = 0.5;

@@ -13,8 +13,8 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.scene.Painter;
 
 /**
- * Paints the tiles of a level that are seen and keeps their images. New images take a bounded time per paint; the rest follows
- * with the next one, and until all are there the coarsest level is seen instead. Display thread only.
+ * Paints the tiles of a level that are seen and keeps their images. New images take a bounded time per paint; the rest
+ * follows with the next one, and until all are there the coarsest level is seen instead. Display thread only.
  */
 final class TilePainter {
   static final int EDGE = 256;

@@ -6,7 +6,10 @@ import org.eclipse.swt.graphics.RGB;
 import org.robotui.ui.Palette;
 import org.robotui.ui.Role;
 
-/** Gives cells the colours of a theme: from floor, which lets a grid below shine through, to wall; unknown ones are transparent. */
+/**
+ * Gives cells the colours of a theme: from floor, which lets a grid below shine through, to wall; unknown ones are
+ * transparent.
+ */
 final class Tint {
   private static final int FULL = 100;
   private static final int BYTES_PER_PIXEL = 4;

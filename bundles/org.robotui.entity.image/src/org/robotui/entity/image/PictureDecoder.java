@@ -9,8 +9,8 @@ import org.robotui.entity.image.internal.Limits;
 import org.robotui.entity.image.internal.RawPictures;
 
 /**
- * Decodes the pictures of one camera, one after the other, and keeps from picture to picture what must not flicker: the range
- * of depth that the colours span. For one thread at a time; meant for a view's worker, never the display thread.
+ * Decodes the pictures of one camera, one after the other, and keeps from picture to picture what must not flicker: the
+ * range of depth that the colours span. For one thread at a time; meant for a view's worker, never the display thread.
  */
 public final class PictureDecoder {
   private final Levels levels = new Levels();

@@ -16,7 +16,10 @@ import org.robotui.data.image.Image;
 import org.robotui.data.image.PixelEncoding;
 import org.robotui.testkit.Pictures;
 
-/** Prints what it costs to decode a picture of 1280 x 720: median and p95 of 100 in milliseconds, and with the shrinking. */
+/**
+ * Prints what it costs to decode a picture of 1280 x 720: median and p95 of 100 in milliseconds, and with the
+ * shrinking.
+ */
 final class DecodeBench {
   private static final int WIDTH = 1280;
   private static final int HEIGHT = 720;
@@ -26,7 +29,8 @@ final class DecodeBench {
 
   public static void main(String[] arguments) throws IOException {
     PrintStream out = System.out;
-    for (PixelEncoding encoding : new PixelEncoding[] {PixelEncoding.RGB8, PixelEncoding.BGRA8, PixelEncoding.MONO8, PixelEncoding.BAYER_RGGB8,
+    for (PixelEncoding encoding : new PixelEncoding[]{PixelEncoding.RGB8, PixelEncoding.BGRA8, PixelEncoding.MONO8,
+        PixelEncoding.BAYER_RGGB8,
         PixelEncoding.BAYER_GRBG16, PixelEncoding.UYVY, PixelEncoding.U16C1, PixelEncoding.MONO16, PixelEncoding.F32C1,
         PixelEncoding.F32C3}) {
       report(out, encoding.rosName(), Pictures.raw(encoding, WIDTH, HEIGHT, scene(encoding)));
@@ -75,7 +79,8 @@ final class DecodeBench {
     }
     Arrays.sort(decode);
     Arrays.sort(shrink);
-    out.printf(Locale.ROOT, "%-14s decode %5.1f ms, p95 %5.1f   shrink %4.1f ms%n", name, decode[ROUNDS / 2], decode[ROUNDS * 95 / 100],
+    out.printf(Locale.ROOT, "%-14s decode %5.1f ms, p95 %5.1f   shrink %4.1f ms%n", name, decode[ROUNDS / 2],
+        decode[ROUNDS * 95 / 100],
         shrink[ROUNDS / 2]);
   }
 }

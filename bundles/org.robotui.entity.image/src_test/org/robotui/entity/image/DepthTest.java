@@ -93,15 +93,17 @@ class DepthTest {
       next = span(wall);
     }
     assertEquals(4, next.high(), 0.3, "but it does");
-    assertEquals(next, span(new float[] {Float.NaN, 0}), "a picture without depth changes nothing");
+    assertEquals(next, span(new float[]{Float.NaN, 0}), "a picture without depth changes nothing");
   }
 
   @Test
   void anEvenPictureHasARangeToo() {
-    Span span = span(new float[] {2, 2, 2});
+    Span span = span(new float[]{2, 2, 2});
     assertTrue(span.low() < 2 && span.high() > 2, span.toString());
-    assertEquals(new Span(0, 1), new PictureDecoder().decode(floats(Float.NaN), Rendering.USUAL)
-        instanceof Decoding.Decoded d ? d.picture().legend().orElseThrow().span() : null);
+    assertEquals(new Span(0, 1),
+        new PictureDecoder().decode(floats(Float.NaN), Rendering.USUAL) instanceof Decoding.Decoded d
+            ? d.picture().legend().orElseThrow().span()
+            : null);
   }
 
   @Test
@@ -115,7 +117,8 @@ class DepthTest {
 
   @Test
   void compressedDepthIsDecodedBehindItsHeader() throws IOException {
-    Picture picture = decoded(new CompressedImage(FRAME, "16UC1; compressedDepth png", depthPng(0, 0, 0, 1500)), Rendering.USUAL);
+    Picture picture =
+        decoded(new CompressedImage(FRAME, "16UC1; compressedDepth png", depthPng(0, 0, 0, 1500)), Rendering.USUAL);
     assertEquals("1500 = 1.500\u00a0m", picture.values().at(1, 0));
     assertEquals("0 = no depth", picture.values().at(0, 0));
     assertEquals("16UC1 png", picture.encoding());
@@ -124,7 +127,8 @@ class DepthTest {
   @Test
   void quantisedDepthIsMetresAgain() throws IOException {
     // a / (number - b) with a = 1000 and b = -100: 400 is 2 m.
-    Picture picture = decoded(new CompressedImage(FRAME, "32FC1; compressedDepth png", depthPng(1000, -100, 0, 400)), Rendering.USUAL);
+    Picture picture = decoded(new CompressedImage(FRAME, "32FC1; compressedDepth png", depthPng(1000, -100, 0, 400)),
+        Rendering.USUAL);
     assertEquals("2.000\u00a0m", picture.values().at(1, 0));
     assertEquals("NaN = no depth", picture.values().at(0, 0));
   }
@@ -135,11 +139,12 @@ class DepthTest {
     ByteBuffer bytes = ByteBuffer.allocate(12 + 8 + 8).order(ByteOrder.LITTLE_ENDIAN).position(12);
     bytes.putInt(5).putInt(1);
     Nibbles nibbles = new Nibbles();
-    for (int number : new int[] {2, 3, 2000, 19, 0}) {
+    for (int number : new int[]{2, 3, 2000, 19, 0}) {
       nibbles.add(number);
     }
     nibbles.words().forEach(bytes::putInt);
-    Picture picture = decoded(new CompressedImage(FRAME, "16UC1; compressedDepth rvl", Bytes.of(bytes.array())), Rendering.USUAL);
+    Picture picture =
+        decoded(new CompressedImage(FRAME, "16UC1; compressedDepth rvl", Bytes.of(bytes.array())), Rendering.USUAL);
     assertEquals("0 = no depth", picture.values().at(1, 0));
     assertEquals("1000 = 1.000\u00a0m", picture.values().at(2, 0));
     assertEquals("990 = 0.990\u00a0m", picture.values().at(4, 0));
@@ -175,7 +180,8 @@ class DepthTest {
   @EnumSource(ColorMap.class)
   void whatWasNotMeasuredHasAColourOfItsOwn(ColorMap map) {
     for (int shade : map.table(256, false)) {
-      int distance = Math.abs((shade >> 16 & 255) - (map.nothing() >> 16 & 255)) + Math.abs((shade >> 8 & 255) - (map.nothing() >> 8 & 255))
+      int distance = Math.abs((shade >> 16 & 255) - (map.nothing() >> 16 & 255))
+          + Math.abs((shade >> 8 & 255) - (map.nothing() >> 8 & 255))
           + Math.abs((shade & 255) - (map.nothing() & 255));
       assertTrue(distance > 40, Integer.toHexString(shade));
     }
@@ -189,7 +195,8 @@ class DepthTest {
 
   private static RGB near(RGB shown, int expected) {
     RGB wanted = rgb(expected);
-    boolean close = Math.abs(shown.red - wanted.red) < 3 && Math.abs(shown.green - wanted.green) < 3 && Math.abs(shown.blue - wanted.blue) < 3;
+    boolean close = Math.abs(shown.red - wanted.red) < 3 && Math.abs(shown.green - wanted.green) < 3
+        && Math.abs(shown.blue - wanted.blue) < 3;
     return close ? wanted : shown;
   }
 

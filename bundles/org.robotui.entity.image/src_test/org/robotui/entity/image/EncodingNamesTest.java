@@ -13,7 +13,8 @@ class EncodingNamesTest {
   private static final String[] FORMS = {"8U", "8S", "16U", "16S", "32S", "32F", "64F"};
 
   @ParameterizedTest
-  @CsvSource({"rgb8, 3", "rgba8, 4", "rgb16, 6", "rgba16, 8", "bgr8, 3", "bgra8, 4", "bgr16, 6", "bgra16, 8", "mono8, 1", "mono16, 2",
+  @CsvSource({"rgb8, 3", "rgba8, 4", "rgb16, 6", "rgba16, 8", "bgr8, 3", "bgra8, 4", "bgr16, 6", "bgra16, 8",
+      "mono8, 1", "mono16, 2",
       "bayer_rggb8, 1", "bayer_bggr8, 1", "bayer_gbrg8, 1", "bayer_grbg8, 1", "bayer_rggb16, 2", "bayer_bggr16, 2",
       "bayer_gbrg16, 2", "bayer_grbg16, 2", "yuv422, 2", "yuv422_yuy2, 2"})
   void theNamesOfRosAreKnown(String name, int bytes) {

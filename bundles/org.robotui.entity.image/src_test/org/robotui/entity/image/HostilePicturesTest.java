@@ -47,7 +47,8 @@ class HostilePicturesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"jpeg", "png", "bayer_rggb8; png compressed ", "mono16; png compressed ", "32FC1; compressedDepth png",
+  @ValueSource(strings = {"jpeg", "png", "bayer_rggb8; png compressed ", "mono16; png compressed ",
+      "32FC1; compressedDepth png",
       "16UC1; compressedDepth png", "16UC1; compressedDepth rvl", "\u0000;;", ""})
   void mutatedFilesAreAnAnswer(String format) throws IOException {
     byte[] good = good(format);
@@ -73,7 +74,8 @@ class HostilePicturesTest {
       switch (random.nextInt(4)) {
         case 0 -> bytes[at] ^= (byte) (1 << random.nextInt(8));
         case 1 -> bytes[at] = (byte) random.nextInt();
-        case 2 -> ByteBuffer.wrap(bytes).putInt(at & ~3, new int[] {0, -1, Integer.MAX_VALUE, 0x10000}[random.nextInt(4)]);
+        case 2 -> ByteBuffer.wrap(bytes).putInt(at & ~3,
+            new int[]{0, -1, Integer.MAX_VALUE, 0x10000}[random.nextInt(4)]);
         default -> System.arraycopy(bytes, random.nextInt(bytes.length - 3), bytes, at, 3);
       }
     }

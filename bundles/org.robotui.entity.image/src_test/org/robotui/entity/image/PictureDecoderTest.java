@@ -195,7 +195,8 @@ class PictureDecoderTest {
 
   @Test
   void anEmptyPictureIsRefused() {
-    assertEquals("the picture is empty (0\u00d70)", refused(new RawImage(FRAME, 0, 0, PixelEncoding.RGB8, false, 0, Bytes.EMPTY)));
+    assertEquals("the picture is empty (0\u00d70)",
+        refused(new RawImage(FRAME, 0, 0, PixelEncoding.RGB8, false, 0, Bytes.EMPTY)));
   }
 
   @Test
@@ -216,9 +217,11 @@ class PictureDecoderTest {
       for (int k = 0; k < 4 && bytes.length > 0; k++) {
         bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();
       }
-      assertInstanceOf(Decoding.class, new PictureDecoder().decode(new CompressedImage(FRAME, format, Bytes.of(bytes)), Rendering.USUAL));
+      assertInstanceOf(Decoding.class,
+          new PictureDecoder().decode(new CompressedImage(FRAME, format, Bytes.of(bytes)), Rendering.USUAL));
     }
-    assertTrue(refused(new CompressedImage(FRAME, format, Bytes.of(Arrays.copyOf(good, 30)))).contains("'" + format + "'"));
+    assertTrue(
+        refused(new CompressedImage(FRAME, format, Bytes.of(Arrays.copyOf(good, 30)))).contains("'" + format + "'"));
   }
 
   private static CompressedImage compressed(String format, int type) throws IOException {

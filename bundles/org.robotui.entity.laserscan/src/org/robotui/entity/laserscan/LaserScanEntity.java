@@ -105,6 +105,7 @@ public final class LaserScanEntity implements Entity {
     int beam = s.beams()[index];
     return "echo " + Figures.of(s.scan().ranges().get(beam), 2, "m")
         + " at " + Figures.degrees(s.scan().angle(beam), 1)
-        + "\nx " + Figures.fixed(s.echoes()[2 * index], 2) + "  y " + Figures.of(s.echoes()[2 * index + 1], 2, "m") + ", beam " + beam;
+        + "\nx " + Figures.fixed(s.echoes()[2 * index], 2) + "  y " + Figures.of(s.echoes()[2 * index + 1], 2, "m")
+        + ", beam " + beam;
   }
 }

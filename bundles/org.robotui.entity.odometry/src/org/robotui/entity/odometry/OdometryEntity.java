@@ -14,8 +14,8 @@ import org.robotui.ui.scene.Entity;
 import org.robotui.ui.scene.Painter;
 
 /**
- * The way that a robot has gone by its odometry, and optionally the ellipse of two standard deviations around its place. The
- * way is kept in the frame of the odometry: when localisation moves that frame, the whole way moves with it.
+ * The way that a robot has gone by its odometry, and optionally the ellipse of two standard deviations around its
+ * place. The way is kept in the frame of the odometry: when localisation moves that frame, the whole way moves with it.
  */
 public final class OdometryEntity implements Entity {
   private static final int CAPACITY = 4000;
@@ -132,7 +132,8 @@ public final class OdometryEntity implements Entity {
     return "odometry  x " + Figures.fixed(o.pose().translation().x(), 2)
         + "  y " + Figures.of(o.pose().translation().y(), 2, "m")
         + "  " + Figures.degrees(o.pose().rotation().yaw(), 1)
-        + "\n" + Figures.of(o.linear().x(), 2, "m/s") + ", " + Figures.of(Math.toDegrees(o.angular().z()), 1, "\u00b0/s");
+        + "\n" + Figures.of(o.linear().x(), 2, "m/s") + ", "
+        + Figures.of(Math.toDegrees(o.angular().z()), 1, "\u00b0/s");
   }
 
   private static double distance(double[] way, double x, double y) {

@@ -45,8 +45,8 @@ public final class PathEntity implements Entity {
   }
 
   /**
-   * Paints the way in a colour of its own, to tell ways of several robots from one another; what is left to go is then only told on asking. Any
-   * thread.
+   * Paints the way in a colour of its own, to tell ways of several robots from one another; what is left to go is then
+   * only told on asking. Any thread.
    *
    * @param of which colour of the theme's traces, from 0, taken modulo their number; none for that of plans
    */

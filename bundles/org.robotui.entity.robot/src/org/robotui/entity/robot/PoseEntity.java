@@ -76,7 +76,7 @@ public final class PoseEntity implements Entity {
     Vector3 left = pose.apply(new Vector3(length * (1 - HEAD), length * HEAD * 0.8, 0));
     Vector3 right = pose.apply(new Vector3(length * (1 - HEAD), -length * HEAD * 0.8, 0));
     painter.line(pose.translation().x(), pose.translation().y(), tip.x(), tip.y());
-    painter.polyline(new double[] {left.x(), left.y(), tip.x(), tip.y(), right.x(), right.y()}, 3);
+    painter.polyline(new double[]{left.x(), left.y(), tip.x(), tip.y(), right.x(), right.y()}, 3);
     painter.disc(pose.translation().x(), pose.translation().y(), 2.5);
   }
 
@@ -95,6 +95,7 @@ public final class PoseEntity implements Entity {
       return place;
     }
     double sigma = Math.sqrt(Math.max(0, Math.max(c.get(0), c.get(YY))));
-    return place + "\n\u03c3 " + Figures.of(sigma, 2, "m") + ", " + Figures.degrees(Math.sqrt(Math.max(0, c.get(YAW_YAW))), 1);
+    return place + "\n\u03c3 " + Figures.of(sigma, 2, "m") + ", "
+        + Figures.degrees(Math.sqrt(Math.max(0, c.get(YAW_YAW))), 1);
   }
 }

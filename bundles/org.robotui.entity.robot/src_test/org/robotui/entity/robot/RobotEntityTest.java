@@ -38,7 +38,8 @@ class RobotEntityTest {
     c[35] = Math.pow(Math.toRadians(5), 2);
     PoseEntity entity = new PoseEntity();
     FrameId odom = new FrameId("Keira", "odom");
-    entity.prepare(new PoseEstimate(odom, RigidTransform.planar(1, 0, 0), Doubles.of(c)), RigidTransform.planar(2, 0, 0));
+    entity.prepare(new PoseEstimate(odom, RigidTransform.planar(1, 0, 0), Doubles.of(c)),
+        RigidTransform.planar(2, 0, 0));
     String text = entity.describeAt(3, 0, 0.1).orElseThrow().text();
     assertTrue(text.endsWith("\u03c3 0.20\u00a0m, 5.0\u00b0"), text);
     assertTrue(text.contains("x 1.00  y 0.00"), text);

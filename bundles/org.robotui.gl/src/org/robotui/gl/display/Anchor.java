@@ -6,8 +6,8 @@ import org.robotui.data.Stamp;
 import org.robotui.geometry.RigidTransform;
 
 /**
- * Where one value lies. One that was measured at a time is placed once, by the transform of that time; until that is known it is placed by
- * the newest one, and says so where it is not about to come. Worker thread.
+ * Where one value lies. One that was measured at a time is placed once, by the transform of that time; until that is
+ * known it is placed by the newest one, and says so where it is not about to come. Worker thread.
  */
 public final class Anchor {
   /** Which transform counts. */
@@ -18,7 +18,10 @@ public final class Anchor {
     NOW
   }
 
-  /** By which transforms may come behind what was measured, as those of robots that send their odometry ten times a second: nobody needs to be told. */
+  /**
+   * By which transforms may come behind what was measured, as those of robots that send their odometry ten times a
+   * second: nobody needs to be told.
+   */
   private static final long LAG_NANOS = 250_000_000;
 
   private final When when;
@@ -55,7 +58,8 @@ public final class Anchor {
       exact = place.found().isPresent();
       if (place instanceof Places.Place.Missing missing && stamp.isPresent()) {
         place = places.at(frame, Optional.empty());
-        guess = place.found().filter(any -> !isAboutToCome(places)).map(any -> "placed by the newest transform: " + missing.reason());
+        guess = place.found().filter(any -> !isAboutToCome(places))
+            .map(any -> "placed by the newest transform: " + missing.reason());
       }
     }
   }

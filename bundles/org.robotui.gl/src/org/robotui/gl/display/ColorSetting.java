@@ -9,10 +9,14 @@ import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.gl.shape.Rgba;
 
-/** Settings that hold a colour, written {@code "#rrggbb"} or {@code "#rrggbbaa"}. Their names are {@code color} or end in {@code _color}. */
+/**
+ * Settings that hold a colour, written {@code "#rrggbb"} or {@code "#rrggbbaa"}. Their names are {@code color} or end
+ * in {@code _color}.
+ */
 public final class ColorSetting {
   private static final Pattern COLOR = Pattern.compile("#([0-9a-fA-F]{6}|[0-9a-fA-F]{8})");
-  private static final ValueType TYPE = new ValueType.Text(TextRule.matching("a colour, such as \"#f76b15\" or \"#f76b15c0\"", COLOR.pattern()));
+  private static final ValueType TYPE =
+      new ValueType.Text(TextRule.matching("a colour, such as \"#f76b15\" or \"#f76b15c0\"", COLOR.pattern()));
   private static final int HEX = 16;
   private static final int BYTE = 0xff;
 

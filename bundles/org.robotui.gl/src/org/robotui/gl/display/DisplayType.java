@@ -5,7 +5,10 @@ import java.util.Set;
 import org.robotui.api.config.Schema;
 import org.robotui.data.Data;
 
-/** A kind of display that scenes offer; one singleton OSGi service each. Methods are called from any thread and must not block. */
+/**
+ * A kind of display that scenes offer; one singleton OSGi service each. Methods are called from any thread and must not
+ * block.
+ */
 public interface DisplayType {
   /**
    * What a configuration writes behind {@code type:}.
@@ -45,9 +48,11 @@ public interface DisplayType {
   }
 
   /**
-   * Whether a scene that nobody configured shows one for each source of the first type that it accepts; of a kind that needs no data, one.
+   * Whether a scene that nobody configured shows one for each source of the first type that it accepts; of a kind that
+   * needs no data, one.
    *
-   * @return true unless it needs no data; kinds that cost much (pictures) or say too much at once (all frames) answer false
+   * @return true unless it needs no data; kinds that cost much (pictures) or say too much at once (all frames) answer
+   * false
    */
   default boolean automatic() {
     return !needs().isEmpty();

@@ -14,8 +14,9 @@ import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 
 /**
- * The newest value of a display, or those of the last seconds, each where it lies, with what was prepared of it. Bounded by the sum of
- * their sizes and by {@link #MOST} values; the oldest make room, the newest always stays. Worker thread.
+ * The newest value of a display, or those of the last seconds, each where it lies, with what was prepared of it.
+ * Bounded by the sum of their sizes and by {@link #MOST} values; the oldest make room, the newest always stays. Worker
+ * thread.
  *
  * @param <T> the type of the values
  * @param <P> what is prepared of each
@@ -200,7 +201,8 @@ public final class Recent<T extends Data, P> {
   }
 
   /**
-   * How pale what is too old is drawn; for what is drawn of many points, which would cost much more were it transparent.
+   * How pale what is too old is drawn; for what is drawn of many points, which would cost much more were it
+   * transparent.
    *
    * @param tick of the display
    * @return for {@link org.robotui.gl.shape.Material#paled(float)}
@@ -227,7 +229,8 @@ public final class Recent<T extends Data, P> {
     if (!(otherwise instanceof DisplayStatus.Shown)) {
       return otherwise;
     }
-    return ColorSetting.complaint(tick.settings()).<DisplayStatus>map(DisplayStatus.Partly::new).or(() -> trouble).orElse(otherwise);
+    return ColorSetting.complaint(tick.settings()).<DisplayStatus>map(DisplayStatus.Partly::new).or(() -> trouble)
+        .orElse(otherwise);
   }
 
   private static String waiting(InputState state) {
@@ -248,7 +251,8 @@ public final class Recent<T extends Data, P> {
   private void add(Envelope<T> envelope) {
     T value = envelope.value();
     int slot = Optional.ofNullable(freeSlots.pollFirst()).orElseGet(() -> slots++);
-    Entry<T, P> entry = new Entry<>(envelope, slot, size.applyAsLong(value), new Anchor(when, frame.apply(value), envelope.stamp()));
+    Entry<T, P> entry =
+        new Entry<>(envelope, slot, size.applyAsLong(value), new Anchor(when, frame.apply(value), envelope.stamp()));
     entries.addLast(entry);
     total += entry.size;
   }

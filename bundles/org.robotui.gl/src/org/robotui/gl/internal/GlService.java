@@ -15,7 +15,8 @@ public final class GlService implements Gl {
   /** Starts nothing yet. */
   @Activate
   public GlService() {
-    // JOGL would look for its libraries beside its jars, where the framework has none; it finds them as those of this bundle.
+    // JOGL would look for its libraries beside its jars, where the framework has none; it finds them as those of this
+    // bundle.
     System.setProperty("jogamp.gluegen.UseTempJarCache", "false");
     gl = new OpenGl();
   }

@@ -5,8 +5,8 @@ import org.robotui.gl.internal.context.GlThread;
 import org.robotui.gl.internal.scene.SceneRenderer;
 
 /**
- * The graphics of this machine, for programs and tests that have no OSGi services: the workbench gets it as {@link Gl}. Owns the thread of
- * OpenGL, which starts with the first picture.
+ * The graphics of this machine, for programs and tests that have no OSGi services: the workbench gets it as {@link Gl}.
+ * Owns the thread of OpenGL, which starts with the first picture.
  */
 public final class OpenGl implements Gl, AutoCloseable {
   private static final String HEADLESS = "java.awt.headless";
@@ -28,7 +28,10 @@ public final class OpenGl implements Gl, AutoCloseable {
     return new SceneRenderer(thread, name);
   }
 
-  /** Frees all and ends the thread, after what was asked for before; waits for that for some seconds at most. The renderers are closed. */
+  /**
+   * Frees all and ends the thread, after what was asked for before; waits for that for some seconds at most. The
+   * renderers are closed.
+   */
   @Override
   public void close() {
     thread.close();

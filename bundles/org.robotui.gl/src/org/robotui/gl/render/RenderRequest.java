@@ -14,7 +14,8 @@ import org.robotui.gl.shape.Rgba;
  * @param height pixels
  * @param scale pixels a point: 1 at 100 % scaling, 2 at 200 %
  * @param background behind everything
- * @param pointBudget points that may be drawn at most; {@link Integer#MAX_VALUE} for all. Sets are thinned in proportion, and the picture says so
+ * @param pointBudget points that may be drawn at most; {@link Integer#MAX_VALUE} for all. Sets are thinned in
+ * proportion, and the picture says so
  * @param selection the parts that are drawn as selected
  */
 public record RenderRequest(

@@ -9,8 +9,8 @@ public sealed interface Rendered {
    *
    * @param width pixels
    * @param height pixels
-   * @param rgb row by row from the top, red in bits 16 to 23, green in 8 to 15, blue in 0 to 7; belongs to the receiver,
-   *     who may hand it back by {@link Renderer#recycle(Picture)}
+   * @param rgb row by row from the top, red in bits 16 to 23, green in 8 to 15, blue in 0 to 7; belongs to the
+   * receiver, who may hand it back by {@link Renderer#recycle(Picture)}
    * @param figures how it was made
    * @param problems parts that could not be drawn, each a sentence; empty where all is well
    */
@@ -38,7 +38,8 @@ public sealed interface Rendered {
    * @param uploadedBytes sent to the graphics card for this picture
    * @param residentBytes held there for this scene
    */
-  record Figures(double seconds, long points, long pointsLeftOut, long triangles, long trianglesLeftOut, long uploadedBytes, long residentBytes) {
+  record Figures(double seconds, long points, long pointsLeftOut, long triangles, long trianglesLeftOut,
+      long uploadedBytes, long residentBytes) {
     /**
      * Whether a picture of the same without thinning looks the same.
      *

@@ -60,7 +60,8 @@ public record Box3(Vector3 low, Vector3 high) {
     Box3 box = new Box3(first, first);
     for (int corner = 1; corner < 8; corner++) {
       Vector3 at = otherFromThis.apply(new Vector3(
-          (corner & 1) == 0 ? low.x() : high.x(), (corner & 2) == 0 ? low.y() : high.y(), (corner & 4) == 0 ? low.z() : high.z()));
+          (corner & 1) == 0 ? low.x() : high.x(), (corner & 2) == 0 ? low.y() : high.y(),
+          (corner & 4) == 0 ? low.z() : high.z()));
       box = box.union(new Box3(at, at));
     }
     return box;

@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
- * Colours for numbers, as even to the eye as colours can be: those of the camera view's depth pictures, so that a distance looks the same
- * everywhere.
+ * Colours for numbers, as even to the eye as colours can be: those of the camera view's depth pictures, so that a
+ * distance looks the same everywhere.
  */
 public enum ColorRamp {
   /** Rainbow without false edges: the most steps that can be told apart. */

@@ -9,7 +9,8 @@ final class Colors {
   /** Checks that there is no colour, or one for each. */
   static void fit(ByteBuffer rgba, int count) {
     if (rgba.remaining() != 4 * count) {
-      throw new IllegalArgumentException("colours: " + rgba.remaining() + " bytes for " + count + ", must be four each");
+      throw new IllegalArgumentException(
+          "colours: " + rgba.remaining() + " bytes for " + count + ", must be four each");
     }
   }
 }

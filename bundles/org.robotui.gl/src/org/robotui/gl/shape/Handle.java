@@ -3,7 +3,10 @@ package org.robotui.gl.shape;
 import java.util.List;
 import org.robotui.geometry.Vector3;
 
-/** How a part is moved by hand. All methods are called on the worker thread of the scene, one at a time; they must not block. */
+/**
+ * How a part is moved by hand. All methods are called on the worker thread of the scene, one at a time; they must not
+ * block.
+ */
 public interface Handle {
   /**
    * The pointer grips it.

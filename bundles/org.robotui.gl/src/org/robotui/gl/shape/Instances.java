@@ -15,7 +15,8 @@ import org.robotui.geometry.Vector3;
  * @param rgba four bytes red, green, blue, alpha each; empty where the material colours all
  * @param bounds where they lie
  */
-public record Instances(TriangleMesh mesh, FloatBuffer placings, Optional<ByteBuffer> rgba, Optional<Box3> bounds) implements Shape {
+public record Instances(TriangleMesh mesh, FloatBuffer placings, Optional<ByteBuffer> rgba, Optional<Box3> bounds)
+    implements Shape {
   /** Numbers of one placing. */
   public static final int PLACING = 10;
 
@@ -38,7 +39,8 @@ public record Instances(TriangleMesh mesh, FloatBuffer placings, Optional<ByteBu
   }
 
   /**
-   * A mesh many times, with its bounds computed: a box around the mesh at each place. What is placed at no number counts for nothing.
+   * A mesh many times, with its bounds computed: a box around the mesh at each place. What is placed at no number
+   * counts for nothing.
    *
    * @param mesh what is repeated
    * @param placings where
@@ -53,7 +55,8 @@ public record Instances(TriangleMesh mesh, FloatBuffer placings, Optional<ByteBu
     Optional<Box3> all = Optional.empty();
     for (int from = placings.position(); from < placings.limit(); from += PLACING) {
       Vector3 scale = vector(placings, from + 7);
-      Quaternion turn = new Quaternion(placings.get(from + 3), placings.get(from + 4), placings.get(from + 5), placings.get(from + 6));
+      Quaternion turn = new Quaternion(placings.get(from + 3), placings.get(from + 4), placings.get(from + 5),
+          placings.get(from + 6));
       RigidTransform at = new RigidTransform(vector(placings, from), turn);
       Box3 box = new Box3(scaled(mesh.low(), scale), scaled(mesh.high(), scale)).in(at);
       if (box.low().isFinite() && box.high().isFinite()) {

@@ -13,7 +13,8 @@ import java.util.Optional;
  * @param width pixels of the picture at 100 % scaling
  * @param bounds where they lie
  */
-public record LineSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, Kind kind, float width, Optional<Box3> bounds) implements Shape {
+public record LineSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, Kind kind, float width, Optional<Box3> bounds)
+    implements Shape {
   /** How corners make lines. */
   public enum Kind {
     /** Each to the next. */

@@ -9,7 +9,8 @@ import java.util.Optional;
  * @param lit true where light falls on it, false where colours are shown as they are
  * @param texture a picture on a mesh with places in it
  * @param depth what hides it
- * @param pale how much of the background is mixed in, 0 to 1; unlike a transparent surface a pale one hides what is behind it
+ * @param pale how much of the background is mixed in, 0 to 1; unlike a transparent surface a pale one hides what is
+ * behind it
  */
 public record Material(Rgba color, boolean lit, Optional<Texture> texture, Depth depth, float pale) {
   /** What hides a shape. */

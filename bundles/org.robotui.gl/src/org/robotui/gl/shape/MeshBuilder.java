@@ -56,7 +56,8 @@ final class MeshBuilder {
 
   TriangleMesh build() {
     FloatBuffer places = direct(xyz, 3 * corners);
-    return new TriangleMesh(places, Optional.of(direct(normals, 3 * corners)), Optional.empty(), color.map(any -> paint()),
+    return new TriangleMesh(places, Optional.of(direct(normals, 3 * corners)), Optional.empty(),
+        color.map(any -> paint()),
         indices(), Box3.around(places));
   }
 
@@ -75,10 +76,12 @@ final class MeshBuilder {
   }
 
   private IntBuffer indices() {
-    return ByteBuffer.allocateDirect(FLOAT * indices).order(ByteOrder.nativeOrder()).asIntBuffer().put(triangles, 0, indices).flip();
+    return ByteBuffer.allocateDirect(FLOAT * indices).order(ByteOrder.nativeOrder()).asIntBuffer()
+        .put(triangles, 0, indices).flip();
   }
 
   private static FloatBuffer direct(float[] numbers, int count) {
-    return ByteBuffer.allocateDirect(FLOAT * count).order(ByteOrder.nativeOrder()).asFloatBuffer().put(numbers, 0, count).flip();
+    return ByteBuffer.allocateDirect(FLOAT * count).order(ByteOrder.nativeOrder()).asFloatBuffer()
+        .put(numbers, 0, count).flip();
   }
 }

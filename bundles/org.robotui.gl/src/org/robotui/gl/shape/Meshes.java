@@ -5,8 +5,8 @@ import java.nio.IntBuffer;
 import java.util.Optional;
 
 /**
- * Bodies of unit size with normals, of few triangles, to be scaled and placed by {@link Instances}. Those without parameters answer the
- * same object each time, so that it is sent to the graphics card once.
+ * Bodies of unit size with normals, of few triangles, to be scaled and placed by {@link Instances}. Those without
+ * parameters answer the same object each time, so that it is sent to the graphics card once.
  */
 public final class Meshes {
   /** Corners around what is round. */
@@ -22,7 +22,8 @@ public final class Meshes {
   private static final TriangleMesh SPHERE = Spheres.sphere(2);
   private static final TriangleMesh COARSE_SPHERE = Spheres.sphere(1);
   private static final TriangleMesh CYLINDER =
-      new Lathe(AROUND).disc(Lathe.Along.Z, -0.5, 0.5, -1).tube(Lathe.Along.Z, -0.5, 0.5, 0.5, 0.5).disc(Lathe.Along.Z, 0.5, 0.5, 1).build();
+      new Lathe(AROUND).disc(Lathe.Along.Z, -0.5, 0.5, -1).tube(Lathe.Along.Z, -0.5, 0.5, 0.5, 0.5)
+          .disc(Lathe.Along.Z, 0.5, 0.5, 1).build();
   private static final TriangleMesh CONE =
       new Lathe(AROUND).tube(Lathe.Along.X, 0, 0, 1, 0.5).disc(Lathe.Along.X, 1, 0.5, 1).build();
   private static final TriangleMesh DISC = new Lathe(2 * AROUND).disc(Lathe.Along.Z, 0, 0.5, 1).build();
@@ -91,7 +92,8 @@ public final class Meshes {
   }
 
   /**
-   * An arrow from the origin along x, in the proportions that rviz draws: y and z scale the diameter of its shaft, the head is twice as wide.
+   * An arrow from the origin along x, in the proportions that rviz draws: y and z scale the diameter of its shaft, the
+   * head is twice as wide.
    *
    * @return 1 metre long, its shaft 1 metre wide
    */
@@ -127,7 +129,8 @@ public final class Meshes {
   }
 
   /**
-   * A square in the x-y plane from the origin to (1, 1), for pictures: the first row of the texture's pixels lies at y 0.
+   * A square in the x-y plane from the origin to (1, 1), for pictures: the first row of the texture's pixels lies at y
+   * 0.
    *
    * @return edges of 1 metre; 2 triangles
    */
@@ -136,10 +139,11 @@ public final class Meshes {
   }
 
   private static TriangleMesh flat() {
-    FloatBuffer xyz = FloatBuffer.wrap(new float[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
-    FloatBuffer normals = FloatBuffer.wrap(new float[] {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
-    FloatBuffer uv = FloatBuffer.wrap(new float[] {0, 0, 1, 0, 1, 1, 0, 1});
-    return new TriangleMesh(xyz, Optional.of(normals), Optional.of(uv), Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2, 0, 2, 3}),
+    FloatBuffer xyz = FloatBuffer.wrap(new float[]{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+    FloatBuffer normals = FloatBuffer.wrap(new float[]{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    FloatBuffer uv = FloatBuffer.wrap(new float[]{0, 0, 1, 0, 1, 1, 0, 1});
+    return new TriangleMesh(xyz, Optional.of(normals), Optional.of(uv), Optional.empty(),
+        IntBuffer.wrap(new int[]{0, 1, 2, 0, 2, 3}),
         Box3.around(xyz));
   }
 }

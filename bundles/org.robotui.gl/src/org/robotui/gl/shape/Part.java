@@ -4,8 +4,9 @@ import java.util.Optional;
 import org.robotui.geometry.RigidTransform;
 
 /**
- * A shape at its place. The key says which part of the display it is over time: for the same key the renderer refills its buffers
- * where the shape is another one, and sends nothing where it is the same object; a changed place or material costs nothing.
+ * A shape at its place. The key says which part of the display it is over time: for the same key the renderer refills
+ * its buffers where the shape is another one, and sends nothing where it is the same object; a changed place or
+ * material costs nothing.
  *
  * @param key unique within its display, with equals and hashCode
  * @param shape what is drawn
@@ -15,7 +16,8 @@ import org.robotui.geometry.RigidTransform;
  * @param handle how it is moved by hand; none for what is only looked at
  */
 public record Part(
-    Object key, Shape shape, RigidTransform fixedFromShape, Material material, Describer describer, Optional<Handle> handle) {
+    Object key, Shape shape, RigidTransform fixedFromShape, Material material, Describer describer,
+    Optional<Handle> handle) {
   /**
    * A part to look at.
    *

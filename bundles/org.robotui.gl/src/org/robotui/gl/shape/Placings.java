@@ -22,7 +22,8 @@ public final class Placings {
    * @param most how many can be added
    */
   public Placings(int most) {
-    placings = ByteBuffer.allocateDirect(Math.multiplyExact(most, Instances.PLACING * FLOAT)).order(ByteOrder.nativeOrder()).asFloatBuffer();
+    placings = ByteBuffer.allocateDirect(Math.multiplyExact(most, Instances.PLACING * FLOAT))
+        .order(ByteOrder.nativeOrder()).asFloatBuffer();
     rgba = ByteBuffer.allocateDirect(Math.multiplyExact(most, 4));
   }
 

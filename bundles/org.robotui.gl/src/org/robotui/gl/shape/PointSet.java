@@ -5,11 +5,11 @@ import java.nio.FloatBuffer;
 import java.util.Optional;
 
 /**
- * Many points. One with a coordinate that is not finite is not drawn. Order matters for thinning only: while the camera moves, a
- * renderer draws every n-th, of all or of the sample.
+ * Many points. One with a coordinate that is not finite is not drawn. Order matters for thinning only: while the camera
+ * moves, a renderer draws every n-th, of all or of the sample.
  *
  * @param xyz x, y, z in turn, metres; on the heap where sets come many a second, so that the memory of old ones is soon
- *     free; direct buffers are sent to the graphics card without a copy
+ * free; direct buffers are sent to the graphics card without a copy
  * @param rgba four bytes red, green, blue, alpha a point; empty where the material colours all
  * @param size edge or diameter of a point
  * @param unit what the size is in
@@ -17,7 +17,8 @@ import java.util.Optional;
  * @param bounds where they lie
  * @param sample fewer of them, of which every n-th is spread evenly over all; with no sample of its own
  */
-public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, Unit unit, Style style, Optional<Box3> bounds, Optional<PointSet> sample)
+public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, Unit unit, Style style,
+    Optional<Box3> bounds, Optional<PointSet> sample)
     implements Shape {
   /** What sizes are in. */
   public enum Unit {
@@ -82,9 +83,10 @@ public record PointSet(FloatBuffer xyz, Optional<ByteBuffer> rgba, float size, U
    * @return as many, or some more
    */
   public Part part(int every) {
-    return every == 1 ? new Part(this, 1) : sample.filter(s -> s.elements() >= elements() / every)
-        .map(s -> new Part(s, (int) Math.max(1, (long) every * s.elements() / elements())))
-        .orElseGet(() -> new Part(this, every));
+    return every == 1 ? new Part(this, 1)
+        : sample.filter(s -> s.elements() >= elements() / every)
+            .map(s -> new Part(s, (int) Math.max(1, (long) every * s.elements() / elements())))
+            .orElseGet(() -> new Part(this, every));
   }
 
   @Override

@@ -53,7 +53,8 @@ public record Rgba(float red, float green, float blue, float alpha) {
    * @return red in bits 24 to 31, alpha in 0 to 7
    */
   public int packed() {
-    return Math.round(red * 255) << 24 | Math.round(green * 255) << 16 | Math.round(blue * 255) << 8 | Math.round(alpha * 255);
+    return Math.round(red * 255) << 24 | Math.round(green * 255) << 16 | Math.round(blue * 255) << 8
+        | Math.round(alpha * 255);
   }
 
   private static float part(float value) {

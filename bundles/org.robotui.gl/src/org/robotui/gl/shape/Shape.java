@@ -3,8 +3,8 @@ package org.robotui.gl.shape;
 import java.util.Optional;
 
 /**
- * Something to draw. Immutable: the buffers it was given belong to it and never change again; who has newer numbers makes a new
- * shape, for which the renderer refills what it holds on the graphics card.
+ * Something to draw. Immutable: the buffers it was given belong to it and never change again; who has newer numbers
+ * makes a new shape, for which the renderer refills what it holds on the graphics card.
  */
 public sealed interface Shape permits PointSet, LineSet, TriangleMesh, Instances, Label {
   /**

@@ -9,7 +9,8 @@ import java.util.Optional;
  * A surface of triangles, seen from both sides.
  *
  * @param xyz x, y, z of the corners in turn, metres
- * @param normals x, y, z of unit length a corner, for lit materials; empty where the renderer shall take each triangle's own
+ * @param normals x, y, z of unit length a corner, for lit materials; empty where the renderer shall take each
+ * triangle's own
  * @param uv u, v a corner, 0 to 1 from the first row of the texture's pixels; empty without a texture
  * @param rgba four bytes red, green, blue, alpha a corner; empty where the material colours all
  * @param triangles three indices of corners each
@@ -78,7 +79,8 @@ public record TriangleMesh(
 
   @Override
   public long bytes() {
-    long numbers = xyz.remaining() + normals.map(FloatBuffer::remaining).orElse(0) + uv.map(FloatBuffer::remaining).orElse(0);
+    long numbers =
+        xyz.remaining() + normals.map(FloatBuffer::remaining).orElse(0) + uv.map(FloatBuffer::remaining).orElse(0);
     return 4L * (numbers + triangles.remaining()) + rgba.map(ByteBuffer::remaining).orElse(0);
   }
 }

@@ -15,7 +15,8 @@ final class Triples {
   /** Checks that there are as many numbers as one per corner takes. */
   static void fit(FloatBuffer numbers, int count, int each, String what) {
     if (numbers.remaining() != count * each) {
-      throw new IllegalArgumentException(what + ": " + numbers.remaining() + " numbers for " + count + ", must be " + each + " each");
+      throw new IllegalArgumentException(
+          what + ": " + numbers.remaining() + " numbers for " + count + ", must be " + each + " each");
     }
   }
 }

@@ -26,9 +26,11 @@ public final class Uncertainty {
    * @return one ellipsoid; none without a covariance, or where it is 0 or no number
    */
   public static Optional<Instances> position(Doubles covariance, double deviations) {
-    return known(covariance).flatMap(c -> Ellipsoid.of(c.get(0), c.get(1), c.get(2), c.get(SIX + 1), c.get(SIX + 2), c.get(2 * SIX + 2)))
+    return known(covariance)
+        .flatMap(c -> Ellipsoid.of(c.get(0), c.get(1), c.get(2), c.get(SIX + 1), c.get(SIX + 2), c.get(2 * SIX + 2)))
         .filter(e -> e.deviations().norm() > 0)
-        .map(e -> new Placings(1).add(new RigidTransform(Vector3.ZERO, e.rotation()), wide(e.deviations().times(2 * deviations)))
+        .map(e -> new Placings(1)
+            .add(new RigidTransform(Vector3.ZERO, e.rotation()), wide(e.deviations().times(2 * deviations)))
             .of(Meshes.sphere()));
   }
 
@@ -41,10 +43,11 @@ public final class Uncertainty {
    * @return one cone; none without a covariance, or where it is 0 or no number
    */
   public static Optional<Instances> heading(Doubles covariance, double deviations, double length) {
-    return known(covariance).map(c -> new double[] {c.get(YAW * SIX + YAW), c.get(PITCH * SIX + PITCH)})
+    return known(covariance).map(c -> new double[]{c.get(YAW * SIX + YAW), c.get(PITCH * SIX + PITCH)})
         .filter(v -> Double.isFinite(v[0]) && Double.isFinite(v[1]) && (v[0] > 0 || v[1] > 0))
         .map(v -> new Vector3(length, opening(v[0], deviations, length), opening(v[1], deviations, length)))
-        .map(scale -> new Placings(1).add(new RigidTransform(Vector3.ZERO, Quaternion.IDENTITY), scale).of(Meshes.cone()));
+        .map(scale -> new Placings(1).add(new RigidTransform(Vector3.ZERO, Quaternion.IDENTITY), scale)
+            .of(Meshes.cone()));
   }
 
   private static Optional<Doubles> known(Doubles covariance) {
@@ -56,6 +59,7 @@ public final class Uncertainty {
   }
 
   private static Vector3 wide(Vector3 diameters) {
-    return new Vector3(Math.max(THINNEST, diameters.x()), Math.max(THINNEST, diameters.y()), Math.max(THINNEST, diameters.z()));
+    return new Vector3(Math.max(THINNEST, diameters.x()), Math.max(THINNEST, diameters.y()),
+        Math.max(THINNEST, diameters.z()));
   }
 }

@@ -27,7 +27,8 @@ class RecentTest {
   private static final InputState LIVE = new InputState.Live(10, 0);
   private static final Schema SCHEMA = Schema.of(ColorSetting.of("color", "#ff0000", "Its colour."));
 
-  private final Recent<StampedPose, Object> recent = new Recent<>(StampedPose.class, Anchor.When.MEASURED, StampedPose::frame, v -> 10);
+  private final Recent<StampedPose, Object> recent =
+      new Recent<>(StampedPose.class, Anchor.When.MEASURED, StampedPose::frame, v -> 10);
   private Optional<RigidTransform> exact = Optional.of(RigidTransform.planar(1, 0, 0));
   private Optional<RigidTransform> now = Optional.of(RigidTransform.planar(2, 0, 0));
   private String fixed = "map";
@@ -117,7 +118,8 @@ class RecentTest {
   @Test
   void saysThatAColourIsNone() {
     recent.update(tick(LIVE, 1, value(1)), 0, 1000);
-    DisplayTick tick = new DisplayTick(List.of(), LIVE, places(), new Settings(SCHEMA, Map.of("color", "reddish")), Rgba.WHITE, 0, false);
+    DisplayTick tick = new DisplayTick(List.of(), LIVE, places(), new Settings(SCHEMA, Map.of("color", "reddish")),
+        Rgba.WHITE, 0, false);
     assertTrue(recent.status(tick, new DisplayStatus.Shown("")).words().contains("reddish"));
     assertEquals(Rgba.of(0xff0000), ColorSetting.read(tick.settings(), "color"));
     assertEquals(Optional.of(Rgba.of(0x102030).withAlpha(1 / 255.0)), ColorSetting.parse("#10203001"));
@@ -172,7 +174,8 @@ class RecentTest {
 
       @Override
       public Place at(FrameId frame, Optional<Stamp> stamp) {
-        return (stamp.isPresent() ? exact.filter(e -> stamp.get().nanos() <= knownUntil) : now).<Place>map(Place.At::new).orElseGet(() -> new Place.Missing("no " + frame.name()));
+        return (stamp.isPresent() ? exact.filter(e -> stamp.get().nanos() <= knownUntil) : now)
+            .<Place>map(Place.At::new).orElseGet(() -> new Place.Missing("no " + frame.name()));
       }
 
       @Override

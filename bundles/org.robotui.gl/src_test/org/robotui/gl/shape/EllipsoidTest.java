@@ -13,8 +13,10 @@ class EllipsoidTest {
   void theAxesAndDeviationsMakeTheCovarianceAgain() {
     Random random = new Random(7);
     for (int round = 0; round < 200; round++) {
-      Quaternion turn = Quaternion.fromRollPitchYaw(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5), random.nextDouble(-3, 3));
-      double[][] c = covariance(turn, new Vector3(random.nextDouble(0, 4), random.nextDouble(0, 4), random.nextDouble(0, 4)));
+      Quaternion turn =
+          Quaternion.fromRollPitchYaw(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5), random.nextDouble(-3, 3));
+      double[][] c =
+          covariance(turn, new Vector3(random.nextDouble(0, 4), random.nextDouble(0, 4), random.nextDouble(0, 4)));
       Ellipsoid found = Ellipsoid.of(c[0][0], c[0][1], c[0][2], c[1][1], c[1][2], c[2][2]).orElseThrow();
       double[][] again = covariance(found.rotation(), found.deviations());
       for (int i = 0; i < 9; i++) {
@@ -42,8 +44,10 @@ class EllipsoidTest {
   }
 
   private static double[][] covariance(Quaternion turn, Vector3 deviations) {
-    Vector3[] axes = {turn.rotate(new Vector3(1, 0, 0)), turn.rotate(new Vector3(0, 1, 0)), turn.rotate(new Vector3(0, 0, 1))};
-    double[] variances = {deviations.x() * deviations.x(), deviations.y() * deviations.y(), deviations.z() * deviations.z()};
+    Vector3[] axes =
+        {turn.rotate(new Vector3(1, 0, 0)), turn.rotate(new Vector3(0, 1, 0)), turn.rotate(new Vector3(0, 0, 1))};
+    double[] variances =
+        {deviations.x() * deviations.x(), deviations.y() * deviations.y(), deviations.z() * deviations.z()};
     double[][] sum = new double[3][3];
     for (int k = 0; k < 3; k++) {
       double[] a = {axes[k].x(), axes[k].y(), axes[k].z()};

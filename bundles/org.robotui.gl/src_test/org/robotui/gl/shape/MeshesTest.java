@@ -75,7 +75,8 @@ class MeshesTest {
   }
 
   static Stream<TriangleMesh> all() {
-    return Stream.of(Meshes.cube(), Meshes.sphere(), Meshes.coarseSphere(), Meshes.cylinder(), Meshes.cone(), Meshes.disc(), Meshes.arrow(),
+    return Stream.of(Meshes.cube(), Meshes.sphere(), Meshes.coarseSphere(), Meshes.cylinder(), Meshes.cone(),
+        Meshes.disc(), Meshes.arrow(),
         Meshes.axes(), Meshes.quad(), Meshes.arrow(1, 0.1, 0.2, 0.3));
   }
 

@@ -16,7 +16,8 @@ class PointSetTest {
 
   private static PointSet sampled(int count, int few) {
     PointSet all = points(count);
-    return new PointSet(all.xyz(), all.rgba(), all.size(), all.unit(), all.style(), all.bounds(), Optional.of(points(few)));
+    return new PointSet(all.xyz(), all.rgba(), all.size(), all.unit(), all.style(), all.bounds(),
+        Optional.of(points(few)));
   }
 
   @Test

@@ -12,13 +12,13 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 
 class ShapeTest {
-  private static final FloatBuffer TWO = FloatBuffer.wrap(new float[] {0, 0, 0, 1, 2, 3});
+  private static final FloatBuffer TWO = FloatBuffer.wrap(new float[]{0, 0, 0, 1, 2, 3});
 
   @Test
   void aBoxHoldsTheFinitePointsOnly() {
-    FloatBuffer xyz = FloatBuffer.wrap(new float[] {Float.NaN, 9, 9, 1, 2, 3, -1, 0, Float.POSITIVE_INFINITY, -1, 5, 0});
+    FloatBuffer xyz = FloatBuffer.wrap(new float[]{Float.NaN, 9, 9, 1, 2, 3, -1, 0, Float.POSITIVE_INFINITY, -1, 5, 0});
     assertEquals(Optional.of(new Box3(new Vector3(-1, 2, 0), new Vector3(1, 5, 3))), Box3.around(xyz));
-    assertEquals(Optional.empty(), Box3.around(FloatBuffer.wrap(new float[] {Float.NaN, 0, 0})));
+    assertEquals(Optional.empty(), Box3.around(FloatBuffer.wrap(new float[]{Float.NaN, 0, 0})));
   }
 
   @Test
@@ -41,9 +41,10 @@ class ShapeTest {
 
   @Test
   void anIndexOutsideTheCornersIsRefused() {
-    IntBuffer outside = IntBuffer.wrap(new int[] {0, 1, 2});
+    IntBuffer outside = IntBuffer.wrap(new int[]{0, 1, 2});
     assertThrows(IllegalArgumentException.class, () -> TriangleMesh.of(TWO, Optional.empty(), outside));
-    assertThrows(IllegalArgumentException.class, () -> TriangleMesh.of(TWO, Optional.empty(), IntBuffer.wrap(new int[] {0, -1, 1})));
+    assertThrows(IllegalArgumentException.class,
+        () -> TriangleMesh.of(TWO, Optional.empty(), IntBuffer.wrap(new int[]{0, -1, 1})));
   }
 
   @Test
@@ -56,10 +57,10 @@ class ShapeTest {
 
   @Test
   void instancesLieWhereEachIsPlacedTurnedAndScaled() {
-    TriangleMesh mesh = TriangleMesh.of(FloatBuffer.wrap(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}), Optional.empty(),
-        IntBuffer.wrap(new int[] {0, 1, 2}));
+    TriangleMesh mesh = TriangleMesh.of(FloatBuffer.wrap(new float[]{0, 0, 0, 1, 0, 0, 0, 1, 0}), Optional.empty(),
+        IntBuffer.wrap(new int[]{0, 1, 2}));
     float half = (float) Math.sqrt(0.5);
-    FloatBuffer placings = FloatBuffer.wrap(new float[] {
+    FloatBuffer placings = FloatBuffer.wrap(new float[]{
         5, 0, 0, 0, 0, 0, 1, 3, 1, 1,
         0, 2, 0, 0, 0, half, half, 4, 1, 1,
         Float.NaN, 0, 0, 0, 0, 0, 1, 90, 90, 90});
@@ -70,7 +71,7 @@ class ShapeTest {
 
   @Test
   void aShapeDoesNotMoveWithTheBuffersItWasGiven() {
-    FloatBuffer xyz = FloatBuffer.wrap(new float[] {0, 0, 0, 1, 2, 3});
+    FloatBuffer xyz = FloatBuffer.wrap(new float[]{0, 0, 0, 1, 2, 3});
     PointSet set = PointSet.of(xyz, Optional.empty(), 1, PointSet.Unit.METRES);
     xyz.position(3);
     assertEquals(2, set.elements());

@@ -22,7 +22,8 @@ import java.util.Set;
  * @param watch true to take up what is changed in the files
  */
 record Arguments(
-    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live, Set<String> shown,
+    List<Path> configurations, boolean json, Optional<Duration> limit, Optional<Path> check, Optional<Duration> live,
+    Set<String> shown,
     boolean watch, Optional<String> reuse) {
   static final String USAGE = """
       -config FILE...   load these configurations

@@ -29,7 +29,10 @@ final class CheckPrinter {
     out.println(summary(report));
   }
 
-  /** What several RUICs share is said in a sentence; the whole matrix where it is asked for, as Markdown or comma-separated values. */
+  /**
+   * What several RUICs share is said in a sentence; the whole matrix where it is asked for, as Markdown or
+   * comma-separated values.
+   */
   void reuse(ReuseReport report, Optional<String> format) {
     if (report.ruics().size() > 1 || format.isPresent()) {
       out.println(report.summary());

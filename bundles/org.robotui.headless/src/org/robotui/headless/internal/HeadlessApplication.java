@@ -25,7 +25,8 @@ public final class HeadlessApplication implements IApplication {
     String[] words = (String[]) context.getArguments().get(IApplicationContext.APPLICATION_ARGS);
     context.applicationRunning();
     try {
-      return (Arrays.asList(words).contains("-new") ? compose(NewArguments.parse(Arrays.asList(words))) : run(Arguments.parse(words))).code();
+      return (Arrays.asList(words).contains("-new") ? compose(NewArguments.parse(Arrays.asList(words)))
+          : run(Arguments.parse(words))).code();
     } catch (Arguments.Wrong e) {
       err.println(e.getMessage());
       err.print(Arguments.USAGE);

@@ -7,8 +7,8 @@ import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.host.Host;
 
 /**
- * The core. An application is made by the extension registry, which injects nothing: this is the one place that asks for
- * the service.
+ * The core. An application is made by the extension registry, which injects nothing: this is the one place that asks
+ * for the service.
  */
 final class HostService implements AutoCloseable {
   private final ServiceTracker<Host, Host> tracker;

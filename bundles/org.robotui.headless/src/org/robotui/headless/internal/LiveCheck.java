@@ -15,8 +15,8 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 
 /**
- * Checks a configuration against its running robots, since most of them say only then what they have. It connects as the
- * workbench would, takes no lease and sends nothing.
+ * Checks a configuration against its running robots, since most of them say only then what they have. It connects as
+ * the workbench would, takes no lease and sends nothing.
  */
 final class LiveCheck {
   private static final Principal NOBODY = new Principal("check", "Check", Principal.Kind.SCRIPT);

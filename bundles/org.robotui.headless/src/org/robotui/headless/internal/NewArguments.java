@@ -23,7 +23,8 @@ import org.robotui.headless.internal.Arguments.Wrong;
  * @param patience how long to wait for the robot
  * @param dry true to print what would be written, and write nothing
  */
-record NewArguments(Path file, String rfic, Map<String, String> settings, String name, String robot, Optional<String> ruic,
+record NewArguments(Path file, String rfic, Map<String, String> settings, String name, String robot,
+    Optional<String> ruic,
     Optional<List<String>> views, Map<String, String> connections, Duration patience, boolean dry) {
   static final String USAGE = """
       -new FILE -rfic TYPE -called NAME [OPTION...]   write the configuration of a robot from what it offers; FILE is new, or is added to
@@ -48,12 +49,15 @@ record NewArguments(Path file, String rfic, Map<String, String> settings, String
         case "-dry" -> dry = true;
         case "-set" -> pair(settings, word, value(words, ++at, word));
         case "-connect" -> pair(connections, word, value(words, ++at, word));
-        case "-new", "-rfic", "-called", "-robot", "-ruic", "-views", "-wait" -> one.put(word, value(words, ++at, word));
+        case "-new", "-rfic", "-called", "-robot", "-ruic", "-views",
+            "-wait" -> one.put(word, value(words, ++at, word));
         default -> throw new Wrong("unknown argument " + word);
       }
     }
-    return new NewArguments(Path.of(needed(one, "-new", "FILE")), needed(one, "-rfic", "TYPE"), settings, needed(one, "-called", "NAME"),
-        one.getOrDefault("-robot", ""), Optional.ofNullable(one.get("-ruic")), Optional.ofNullable(one.get("-views")).map(NewArguments::list),
+    return new NewArguments(Path.of(needed(one, "-new", "FILE")), needed(one, "-rfic", "TYPE"), settings,
+        needed(one, "-called", "NAME"),
+        one.getOrDefault("-robot", ""), Optional.ofNullable(one.get("-ruic")),
+        Optional.ofNullable(one.get("-views")).map(NewArguments::list),
         connections, one.containsKey("-wait") ? seconds(one.get("-wait")) : WAIT, dry);
   }
 
@@ -67,7 +71,8 @@ record NewArguments(Path file, String rfic, Map<String, String> settings, String
   private static void pair(Map<String, String> pairs, String option, String text) throws Wrong {
     int equals = text.indexOf('=');
     if (equals <= 0) {
-      throw new Wrong(option + " needs a name and a value, such as " + ("-set".equals(option) ? "host=localhost" : "camera.image=image_raw")
+      throw new Wrong(option + " needs a name and a value, such as "
+          + ("-set".equals(option) ? "host=localhost" : "camera.image=image_raw")
           + ", not '" + text + "'");
     }
     pairs.put(text.substring(0, equals).strip(), text.substring(equals + 1).strip());

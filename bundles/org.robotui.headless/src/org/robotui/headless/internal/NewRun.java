@@ -48,10 +48,12 @@ final class NewRun {
     try {
       Optional<Installed> type = type(wanted.rfic());
       if (type.isEmpty()) {
-        return wrong("there is no robot interface '" + wanted.rfic() + "'; there are " + String.join(", ", ids(Installed.Kind.RFIC)));
+        return wrong("there is no robot interface '" + wanted.rfic() + "'; there are "
+            + String.join(", ", ids(Installed.Kind.RFIC)));
       }
       Map<String, Object> settings = settings(wanted.settings(), type.get().descriptor().schema());
-      try (Composition composition = host.compose(new InterfaceConfig(ID, wanted.rfic(), wanted.robot(), "", settings))) {
+      try (Composition composition =
+          host.compose(new InterfaceConfig(ID, wanted.rfic(), wanted.robot(), "", settings))) {
         return run(wanted, composition, await(composition, wanted.patience()));
       }
     } finally {
@@ -64,9 +66,11 @@ final class NewRun {
       return wrong(wanted.rfic() + ": " + state.sentence());
     }
     out.println(wanted.rfic() + ": " + state.sentence());
-    Optional<RuicFit> ruic = wanted.ruic().isPresent() ? wanted.ruic().flatMap(state::ruic) : state.ruics().stream().findFirst();
+    Optional<RuicFit> ruic =
+        wanted.ruic().isPresent() ? wanted.ruic().flatMap(state::ruic) : state.ruics().stream().findFirst();
     if (ruic.isEmpty()) {
-      return wrong("there is no robot UI '" + wanted.ruic().orElse("") + "'; there are " + String.join(", ", ids(Installed.Kind.RUIC)));
+      return wrong("there is no robot UI '" + wanted.ruic().orElse("") + "'; there are "
+          + String.join(", ", ids(Installed.Kind.RUIC)));
     }
     out.println("type " + ruic.get().type() + ": " + ruic.get().reason());
     List<String> views = wanted.views().orElseGet(() -> state.proposedViews(ruic.get().type()));
@@ -81,14 +85,17 @@ final class NewRun {
       return wrong(String.join("\n", mistakes));
     }
     tell(state, ruic.get(), views, connections);
-    return write(wanted, composition, new RuicDraft(wanted.name(), ruic.get().type(), views, connections, wanted.file()));
+    return write(wanted, composition,
+        new RuicDraft(wanted.name(), ruic.get().type(), views, connections, wanted.file()));
   }
 
-  private static List<String> choose(Map<String, String> wanted, CompositionState state, List<String> views, Map<SourceId, SourceId> connections) {
+  private static List<String> choose(Map<String, String> wanted, CompositionState state, List<String> views,
+      Map<SourceId, SourceId> connections) {
     List<String> mistakes = new ArrayList<>();
     wanted.forEach((text, peer) -> {
-      Optional<Match> match = state.views().stream().filter(v -> views.contains(v.type())).flatMap(v -> v.matches().stream())
-          .filter(m -> m.port().toString().equals(text)).findFirst();
+      Optional<Match> match =
+          state.views().stream().filter(v -> views.contains(v.type())).flatMap(v -> v.matches().stream())
+              .filter(m -> m.port().toString().equals(text)).findFirst();
       Optional<SourceId> chosen = state.ports().stream().map(p -> p.port())
           .filter(p -> p.toString().equals(peer) || p.port().equals(peer)).findFirst();
       if (match.isEmpty()) {
@@ -107,7 +114,8 @@ final class NewRun {
     for (ViewFit view : state.views()) {
       boolean shown = views.contains(view.type());
       if (shown || view.fits() || ruic.views().contains(view.type())) {
-        out.println("  " + (shown ? "+ " : "- ") + view.type() + ": " + view.reason() + (!shown && view.fits() ? " (not part of " + ruic.type() + ")" : ""));
+        out.println("  " + (shown ? "+ " : "- ") + view.type() + ": " + view.reason()
+            + (!shown && view.fits() ? " (not part of " + ruic.type() + ")" : ""));
       }
     }
     connections.forEach((port, peer) -> out.println("  " + port + " <-> " + peer + others(state, port, peer)));
@@ -116,7 +124,8 @@ final class NewRun {
   private static String others(CompositionState state, SourceId port, SourceId peer) {
     List<SourceId> others = state.views().stream().flatMap(v -> v.choices().stream()).filter(m -> m.port().equals(port))
         .flatMap(m -> m.candidates().stream()).filter(c -> !c.equals(peer)).toList();
-    return others.isEmpty() ? "" : "; also fits: " + CheckPrinter.names(others) + " (--connect " + port + "=" + others.getFirst().port() + ")";
+    return others.isEmpty() ? ""
+        : "; also fits: " + CheckPrinter.names(others) + " (--connect " + port + "=" + others.getFirst().port() + ")";
   }
 
   private Exit write(NewArguments wanted, Composition composition, RuicDraft draft) {
@@ -138,8 +147,10 @@ final class NewRun {
   /** What can only be a list is one. */
   private static Map<String, Object> settings(Map<String, String> given, Schema schema) {
     Map<String, Object> settings = new LinkedHashMap<>();
-    given.forEach((name, text) -> settings.put(name, schema.find(name).filter(s -> s.type() instanceof ValueType.ListOf).isPresent()
-        ? List.of(text.split("\\s*,\\s*")) : text));
+    given.forEach((name, text) -> settings.put(name,
+        schema.find(name).filter(s -> s.type() instanceof ValueType.ListOf).isPresent()
+            ? List.of(text.split("\\s*,\\s*"))
+            : text));
     return settings;
   }
 
@@ -154,7 +165,8 @@ final class NewRun {
   }
 
   private Optional<Installed> find(String rfic) {
-    return host.installed().stream().filter(t -> t.kind() == Installed.Kind.RFIC && t.descriptor().id().equals(rfic)).findFirst();
+    return host.installed().stream().filter(t -> t.kind() == Installed.Kind.RFIC && t.descriptor().id().equals(rfic))
+        .findFirst();
   }
 
   private List<String> ids(Installed.Kind kind) {
@@ -165,7 +177,8 @@ final class NewRun {
   private static CompositionState await(Composition composition, Duration limit) throws InterruptedException {
     long end = System.nanoTime() + limit.toNanos();
     CompositionState state = composition.state();
-    while ((state.stage() == Stage.CONNECTING || state.stage() == Stage.LOOKING || state.stage() == Stage.UNREACHED) && System.nanoTime() < end) {
+    while ((state.stage() == Stage.CONNECTING || state.stage() == Stage.LOOKING || state.stage() == Stage.UNREACHED)
+        && System.nanoTime() < end) {
       Thread.sleep(LOOK);
       state = composition.state();
     }

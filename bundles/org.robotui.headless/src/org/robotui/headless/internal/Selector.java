@@ -7,8 +7,8 @@ import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Ruic;
 
 /**
- * A terminal shows all robots at once: each RUIC that comes is selected, in a window of its own. Those that start only when they are shown are
- * shown where they were asked for.
+ * A terminal shows all robots at once: each RUIC that comes is selected, in a window of its own. Those that start only
+ * when they are shown are shown where they were asked for.
  */
 final class Selector implements HostListener, AutoCloseable {
   private final Host host;

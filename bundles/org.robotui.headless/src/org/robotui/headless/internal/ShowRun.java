@@ -54,9 +54,11 @@ final class ShowRun {
   private void sayWhatIsLeftOut(Set<String> shown) {
     List<String> names = host.ruics().stream().map(Ruic::name).toList();
     host.ruics().stream().filter(ruic -> ruic.startsShown() && !shown.contains(ruic.name()))
-        .forEach(ruic -> err.println(ruic.name() + " is not started, as it starts when it is shown; show it with  --show \"" + ruic.name() + "\""));
+        .forEach(ruic -> err.println(ruic.name()
+            + " is not started, as it starts when it is shown; show it with  --show \"" + ruic.name() + "\""));
     shown.stream().filter(name -> !names.contains(name))
-        .forEach(name -> err.println("there is no robot UI '" + name + "' to show; there are: " + String.join(", ", names)));
+        .forEach(
+            name -> err.println("there is no robot UI '" + name + "' to show; there are: " + String.join(", ", names)));
   }
 
   private void watch(Arguments arguments) throws InterruptedException {

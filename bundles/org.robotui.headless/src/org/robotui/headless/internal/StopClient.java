@@ -15,7 +15,10 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
-/** Tells all workbenches of this user to stop their robots, all at the same time, and says what came of it. Knows the rest by its socket alone. */
+/**
+ * Tells all workbenches of this user to stop their robots, all at the same time, and says what came of it. Knows the
+ * rest by its socket alone.
+ */
 final class StopClient {
   /** How it ended: the numbers that scripts may rely on. */
   enum Result {
@@ -88,7 +91,8 @@ final class StopClient {
   private static Answer talk(Path socket, String process) {
     try (SocketChannel channel = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
       Channels.newOutputStream(channel).write("stop\n".getBytes(StandardCharsets.UTF_8));
-      return new Answer(process, true, new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8));
+      return new Answer(process, true,
+          new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8));
     } catch (ConnectException e) {
       forget(socket);
       return new Answer(process, false, "");
@@ -111,8 +115,10 @@ final class StopClient {
     if (answer.isDone()) {
       answer.text().lines().filter(l -> !l.equals("done")).forEach(l -> out.println(name + ": " + l));
     } else {
-      out.println(name + " does not answer: it hangs as a whole, and whether its robots stand is not known. Stop them by their own means;\n"
-          + "  a robot that has a time-out on commands stands by now. This ends the process:  kill -KILL " + answer.process());
+      out.println(name
+          + " does not answer: it hangs as a whole, and whether its robots stand is not known. Stop them by their own means;\n"
+          + "  a robot that has a time-out on commands stands by now. This ends the process:  kill -KILL "
+          + answer.process());
     }
   }
 }

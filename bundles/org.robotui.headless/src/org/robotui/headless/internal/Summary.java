@@ -41,7 +41,9 @@ final class Summary {
     return port.problem().isEmpty() ? port.value() : port.problem();
   }
 
-  /** Why a component is not there; a view for a window that is not even installed where there is none has not failed. */
+  /**
+   * Why a component is not there; a view for a window that is not even installed where there is none has not failed.
+   */
   static String failure(ComponentStatus component) {
     String name = "  " + component.id() + " (" + component.type() + ") ";
     boolean windowed = component.kind() == ComponentStatus.Kind.UIC

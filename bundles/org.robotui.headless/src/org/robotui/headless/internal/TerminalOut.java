@@ -6,8 +6,8 @@ import java.nio.charset.Charset;
 import org.robotui.api.config.Printable;
 
 /**
- * What is printed for a terminal. Much of it came from a file or a network, and must not steer the terminal: all but the ends of lines is
- * shown, not obeyed. What we steer it with ourselves goes through {@link #writeBytes}.
+ * What is printed for a terminal. Much of it came from a file or a network, and must not steer the terminal: all but
+ * the ends of lines is shown, not obeyed. What we steer it with ourselves goes through {@link #writeBytes}.
  */
 final class TerminalOut extends PrintStream {
   TerminalOut(OutputStream out, Charset charset) {

@@ -21,8 +21,8 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
 
 /**
- * Takes up what is changed in the files of configurations, and says what came of it. Another robot interface is tried first; it is
- * exchanged only where it covers all that is used.
+ * Takes up what is changed in the files of configurations, and says what came of it. Another robot interface is tried
+ * first; it is exchanged only where it covers all that is used.
  */
 final class WatchedFiles implements AutoCloseable {
   /** How long a robot may take to say what it has. */
@@ -107,18 +107,22 @@ final class WatchedFiles implements AutoCloseable {
 
   static List<String> lines(Step.Exchanged step, ExchangePreview preview) {
     return preview.lines().stream().filter(ExchangePreview.Line::concerned)
-        .map(l -> String.format(Locale.ROOT, "  %-9s  %s: %s -> %s - %s", l.lost() ? "lost" : CheckPrinter.word(l.then().state()),
-            l.then().port(), CheckPrinter.names(l.now().peers()), CheckPrinter.names(l.then().peers()), l.then().reason()))
+        .map(l -> String.format(Locale.ROOT, "  %-9s  %s: %s -> %s - %s",
+            l.lost() ? "lost" : CheckPrinter.word(l.then().state()),
+            l.then().port(), CheckPrinter.names(l.now().peers()), CheckPrinter.names(l.then().peers()),
+            l.then().reason()))
         .toList();
   }
 
-  private static String outcome(Step.Exchanged step, Exchange exchange, ExchangePreview preview) throws InterruptedException {
+  private static String outcome(Step.Exchanged step, Exchange exchange, ExchangePreview preview)
+      throws InterruptedException {
     String what = step.ruic() + "." + step.wanted().id() + " as " + step.wanted().type();
     if (preview.verdict() != Verdict.READY) {
       return what + ": not exchanged: " + preview.sentence() + "; what runs goes on as it was";
     }
     try {
-      return switch (exchange.apply(false).toCompletableFuture().get(EXCHANGE_LIMIT.toMillis(), TimeUnit.MILLISECONDS)) {
+      return switch (exchange.apply(false).toCompletableFuture().get(EXCHANGE_LIMIT.toMillis(),
+          TimeUnit.MILLISECONDS)) {
         case ExchangeOutcome.Done d -> what + ": exchanged";
         case ExchangeOutcome.Refused r -> what + ": not exchanged: " + r.reason();
         case ExchangeOutcome.WentBack w -> what + ": went back: " + w.reason();

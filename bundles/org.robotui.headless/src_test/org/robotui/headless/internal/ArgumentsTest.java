@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class ArgumentsTest {
   @Test
   void configurationsReachToTheNextOption() throws Exception {
-    Arguments read = Arguments.parse(new String[] {"-config", "a.yaml", "b.yaml", "-json", "-for", "2.5"});
+    Arguments read = Arguments.parse(new String[]{"-config", "a.yaml", "b.yaml", "-json", "-for", "2.5"});
 
     assertEquals(List.of(Path.of("a.yaml"), Path.of("b.yaml")), read.configurations());
     assertTrue(read.json());
@@ -23,19 +23,21 @@ class ArgumentsTest {
 
   @Test
   void withoutAnyItRunsAsTextWithoutEnd() throws Exception {
-    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), Set.of(), false, Optional.empty()), Arguments.parse(new String[0]));
+    assertEquals(new Arguments(List.of(), false, Optional.empty(), Optional.empty(), Optional.empty(), Set.of(), false,
+        Optional.empty()), Arguments.parse(new String[0]));
   }
 
   @Test
   void robotsThatWaitAreNamedOneByOne() throws Exception {
-    assertEquals(Set.of("a", "b c"), Arguments.parse(new String[] {"-show", "a", "-show", "b c"}).shown());
+    assertEquals(Set.of("a", "b c"), Arguments.parse(new String[]{"-show", "a", "-show", "b c"}).shown());
     assertEquals("-show needs a value", wrong("-show"));
   }
 
   @Test
   void checkNamesAFile() throws Exception {
-    assertEquals(Optional.of(Path.of("x.yaml")), Arguments.parse(new String[] {"-check", "x.yaml"}).check());
-    assertEquals(Optional.of(Duration.ofSeconds(8)), Arguments.parse(new String[] {"-check", "x.yaml", "-live", "8"}).live());
+    assertEquals(Optional.of(Path.of("x.yaml")), Arguments.parse(new String[]{"-check", "x.yaml"}).check());
+    assertEquals(Optional.of(Duration.ofSeconds(8)),
+        Arguments.parse(new String[]{"-check", "x.yaml", "-live", "8"}).live());
   }
 
   @Test

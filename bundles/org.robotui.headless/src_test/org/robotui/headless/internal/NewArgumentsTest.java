@@ -23,10 +23,14 @@ class NewArgumentsTest {
 
   @Test
   void allThatCanBeSaid() throws Arguments.Wrong {
-    NewArguments all = parse("-new k.yaml -rfic player -called Keira -robot K -set host=a=b -set port=1 -ruic single -views map,camera, "
-        + "-connect camera.image=camera:1 -wait 2.5 -dry");
-    assertEquals(new NewArguments(Path.of("k.yaml"), "player", Map.of("host", "a=b", "port", "1"), "Keira", "K", Optional.of("single"),
-        Optional.of(List.of("map", "camera")), Map.of("camera.image", "camera:1"), Duration.ofMillis(2500), true), all);
+    NewArguments all = parse(
+        "-new k.yaml -rfic player -called Keira -robot K -set host=a=b -set port=1 -ruic single -views map,camera, "
+            + "-connect camera.image=camera:1 -wait 2.5 -dry");
+    assertEquals(
+        new NewArguments(Path.of("k.yaml"), "player", Map.of("host", "a=b", "port", "1"), "Keira", "K",
+            Optional.of("single"),
+            Optional.of(List.of("map", "camera")), Map.of("camera.image", "camera:1"), Duration.ofMillis(2500), true),
+        all);
   }
 
   @Test

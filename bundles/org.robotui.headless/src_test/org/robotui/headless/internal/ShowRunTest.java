@@ -54,7 +54,8 @@ class ShowRunTest {
 
     assertEquals(List.of(), waiting.calls());
     assertEquals(List.of("select terminal/shown"), shown.calls());
-    assertEquals("waiting is not started, as it starts when it is shown; show it with  --show \"waiting\"", err.toString(StandardCharsets.UTF_8).strip());
+    assertEquals("waiting is not started, as it starts when it is shown; show it with  --show \"waiting\"",
+        err.toString(StandardCharsets.UTF_8).strip());
   }
 
   @Test
@@ -84,7 +85,8 @@ class ShowRunTest {
 
   private Exit run(Path config, Optional<Duration> limit, String... shown) throws InterruptedException {
     Set<String> names = Set.of(shown);
-    Arguments arguments = new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), names, false, Optional.empty());
+    Arguments arguments =
+        new Arguments(List.of(config), true, limit, Optional.empty(), Optional.empty(), names, false, Optional.empty());
     return new ShowRun(host, print(out), print(err), stop).show(arguments);
   }
 

@@ -33,7 +33,8 @@ class WatchedFilesTest {
   private static final InterfaceConfig WANTED = new InterfaceConfig("base", "player", "a", "", Map.of());
 
   private final FakeExchange trial = new FakeExchange();
-  private final FakeRuic ruic = new FakeRuic("a").exchanging(w -> trial, new InterfaceConfig("base", "ros", "a", "", Map.of()));
+  private final FakeRuic ruic =
+      new FakeRuic("a").exchanging(w -> trial, new InterfaceConfig("base", "ros", "a", "", Map.of()));
   private final FakeHost host = new FakeHost().add(ruic);
   private final ByteArrayOutputStream err = new ByteArrayOutputStream();
 
@@ -53,8 +54,9 @@ class WatchedFilesTest {
     SourceId port = new SourceId("map", "scan");
     Match now = new Match(port, PortKind.STREAM, "LaserScan", Arity.ONE, MatchState.CONNECTED,
         List.of(new SourceId("base", "scan")), List.of(), "");
-    Match then = new Match(port, PortKind.STREAM, "LaserScan", Arity.ONE, lost ? MatchState.REFUSED : MatchState.CONNECTED,
-        lost ? List.of() : List.of(new SourceId("base", "laser:0")), List.of(), "so it is");
+    Match then =
+        new Match(port, PortKind.STREAM, "LaserScan", Arity.ONE, lost ? MatchState.REFUSED : MatchState.CONNECTED,
+            lost ? List.of() : List.of(new SourceId("base", "laser:0")), List.of(), "so it is");
     trial.saying(new ExchangePreview(verdict, "map needs LaserScan", new LinkState.Connected("robot"),
         List.of(new Line(now, then, true, lost)), List.of(), List.of()));
   }
@@ -63,7 +65,8 @@ class WatchedFilesTest {
   void whatCoversAllIsExchanged() {
     says(Verdict.READY, false);
     String told = told("exchanged", List.of(), new Step.Exchanged("a", WANTED));
-    assertEquals(List.of("  connected  map.scan: base.scan -> base.laser:0 - so it is", "a.base as player: exchanged"), told.lines().toList());
+    assertEquals(List.of("  connected  map.scan: base.scan -> base.laser:0 - so it is", "a.base as player: exchanged"),
+        told.lines().toList());
     assertEquals(List.of("apply false", "close"), trial.calls());
   }
 
@@ -71,7 +74,9 @@ class WatchedFilesTest {
   void whatDoesNotIsRefusedAndSaysWhatIsMissing() {
     says(Verdict.INCOMPLETE, true);
     String told = told("goes on", List.of(), new Step.Exchanged("a", WANTED));
-    assertTrue(told.contains("lost       map.scan: base.scan -> ") && told.contains("not exchanged: map needs LaserScan"), told);
+    assertTrue(
+        told.contains("lost       map.scan: base.scan -> ") && told.contains("not exchanged: map needs LaserScan"),
+        told);
     assertEquals(List.of("close"), trial.calls());
   }
 
@@ -84,7 +89,8 @@ class WatchedFilesTest {
 
   @Test
   void mistakesAreSaidWithTheirPlace() {
-    String told = told("goes on", List.of(new Problem("a.yaml", 3, 5, Problem.Severity.ERROR, "unknown setting 'per'")));
+    String told =
+        told("goes on", List.of(new Problem("a.yaml", 3, 5, Problem.Severity.ERROR, "unknown setting 'per'")));
     assertTrue(told.contains("a.yaml:3:5: error: unknown setting 'per'"), told);
   }
 

@@ -47,9 +47,11 @@ public final class EventLogIndex {
         offsets[count] = span.get().start();
         utimes[count++] = reader.utime(span.get());
         String channel = reader.channel(span.get());
-        channels.merge(channels.size() < MOST_CHANNELS || channels.containsKey(channel) ? channel : OTHERS, 1, Integer::sum);
+        channels.merge(channels.size() < MOST_CHANNELS || channels.containsKey(channel) ? channel : OTHERS, 1,
+            Integer::sum);
       }
-      return new EventLogIndex(Arrays.copyOf(offsets, count), Arrays.copyOf(utimes, count), channels, reader.damagedBytes());
+      return new EventLogIndex(Arrays.copyOf(offsets, count), Arrays.copyOf(utimes, count), channels,
+          reader.damagedBytes());
     }
   }
 

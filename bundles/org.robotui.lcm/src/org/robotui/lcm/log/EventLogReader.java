@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Reads the logs of {@code lcm-logger}, also damaged ones: it goes on at the next event that is whole, and counts what it
- * left out. Not for several threads.
+ * Reads the logs of {@code lcm-logger}, also damaged ones: it goes on at the next event that is whole, and counts what
+ * it left out. Not for several threads.
  *
  * <p>Source: "LCM Log File format" in LCM's documentation.
  */
@@ -35,7 +35,8 @@ public final class EventLogReader implements AutoCloseable {
     try {
       return new EventLogReader(path, LogWindow.open(path));
     } catch (IOException e) {
-      throw new IOException("the log " + path + " cannot be opened: " + e.getMessage() + " (" + e.getClass().getSimpleName() + ")", e);
+      throw new IOException(
+          "the log " + path + " cannot be opened: " + e.getMessage() + " (" + e.getClass().getSimpleName() + ")", e);
     }
   }
 
@@ -82,7 +83,8 @@ public final class EventLogReader implements AutoCloseable {
     if (span.isEmpty() || isFollowed(span.get())) {
       return span;
     }
-    // what follows is no event: either that is damaged, or this one was cut off and the next ones are taken for its bytes
+    // what follows is no event: either that is damaged, or this one was cut off and the next ones are taken for its
+    // bytes
     long inside = file.find(LogFormat.SYNC, start + Integer.BYTES);
     while (inside < span.get().end()) {
       Optional<Span> other = claimed(inside).filter(found -> found.end() <= fileSize());
@@ -105,7 +107,8 @@ public final class EventLogReader implements AutoCloseable {
     }
     int channel = file.getInt(start + 20);
     int data = file.getInt(start + 24);
-    return channel < 1 || channel > LogFormat.MOST_CHANNEL || data < 0 ? Optional.empty() : Optional.of(new Span(start, channel, data));
+    return channel < 1 || channel > LogFormat.MOST_CHANNEL || data < 0 ? Optional.empty()
+        : Optional.of(new Span(start, channel, data));
   }
 
   /** The last event of a log that is still written, or whose writer was killed. */

@@ -43,19 +43,21 @@ public final class EventLogWriter implements AutoCloseable {
 
   private static EventLogWriter open(Path path, long number, StandardOpenOption how) throws IOException {
     try {
-      return new EventLogWriter(FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, how), number);
+      return new EventLogWriter(FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, how),
+          number);
     } catch (IOException e) {
-      throw new IOException("the log " + path + " cannot be written: " + e.getMessage() + " (" + e.getClass().getSimpleName() + ")", e);
+      throw new IOException(
+          "the log " + path + " cannot be written: " + e.getMessage() + " (" + e.getClass().getSimpleName() + ")", e);
     }
   }
 
   /**
    * Writes an event. It is with the system when this returns.
    *
-   * @param utime   when it was received, microseconds since 1970
+   * @param utime when it was received, microseconds since 1970
    * @param channel the channel
-   * @param data    its bytes, from position to limit
-   * @throws IOException              if it cannot be written
+   * @param data its bytes, from position to limit
+   * @throws IOException if it cannot be written
    * @throws IllegalArgumentException if the channel is empty or too long
    */
   public synchronized void write(long utime, String channel, ByteBuffer data) throws IOException {
@@ -64,8 +66,9 @@ public final class EventLogWriter implements AutoCloseable {
       throw new IllegalArgumentException("a channel of " + name.length + " bytes");
     }
     ByteBuffer body = data.duplicate();
-    ByteBuffer header = ByteBuffer.allocate(LogFormat.HEADER + name.length).putInt(LogFormat.SYNC).putLong(number).putLong(utime)
-        .putInt(name.length).putInt(body.remaining()).put(name).flip();
+    ByteBuffer header =
+        ByteBuffer.allocate(LogFormat.HEADER + name.length).putInt(LogFormat.SYNC).putLong(number).putLong(utime)
+            .putInt(name.length).putInt(body.remaining()).put(name).flip();
     ByteBuffer[] all = {header, body};
     while (header.hasRemaining() || body.hasRemaining()) {
       file.write(all);

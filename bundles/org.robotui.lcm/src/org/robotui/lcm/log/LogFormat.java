@@ -9,6 +9,5 @@ final class LogFormat {
   /** No program writes longer names of channels; a longer one is damage. */
   static final int MOST_CHANNEL = 1000;
 
-  private LogFormat() {
-  }
+  private LogFormat() {}
 }

@@ -5,8 +5,8 @@ import java.net.InetSocketAddress;
 import org.robotui.lcm.internal.tcpq.ServerRuntime;
 
 /**
- * A server of messages: what one client publishes reaches all that subscribed to its channel, the publisher included. The
- * clients of all LCM implementations may use it by {@code tcpq://HOST:PORT}. Any thread may use it.
+ * A server of messages: what one client publishes reaches all that subscribed to its channel, the publisher included.
+ * The clients of all LCM implementations may use it by {@code tcpq://HOST:PORT}. Any thread may use it.
  */
 public interface TcpqServer extends AutoCloseable {
 

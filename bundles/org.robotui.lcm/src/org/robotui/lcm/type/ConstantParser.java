@@ -6,8 +6,7 @@ import java.util.OptionalLong;
 /** Reads the values of constants. */
 final class ConstantParser {
 
-  private ConstantParser() {
-  }
+  private ConstantParser() {}
 
   static ConstantDefinition parse(String name, Primitive type, Token value) throws TypeException {
     return new ConstantDefinition(name, type, type.isFloating() ? real(type, value) : whole(type, value), value.text());
@@ -24,8 +23,10 @@ final class ConstantParser {
 
   private static Number real(Primitive type, Token token) throws TypeException {
     OptionalDouble value = Numerals.real(token.text());
-    if (value.isEmpty() || Double.isInfinite(type == Primitive.FLOAT ? (float) value.getAsDouble() : value.getAsDouble())) {
-      throw new TypeException(token.place(), token.quoted() + " is no " + type.lcmName(), "write a number such as 2.5 or 1e-3");
+    if (value.isEmpty()
+        || Double.isInfinite(type == Primitive.FLOAT ? (float) value.getAsDouble() : value.getAsDouble())) {
+      throw new TypeException(token.place(), token.quoted() + " is no " + type.lcmName(),
+          "write a number such as 2.5 or 1e-3");
     }
     return value.getAsDouble();
   }

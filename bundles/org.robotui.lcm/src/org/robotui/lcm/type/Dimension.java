@@ -17,12 +17,12 @@ public sealed interface Dimension {
    * @param size the number of elements, at least 1
    * @param text the number as it was written
    */
-  record Fixed(int size, String text) implements Dimension { }
+  record Fixed(int size, String text) implements Dimension {}
 
   /**
    * A size that another member of the same message holds.
    *
    * @param text the name of the member, which comes before the array
    */
-  record Variable(String text) implements Dimension { }
+  record Variable(String text) implements Dimension {}
 }

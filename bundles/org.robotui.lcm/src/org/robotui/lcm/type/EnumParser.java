@@ -35,7 +35,8 @@ final class EnumParser {
     Token number = tokens.take("=") ? tokens.next() : new Token(Long.toString(greatest + 1), name.place());
     ConstantDefinition value = ConstantParser.parse(name.text(), Primitive.INT32, number);
     if (!names.add(value.name()) || !taken.add(value.value())) {
-      throw new TypeException(name.place(), "the name '" + value.name() + "' or the value " + value.value() + " is used twice in this enum",
+      throw new TypeException(name.place(),
+          "the name '" + value.name() + "' or the value " + value.value() + " is used twice in this enum",
           "choose another");
     }
     greatest = Math.max(greatest, value.value().longValue());

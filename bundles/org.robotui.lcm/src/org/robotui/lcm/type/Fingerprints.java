@@ -9,10 +9,10 @@ import java.util.Set;
 /**
  * The numbers by which encoders and decoders know that they mean the same type.
  *
- * <p>Source: "Fingerprint Computation" in the "LCM Type Specification Language" of LCM's documentation. A type has a base
- * of its own: a hash of the names, built-in types and sizes of its members, not of its own name. Its fingerprint is the
- * sum of the base and the fingerprints of the structs it holds, rotated left by one bit. In that sum a type that is
- * being computed already counts as zero, so that recursive types have an end.
+ * <p>Source: "Fingerprint Computation" in the "LCM Type Specification Language" of LCM's documentation. A type has a
+ * base of its own: a hash of the names, built-in types and sizes of its members, not of its own name. Its fingerprint
+ * is the sum of the base and the fingerprints of the structs it holds, rotated left by one bit. In that sum a type that
+ * is being computed already counts as zero, so that recursive types have an end.
  */
 final class Fingerprints {
 
@@ -37,7 +37,7 @@ final class Fingerprints {
   }
 
   /** A sum, and whether it is the same wherever the type stands. */
-  private record Sum(long value, boolean everywhere) { }
+  private record Sum(long value, boolean everywhere) {}
 
   private Sum sum(TypeDefinition type) throws TypeException {
     return switch (type) {

@@ -6,17 +6,18 @@ import java.util.stream.Stream;
 /** Sees to it that a member is given what it can hold. */
 final class Fitting {
 
-  private Fitting() {
-  }
+  private Fitting() {}
 
   /** The value as the member holds it. */
   static LcmValue of(Slot slot, LcmValue value, String type) {
     boolean fits = slot.isArray() ? fitsArray(slot, value) : fitsSingle(slot, value);
     if (!fits) {
-      throw new IllegalArgumentException(type + "." + slot.name() + " is declared as '" + slot.member() + "' and cannot hold " + brief(value));
+      throw new IllegalArgumentException(
+          type + "." + slot.name() + " is declared as '" + slot.member() + "' and cannot hold " + brief(value));
     }
     return value instanceof LcmValue.Whole whole && slot.primitive().filter(Primitive::isFloating).isPresent()
-        ? new LcmValue.Real(whole.value()) : value;
+        ? new LcmValue.Real(whole.value())
+        : value;
   }
 
   private static boolean fitsSingle(Slot slot, LcmValue value) {
@@ -41,7 +42,8 @@ final class Fitting {
       case LcmValue.Numbers numbers -> slot.primitive().filter(type -> type == numbers.value().type()).isPresent();
       case LcmValue.Texts texts -> slot.primitive().filter(type -> type == Primitive.STRING).isPresent()
           && texts.values().stream().allMatch(Fitting::isText) && isFull(texts.shape(), texts.values().size());
-      case LcmValue.Records records -> slot.element() instanceof Slot.Struct struct && isFull(records.shape(), records.values().size())
+      case LcmValue.Records records -> slot.element() instanceof Slot.Struct struct
+          && isFull(records.shape(), records.values().size())
           && records.values().stream().allMatch(each -> isOf(struct, each));
       default -> false;
     };
@@ -66,8 +68,9 @@ final class Fitting {
       case LcmValue.Nested nested -> "a " + nested.value().type();
       case LcmValue.Numbers numbers -> "an array of " + numbers.value();
       case LcmValue.Texts texts -> "texts " + texts.shape();
-      case LcmValue.Records records -> "structs " + Stream.concat(records.values().stream().limit(1).map(LcmRecord::type),
-          Stream.of(records.shape().toString())).toList();
+      case LcmValue.Records records -> "structs "
+          + Stream.concat(records.values().stream().limit(1).map(LcmRecord::type),
+              Stream.of(records.shape().toString())).toList();
       default -> value.toString();
     };
     return text.length() > 100 ? text.substring(0, 100) + "..." : text;

@@ -5,7 +5,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** How the bytes of one struct follow each other. Types may hold themselves, so layouts are linked first and measured then. */
+/**
+ * How the bytes of one struct follow each other. Types may hold themselves, so layouts are linked first and measured
+ * then.
+ */
 final class Layout {
 
   private final TypeDefinition.Struct definition;

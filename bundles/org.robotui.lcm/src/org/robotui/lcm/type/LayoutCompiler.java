@@ -95,7 +95,8 @@ final class LayoutCompiler {
       return slot.primitive().orElseThrow() != Primitive.STRING;
     }
     if (measuring.contains(nested)) {
-      throw new TypeException(slot.member().place(), "'" + slot.member() + "' holds itself, so that no message would end",
+      throw new TypeException(slot.member().place(),
+          "'" + slot.member() + "' holds itself, so that no message would end",
           "make it an array of variable size, which may be empty");
     }
     measure(nested);

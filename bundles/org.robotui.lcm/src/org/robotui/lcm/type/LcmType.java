@@ -102,7 +102,8 @@ public final class LcmType {
 
   static long fingerprintOf(ByteBuffer message) throws RecordException {
     if (message.remaining() < Long.BYTES) {
-      throw new RecordException("unknown type", "a message of " + message.remaining() + " bytes has no fingerprint", "", 0);
+      throw new RecordException("unknown type", "a message of " + message.remaining() + " bytes has no fingerprint", "",
+          0);
     }
     return message.slice().order(ByteOrder.BIG_ENDIAN).getLong(0);
   }

@@ -5,10 +5,10 @@ import java.util.List;
 /**
  * One member of a struct.
  *
- * @param name       its name
- * @param type       a built-in type, or the full name of another type
+ * @param name its name
+ * @param type a built-in type, or the full name of another type
  * @param dimensions of an array, outermost first; empty for a single value
- * @param place      where it is declared
+ * @param place where it is declared
  */
 public record MemberDefinition(String name, String type, List<Dimension> dimensions, Place place) {
 

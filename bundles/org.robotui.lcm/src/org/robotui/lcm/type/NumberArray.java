@@ -129,7 +129,8 @@ public final class NumberArray {
   /** Equal when type, shape and bytes are. */
   @Override
   public boolean equals(Object other) {
-    return other instanceof NumberArray array && type == array.type && shape.equals(array.shape) && bytes.equals(array.bytes);
+    return other instanceof NumberArray array && type == array.type && shape.equals(array.shape)
+        && bytes.equals(array.bytes);
   }
 
   @Override

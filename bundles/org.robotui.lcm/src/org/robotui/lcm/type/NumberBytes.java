@@ -5,8 +5,7 @@ import java.nio.ByteBuffer;
 /** Numbers as they are sent. */
 final class NumberBytes {
 
-  private NumberBytes() {
-  }
+  private NumberBytes() {}
 
   static ByteBuffer of(Primitive type, double[] values) {
     ByteBuffer bytes = ByteBuffer.allocate(Math.multiplyExact(values.length, type.size()));

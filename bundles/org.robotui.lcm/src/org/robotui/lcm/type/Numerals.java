@@ -6,8 +6,7 @@ import java.util.OptionalLong;
 /** Numbers as C writes them: decimal, {@code 0x} hexadecimal, and octal after a zero. */
 final class Numerals {
 
-  private Numerals() {
-  }
+  private Numerals() {}
 
   static OptionalLong whole(String text) {
     if (!text.matches("[+-]?(0[xX][0-9a-fA-F]+|[0-9]+)")) {

@@ -3,8 +3,8 @@ package org.robotui.lcm.type;
 /**
  * A place in a {@code .lcm} file.
  *
- * @param file   the file as it was named
- * @param line   from 1
+ * @param file the file as it was named
+ * @param line from 1
  * @param column from 1
  */
 public record Place(String file, int line, int column) {

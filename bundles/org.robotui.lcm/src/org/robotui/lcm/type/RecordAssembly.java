@@ -39,14 +39,16 @@ final class RecordAssembly {
   }
 
   private void takeSizes() {
-    layout.slots().stream().flatMap(slot -> slot.extents().stream()).filter(extent -> !extent.isFixed()).forEach(extent -> {
-      if (given.get(extent.slot()) instanceof LcmValue.Whole(long size)) {
-        if (size < 0 || size > Integer.MAX_VALUE) {
-          throw new IllegalArgumentException(name(extent.slot()) + " is the size of an array and cannot be " + size);
-        }
-        sizes[extent.slot()] = (int) size;
-      }
-    });
+    layout.slots().stream().flatMap(slot -> slot.extents().stream()).filter(extent -> !extent.isFixed())
+        .forEach(extent -> {
+          if (given.get(extent.slot()) instanceof LcmValue.Whole(long size)) {
+            if (size < 0 || size > Integer.MAX_VALUE) {
+              throw new IllegalArgumentException(
+                  name(extent.slot()) + " is the size of an array and cannot be " + size);
+            }
+            sizes[extent.slot()] = (int) size;
+          }
+        });
   }
 
   /** What the array says of sizes that are not set: all of them if it has its shape, one if it is flat. */
@@ -78,7 +80,8 @@ final class RecordAssembly {
     Slot slot = layout.slots().get(index);
     LcmValue value = given.get(index);
     if (slot.isArray()) {
-      List<Integer> shape = slot.extents().stream().map(extent -> extent.isFixed() ? extent.size() : Math.max(0, sizes[extent.slot()])).toList();
+      List<Integer> shape = slot.extents().stream()
+          .map(extent -> extent.isFixed() ? extent.size() : Math.max(0, sizes[extent.slot()])).toList();
       return value == null ? Zeros.array(slot, shape) : shaped(slot, value, shape);
     }
     return sizes[index] != UNKNOWN ? size(slot, sizes[index]) : value == null ? Zeros.single(slot) : value;
@@ -91,12 +94,15 @@ final class RecordAssembly {
   private LcmValue shaped(Slot slot, LcmValue value, List<Integer> shape) {
     List<Integer> found = shapeOf(value);
     boolean agrees = found.equals(shape)
-        || found.size() == 1 && found.getFirst() == shape.stream().mapToLong(Integer::longValue).reduce(1, Slot::product);
+        || found.size() == 1
+            && found.getFirst() == shape.stream().mapToLong(Integer::longValue).reduce(1, Slot::product);
     if (!agrees) {
-      throw new IllegalArgumentException(layout.type() + "." + slot.name() + " has the shape " + found + ", and its sizes say " + shape);
+      throw new IllegalArgumentException(
+          layout.type() + "." + slot.name() + " has the shape " + found + ", and its sizes say " + shape);
     }
     return switch (value) {
-      case LcmValue.Numbers(NumberArray numbers) -> new LcmValue.Numbers(new NumberArray(numbers.type(), numbers.bytes(), shape));
+      case LcmValue.Numbers(NumberArray numbers) -> new LcmValue.Numbers(
+          new NumberArray(numbers.type(), numbers.bytes(), shape));
       case LcmValue.Texts texts -> new LcmValue.Texts(texts.values(), shape);
       case LcmValue.Records records -> new LcmValue.Records(records.values(), shape);
       default -> value;
@@ -138,7 +144,8 @@ final class RecordAssembly {
             count == 0 ? List.of() : Collections.nCopies(count, new RecordAssembly(nested, Map.of()).build()), shape);
         case Slot.Builtin(Primitive type) -> type == Primitive.STRING
             ? new LcmValue.Texts(new ArrayList<>(Collections.nCopies(count, "")), shape)
-            : new LcmValue.Numbers(new NumberArray(type, ByteBuffer.allocate(Math.multiplyExact(count, type.size())), shape));
+            : new LcmValue.Numbers(
+                new NumberArray(type, ByteBuffer.allocate(Math.multiplyExact(count, type.size())), shape));
       };
     }
   }

@@ -6,8 +6,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Makes a record. What is not set is zero, false or empty. Members that are sizes of arrays are set by the arrays; where
- * one is set as well, both must agree. Arrays of several dimensions are given row by row. Not for several threads.
+ * Makes a record. What is not set is zero, false or empty. Members that are sizes of arrays are set by the arrays;
+ * where one is set as well, both must agree. Arrays of several dimensions are given row by row. Not for several
+ * threads.
  */
 public final class RecordBuilder {
 
@@ -22,7 +23,7 @@ public final class RecordBuilder {
    * Sets an integer, or a floating point number that is whole.
    *
    * @param member its name
-   * @param value  the number; 0 to 255 for a {@code byte}
+   * @param value the number; 0 to 255 for a {@code byte}
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the value
    */
@@ -34,7 +35,7 @@ public final class RecordBuilder {
    * Sets a floating point number.
    *
    * @param member its name
-   * @param value  the number
+   * @param value the number
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the value
    */
@@ -46,7 +47,7 @@ public final class RecordBuilder {
    * Sets a truth value.
    *
    * @param member its name
-   * @param value  true or false
+   * @param value true or false
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the value
    */
@@ -58,7 +59,7 @@ public final class RecordBuilder {
    * Sets a text.
    *
    * @param member its name
-   * @param value  the text, without a zero character
+   * @param value the text, without a zero character
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the value
    */
@@ -70,7 +71,7 @@ public final class RecordBuilder {
    * Sets a struct.
    *
    * @param member its name
-   * @param value  the struct
+   * @param value the struct
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the value
    */
@@ -88,21 +89,23 @@ public final class RecordBuilder {
    */
   public RecordBuilder numbers(String member, double... values) {
     Primitive type = numberType(member);
-    return set(member, new LcmValue.Numbers(new NumberArray(type, NumberBytes.of(type, values), List.of(values.length))));
+    return set(member,
+        new LcmValue.Numbers(new NumberArray(type, NumberBytes.of(type, values), List.of(values.length))));
   }
 
   /**
    * Sets an array of integers or truth values, as bytes where the member is of bytes.
    *
    * @param member its name
-   * @param bytes  the elements as they are sent: big-endian, row by row
+   * @param bytes the elements as they are sent: big-endian, row by row
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the values
    */
   public RecordBuilder bytes(String member, ByteBuffer bytes) {
     Primitive type = numberType(member);
     if (bytes.remaining() % type.size() != 0) {
-      throw new IllegalArgumentException(bytes.remaining() + " bytes are no array of " + type.lcmName() + " for " + layout.type() + "." + member);
+      throw new IllegalArgumentException(
+          bytes.remaining() + " bytes are no array of " + type.lcmName() + " for " + layout.type() + "." + member);
     }
     return set(member, new LcmValue.Numbers(new NumberArray(type, bytes, List.of(bytes.remaining() / type.size()))));
   }
@@ -135,7 +138,7 @@ public final class RecordBuilder {
    * Sets whatever the member holds.
    *
    * @param member its name
-   * @param value  of the member's kind
+   * @param value of the member's kind
    * @return this
    * @throws IllegalArgumentException if the member does not exist or cannot hold the value
    */
@@ -167,6 +170,7 @@ public final class RecordBuilder {
   private Primitive numberType(String member) {
     Slot slot = layout.slots().get(index(member));
     return slot.primitive().filter(type -> type != Primitive.STRING)
-        .orElseThrow(() -> new IllegalArgumentException(layout.type() + "." + member + " is no array of numbers, but " + slot.member()));
+        .orElseThrow(() -> new IllegalArgumentException(
+            layout.type() + "." + member + " is no array of numbers, but " + slot.member()));
   }
 }

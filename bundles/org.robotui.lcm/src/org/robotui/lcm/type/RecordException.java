@@ -13,10 +13,10 @@ public final class RecordException extends Exception {
   /**
    * Creates the error for one place in a message.
    *
-   * @param type    the type that was expected
+   * @param type the type that was expected
    * @param problem what is wrong
-   * @param path    the member, such as {@code poses[3].x}; empty for the message itself
-   * @param offset  the byte within the message
+   * @param path the member, such as {@code poses[3].x}; empty for the message itself
+   * @param offset the byte within the message
    */
   public RecordException(String type, String problem, String path, int offset) {
     super(type + ": " + problem + (path.isEmpty() ? "" : ", in member " + path) + ", at byte " + offset);

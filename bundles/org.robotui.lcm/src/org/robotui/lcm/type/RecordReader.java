@@ -52,7 +52,8 @@ final class RecordReader {
   private LcmValue single(Layout layout, Slot slot) throws RecordException {
     return switch (slot.element()) {
       case Slot.Struct struct -> new LcmValue.Nested(struct(struct.layout()));
-      case Slot.Builtin builtin -> builtin.primitive() == Primitive.STRING ? new LcmValue.Text(text(layout)) : number(layout, builtin.primitive());
+      case Slot.Builtin builtin -> builtin.primitive() == Primitive.STRING ? new LcmValue.Text(text(layout))
+          : number(layout, builtin.primitive());
     };
   }
 
@@ -75,7 +76,8 @@ final class RecordReader {
     countObject(layout);
     int length = bytes.getInt(take(layout, Integer.BYTES));
     if (length < 0 || length > left()) {
-      throw new RecordException(layout.type(), "a text of " + length + " bytes does not fit into the remaining " + left(), "", at);
+      throw new RecordException(layout.type(),
+          "a text of " + length + " bytes does not fit into the remaining " + left(), "", at);
     }
     int start = take(layout, length);
     byte[] text = new byte[Math.max(0, length - 1)];
@@ -88,7 +90,8 @@ final class RecordReader {
     long count = shape.stream().mapToLong(Integer::longValue).reduce(1, Slot::product);
     long room = slot.elementSize() == 0 ? MOST_EMPTY : left() / slot.elementSize();
     if (count > room) {
-      throw new RecordException(layout.type(), "an array of " + shape + " does not fit into the remaining " + left() + " bytes", "", at);
+      throw new RecordException(layout.type(),
+          "an array of " + shape + " does not fit into the remaining " + left() + " bytes", "", at);
     }
     return switch (slot.element()) {
       case Slot.Struct struct -> new LcmValue.Records(structs(struct.layout(), (int) count), shape);
@@ -103,8 +106,10 @@ final class RecordReader {
     for (Slot.Extent extent : slot.extents()) {
       long size = extent.isFixed() ? extent.size() : ((LcmValue.Whole) before[extent.slot()]).value();
       if (size < 0 || size > Integer.MAX_VALUE) {
-        throw new RecordException(layout.type(), "member " + layout.slots().get(extent.slot()).name() + " says that there are " + size
-            + " elements", "", at);
+        throw new RecordException(layout.type(),
+            "member " + layout.slots().get(extent.slot()).name() + " says that there are " + size
+                + " elements",
+            "", at);
       }
       shape.add((int) size);
     }
@@ -147,7 +152,8 @@ final class RecordReader {
 
   private void countObject(Layout layout) throws RecordException {
     if (++objects > MOST_OBJECTS) {
-      throw new RecordException(layout.type(), "more than " + MOST_OBJECTS + " texts and structs in one message", "", at);
+      throw new RecordException(layout.type(), "more than " + MOST_OBJECTS + " texts and structs in one message", "",
+          at);
     }
   }
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 /**
  * One member in a layout.
  *
- * @param member  its definition
+ * @param member its definition
  * @param element what it holds, once or several times
  * @param extents of an array, outermost first
  */
@@ -16,13 +16,13 @@ record Slot(MemberDefinition member, Element element, List<Extent> extents) {
   static final long ENDLESS = 1L << 40;
 
   /** What a member holds. */
-  sealed interface Element { }
+  sealed interface Element {}
 
   /** A built-in type. */
-  record Builtin(Primitive primitive) implements Element { }
+  record Builtin(Primitive primitive) implements Element {}
 
   /** Another struct. */
-  record Struct(Layout layout) implements Element { }
+  record Struct(Layout layout) implements Element {}
 
   /** The size of one dimension: a number, or in which member of the same struct it stands. */
   record Extent(int size, int slot) {

@@ -60,14 +60,16 @@ final class StructParser {
 
   private static void check(Token type) throws TypeException {
     if (!TYPE.matcher(type.text()).matches()) {
-      throw new TypeException(type.place(), "expected the type of a member and found " + type.quoted(), "write for example: double x;");
+      throw new TypeException(type.place(), "expected the type of a member and found " + type.quoted(),
+          "write for example: double x;");
     }
     if (COMMON_MISTAKES.contains(type.text())) {
       throw new TypeException(type.place(), "LCM has no type '" + type.text() + "'",
           "take one of int8_t, int16_t, int32_t, int64_t, byte, float, double, boolean, string");
     }
     if (type.is("struct") || type.is("enum")) {
-      throw new TypeException(type.place(), "a type cannot be declared inside another", "declare it before this struct, and use its name");
+      throw new TypeException(type.place(), "a type cannot be declared inside another",
+          "declare it before this struct, and use its name");
     }
   }
 
@@ -87,7 +89,8 @@ final class StructParser {
   private Token freshName() throws TypeException {
     Token name = tokens.name();
     if (!names.add(name.text())) {
-      throw new TypeException(name.place(), "the name '" + name.text() + "' is used twice in this struct", "choose another");
+      throw new TypeException(name.place(), "the name '" + name.text() + "' is used twice in this struct",
+          "choose another");
     }
     return name;
   }

@@ -37,7 +37,8 @@ final class TokenStream {
   void require(String text) throws TypeException {
     Token token = next();
     if (!token.is(text)) {
-      throw new TypeException(token.place(), "expected '" + text + "' and found " + token.quoted(), "write '" + text + "' before it");
+      throw new TypeException(token.place(), "expected '" + text + "' and found " + token.quoted(),
+          "write '" + text + "' before it");
     }
   }
 

@@ -29,12 +29,13 @@ public sealed interface TypeDefinition {
   /**
    * A message type, or a part of others.
    *
-   * @param name      the full name
-   * @param members   what is sent, in order
+   * @param name the full name
+   * @param members what is sent, in order
    * @param constants named values
-   * @param place     where it is declared
+   * @param place where it is declared
    */
-  record Struct(String name, List<MemberDefinition> members, List<ConstantDefinition> constants, Place place) implements TypeDefinition {
+  record Struct(String name, List<MemberDefinition> members, List<ConstantDefinition> constants, Place place)
+      implements TypeDefinition {
 
     /** Copies the lists. */
     public Struct {
@@ -46,9 +47,9 @@ public sealed interface TypeDefinition {
   /**
    * An enumeration, sent as {@code int32_t}. The type language does not describe them any more, old files have them.
    *
-   * @param name      the full name
+   * @param name the full name
    * @param constants the values, as {@code int32_t}
-   * @param place     where it is declared
+   * @param place where it is declared
    */
   record Enumeration(String name, List<ConstantDefinition> constants, Place place) implements TypeDefinition {
 

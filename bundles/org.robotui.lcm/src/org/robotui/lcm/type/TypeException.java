@@ -10,9 +10,9 @@ public final class TypeException extends Exception {
   /**
    * Creates the error.
    *
-   * @param place   where it is
+   * @param place where it is
    * @param problem what is wrong
-   * @param remedy  what to write or do
+   * @param remedy what to write or do
    */
   public TypeException(Place place, String problem, String remedy) {
     super(place + ": " + problem + "; " + remedy);

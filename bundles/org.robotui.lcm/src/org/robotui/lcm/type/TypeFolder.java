@@ -20,8 +20,7 @@ public final class TypeFolder {
   private final List<TypeDefinition> definitions = new ArrayList<>();
   private final List<TypeException> problems = new ArrayList<>();
 
-  private TypeFolder() {
-  }
+  private TypeFolder() {}
 
   /**
    * Reads all types at some places.
@@ -47,23 +46,29 @@ public final class TypeFolder {
     }
   }
 
-  /** Not all that is somewhere below a folder such as / may be looked at, nor is it types: a folder of types is small. */
+  /**
+   * Not all that is somewhere below a folder such as / may be looked at, nor is it types: a folder of types is small.
+   */
   private static List<Path> files(Path place) throws IOException {
     try (Stream<Path> all = Files.walk(place)) {
       List<Path> seen = all.limit(MOST_FILES + 1).toList();
       if (seen.size() > MOST_FILES) {
-        throw new IOException("there is far more than types in " + place + ": name the folder of the .lcm files itself");
+        throw new IOException(
+            "there is far more than types in " + place + ": name the folder of the .lcm files itself");
       }
-      return seen.stream().filter(each -> each.equals(place) || each.toString().endsWith(ENDING)).filter(Files::isRegularFile).sorted().toList();
+      return seen.stream().filter(each -> each.equals(place) || each.toString().endsWith(ENDING))
+          .filter(Files::isRegularFile).sorted().toList();
     } catch (UncheckedIOException e) {
-      throw new IOException(place + " cannot be looked through, as not all in it may be read (" + e.getCause().getMessage() + ")", e);
+      throw new IOException(
+          place + " cannot be looked through, as not all in it may be read (" + e.getCause().getMessage() + ")", e);
     }
   }
 
   private void file(Path file) throws IOException {
     try {
       if (Files.size(file) > MOST_BYTES) {
-        throw new TypeException(new Place(file.toString(), 1, 1), "a file of " + Files.size(file) + " bytes is too long", "split it");
+        throw new TypeException(new Place(file.toString(), 1, 1),
+            "a file of " + Files.size(file) + " bytes is too long", "split it");
       }
       definitions.addAll(TypeParser.parse(file.toString(), Files.readString(file, StandardCharsets.UTF_8)));
     } catch (MalformedInputException e) {

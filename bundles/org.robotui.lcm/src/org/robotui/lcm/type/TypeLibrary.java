@@ -15,14 +15,13 @@ public final class TypeLibrary {
   private final Map<Long, List<LcmType>> byFingerprint = new LinkedHashMap<>();
   private final List<TypeException> problems = new ArrayList<>();
 
-  private TypeLibrary() {
-  }
+  private TypeLibrary() {}
 
   /**
    * Puts types together.
    *
    * @param definitions what was read
-   * @param problems    what could not be read
+   * @param problems what could not be read
    * @return the library, with further problems where a type refers to one that is missing
    */
   public static TypeLibrary of(List<TypeDefinition> definitions, List<TypeException> problems) {
@@ -43,8 +42,9 @@ public final class TypeLibrary {
     for (TypeDefinition each : definitions) {
       TypeDefinition before = unique.putIfAbsent(each.name(), each);
       if (before != null && !sameText(before, each)) {
-        problems.add(new TypeException(each.place(), "the type '" + each.name() + "' is declared otherwise at " + before.place(),
-            "remove one of the two; the first counts"));
+        problems.add(
+            new TypeException(each.place(), "the type '" + each.name() + "' is declared otherwise at " + before.place(),
+                "remove one of the two; the first counts"));
       }
     }
     return unique;

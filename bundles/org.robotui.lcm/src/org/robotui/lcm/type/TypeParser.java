@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * Reads {@code .lcm} files: packages, structs, constants, arrays, comments, and the enums of old files, with the meaning
- * that {@code lcm-gen} gives them.
+ * Reads {@code .lcm} files: packages, structs, constants, arrays, comments, and the enums of old files, with the
+ * meaning that {@code lcm-gen} gives them.
  *
  * <p>Source: "LCM Type Specification Language" in LCM's documentation.
  */
@@ -52,7 +52,8 @@ public final class TypeParser {
       }
       case "struct" -> struct();
       case "enum" -> enumeration();
-      default -> throw new TypeException(word.place(), "expected 'package', 'struct' or 'enum' and found " + word.quoted(),
+      default -> throw new TypeException(word.place(),
+          "expected 'package', 'struct' or 'enum' and found " + word.quoted(),
           "declare a type: struct name_t { int64_t utime; }");
     }
   }
@@ -72,7 +73,8 @@ public final class TypeParser {
   private Token fullName(String bearer, String example) throws TypeException {
     Token name = tokens.next();
     if (!FULL_NAME.matcher(name.text()).matches()) {
-      throw new TypeException(name.place(), "expected the name of " + bearer + " and found " + name.quoted(), "write for example: " + example);
+      throw new TypeException(name.place(), "expected the name of " + bearer + " and found " + name.quoted(),
+          "write for example: " + example);
     }
     return name;
   }

@@ -11,8 +11,7 @@ final class ValuePath {
   private static final Pattern STEP = Pattern.compile("\\.?([A-Za-z_]\\w*)|((?:\\[\\d{1,9}\\])+)");
   private static final Pattern INDEX = Pattern.compile("\\d+");
 
-  private ValuePath() {
-  }
+  private ValuePath() {}
 
   static Optional<LcmValue> follow(LcmRecord record, String path) {
     Matcher step = STEP.matcher(path);
@@ -37,7 +36,8 @@ final class ValuePath {
     return switch (value) {
       case LcmValue.Numbers numbers -> flat(index, numbers.value().shape()).map(i -> number(numbers.value(), i));
       case LcmValue.Texts texts -> flat(index, texts.shape()).map(i -> new LcmValue.Text(texts.values().get(i)));
-      case LcmValue.Records records -> flat(index, records.shape()).map(i -> new LcmValue.Nested(records.values().get(i)));
+      case LcmValue.Records records -> flat(index, records.shape())
+          .map(i -> new LcmValue.Nested(records.values().get(i)));
       default -> Optional.empty();
     };
   }

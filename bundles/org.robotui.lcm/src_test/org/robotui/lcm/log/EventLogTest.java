@@ -47,7 +47,8 @@ class EventLogTest {
     Path path = folder.resolve("made.lcmlog");
     try (EventLogWriter writer = EventLogWriter.create(path)) {
       for (int i = 0; i < events; i++) {
-        writer.write(1_000_000L * i, i % 2 == 0 ? "EVEN" : "ODD", ByteBuffer.wrap(("event " + i).getBytes(StandardCharsets.UTF_8)));
+        writer.write(1_000_000L * i, i % 2 == 0 ? "EVEN" : "ODD",
+            ByteBuffer.wrap(("event " + i).getBytes(StandardCharsets.UTF_8)));
       }
     }
     return path;
@@ -63,11 +64,14 @@ class EventLogTest {
     assertEquals(1137834284788331L, events.getLast().utime());
     for (LogEvent event : events) {
       LcmRecord record = types.decode(event.data());
-      assertEquals(Map.of("ODOMETRY", "robotdata.odometry_t", "LASER_FRONT", "robotdata.laser_scan_t", "MAP", "robotdata.occupancy_grid_t")
+      assertEquals(Map
+          .of("ODOMETRY", "robotdata.odometry_t", "LASER_FRONT", "robotdata.laser_scan_t", "MAP",
+              "robotdata.occupancy_grid_t")
           .get(event.channel()), record.type());
       assertEquals(event.data(), types.type(record.type()).orElseThrow().encode(record), event.channel());
     }
-    LcmRecord map = types.decode(events.stream().filter(event -> event.channel().equals("MAP")).findFirst().orElseThrow().data());
+    LcmRecord map =
+        types.decode(events.stream().filter(event -> event.channel().equals("MAP")).findFirst().orElseThrow().data());
     assertEquals(352, map.number("robot.column").orElseThrow());
     assertEquals(435, map.number("robot.row").orElseThrow());
     assertEquals(List.of(717, 651), map.numbers("cells").orElseThrow().shape());
@@ -87,7 +91,7 @@ class EventLogTest {
   @Test
   void seekingFindsTheFirstEventFromATimeOn() throws IOException {
     try (EventLogReader reader = EventLogReader.open(log(1000))) {
-      for (long utime : new long[] {0, 1, 499_999_999, 500_000_000, 999_000_000}) {
+      for (long utime : new long[]{0, 1, 499_999_999, 500_000_000, 999_000_000}) {
         reader.seekToTime(utime);
         assertEquals((utime + 999_999) / 1_000_000, reader.next().orElseThrow().number(), "from " + utime);
       }
@@ -170,7 +174,8 @@ class EventLogTest {
   void filesThatCannotBeOpenedAreNamed() {
     IOException missing = assertThrows(IOException.class, () -> EventLogReader.open(folder.resolve("none.lcmlog")));
     assertTrue(missing.getMessage().contains("none.lcmlog cannot be opened"), missing.getMessage());
-    IOException unwritable = assertThrows(IOException.class, () -> EventLogWriter.create(folder.resolve("none/x.lcmlog")));
+    IOException unwritable =
+        assertThrows(IOException.class, () -> EventLogWriter.create(folder.resolve("none/x.lcmlog")));
     assertTrue(unwritable.getMessage().contains("x.lcmlog cannot be written"), unwritable.getMessage());
   }
 }

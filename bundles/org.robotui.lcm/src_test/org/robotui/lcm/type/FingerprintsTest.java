@@ -22,7 +22,8 @@ class FingerprintsTest {
 
   static TypeLibrary zoo() {
     try (InputStream in = FingerprintsTest.class.getResourceAsStream("zoo.lcm")) {
-      return TypeLibrary.of(TypeParser.parse("zoo.lcm", new String(in.readAllBytes(), StandardCharsets.UTF_8)), List.of());
+      return TypeLibrary.of(TypeParser.parse("zoo.lcm", new String(in.readAllBytes(), StandardCharsets.UTF_8)),
+          List.of());
     } catch (IOException | TypeException e) {
       throw new AssertionError(e);
     }
@@ -32,15 +33,18 @@ class FingerprintsTest {
   void areThoseOfLcmGenAlsoWhereTypesHoldThemselves() {
     TypeLibrary zoo = zoo();
     assertEquals(List.of(), zoo.problems());
-    BY_LCM_GEN.forEach((name, fingerprint) -> assertEquals(fingerprint, LcmType.hex(zoo.type(name).orElseThrow().fingerprint()), name));
+    BY_LCM_GEN.forEach((name, fingerprint) -> assertEquals(fingerprint,
+        LcmType.hex(zoo.type(name).orElseThrow().fingerprint()), name));
     assertEquals(BY_LCM_GEN.size(), zoo.types().size());
   }
 
   @Test
   void typesThatDifferInTheirNamesOnlyShareOne() throws TypeException {
-    TypeLibrary library = TypeLibrary.of(TypeParser.parse("twins.lcm", "struct one_t { double x; } struct two_t { double x; }"), List.of());
+    TypeLibrary library = TypeLibrary
+        .of(TypeParser.parse("twins.lcm", "struct one_t { double x; } struct two_t { double x; }"), List.of());
     assertEquals(List.of("one_t", "two_t"),
-        library.withFingerprint(library.type("two_t").orElseThrow().fingerprint()).stream().map(LcmType::name).toList());
+        library.withFingerprint(library.type("two_t").orElseThrow().fingerprint()).stream().map(LcmType::name)
+            .toList());
   }
 
   /** Each type holds ten of the next: who walked all ways would walk ten to the power of forty. */
@@ -52,8 +56,10 @@ class FingerprintsTest {
 
   @Test
   void typesThatMultiplyAndReturnAreRefused() {
-    TypeLibrary library = Assertions.assertTimeoutPreemptively(Duration.ofSeconds(60), () -> multiplied("int32_t n; t0 back[n];"));
-    assertTrue(library.problems().stream().allMatch(problem -> problem.getMessage().contains("interwoven")), library.problems().toString());
+    TypeLibrary library =
+        Assertions.assertTimeoutPreemptively(Duration.ofSeconds(60), () -> multiplied("int32_t n; t0 back[n];"));
+    assertTrue(library.problems().stream().allMatch(problem -> problem.getMessage().contains("interwoven")),
+        library.problems().toString());
     assertEquals(0, library.types().size());
   }
 

@@ -22,16 +22,20 @@ class RecordTest {
   private final LcmType node = zoo.type("zoo.node_t").orElseThrow();
 
   private LcmRecord scalars() {
-    return scalars.builder().whole("a", -1).whole("b", -300).whole("c", 1 << 30).whole("d", Long.MIN_VALUE).whole("e", 255)
+    return scalars.builder().whole("a", -1).whole("b", -300).whole("c", 1 << 30).whole("d", Long.MIN_VALUE)
+        .whole("e", 255)
         .real("f", 0.5).whole("g", 3).flag("h", true).text("i", "Grüße").build();
   }
 
   @Test
   void everyKindOfMemberReturnsFromItsBytes() throws RecordException {
     LcmRecord thing = zoo.type("other.thing_t").orElseThrow().builder().real("weight", 2.5).build();
-    LcmRecord record = arrays.builder().numbers("fixed", 1, 2, 3, 4).whole("n", 3).whole("m", 1).numbers("cube", 1, 2, 3, 4, 5, 6)
-        .bytes("data", ByteBuffer.wrap(new byte[] {1, -1, 7})).texts("names", List.of("one")).numbers("flags", 0, 1, 0, 1, 0, 1)
-        .records("parts", List.of(scalars(), scalars(), scalars())).record("one", scalars()).records("things", List.of(thing, thing)).build();
+    LcmRecord record =
+        arrays.builder().numbers("fixed", 1, 2, 3, 4).whole("n", 3).whole("m", 1).numbers("cube", 1, 2, 3, 4, 5, 6)
+            .bytes("data", ByteBuffer.wrap(new byte[]{1, -1, 7})).texts("names", List.of("one"))
+            .numbers("flags", 0, 1, 0, 1, 0, 1)
+            .records("parts", List.of(scalars(), scalars(), scalars())).record("one", scalars())
+            .records("things", List.of(thing, thing)).build();
     LcmRecord decoded = zoo.decode(arrays.encode(record));
     assertEquals(record, decoded);
     assertEquals(OptionalDouble.of(5), decoded.number("cube[2][0][0]"));
@@ -40,7 +44,7 @@ class RecordTest {
     assertEquals(OptionalDouble.of(2.5), decoded.number("things[0][1].weight"));
     assertEquals(Optional.of("Grüße"), decoded.text("parts[2].i"));
     assertEquals(OptionalDouble.of(Long.MIN_VALUE), decoded.number("one.d"));
-    assertArrayEquals(new double[] {1, 2, 3, 4}, decoded.numbers("fixed").orElseThrow().toDoubles());
+    assertArrayEquals(new double[]{1, 2, 3, 4}, decoded.numbers("fixed").orElseThrow().toDoubles());
     assertArrayEquals(new float[48], decoded.numbers("table").orElseThrow().toFloats());
     assertEquals(List.of(16, 3), decoded.numbers("table").orElseThrow().shape());
   }
@@ -48,7 +52,8 @@ class RecordTest {
   @Test
   void whatIsNotThereIsEmpty() throws RecordException {
     LcmRecord decoded = zoo.decode(arrays.encode(arrays.builder().build()));
-    for (String path : List.of("none", "fixed[4]", "fixed[0][0]", "fixed", "one.a.b", "one.i[0]", "names[0]", "one..a", "[0]", "fixed[", "one.i")) {
+    for (String path : List.of("none", "fixed[4]", "fixed[0][0]", "fixed", "one.a.b", "one.i[0]", "names[0]", "one..a",
+        "[0]", "fixed[", "one.i")) {
       assertEquals(OptionalDouble.empty(), decoded.number(path), path);
     }
   }
@@ -69,15 +74,18 @@ class RecordTest {
   void whatDoesNotFitIsRefusedByName() {
     RecordBuilder builder = arrays.builder();
     refused("zoo.arrays_t has no member 'x'", () -> builder.whole("x", 1));
-    refused("zoo.arrays_t.n is declared as 'int16_t n' and cannot hold Whole[value=40000]", () -> builder.whole("n", 40_000));
+    refused("zoo.arrays_t.n is declared as 'int16_t n' and cannot hold Whole[value=40000]",
+        () -> builder.whole("n", 40_000));
     refused("'float cube[n][2][m]'", () -> builder.whole("cube", 1));
     refused("2.5 is no byte", () -> builder.numbers("data", 2.5));
     refused("'zoo.scalars_t one'", () -> builder.record("one", node.builder().build()));
-    refused("the shape of zoo.arrays_t.cube is open: set zoo.arrays_t.m or zoo.arrays_t.n", () -> arrays.builder().numbers("cube", 1, 2, 3, 4).build());
+    refused("the shape of zoo.arrays_t.cube is open: set zoo.arrays_t.m or zoo.arrays_t.n",
+        () -> arrays.builder().numbers("cube", 1, 2, 3, 4).build());
     refused("zoo.arrays_t.data has the shape [3], and its sizes say [2]",
         () -> arrays.builder().whole("n", 2).numbers("data", 1, 2, 3).build());
     refused("zoo.arrays_t.n is the size of an array and cannot be -1", () -> arrays.builder().whole("n", -1).build());
-    refused("zoo.arrays_t.n is declared as 'int16_t n'", () -> arrays.builder().numbers("data", new double[40_000]).build());
+    refused("zoo.arrays_t.n is declared as 'int16_t n'",
+        () -> arrays.builder().numbers("data", new double[40_000]).build());
     refused("a record of zoo.node_t is no zoo.arrays_t", () -> arrays.encode(node.builder().build()));
   }
 
@@ -93,7 +101,8 @@ class RecordTest {
       1          | in member children[0].children, at byte 16
       """)
   void sizesThatLieAreRefusedWithTheirPlace(int size, String error) {
-    ByteBuffer bytes = ByteBuffer.allocate(21).putLong(node.fingerprint()).putInt(size).putInt(77).put(new byte[5]).flip();
+    ByteBuffer bytes =
+        ByteBuffer.allocate(21).putLong(node.fingerprint()).putInt(size).putInt(77).put(new byte[5]).flip();
     RecordException e = assertThrows(RecordException.class, () -> node.decode(bytes));
     assertTrue(e.getMessage().startsWith("zoo.node_t: ") && e.getMessage().contains(error), e.getMessage());
   }
@@ -112,9 +121,12 @@ class RecordTest {
   void anotherTypeIsNamedByItsFingerprint() {
     ByteBuffer bytes = node.encode(node.builder().build());
     RecordException e = assertThrows(RecordException.class, () -> arrays.decode(bytes));
-    assertTrue(e.getMessage().contains("zoo.arrays_t: the fingerprint is 0xa911de693d846b9a and not 0xc26c4df508582d8e"), e.getMessage());
+    assertTrue(
+        e.getMessage().contains("zoo.arrays_t: the fingerprint is 0xa911de693d846b9a and not 0xc26c4df508582d8e"),
+        e.getMessage());
     RecordException unknown = assertThrows(RecordException.class, () -> zoo.decode(ByteBuffer.allocate(8)));
-    assertTrue(unknown.getMessage().contains("0x0000000000000000 is that of none of the 9 known types"), unknown.getMessage());
+    assertTrue(unknown.getMessage().contains("0x0000000000000000 is that of none of the 9 known types"),
+        unknown.getMessage());
     RecordException cut = assertThrows(RecordException.class, () -> zoo.decode(ByteBuffer.allocate(7)));
     assertTrue(cut.getMessage().contains("a message of 7 bytes has no fingerprint"), cut.getMessage());
   }

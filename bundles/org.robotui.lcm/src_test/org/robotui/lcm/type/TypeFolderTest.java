@@ -12,7 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class TypeFolderTest {
-  @TempDir Path folder;
+  @TempDir
+  Path folder;
 
   @Test
   void filesCountAtAnyDepth() throws IOException {
@@ -27,6 +28,8 @@ class TypeFolderTest {
   void theWholeMachineIsNoFolderOfTypes() {
     String message = assertThrows(IOException.class, () -> TypeFolder.read(List.of(Path.of("/")))).getMessage();
 
-    assertTrue(message.startsWith("there is far more than types in /") || message.startsWith("/ cannot be looked through"), message);
+    assertTrue(
+        message.startsWith("there is far more than types in /") || message.startsWith("/ cannot be looked through"),
+        message);
   }
 }

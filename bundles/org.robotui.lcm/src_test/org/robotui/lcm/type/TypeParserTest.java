@@ -89,7 +89,7 @@ class TypeParserTest {
     Files.createDirectories(folder.resolve("deep/deeper"));
     Files.writeString(folder.resolve("deep/deeper/good_t.lcm"), "struct good_t { double x; }");
     Files.writeString(folder.resolve("bad_t.lcm"), "struct bad_t {\n  doubel[2] x; }");
-    Files.write(folder.resolve("binary.lcm"), new byte[] {-1, -2, 0});
+    Files.write(folder.resolve("binary.lcm"), new byte[]{-1, -2, 0});
     Files.writeString(folder.resolve("readme.txt"), "no types");
     TypeLibrary library = TypeFolder.read(List.of(folder));
     assertEquals(List.of("good_t"), library.types().stream().map(LcmType::name).toList());

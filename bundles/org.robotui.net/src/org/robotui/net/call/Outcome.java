@@ -15,34 +15,34 @@ public sealed interface Outcome<T> {
    * The peer did it.
    *
    * @param value its answer
-   * @param <T>   the answer's type
+   * @param <T> the answer's type
    */
-  record Done<T>(T value) implements Outcome<T> { }
+  record Done<T>(T value) implements Outcome<T> {}
 
   /**
    * The peer understood the call and said no.
    *
    * @param reason the peer's words, for a user to read
-   * @param <T>    the type of the answer that did not come
+   * @param <T> the type of the answer that did not come
    */
-  record Refused<T>(String reason) implements Outcome<T> { }
+  record Refused<T>(String reason) implements Outcome<T> {}
 
   /**
    * The peer was not reached, or what it sent is no valid answer.
    *
    * @param reason names the peer and the cause, for a user to read
-   * @param <T>    the type of the answer that did not come
+   * @param <T> the type of the answer that did not come
    */
-  record Failed<T>(String reason) implements Outcome<T> { }
+  record Failed<T>(String reason) implements Outcome<T> {}
 
   /**
    * The peer did not answer in time; it may still act on the call.
    *
    * @param reason names the peer
-   * @param after  how long the caller waited
-   * @param <T>    the type of the answer that did not come
+   * @param after how long the caller waited
+   * @param <T> the type of the answer that did not come
    */
-  record TimedOut<T>(String reason, Duration after) implements Outcome<T> { }
+  record TimedOut<T>(String reason, Duration after) implements Outcome<T> {}
 
   /**
    * The answer, if there is one.
@@ -71,7 +71,7 @@ public sealed interface Outcome<T> {
    * The same outcome with another answer.
    *
    * @param function turns the answer into the new one
-   * @param <U>      the new answer's type
+   * @param <U> the new answer's type
    * @return {@link Done} of the new answer, or this failure
    */
   default <U> Outcome<U> map(Function<? super T, ? extends U> function) {

@@ -2,7 +2,10 @@ package org.robotui.net.log;
 
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Decides which of many like events are logged: the first, second, fourth, eighth and so on, so that no peer can fill a disk. */
+/**
+ * Decides which of many like events are logged: the first, second, fourth, eighth and so on, so that no peer can fill a
+ * disk.
+ */
 public final class LogThrottle {
 
   private final AtomicLong count = new AtomicLong();

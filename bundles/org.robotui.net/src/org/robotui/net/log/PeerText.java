@@ -6,8 +6,7 @@ public final class PeerText {
   private static final int MAX_TEXT = 500;
   private static final int MAX_NAME = 150;
 
-  private PeerText() {
-  }
+  private PeerText() {}
 
   /**
    * The beginning of a text, without control characters.

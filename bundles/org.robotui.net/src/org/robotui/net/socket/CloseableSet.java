@@ -4,7 +4,10 @@ import java.io.Closeable;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** The open sockets of one owner: closing the set closes them all, and what is added later at once. Safe for all threads. */
+/**
+ * The open sockets of one owner: closing the set closes them all, and what is added later at once. Safe for all
+ * threads.
+ */
 public final class CloseableSet implements Closeable {
 
   private final Set<Closeable> open = ConcurrentHashMap.newKeySet();

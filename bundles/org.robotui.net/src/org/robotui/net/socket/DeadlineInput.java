@@ -7,8 +7,9 @@ import java.net.SocketTimeoutException;
 import java.time.Duration;
 
 /**
- * A socket's input with a time by which all that is read must have come, so that a peer that sends byte by byte gains nothing. Reading
- * blocks until bytes come, the time is over ({@link SocketTimeoutException}), or the socket is closed. For one thread.
+ * A socket's input with a time by which all that is read must have come, so that a peer that sends byte by byte gains
+ * nothing. Reading blocks until bytes come, the time is over ({@link SocketTimeoutException}), or the socket is closed.
+ * For one thread.
  */
 public final class DeadlineInput extends InputStream {
 
@@ -27,7 +28,8 @@ public final class DeadlineInput extends InputStream {
    * Reads a socket, at first without a deadline.
    *
    * @param socket connected
-   * @param bufferBytes how much is taken from the socket at once where less is asked for; 0 for readers with a buffer of their own
+   * @param bufferBytes how much is taken from the socket at once where less is asked for; 0 for readers with a buffer
+   * of their own
    * @throws IOException if the socket is not connected, or closed
    */
   public DeadlineInput(Socket socket, int bufferBytes) throws IOException {

@@ -14,13 +14,14 @@ public final class Sockets {
 
   private static final Logger LOG = LoggerFactory.getLogger(Sockets.class);
   /** A half-open link is found after about 10 + 3 * 3 seconds without traffic. */
-  private static final Map<String, Integer> PROBES = Map.of("TCP_KEEPIDLE", 10, "TCP_KEEPINTERVAL", 3, "TCP_KEEPCOUNT", 3);
+  private static final Map<String, Integer> PROBES =
+      Map.of("TCP_KEEPIDLE", 10, "TCP_KEEPINTERVAL", 3, "TCP_KEEPCOUNT", 3);
 
-  private Sockets() {
-  }
+  private Sockets() {}
 
   /**
-   * Small messages go at once, and the kernel probes silent peers, so that the death of one is noticed within 20 seconds.
+   * Small messages go at once, and the kernel probes silent peers, so that the death of one is noticed within 20
+   * seconds.
    *
    * @param socket connected or not
    * @throws IOException if the socket is closed
@@ -34,8 +35,9 @@ public final class Sockets {
   }
 
   /**
-   * Lets the kernel hold as little as it allows, on Linux about four small messages: nothing can be called back from it, and after an
-   * outage it delivers all that it was given meanwhile. Commands then wait with the sender, where newer ones replace them.
+   * Lets the kernel hold as little as it allows, on Linux about four small messages: nothing can be called back from
+   * it, and after an outage it delivers all that it was given meanwhile. Commands then wait with the sender, where
+   * newer ones replace them.
    *
    * @param socket not connected yet
    * @throws IOException if the socket is closed

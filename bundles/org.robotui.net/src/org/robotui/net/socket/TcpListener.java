@@ -87,7 +87,8 @@ public final class TcpListener implements Closeable {
   }
 
   /**
-   * Accepts clients until closed. What one of them causes, and a lack of descriptors, memory or threads, ends only that connection.
+   * Accepts clients until closed. What one of them causes, and a lack of descriptors, memory or threads, ends only that
+   * connection.
    *
    * @param name whose clients, for the log
    * @param handler takes them over, on this thread

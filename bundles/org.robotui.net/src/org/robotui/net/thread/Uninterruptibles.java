@@ -1,8 +1,8 @@
 package org.robotui.net.thread;
 
 /**
- * Waits that no interrupt cuts short, for ends that take a bounded time and must be whole: who closes something may do it because it was
- * itself interrupted.
+ * Waits that no interrupt cuts short, for ends that take a bounded time and must be whole: who closes something may do
+ * it because it was itself interrupted.
  */
 public final class Uninterruptibles {
 
@@ -19,8 +19,7 @@ public final class Uninterruptibles {
     void atMost(long nanos) throws InterruptedException;
   }
 
-  private Uninterruptibles() {
-  }
+  private Uninterruptibles() {}
 
   /**
    * Waits until a deadline at most. An interrupt is there for the caller when it returns.
@@ -30,7 +29,7 @@ public final class Uninterruptibles {
    */
   public static void await(long deadline, Wait wait) {
     boolean interrupted = false;
-    for (boolean over = false; !over; ) {
+    for (boolean over = false; !over;) {
       try {
         wait.atMost(deadline - System.nanoTime());
         over = true;

@@ -54,8 +54,9 @@ public final class Workers {
   }
 
   /**
-   * Blocks until all threads but the caller's have ended, or a deadline has passed. An interrupt does not cut the wait short: who closes
-   * something because it was interrupted must leave no thread behind either. The interrupt is there when this returns.
+   * Blocks until all threads but the caller's have ended, or a deadline has passed. An interrupt does not cut the wait
+   * short: who closes something because it was interrupted must leave no thread behind either. The interrupt is there
+   * when this returns.
    *
    * @param deadline a time of {@link System#nanoTime}
    * @return whether all have ended

@@ -55,10 +55,10 @@ class DeadlineInputTest {
     send(1, 2, 3, 4, 5, 0xff, 7);
     in.within(LONG);
     assertEquals(1, in.read());
-    assertArrayEquals(new byte[] {2, 3, 4, 5}, in.readNBytes(4));
+    assertArrayEquals(new byte[]{2, 3, 4, 5}, in.readNBytes(4));
     assertEquals(0xff, in.read());
     peer.shutdownOutput();
-    assertArrayEquals(new byte[] {7}, in.readAllBytes());
+    assertArrayEquals(new byte[]{7}, in.readAllBytes());
     assertEquals(-1, in.read());
   }
 
@@ -68,7 +68,7 @@ class DeadlineInputTest {
     DeadlineInput in = new DeadlineInput(socket, buffer);
     send(1, 2);
     in.within(LONG);
-    assertArrayEquals(new byte[] {1, 2}, in.readNBytes(2));
+    assertArrayEquals(new byte[]{1, 2}, in.readNBytes(2));
     assertEquals(0, in.read(new byte[0], 0, 0));
   }
 
@@ -114,9 +114,9 @@ class DeadlineInputTest {
   @Test
   void aMessageThatBeganInTheBufferHasToBeCompletedAsWell() throws IOException {
     DeadlineInput in = new DeadlineInput(socket, 16);
-    peer.getOutputStream().write(new byte[] {1, 2, 3});
+    peer.getOutputStream().write(new byte[]{1, 2, 3});
     in.nextMessage(LONG);
-    assertArrayEquals(new byte[] {1, 2}, in.readNBytes(2));
+    assertArrayEquals(new byte[]{1, 2}, in.readNBytes(2));
     in.nextMessage(SHORT);
     assertEquals(3, in.read());
     assertThrows(SocketTimeoutException.class, in::read);

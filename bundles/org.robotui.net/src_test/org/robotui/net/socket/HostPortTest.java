@@ -19,7 +19,8 @@ class HostPortTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "http://", "http://robot", "http://robot:0", "http://robot:65536", "http://:80", "rosrpc://robot:80"})
+  @ValueSource(strings = {"", "http://", "http://robot", "http://robot:0", "http://robot:65536", "http://:80",
+      "rosrpc://robot:80"})
   void whatNamesNoHostAndPortIsRefused(String uri) {
     assertThrows(IllegalArgumentException.class, () -> HostPort.ofUri(uri, "http"));
   }

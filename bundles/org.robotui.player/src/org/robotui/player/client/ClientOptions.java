@@ -9,22 +9,24 @@ import javax.net.SocketFactory;
 /**
  * What a client is given by its owner.
  *
- * @param threads     makes the client's two threads
- * @param links       hears of the state of the link
- * @param key         what a server with a key wants to hear; at most 32 bytes
- * @param pull        how often to fetch data; if empty the server sends them as they come. A client that fetches never holds data up at
- *                    the server when it is slow
- * @param newestOnly  whether the server shall keep only the newest of like data while they wait
- * @param handshake   for connecting and all that comes before the first subscription
+ * @param threads makes the client's two threads
+ * @param links hears of the state of the link
+ * @param key what a server with a key wants to hear; at most 32 bytes
+ * @param pull how often to fetch data; if empty the server sends them as they come. A client that fetches never holds
+ * data up at the server when it is slow
+ * @param newestOnly whether the server shall keep only the newest of like data while they wait
+ * @param handshake for connecting and all that comes before the first subscription
  * @param messageTime for the rest of a message that has begun
- * @param answerTime  for the answer to a request
+ * @param answerTime for the answer to a request
  * @param maxRequests how many requests may wait for their answers
- * @param minBackoff  the pause after the first failed attempt to reach the server; doubles with each further one
- * @param maxBackoff  the longest pause between attempts
- * @param sockets     makes the sockets, not yet connected
+ * @param minBackoff the pause after the first failed attempt to reach the server; doubles with each further one
+ * @param maxBackoff the longest pause between attempts
+ * @param sockets makes the sockets, not yet connected
  */
-public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<byte[]> key, Optional<Duration> pull, boolean newestOnly,
-    Duration handshake, Duration messageTime, Duration answerTime, int maxRequests, Duration minBackoff, Duration maxBackoff,
+public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<byte[]> key, Optional<Duration> pull,
+    boolean newestOnly,
+    Duration handshake, Duration messageTime, Duration answerTime, int maxRequests, Duration minBackoff,
+    Duration maxBackoff,
     SocketFactory sockets) {
 
   private static final int KEY_BYTES = 32;
@@ -46,13 +48,15 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
   }
 
   /**
-   * No key, data as they come, 5 s for the handshake, 5 s for a message, 5 s for an answer, 256 requests, back-off from 0.1 to 5 s.
+   * No key, data as they come, 5 s for the handshake, 5 s for a message, 5 s for an answer, 256 requests, back-off from
+   * 0.1 to 5 s.
    *
    * @param threads makes the client's threads
    * @return the default
    */
   public static ClientOptions standard(ThreadFactory threads) {
-    return new ClientOptions(threads, LinkListener.none(), Optional.empty(), Optional.empty(), false, Duration.ofSeconds(5),
+    return new ClientOptions(threads, LinkListener.none(), Optional.empty(), Optional.empty(), false,
+        Duration.ofSeconds(5),
         Duration.ofSeconds(5), Duration.ofSeconds(5), 256, Duration.ofMillis(100), Duration.ofSeconds(5),
         SocketFactory.getDefault());
   }
@@ -64,7 +68,8 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    * @return the changed options
    */
   public ClientOptions withLinks(LinkListener listener) {
-    return new ClientOptions(threads, listener, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests, minBackoff,
+    return new ClientOptions(threads, listener, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests,
+        minBackoff,
         maxBackoff, sockets);
   }
 
@@ -75,7 +80,8 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    * @return the changed options
    */
   public ClientOptions withKey(byte[] bytes) {
-    return new ClientOptions(threads, links, Optional.of(bytes.clone()), pull, newestOnly, handshake, messageTime, answerTime, maxRequests,
+    return new ClientOptions(threads, links, Optional.of(bytes.clone()), pull, newestOnly, handshake, messageTime,
+        answerTime, maxRequests,
         minBackoff, maxBackoff, sockets);
   }
 
@@ -86,21 +92,23 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    * @return the changed options
    */
   public ClientOptions withPull(Duration period) {
-    return new ClientOptions(threads, links, key, Optional.of(period), true, handshake, messageTime, answerTime, maxRequests, minBackoff,
+    return new ClientOptions(threads, links, key, Optional.of(period), true, handshake, messageTime, answerTime,
+        maxRequests, minBackoff,
         maxBackoff, sockets);
   }
 
   /**
    * The same options with other times.
    *
-   * @param beginning   for the handshake
-   * @param message     for the rest of a message
-   * @param answer      for an answer
+   * @param beginning for the handshake
+   * @param message for the rest of a message
+   * @param answer for an answer
    * @param longestWait the longest pause between attempts
    * @return the changed options
    */
   public ClientOptions withTimes(Duration beginning, Duration message, Duration answer, Duration longestWait) {
-    return new ClientOptions(threads, links, key, pull, newestOnly, beginning, message, answer, maxRequests, minBackoff, longestWait,
+    return new ClientOptions(threads, links, key, pull, newestOnly, beginning, message, answer, maxRequests, minBackoff,
+        longestWait,
         sockets);
   }
 
@@ -111,7 +119,8 @@ public record ClientOptions(ThreadFactory threads, LinkListener links, Optional<
    * @return the changed options
    */
   public ClientOptions withSockets(SocketFactory made) {
-    return new ClientOptions(threads, links, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests, minBackoff, maxBackoff,
+    return new ClientOptions(threads, links, key, pull, newestOnly, handshake, messageTime, answerTime, maxRequests,
+        minBackoff, maxBackoff,
         made);
   }
 }

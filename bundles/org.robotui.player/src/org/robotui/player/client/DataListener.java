@@ -11,8 +11,8 @@ public interface DataListener<T> {
   /**
    * Data came.
    *
-   * @param value        the data
-   * @param stamp        when they were measured, seconds of the server's clock
+   * @param value the data
+   * @param stamp when they were measured, seconds of the server's clock
    * @param receiveNanos when the last byte was read, by {@link System#nanoTime()}
    */
   void onData(T value, double stamp, long receiveNanos);
@@ -22,6 +22,5 @@ public interface DataListener<T> {
    *
    * @param reason names server, device, message and field, for a user to read
    */
-  default void onProblem(String reason) {
-  }
+  default void onProblem(String reason) {}
 }

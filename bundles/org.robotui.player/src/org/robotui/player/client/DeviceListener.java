@@ -9,7 +9,7 @@ public interface DeviceListener {
   /**
    * Data came.
    *
-   * @param message      as it is on the wire, its stamp in seconds of the server's clock
+   * @param message as it is on the wire, its stamp in seconds of the server's clock
    * @param receiveNanos when its last byte was read, by {@link System#nanoTime()}
    */
   void onData(PlayerMessage message, long receiveNanos);
@@ -19,6 +19,5 @@ public interface DeviceListener {
    *
    * @param state the new state
    */
-  default void onState(DeviceState state) {
-  }
+  default void onState(DeviceState state) {}
 }

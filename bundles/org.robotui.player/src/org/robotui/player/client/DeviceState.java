@@ -4,22 +4,22 @@ package org.robotui.player.client;
 public sealed interface DeviceState {
 
   /** Nobody subscribes to it. */
-  record Unused() implements DeviceState { }
+  record Unused() implements DeviceState {}
 
   /** The server is not reached, or did not answer yet. */
-  record Waiting() implements DeviceState { }
+  record Waiting() implements DeviceState {}
 
   /**
    * The device is open: data come, commands go.
    *
    * @param driver the name of its driver
    */
-  record Open(String driver) implements DeviceState { }
+  record Open(String driver) implements DeviceState {}
 
   /**
    * The server does not open it. It is tried again when the link is made anew.
    *
    * @param reason names device, server and cause, for a user to read
    */
-  record Refused(String reason) implements DeviceState { }
+  record Refused(String reason) implements DeviceState {}
 }

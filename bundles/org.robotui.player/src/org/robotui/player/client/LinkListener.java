@@ -17,6 +17,6 @@ public interface LinkListener {
    * @return the listener
    */
   static LinkListener none() {
-    return state -> { };
+    return state -> {};
   }
 }

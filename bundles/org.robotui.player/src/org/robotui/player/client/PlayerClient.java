@@ -11,9 +11,9 @@ import org.robotui.player.wire.DeviceAddress;
 import org.robotui.player.wire.DeviceId;
 
 /**
- * A client of one Player server. It begins to connect when it is made, and connects anew whenever the link is lost; what was
- * subscribed is opened again then. It has two threads, one that receives and one that sends. Any thread may use it, and no call but
- * {@link #close} waits.
+ * A client of one Player server. It begins to connect when it is made, and connects anew whenever the link is lost;
+ * what was subscribed is opened again then. It has two threads, one that receives and one that sends. Any thread may
+ * use it, and no call but {@link #close} waits.
  */
 public final class PlayerClient implements AutoCloseable {
 
@@ -22,8 +22,8 @@ public final class PlayerClient implements AutoCloseable {
   /**
    * Creates a client and begins to connect.
    *
-   * @param host    the server's name or address
-   * @param port    the server's port, by custom 6665
+   * @param host the server's name or address
+   * @param port the server's port, by custom 6665
    * @param layouts the interfaces that are known
    * @param options what the client is given
    */
@@ -63,7 +63,7 @@ public final class PlayerClient implements AutoCloseable {
    * One of the devices, whether the server has it or not.
    *
    * @param interfaceName such as {@code position2d}
-   * @param index         its number among those of its interface
+   * @param index its number among those of its interface
    * @return the device
    * @throws IllegalArgumentException if there is no layout of the interface
    */
@@ -89,9 +89,11 @@ public final class PlayerClient implements AutoCloseable {
    * @return the driver's name, or why there is none
    */
   public CompletableFuture<Outcome<String>> driver(DeviceAddress device) {
-    Server.Device asked = new Server.Device(Integer.toUnsignedLong(device.host()), Integer.toUnsignedLong(device.robot()),
-        device.interfaceCode(), device.index());
-    return server().request(Server.DRIVER, new Server.Driver(asked, "")).thenApply(outcome -> outcome.map(Server.Driver::name));
+    Server.Device asked =
+        new Server.Device(Integer.toUnsignedLong(device.host()), Integer.toUnsignedLong(device.robot()),
+            device.interfaceCode(), device.index());
+    return server().request(Server.DRIVER, new Server.Driver(asked, ""))
+        .thenApply(outcome -> outcome.map(Server.Driver::name));
   }
 
   /**
@@ -121,7 +123,10 @@ public final class PlayerClient implements AutoCloseable {
     return runtime.replaced();
   }
 
-  /** Ends the link in bounded time, about two seconds at most. What was commanded just before is sent if the network takes it. */
+  /**
+   * Ends the link in bounded time, about two seconds at most. What was commanded just before is sent if the network
+   * takes it.
+   */
   @Override
   public void close() {
     runtime.close();

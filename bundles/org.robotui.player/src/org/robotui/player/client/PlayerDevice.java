@@ -16,8 +16,8 @@ import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
 
 /**
- * One device of a server. Any thread may use it, and no call blocks. The futures of requests are completed on the client's threads:
- * what depends on them must not block.
+ * One device of a server. Any thread may use it, and no call blocks. The futures of requests are completed on the
+ * client's threads: what depends on them must not block.
  */
 public final class PlayerDevice {
 
@@ -78,9 +78,9 @@ public final class PlayerDevice {
   /**
    * Opens the device and listens to one kind of its data.
    *
-   * @param kind     the kind
+   * @param kind the kind
    * @param listener hears of the data
-   * @param <T>      the record of the data
+   * @param <T> the record of the data
    * @return to be closed
    */
   public <T> Subscription subscribe(Kind.Data<T> kind, DataListener<T> listener) {
@@ -105,11 +105,12 @@ public final class PlayerDevice {
   }
 
   /**
-   * Commands the device. What waits for the network is replaced by newer commands of the same kind; nothing is kept for a later link.
+   * Commands the device. What waits for the network is replaced by newer commands of the same kind; nothing is kept for
+   * a later link.
    *
-   * @param kind  the kind of command
+   * @param kind the kind of command
    * @param value the command
-   * @param <T>   the command's record
+   * @param <T> the command's record
    * @return false if the device is not open
    */
   public <T> boolean command(Kind.Command<T> kind, T value) {
@@ -117,12 +118,12 @@ public final class PlayerDevice {
   }
 
   /**
-   * Commands the device whether or not it is open: servers hand on commands of clients that have not opened a device, and start no driver for it. For a stop,
-   * which must open nothing.
+   * Commands the device whether or not it is open: servers hand on commands of clients that have not opened a device,
+   * and start no driver for it. For a stop, which must open nothing.
    *
-   * @param kind  the kind of command
+   * @param kind the kind of command
    * @param value the command
-   * @param <T>   the command's record
+   * @param <T> the command's record
    * @return false if there is no link
    */
   public <T> boolean commandUnopened(Kind.Command<T> kind, T value) {
@@ -130,8 +131,8 @@ public final class PlayerDevice {
   }
 
   /**
-   * Closes the device and opens it again, where it is open, for a server that has stopped sending its data. A driver that nobody else has open restarts.
-   * Listeners hear of it only where it is refused.
+   * Closes the device and opens it again, where it is open, for a server that has stopped sending its data. A driver
+   * that nobody else has open restarts. Listeners hear of it only where it is refused.
    */
   public void reopen() {
     link.reopen();
@@ -141,7 +142,7 @@ public final class PlayerDevice {
    * Commands the device by a record.
    *
    * @param message the command
-   * @param value   its body; ignored if it has none
+   * @param value its body; ignored if it has none
    * @return false if the device is not open
    */
   public boolean command(MessageLayout message, PlayerRecord value) {
@@ -151,10 +152,10 @@ public final class PlayerDevice {
   /**
    * Asks the device.
    *
-   * @param kind     the kind of request
+   * @param kind the kind of request
    * @param question the question
-   * @param <Q>      the question's record
-   * @param <A>      the answer's record
+   * @param <Q> the question's record
+   * @param <A> the answer's record
    * @return the answer, or why there is none; never fails otherwise
    */
   public <Q, A> CompletableFuture<Outcome<A>> request(Kind.Request<Q, A> kind, Q question) {
@@ -162,24 +163,26 @@ public final class PlayerDevice {
     // some drivers return the question where nothing is to be answered
     boolean empty = layouts.message(kind).answer().isEmpty();
     return link.request(layouts.message(kind).subtype(), layouts.question(kind).encode(question), kind.message())
-        .thenApply(outcome -> decoded(outcome, message -> answers.decode(empty ? ByteBuffer.allocate(0) : message.payload())));
+        .thenApply(
+            outcome -> decoded(outcome, message -> answers.decode(empty ? ByteBuffer.allocate(0) : message.payload())));
   }
 
   /**
    * Asks the device by a record.
    *
-   * @param message  the request
+   * @param message the request
    * @param question its body; ignored if it has none
    * @return the answer, or why there is none; never fails otherwise
    */
   public CompletableFuture<Outcome<PlayerRecord>> request(MessageLayout message, PlayerRecord question) {
-    return link.request(message.subtype(), body(message, question), message.name()).thenApply(outcome -> decoded(outcome, layouts::decode));
+    return link.request(message.subtype(), body(message, question), message.name())
+        .thenApply(outcome -> decoded(outcome, layouts::decode));
   }
 
   /**
    * Asks the device by bytes, for messages that have no layout.
    *
-   * @param subtype  which request
+   * @param subtype which request
    * @param question its body
    * @return the answer as it came, or why there is none; never fails otherwise
    */

@@ -4,7 +4,10 @@ package org.robotui.player.client;
 @FunctionalInterface
 public interface Subscription extends AutoCloseable {
 
-  /** Ends it; the server is told when it was the last of this client for its device. A listener's call may still end after it. */
+  /**
+   * Ends it; the server is told when it was the last of this client for its device. A listener's call may still end
+   * after it.
+   */
   @Override
   void close();
 }

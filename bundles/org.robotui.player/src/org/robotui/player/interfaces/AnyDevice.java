@@ -7,7 +7,8 @@ import org.robotui.player.layout.Kind;
 public final class AnyDevice {
 
   /** Request: capability by {@link Capability}; the answer is empty. Does the device know this message? */
-  public static final Kind.Request<Capability, Empty> CAPABILITY = new Kind.Request<>("any", "capability", Capability.class, Empty.class);
+  public static final Kind.Request<Capability, Empty> CAPABILITY =
+      new Kind.Request<>("any", "capability", Capability.class, Empty.class);
 
   /** Request: get int property with {@link IntProperty}; answered by {@link IntProperty}. */
   public static final Kind.Request<IntProperty, IntProperty> GET_INT_PROPERTY =
@@ -41,46 +42,45 @@ public final class AnyDevice {
   public static final Kind.Request<BoolProperty, Empty> SET_BOOL_PROPERTY =
       new Kind.Request<>("any", "set_bool_property", BoolProperty.class, Empty.class);
 
-  private AnyDevice() {
-  }
+  private AnyDevice() {}
 
   /**
    * A message that a device may know.
    *
-   * @param type    the type of the message by its number on the wire
+   * @param type the type of the message by its number on the wire
    * @param subtype the message
    */
-  public record Capability(long type, long subtype) { }
+  public record Capability(long type, long subtype) {}
 
   /**
    * A setting of a device that is a whole number.
    *
-   * @param key   its name
+   * @param key its name
    * @param value its value; anything in questions
    */
-  public record IntProperty(String key, int value) { }
+  public record IntProperty(String key, int value) {}
 
   /**
    * A setting of a device that is a real number.
    *
-   * @param key   its name
+   * @param key its name
    * @param value its value; anything in questions
    */
-  public record DoubleProperty(String key, double value) { }
+  public record DoubleProperty(String key, double value) {}
 
   /**
    * A setting of a device that is a text.
    *
-   * @param key   its name
+   * @param key its name
    * @param value its value; empty in questions
    */
-  public record StringProperty(String key, String value) { }
+  public record StringProperty(String key, String value) {}
 
   /**
    * A setting of a device that is on or off.
    *
-   * @param key   its name
+   * @param key its name
    * @param value its value; anything in questions
    */
-  public record BoolProperty(String key, boolean value) { }
+  public record BoolProperty(String key, boolean value) {}
 }

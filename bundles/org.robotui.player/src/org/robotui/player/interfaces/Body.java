@@ -6,4 +6,4 @@ package org.robotui.player.interfaces;
  * @param pose on the robot
  * @param size of the device
  */
-public record Body(Pose3d pose, Size3d size) { }
+public record Body(Pose3d pose, Size3d size) {}

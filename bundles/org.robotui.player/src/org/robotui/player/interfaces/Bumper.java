@@ -14,31 +14,31 @@ public final class Bumper {
   public static final Kind.Data<Geometry> GEOMETRY = new Kind.Data<>("bumper", "geometry", Geometry.class);
 
   /** Request: get geometry; answered by {@link Geometry}. */
-  public static final Kind.Request<Empty, Geometry> GET_GEOMETRY = new Kind.Request<>("bumper", "get_geometry", Empty.class, Geometry.class);
+  public static final Kind.Request<Empty, Geometry> GET_GEOMETRY =
+      new Kind.Request<>("bumper", "get_geometry", Empty.class, Geometry.class);
 
-  private Bumper() {
-  }
+  private Bumper() {}
 
   /**
    * Which are pressed.
    *
    * @param pressed not 0 for a pressed one; some devices tell the corner
    */
-  public record State(byte[] pressed) { }
+  public record State(byte[] pressed) {}
 
   /**
    * Where they are.
    *
    * @param bumpers one for each bumper
    */
-  public record Geometry(List<Part> bumpers) { }
+  public record Geometry(List<Part> bumpers) {}
 
   /**
    * One bumper.
    *
-   * @param pose   of its middle, on the robot
+   * @param pose of its middle, on the robot
    * @param length along it, metres
    * @param radius of its bend, 0 for a straight one, metres
    */
-  public record Part(Pose3d pose, float length, float radius) { }
+  public record Part(Pose3d pose, float length, float radius) {}
 }

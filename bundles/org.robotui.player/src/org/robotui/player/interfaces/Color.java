@@ -4,8 +4,8 @@ package org.robotui.player.interfaces;
  * A colour, each part 0 to 255.
  *
  * @param alpha 255 is opaque
- * @param red   its red part
+ * @param red its red part
  * @param green its green part
- * @param blue  its blue part
+ * @param blue its blue part
  */
-public record Color(int alpha, int red, int green, int blue) { }
+public record Color(int alpha, int red, int green, int blue) {}

@@ -11,22 +11,21 @@ public final class Dio {
   /** Command: outputs. */
   public static final Kind.Command<Outputs> OUTPUTS = new Kind.Command<>("dio", "outputs", Outputs.class);
 
-  private Dio() {
-  }
+  private Dio() {}
 
   /**
    * What the inputs are at.
    *
    * @param count how many there are
-   * @param bits  the first is the lowest bit
+   * @param bits the first is the lowest bit
    */
-  public record Inputs(long count, long bits) { }
+  public record Inputs(long count, long bits) {}
 
   /**
    * What to put out.
    *
    * @param count how many are set
-   * @param bits  the first is the lowest bit
+   * @param bits the first is the lowest bit
    */
-  public record Outputs(long count, long bits) { }
+  public record Outputs(long count, long bits) {}
 }

@@ -10,7 +10,8 @@ public final class Gripper {
   public static final Kind.Data<State> STATE = new Kind.Data<>("gripper", "state", State.class);
 
   /** Request: get geometry; answered by {@link Geometry}. */
-  public static final Kind.Request<Empty, Geometry> GET_GEOMETRY = new Kind.Request<>("gripper", "get_geometry", Empty.class, Geometry.class);
+  public static final Kind.Request<Empty, Geometry> GET_GEOMETRY =
+      new Kind.Request<>("gripper", "get_geometry", Empty.class, Geometry.class);
 
   /** Command: open. */
   public static final Kind.Command<Empty> OPEN = new Kind.Command<>("gripper", "open", Empty.class);
@@ -27,26 +28,25 @@ public final class Gripper {
   /** Command: retrieve. */
   public static final Kind.Command<Empty> RETRIEVE = new Kind.Command<>("gripper", "retrieve", Empty.class);
 
-  private Gripper() {
-  }
+  private Gripper() {}
 
   /**
    * What the gripper does and holds.
    *
-   * @param state  1 open, 2 closed, 3 moving, 4 failed
-   * @param beams  a bit for each light beam that is broken
+   * @param state 1 open, 2 closed, 3 moving, 4 failed
+   * @param beams a bit for each light beam that is broken
    * @param stored how many things are in the store
    */
-  public record State(int state, long beams, int stored) { }
+  public record State(int state, long beams, int stored) {}
 
   /**
    * Where and how large it is.
    *
-   * @param pose     on the robot
-   * @param outer    of the whole
-   * @param inner    between the open fingers
-   * @param beams    how many light beams there are
+   * @param pose on the robot
+   * @param outer of the whole
+   * @param inner between the open fingers
+   * @param beams how many light beams there are
    * @param capacity how many things the store takes, 0 for no store
    */
-  public record Geometry(Pose3d pose, Size3d outer, Size3d inner, int beams, int capacity) { }
+  public record Geometry(Pose3d pose, Size3d outer, Size3d inner, int beams, int capacity) {}
 }

@@ -14,13 +14,12 @@ public final class Opaque {
   /** Request: ask with {@link Bytes}; answered by {@link Bytes}. */
   public static final Kind.Request<Bytes, Bytes> ASK = new Kind.Request<>("opaque", "ask", Bytes.class, Bytes.class);
 
-  private Opaque() {
-  }
+  private Opaque() {}
 
   /**
    * In the driver's own language.
    *
    * @param data the bytes
    */
-  public record Bytes(byte[] data) { }
+  public record Bytes(byte[] data) {}
 }

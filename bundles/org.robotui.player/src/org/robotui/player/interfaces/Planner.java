@@ -17,39 +17,41 @@ public final class Planner {
   public static final Kind.Command<Place> START = new Kind.Command<>("planner", "start", Place.class);
 
   /** Request: get waypoints; answered by {@link Waypoints}. */
-  public static final Kind.Request<Empty, Waypoints> GET_WAYPOINTS = new Kind.Request<>("planner", "get_waypoints", Empty.class, Waypoints.class);
+  public static final Kind.Request<Empty, Waypoints> GET_WAYPOINTS =
+      new Kind.Request<>("planner", "get_waypoints", Empty.class, Waypoints.class);
 
   /** Request: enable by {@link Switch}; the answer is empty. */
-  public static final Kind.Request<Switch, Empty> ENABLE = new Kind.Request<>("planner", "enable", Switch.class, Empty.class);
+  public static final Kind.Request<Switch, Empty> ENABLE =
+      new Kind.Request<>("planner", "enable", Switch.class, Empty.class);
 
-  private Planner() {
-  }
+  private Planner() {}
 
   /**
    * How far it is.
    *
-   * @param valid     whether there is a way
-   * @param done      whether the goal is reached
-   * @param position  where the robot is
-   * @param goal      where it goes
-   * @param waypoint  where it goes next
-   * @param index     the number of that waypoint, negative for none
+   * @param valid whether there is a way
+   * @param done whether the goal is reached
+   * @param position where the robot is
+   * @param goal where it goes
+   * @param waypoint where it goes next
+   * @param index the number of that waypoint, negative for none
    * @param waypoints how many there are
    */
-  public record State(boolean valid, boolean done, Pose2d position, Pose2d goal, Pose2d waypoint, int index, long waypoints) { }
+  public record State(boolean valid, boolean done, Pose2d position, Pose2d goal, Pose2d waypoint, int index,
+      long waypoints) {}
 
   /**
    * A goal or a start.
    *
    * @param pose on the map
    */
-  public record Place(Pose2d pose) { }
+  public record Place(Pose2d pose) {}
 
   /**
    * The whole way.
    *
-   * @param distance  along it, metres
+   * @param distance along it, metres
    * @param waypoints from the start to the goal
    */
-  public record Waypoints(double distance, List<Pose2d> waypoints) { }
+  public record Waypoints(double distance, List<Pose2d> waypoints) {}
 }

@@ -6,4 +6,4 @@ package org.robotui.player.interfaces;
  * @param x forward, metres
  * @param y to the left, metres
  */
-public record Point2d(double x, double y) { }
+public record Point2d(double x, double y) {}

@@ -7,4 +7,4 @@ package org.robotui.player.interfaces;
  * @param y to the left, metres
  * @param z up, metres
  */
-public record Point3d(double x, double y, double z) { }
+public record Point3d(double x, double y, double z) {}

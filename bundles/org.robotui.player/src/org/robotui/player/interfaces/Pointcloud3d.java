@@ -9,15 +9,14 @@ public final class Pointcloud3d {
   /** Data: state. */
   public static final Kind.Data<Cloud> STATE = new Kind.Data<>("pointcloud3d", "state", Cloud.class);
 
-  private Pointcloud3d() {
-  }
+  private Pointcloud3d() {}
 
   /**
    * What is seen.
    *
    * @param points in the device's order
    */
-  public record Cloud(List<Dot> points) { }
+  public record Cloud(List<Dot> points) {}
 
   /**
    * One point.
@@ -25,5 +24,5 @@ public final class Pointcloud3d {
    * @param point seen from the device
    * @param color its colour
    */
-  public record Dot(Point3d point, Color color) { }
+  public record Dot(Point3d point, Color color) {}
 }

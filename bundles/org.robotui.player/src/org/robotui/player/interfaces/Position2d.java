@@ -25,81 +25,89 @@ public final class Position2d {
   public static final Kind.Command<Heading> HEADING = new Kind.Command<>("position2d", "heading", Heading.class);
 
   /** Request: get geometry; answered by {@link Body}. */
-  public static final Kind.Request<Empty, Body> GET_GEOMETRY = new Kind.Request<>("position2d", "get_geometry", Empty.class, Body.class);
+  public static final Kind.Request<Empty, Body> GET_GEOMETRY =
+      new Kind.Request<>("position2d", "get_geometry", Empty.class, Body.class);
 
   /** Request: motor power by {@link Switch}; the answer is empty. */
-  public static final Kind.Request<Switch, Empty> MOTOR_POWER = new Kind.Request<>("position2d", "motor_power", Switch.class, Empty.class);
+  public static final Kind.Request<Switch, Empty> MOTOR_POWER =
+      new Kind.Request<>("position2d", "motor_power", Switch.class, Empty.class);
 
   /** Request: velocity mode by {@link Setting}; the answer is empty. */
-  public static final Kind.Request<Setting, Empty> VELOCITY_MODE = new Kind.Request<>("position2d", "velocity_mode", Setting.class, Empty.class);
+  public static final Kind.Request<Setting, Empty> VELOCITY_MODE =
+      new Kind.Request<>("position2d", "velocity_mode", Setting.class, Empty.class);
 
   /** Request: position mode by {@link Setting}; the answer is empty. 0 velocity, 1 position. */
-  public static final Kind.Request<Setting, Empty> POSITION_MODE = new Kind.Request<>("position2d", "position_mode", Setting.class, Empty.class);
+  public static final Kind.Request<Setting, Empty> POSITION_MODE =
+      new Kind.Request<>("position2d", "position_mode", Setting.class, Empty.class);
 
   /** Request: set odometry by {@link Odometry}; the answer is empty. */
-  public static final Kind.Request<Odometry, Empty> SET_ODOMETRY = new Kind.Request<>("position2d", "set_odometry", Odometry.class, Empty.class);
+  public static final Kind.Request<Odometry, Empty> SET_ODOMETRY =
+      new Kind.Request<>("position2d", "set_odometry", Odometry.class, Empty.class);
 
   /** Request: reset odometry; nothing is asked with it or answered. */
-  public static final Kind.Request<Empty, Empty> RESET_ODOMETRY = new Kind.Request<>("position2d", "reset_odometry", Empty.class, Empty.class);
+  public static final Kind.Request<Empty, Empty> RESET_ODOMETRY =
+      new Kind.Request<>("position2d", "reset_odometry", Empty.class, Empty.class);
 
   /** Request: velocity pid by {@link Gains}; the answer is empty. */
-  public static final Kind.Request<Gains, Empty> VELOCITY_PID = new Kind.Request<>("position2d", "velocity_pid", Gains.class, Empty.class);
+  public static final Kind.Request<Gains, Empty> VELOCITY_PID =
+      new Kind.Request<>("position2d", "velocity_pid", Gains.class, Empty.class);
 
   /** Request: position pid by {@link Gains}; the answer is empty. */
-  public static final Kind.Request<Gains, Empty> POSITION_PID = new Kind.Request<>("position2d", "position_pid", Gains.class, Empty.class);
+  public static final Kind.Request<Gains, Empty> POSITION_PID =
+      new Kind.Request<>("position2d", "position_pid", Gains.class, Empty.class);
 
   /** Request: speed profile by {@link Profile}; the answer is empty. */
-  public static final Kind.Request<Profile, Empty> SPEED_PROFILE = new Kind.Request<>("position2d", "speed_profile", Profile.class, Empty.class);
+  public static final Kind.Request<Profile, Empty> SPEED_PROFILE =
+      new Kind.Request<>("position2d", "speed_profile", Profile.class, Empty.class);
 
-  private Position2d() {
-  }
+  private Position2d() {}
 
   /**
    * What odometry says.
    *
    * @param position where the base is, by its odometry
    * @param velocity in its own frame, per second
-   * @param stall    whether the motors stall
+   * @param stall whether the motors stall
    */
-  public record State(Pose2d position, Pose2d velocity, boolean stall) { }
+  public record State(Pose2d position, Pose2d velocity, boolean stall) {}
 
   /**
    * Drive at a velocity.
    *
    * @param velocity in the base's frame, per second
-   * @param motors   whether the motors are on
+   * @param motors whether the motors are on
    */
-  public record Velocity(Pose2d velocity, boolean motors) { }
+  public record Velocity(Pose2d velocity, boolean motors) {}
 
   /**
    * Drive to a place.
    *
    * @param position where to, in odometry
    * @param velocity how fast, per second
-   * @param motors   whether the motors are on
+   * @param motors whether the motors are on
    */
-  public record Position(Pose2d position, Pose2d velocity, boolean motors) { }
+  public record Position(Pose2d position, Pose2d velocity, boolean motors) {}
 
   /**
    * Drive as a car does.
    *
    * @param velocity forward, metres per second
-   * @param angle    of the steering, radians
+   * @param angle of the steering, radians
    */
-  public record Car(double velocity, double angle) { }
+  public record Car(double velocity, double angle) {}
 
   /**
    * Drive in a direction.
    *
    * @param velocity forward, metres per second
-   * @param heading  the direction in odometry, radians
+   * @param heading the direction in odometry, radians
    */
-  public record Heading(double velocity, double heading) { }
+  public record Heading(double velocity, double heading) {}
 
   /**
    * What odometry shall say.
    *
    * @param pose where the base is from now on
    */
-  public record Odometry(Pose2d pose) { }
+  public record Odometry(Pose2d pose) {}
 }

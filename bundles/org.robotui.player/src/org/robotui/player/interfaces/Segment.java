@@ -8,4 +8,4 @@ package org.robotui.player.interfaces;
  * @param x1 where it ends, metres
  * @param y1 where it ends, metres
  */
-public record Segment(double x0, double y0, double x1, double y1) { }
+public record Segment(double x0, double y0, double x1, double y1) {}

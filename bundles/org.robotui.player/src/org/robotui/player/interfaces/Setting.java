@@ -5,4 +5,4 @@ package org.robotui.player.interfaces;
  *
  * @param value the number
  */
-public record Setting(long value) { }
+public record Setting(long value) {}

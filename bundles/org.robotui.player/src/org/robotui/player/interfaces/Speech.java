@@ -8,13 +8,12 @@ public final class Speech {
   /** Command: say. */
   public static final Kind.Command<Text> SAY = new Kind.Command<>("speech", "say", Text.class);
 
-  private Speech() {
-  }
+  private Speech() {}
 
   /**
    * What to say.
    *
    * @param text the words
    */
-  public record Text(String text) { }
+  public record Text(String text) {}
 }

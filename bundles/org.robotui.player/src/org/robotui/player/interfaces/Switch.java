@@ -5,4 +5,4 @@ package org.robotui.player.interfaces;
  *
  * @param on true for on
  */
-public record Switch(boolean on) { }
+public record Switch(boolean on) {}

@@ -29,7 +29,8 @@ public final class Codec<T> {
 
   static <T> Codec<T> of(String name, Optional<StructLayout> struct, Class<T> type) {
     if (struct.isEmpty() != (type == Empty.class)) {
-      throw new LayoutException(name + " is " + (struct.isEmpty() ? "" : "not ") + "empty, but its Java type is " + type.getName());
+      throw new LayoutException(
+          name + " is " + (struct.isEmpty() ? "" : "not ") + "empty, but its Java type is " + type.getName());
     }
     return new Codec<>(name, type, struct.map(layout -> new StructCodec(layout, RecordShape.of(layout, type))));
   }

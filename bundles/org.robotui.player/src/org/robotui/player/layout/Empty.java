@@ -1,5 +1,4 @@
 package org.robotui.player.layout;
 
 /** The body of a message that has none. */
-public record Empty() {
-}
+public record Empty() {}

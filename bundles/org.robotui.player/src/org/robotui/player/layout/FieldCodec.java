@@ -124,7 +124,8 @@ final class FieldCodec {
   private Object many(int count, XdrReader in) throws PlayerException {
     int each = bytes ? 1 : element.minBytes();
     if ((long) count * each > in.remaining()) {
-      throw new PlayerException(count + " elements of " + each + " bytes or more announced, but " + in.remaining() + " bytes follow");
+      throw new PlayerException(
+          count + " elements of " + each + " bytes or more announced, but " + in.remaining() + " bytes follow");
     }
     return bytes ? in.bytes(count) : element.readMany(count, in);
   }

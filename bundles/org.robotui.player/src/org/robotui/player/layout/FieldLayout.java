@@ -36,7 +36,8 @@ public final class FieldLayout {
     this(name, Optional.empty(), Optional.of(struct), arity, length, unit, comment);
   }
 
-  private FieldLayout(String name, Optional<Primitive> primitive, Optional<StructLayout> struct, Arity arity, int length, String unit,
+  private FieldLayout(String name, Optional<Primitive> primitive, Optional<StructLayout> struct, Arity arity,
+      int length, String unit,
       String comment) {
     this.name = name;
     this.primitive = primitive;
@@ -80,7 +81,8 @@ public final class FieldLayout {
    * @return such as {@code f64} or the name of a structure
    */
   public String type() {
-    return primitive.map(each -> each.name().toLowerCase(Locale.ROOT)).or(() -> struct.map(StructLayout::name)).orElseThrow();
+    return primitive.map(each -> each.name().toLowerCase(Locale.ROOT)).or(() -> struct.map(StructLayout::name))
+        .orElseThrow();
   }
 
   /**

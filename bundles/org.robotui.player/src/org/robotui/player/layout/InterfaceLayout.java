@@ -8,10 +8,10 @@ import org.robotui.player.wire.MessageType;
 /**
  * An interface: the messages that devices of one kind understand.
  *
- * @param code     its number
- * @param name     its name, such as {@code position2d}
+ * @param code its number
+ * @param name its name, such as {@code position2d}
  * @param messages its messages
- * @param structs  its structures by name, with those of all interfaces
+ * @param structs its structures by name, with those of all interfaces
  */
 public record InterfaceLayout(int code, String name, List<MessageLayout> messages, Map<String, StructLayout> structs) {
 
@@ -24,7 +24,7 @@ public record InterfaceLayout(int code, String name, List<MessageLayout> message
   /**
    * Finds a message by its number.
    *
-   * @param type    the type; for ACK and NACK the request is found
+   * @param type the type; for ACK and NACK the request is found
    * @param subtype the number
    * @return empty if there is no such message
    */

@@ -29,10 +29,10 @@ public sealed interface Kind {
   /**
    * Measurements.
    *
-   * @param on      the interface
+   * @param on the interface
    * @param message the message
-   * @param type    the record of its body
-   * @param <T>     the record
+   * @param type the record of its body
+   * @param <T> the record
    */
   record Data<T>(String on, String message, Class<T> type) implements Kind {
     @Override
@@ -44,10 +44,10 @@ public sealed interface Kind {
   /**
    * A command.
    *
-   * @param on      the interface
+   * @param on the interface
    * @param message the message
-   * @param type    the record of its body
-   * @param <T>     the record
+   * @param type the record of its body
+   * @param <T> the record
    */
   record Command<T>(String on, String message, Class<T> type) implements Kind {
     @Override
@@ -59,12 +59,12 @@ public sealed interface Kind {
   /**
    * A request and its answer.
    *
-   * @param on      the interface
+   * @param on the interface
    * @param message the message
-   * @param asked   the record of the question
-   * @param answer  the record of the answer
-   * @param <Q>     the question
-   * @param <A>     the answer
+   * @param asked the record of the question
+   * @param answer the record of the answer
+   * @param <Q> the question
+   * @param <A> the answer
    */
   record Request<Q, A>(String on, String message, Class<Q> asked, Class<A> answer) implements Kind {
     @Override

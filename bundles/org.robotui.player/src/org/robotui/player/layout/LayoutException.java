@@ -8,8 +8,8 @@ public final class LayoutException extends IllegalArgumentException {
   /**
    * Creates the error for one line.
    *
-   * @param file    the file's name
-   * @param line    the line's number, from 1
+   * @param file the file's name
+   * @param line the line's number, from 1
    * @param problem what is wrong
    */
   public LayoutException(String file, int line, String problem) {

@@ -15,17 +15,13 @@ import org.robotui.player.wire.MessageType;
 /**
  * Reads the description of one interface. Lines of a file:
  *
- * <pre>
- * interface 62 ranger
- * data    1 ranges        ranges             what it carries is the structure 'ranges'
- * request 5 get_config    - -> config        nothing asked, a structure answered
- * struct ranges           # a comment
- *   f64[]   ranges [m]    # type, name, unit, comment
+ * <pre> interface 62 ranger data 1 ranges ranges what it carries is the structure 'ranges' request 5 get_config - ->
+ * config nothing asked, a structure answered struct ranges # a comment f64[] ranges [m] # type, name, unit, comment
  * </pre>
  *
- * Types: u8 i8 u16 i16 u32 i32 i64 f32 f64 bool, string, label (a string that is left out when empty), a structure of this file or
- * of the common ones; {@code T[]} for a length in the message, {@code T[6]} for a fixed one. {@code count name} is where Player puts
- * the length of a later array.
+ * Types: u8 i8 u16 i16 u32 i32 i64 f32 f64 bool, string, label (a string that is left out when empty), a structure of
+ * this file or of the common ones; {@code T[]} for a length in the message, {@code T[6]} for a fixed one.
+ * {@code count name} is where Player puts the length of a later array.
  */
 final class LayoutParser {
 
@@ -36,9 +32,9 @@ final class LayoutParser {
   private static final Pattern FIELD = Pattern.compile("(\\w+)(\\[(\\d{0,5})])?\\s+(\\w+)(?:\\s+\\[(.+)])?");
   private static final Pattern COUNT = Pattern.compile("count\\s+(\\w+)");
 
-  private record Line(int number, String text, String comment) { }
+  private record Line(int number, String text, String comment) {}
 
-  private record Header(Line line, MessageType type, int subtype, String name, String ask, String answer) { }
+  private record Header(Line line, MessageType type, int subtype, String name, String ask, String answer) {}
 
   private final String file;
   private final Map<String, StructLayout> common;
@@ -90,7 +86,8 @@ final class LayoutParser {
       code = Integer.parseInt(kind.group(1));
       name = kind.group(2);
     } else if (struct.matches()) {
-      require(bodies.put(struct.group(1), body) == null, line, "the structure '" + struct.group(1) + "' is described twice");
+      require(bodies.put(struct.group(1), body) == null, line,
+          "the structure '" + struct.group(1) + "' is described twice");
       titles.put(struct.group(1), line);
     } else {
       headers.add(header(line));
@@ -100,7 +97,8 @@ final class LayoutParser {
   private Header header(Line line) {
     Matcher message = MESSAGE.matcher(line.text);
     if (!message.matches()) {
-      throw new LayoutException(file, line.number, "'" + line.text + "' is neither an interface, a message nor a structure");
+      throw new LayoutException(file, line.number,
+          "'" + line.text + "' is neither an interface, a message nor a structure");
     }
     MessageType type = switch (message.group(1)) {
       case "data" -> MessageType.DATA;
@@ -130,8 +128,9 @@ final class LayoutParser {
           .orElseThrow(() -> new LayoutException(file, user.number, "there is no type '" + type + "'"));
     }
     require(depth <= bodies.size(), user, "the structure '" + type + "' contains itself");
-    Set<String> counted = bodies.get(type).stream().map(line -> COUNT.matcher(line.text.strip())).filter(Matcher::matches)
-        .map(count -> count.group(1)).collect(Collectors.toSet());
+    Set<String> counted =
+        bodies.get(type).stream().map(line -> COUNT.matcher(line.text.strip())).filter(Matcher::matches)
+            .map(count -> count.group(1)).collect(Collectors.toSet());
     List<FieldLayout> fields = bodies.get(type).stream().map(line -> field(line, counted, depth)).toList();
     checkNames(fields, bodies.get(type));
     require(!fields.isEmpty(), user, "the structure '" + type + "' has no field");
@@ -175,7 +174,8 @@ final class LayoutParser {
     int length = arity == FieldLayout.Arity.FIXED ? Integer.parseInt(field.group(3)) : 0;
     return Primitive.of(field.group(1))
         .map(primitive -> new FieldLayout(field.group(4), primitive, arity, length, unit, line.comment))
-        .orElseGet(() -> new FieldLayout(field.group(4), struct(field.group(1), line, depth + 1), arity, length, unit, line.comment));
+        .orElseGet(() -> new FieldLayout(field.group(4), struct(field.group(1), line, depth + 1), arity, length, unit,
+            line.comment));
   }
 
   private static FieldLayout.Arity arity(Matcher field, Set<String> counted) {

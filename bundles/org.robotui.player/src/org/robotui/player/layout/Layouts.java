@@ -100,7 +100,8 @@ public final class Layouts {
    * @return such as {@code position2d:0}
    */
   public String nameOf(DeviceAddress device) {
-    return byCode(device.interfaceCode()).map(InterfaceLayout::name).orElse("interface" + device.interfaceCode()) + ":" + device.index();
+    return byCode(device.interfaceCode()).map(InterfaceLayout::name).orElse("interface" + device.interfaceCode()) + ":"
+        + device.index();
   }
 
   /**
@@ -115,8 +116,8 @@ public final class Layouts {
   }
 
   /**
-   * Reads a message's body as named values. The body of a message that is not known, or of a refusal that is like neither
-   * question nor answer, becomes one field {@code bytes}.
+   * Reads a message's body as named values. The body of a message that is not known, or of a refusal that is like
+   * neither question nor answer, becomes one field {@code bytes}.
    *
    * @param message the message
    * @return its body; a record without fields if it has none
@@ -150,14 +151,15 @@ public final class Layouts {
    */
   public MessageLayout message(Kind kind) {
     return byName(kind.on()).flatMap(known -> known.message(kind.wireType(), kind.message()))
-        .orElseThrow(() -> new LayoutException("there is no " + kind.wireType() + " '" + kind.message() + "' of '" + kind.on() + "'"));
+        .orElseThrow(() -> new LayoutException(
+            "there is no " + kind.wireType() + " '" + kind.message() + "' of '" + kind.on() + "'"));
   }
 
   /**
    * The codec of a measurement.
    *
    * @param kind which
-   * @param <T>  its record
+   * @param <T> its record
    * @return the codec
    * @throws LayoutException if message or record do not fit the layouts
    */
@@ -169,7 +171,7 @@ public final class Layouts {
    * The codec of a command.
    *
    * @param kind which
-   * @param <T>  its record
+   * @param <T> its record
    * @return the codec
    * @throws LayoutException if message or record do not fit the layouts
    */
@@ -181,7 +183,7 @@ public final class Layouts {
    * The codec of a request's question.
    *
    * @param kind which
-   * @param <Q>  the question's record
+   * @param <Q> the question's record
    * @return the codec
    * @throws LayoutException if message or record do not fit the layouts
    */
@@ -193,7 +195,7 @@ public final class Layouts {
    * The codec of a request's answer.
    *
    * @param kind which
-   * @param <A>  the answer's record
+   * @param <A> the answer's record
    * @return the codec
    * @throws LayoutException if message or record do not fit the layouts
    */

@@ -7,7 +7,10 @@ import java.util.stream.Stream;
 import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
 
-/** Finds out what a body can be. Drivers refuse with an empty body, or with the question or the answer they were asked for. */
+/**
+ * Finds out what a body can be. Drivers refuse with an empty body, or with the question or the answer they were asked
+ * for.
+ */
 final class MessageDecoder {
 
   static final StructLayout NOTHING = new StructLayout("empty", "no body", List.of());
@@ -27,14 +30,16 @@ final class MessageDecoder {
     }
     return switch (message.type()) {
       case ACK -> acknowledged(layout.get());
-      case NACK -> firstThatFits(Stream.of(Optional.<StructLayout>empty(), layout.get().payload(), layout.get().answer()).toList());
+      case NACK -> firstThatFits(
+          Stream.of(Optional.<StructLayout>empty(), layout.get().payload(), layout.get().answer()).toList());
       default -> as(layout.get().payload());
     };
   }
 
   /** Where nothing is answered some drivers return the question. */
   private PlayerRecord acknowledged(MessageLayout layout) throws PlayerException {
-    return layout.answer().isPresent() ? as(layout.answer()) : firstThatFits(List.of(Optional.empty(), layout.payload()));
+    return layout.answer().isPresent() ? as(layout.answer())
+        : firstThatFits(List.of(Optional.empty(), layout.payload()));
   }
 
   private PlayerRecord firstThatFits(List<Optional<StructLayout>> candidates) throws PlayerException {
@@ -65,7 +70,9 @@ final class MessageDecoder {
     }
     byte[] bytes = new byte[payload.remaining()];
     payload.get(bytes);
-    FieldLayout field = new FieldLayout("bytes", Primitive.U8, FieldLayout.Arity.FIXED, bytes.length, "", "as they came");
-    return new PlayerRecord(new StructLayout("unknown", "a message that is not known", List.of(field)), new Object[] {bytes});
+    FieldLayout field =
+        new FieldLayout("bytes", Primitive.U8, FieldLayout.Arity.FIXED, bytes.length, "", "as they came");
+    return new PlayerRecord(new StructLayout("unknown", "a message that is not known", List.of(field)),
+        new Object[]{bytes});
   }
 }

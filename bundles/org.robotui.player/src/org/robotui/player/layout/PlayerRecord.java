@@ -27,8 +27,8 @@ public final class PlayerRecord {
    * Makes a record from plain Java values, as a form or a script gives them.
    *
    * @param struct the structure
-   * @param values by field name: numbers, booleans, texts, {@code byte[]} or lists or arrays of numbers, maps for structures and lists
-   *               of maps; a field without a value becomes zero or empty
+   * @param values by field name: numbers, booleans, texts, {@code byte[]} or lists or arrays of numbers, maps for
+   * structures and lists of maps; a field without a value becomes zero or empty
    * @return the record
    * @throws IllegalArgumentException if a value does not fit its field, or there is no such field
    */
@@ -61,7 +61,8 @@ public final class PlayerRecord {
    * @return empty if there is no such field
    */
   public Optional<FieldValue> field(String name) {
-    return IntStream.range(0, values.length).filter(i -> struct.fields().get(i).name().equals(name)).mapToObj(i -> value(values[i]))
+    return IntStream.range(0, values.length).filter(i -> struct.fields().get(i).name().equals(name))
+        .mapToObj(i -> value(values[i]))
         .findFirst();
   }
 
@@ -83,7 +84,8 @@ public final class PlayerRecord {
     }
     String rest = step.group(3);
     return rest == null ? value
-        : value.filter(FieldValue.Nested.class::isInstance).flatMap(nested -> ((FieldValue.Nested) nested).value().at(rest));
+        : value.filter(FieldValue.Nested.class::isInstance)
+            .flatMap(nested -> ((FieldValue.Nested) nested).value().at(rest));
   }
 
   /**
@@ -104,8 +106,10 @@ public final class PlayerRecord {
   private static Optional<FieldValue> element(FieldValue array, int index) {
     return switch (array) {
       case FieldValue.Numbers n when index < n.values().length -> Optional.of(new FieldValue.Real(n.values()[index]));
-      case FieldValue.Bytes b when index < b.value().length -> Optional.of(new FieldValue.Whole(b.value()[index] & 0xff));
-      case FieldValue.Many m when index < m.values().size() -> Optional.of(new FieldValue.Nested(m.values().get(index)));
+      case FieldValue.Bytes b when index < b.value().length -> Optional
+          .of(new FieldValue.Whole(b.value()[index] & 0xff));
+      case FieldValue.Many m when index < m.values().size() -> Optional
+          .of(new FieldValue.Nested(m.values().get(index)));
       default -> Optional.empty();
     };
   }

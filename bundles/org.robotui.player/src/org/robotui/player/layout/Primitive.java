@@ -9,7 +9,10 @@ import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.XdrReader;
 import org.robotui.player.wire.XdrWriter;
 
-/** The built-in types of layouts; in Java values they are {@code int}, {@code long}, {@code float}, {@code double}, {@code boolean}. */
+/**
+ * The built-in types of layouts; in Java values they are {@code int}, {@code long}, {@code float}, {@code double},
+ * {@code boolean}.
+ */
 enum Primitive {
   U8(int.class) {
     @Override

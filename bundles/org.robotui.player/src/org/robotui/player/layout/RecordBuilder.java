@@ -10,15 +10,15 @@ final class RecordBuilder {
 
   private static final int BYTE = 0xff;
 
-  private RecordBuilder() {
-  }
+  private RecordBuilder() {}
 
   static PlayerRecord build(StructLayout struct, Map<String, ?> values) {
     values.keySet().stream().filter(name -> struct.field(name).isEmpty()).findFirst().ifPresent(name -> {
       throw new IllegalArgumentException(struct.name() + " has no field '" + name + "', but " + struct.fields());
     });
     return new PlayerRecord(struct, struct.fields().stream()
-        .map(field -> values.containsKey(field.name()) ? given(field, values.get(field.name())) : zero(field)).toArray());
+        .map(field -> values.containsKey(field.name()) ? given(field, values.get(field.name())) : zero(field))
+        .toArray());
   }
 
   private static Object given(FieldLayout field, Object value) {
@@ -32,7 +32,8 @@ final class RecordBuilder {
   private static Object zero(FieldLayout field) {
     if (field.struct().isPresent()) {
       StructLayout struct = field.struct().get();
-      return field.isArray() ? IntStream.range(0, field.length()).mapToObj(i -> build(struct, Map.of())).toList() : build(struct, Map.of());
+      return field.isArray() ? IntStream.range(0, field.length()).mapToObj(i -> build(struct, Map.of())).toList()
+          : build(struct, Map.of());
     }
     Primitive primitive = field.primitive().orElseThrow();
     return field.isArray() ? primitive.zeros(field.length()) : primitive.zero();
@@ -47,7 +48,8 @@ final class RecordBuilder {
 
   private static Object array(FieldLayout field, Object value) {
     int length = FieldCodec.length(value);
-    List<Object> elements = IntStream.range(0, length).mapToObj(i -> value instanceof List<?> list ? (Object) list.get(i) : Array.get(value, i))
+    List<Object> elements = IntStream.range(0, length)
+        .mapToObj(i -> value instanceof List<?> list ? (Object) list.get(i) : Array.get(value, i))
         .toList();
     if (field.struct().isPresent()) {
       return elements.stream().map(each -> one(field, each)).toList();
@@ -55,7 +57,8 @@ final class RecordBuilder {
     Primitive primitive = field.primitive().orElseThrow();
     Object array = primitive.zeros(length);
     for (int i = 0; i < length; i++) {
-      Array.set(array, i, primitive.isByte() ? (byte) (((Number) elements.get(i)).intValue() & BYTE) : primitive.of(elements.get(i)));
+      Array.set(array, i,
+          primitive.isByte() ? (byte) (((Number) elements.get(i)).intValue() & BYTE) : primitive.of(elements.get(i)));
     }
     return array;
   }

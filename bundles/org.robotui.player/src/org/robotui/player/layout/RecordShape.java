@@ -9,7 +9,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** Structures as public Java records with components of the same names in the same order: {@code min_angle} is {@code minAngle}. */
+/**
+ * Structures as public Java records with components of the same names in the same order: {@code min_angle} is
+ * {@code minAngle}.
+ */
 final class RecordShape implements Shape {
 
   private static final Pattern JOINT = Pattern.compile("_(\\w)");

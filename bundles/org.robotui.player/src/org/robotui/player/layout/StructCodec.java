@@ -16,7 +16,8 @@ final class StructCodec {
   StructCodec(StructLayout struct, Shape shape) {
     this.struct = struct;
     this.shape = shape;
-    this.fields = IntStream.range(0, struct.fields().size()).mapToObj(i -> FieldCodec.of(struct.fields().get(i), i, shape)).toList();
+    this.fields = IntStream.range(0, struct.fields().size())
+        .mapToObj(i -> FieldCodec.of(struct.fields().get(i), i, shape)).toList();
   }
 
   int minBytes() {
@@ -55,7 +56,8 @@ final class StructCodec {
   }
 
   private int indexOf(String name) {
-    return IntStream.range(0, struct.fields().size()).filter(i -> struct.fields().get(i).name().equals(name)).findFirst()
+    return IntStream.range(0, struct.fields().size()).filter(i -> struct.fields().get(i).name().equals(name))
+        .findFirst()
         .orElseThrow(() -> new IllegalStateException(struct.name() + " counts '" + name + "', which it does not have"));
   }
 }

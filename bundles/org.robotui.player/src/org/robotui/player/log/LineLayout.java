@@ -37,7 +37,8 @@ record LineLayout(List<LinePart> parts, boolean space) {
       parts.add(new LinePart.Length(path.substring(0, path.length() - 1), NumberFormat.of(format)));
     } else if (brackets >= 0) {
       String rest = path.substring(brackets + 2);
-      each.add(new LinePart.Element(path.substring(0, brackets), rest.startsWith(".") ? rest.substring(1) : rest, NumberFormat.of(format)));
+      each.add(new LinePart.Element(path.substring(0, brackets), rest.startsWith(".") ? rest.substring(1) : rest,
+          NumberFormat.of(format)));
     } else {
       parts.add(new LinePart.Scalar(path, NumberFormat.of(format)));
     }

@@ -6,17 +6,17 @@ import java.util.List;
 sealed interface LinePart {
 
   /** One number. */
-  record Scalar(String path, NumberFormat format) implements LinePart { }
+  record Scalar(String path, NumberFormat format) implements LinePart {}
 
   /** The length of an array. */
-  record Length(String array, NumberFormat format) implements LinePart { }
+  record Length(String array, NumberFormat format) implements LinePart {}
 
   /** A number of an element of an array; the path is empty if the elements are numbers. */
-  record Element(String array, String path, NumberFormat format) implements LinePart { }
+  record Element(String array, String path, NumberFormat format) implements LinePart {}
 
   /** What follows for each element of the array whose length stands before. */
-  record Each(List<Element> parts) implements LinePart { }
+  record Each(List<Element> parts) implements LinePart {}
 
   /** Bytes in hexadecimal digits. */
-  record Hex(String path) implements LinePart { }
+  record Hex(String path) implements LinePart {}
 }

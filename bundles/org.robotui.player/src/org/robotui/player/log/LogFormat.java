@@ -28,7 +28,7 @@ public final class LogFormat {
   private static final int HEAD = 7;
   private static final int TYPE = 5;
 
-  private record Key(String on, MessageType type, int subtype) { }
+  private record Key(String on, MessageType type, int subtype) {}
 
   private final Layouts layouts;
   private final Map<Key, LineLayout> lines = new HashMap<>();
@@ -41,7 +41,8 @@ public final class LogFormat {
   public LogFormat(Layouts layouts) {
     this.layouts = layouts;
     text().lines().map(LINE::matcher).filter(Matcher::matches).forEach(line -> lines.put(
-        new Key(line.group(1), MessageType.valueOf(line.group(2).toUpperCase(Locale.ROOT)), Integer.parseInt(line.group(3))),
+        new Key(line.group(1), MessageType.valueOf(line.group(2).toUpperCase(Locale.ROOT)),
+            Integer.parseInt(line.group(3))),
         LineLayout.parse(line.group(4))));
   }
 
@@ -68,9 +69,11 @@ public final class LogFormat {
       return Optional.empty();
     }
     PlayerRecord record = layouts.decode(message);
-    return Optional.of(String.format(Locale.ROOT, "%s %d %d %s %02d %03d %03d %s", NumberFormat.of("%014.3f").write(message.stamp()),
-        Integer.toUnsignedLong(device.host()), Integer.toUnsignedLong(device.robot()), on, device.index(), message.type().code(),
-        message.subtype(), LineWriter.write(line, record)));
+    return Optional.of(
+        String.format(Locale.ROOT, "%s %d %d %s %02d %03d %03d %s", NumberFormat.of("%014.3f").write(message.stamp()),
+            Integer.toUnsignedLong(device.host()), Integer.toUnsignedLong(device.robot()), on, device.index(),
+            message.type().code(),
+            message.subtype(), LineWriter.write(line, record)));
   }
 
   /**
@@ -93,9 +96,11 @@ public final class LogFormat {
   }
 
   private Optional<PlayerMessage> message(String[] words) throws PlayerException {
-    InterfaceLayout known = layouts.byName(words[3]).orElseThrow(() -> new PlayerException("there is no interface '" + words[3] + "'"));
-    DeviceAddress device = new DeviceAddress(Integer.parseUnsignedInt(words[1]), Integer.parseUnsignedInt(words[2]), known.code(),
-        Integer.parseInt(words[4]));
+    InterfaceLayout known =
+        layouts.byName(words[3]).orElseThrow(() -> new PlayerException("there is no interface '" + words[3] + "'"));
+    DeviceAddress device =
+        new DeviceAddress(Integer.parseUnsignedInt(words[1]), Integer.parseUnsignedInt(words[2]), known.code(),
+            Integer.parseInt(words[4]));
     MessageType type = MessageType.of(Integer.parseInt(words[TYPE]))
         .orElseThrow(() -> new PlayerException("there is no message type " + words[TYPE]));
     int subtype = Integer.parseInt(words[HEAD - 1]);
@@ -106,6 +111,7 @@ public final class LogFormat {
       return Optional.empty();
     }
     PlayerRecord record = LineReader.read(line, struct.get(), words, HEAD);
-    return Optional.of(PlayerMessage.of(device, type, subtype, layouts.encode(record)).withStamp(NumberFormat.read(words[0])));
+    return Optional
+        .of(PlayerMessage.of(device, type, subtype, layouts.encode(record)).withStamp(NumberFormat.read(words[0])));
   }
 }

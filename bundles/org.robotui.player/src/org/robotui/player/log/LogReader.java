@@ -22,7 +22,7 @@ public final class LogReader implements Closeable {
   /**
    * Creates a reader.
    *
-   * @param in     the file, buffered
+   * @param in the file, buffered
    * @param format knows the lines
    */
   public LogReader(Reader in, LogFormat format) {
@@ -34,7 +34,7 @@ public final class LogReader implements Closeable {
    * Reads the next message whose kind is known.
    *
    * @return empty at the end of the file
-   * @throws IOException     if the file cannot be read
+   * @throws IOException if the file cannot be read
    * @throws PlayerException if a line is none of a log file; names the line's number. The next call goes on behind it
    */
   public Optional<PlayerMessage> next() throws IOException, PlayerException {

@@ -27,8 +27,8 @@ public final class LogWriter implements Closeable {
   /**
    * Begins a file.
    *
-   * @param out     the file, buffered
-   * @param format  knows the lines
+   * @param out the file, buffered
+   * @param format knows the lines
    * @param version of the server, as it greets
    * @throws IOException if the file cannot be written
    */
@@ -43,7 +43,7 @@ public final class LogWriter implements Closeable {
    *
    * @param message the message
    * @return false if log files have no line for such messages
-   * @throws IOException     if the file cannot be written
+   * @throws IOException if the file cannot be written
    * @throws PlayerException if the message's body is not valid
    */
   public boolean write(PlayerMessage message) throws IOException, PlayerException {

@@ -16,7 +16,8 @@ record NumberFormat(boolean plus, boolean zeros, int width, int decimals, boolea
     if (!parts.matches()) {
       throw new IllegalArgumentException("'" + format + "' is no format of a number");
     }
-    return new NumberFormat(!parts.group(1).isEmpty(), !parts.group(2).isEmpty(), parts.group(3).isEmpty() ? 0 : Integer.parseInt(parts.group(3)),
+    return new NumberFormat(!parts.group(1).isEmpty(), !parts.group(2).isEmpty(),
+        parts.group(3).isEmpty() ? 0 : Integer.parseInt(parts.group(3)),
         parts.group(4) == null ? USUAL : Integer.parseInt(parts.group(4)), parts.group(5).equals("d"));
   }
 

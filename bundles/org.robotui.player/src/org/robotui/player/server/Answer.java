@@ -10,17 +10,17 @@ public sealed interface Answer {
    *
    * @param payload the answer's body
    */
-  record Ack(ByteBuffer payload) implements Answer { }
+  record Ack(ByteBuffer payload) implements Answer {}
 
   /**
    * It is refused.
    *
    * @param payload the body; most drivers send none
    */
-  record Nack(ByteBuffer payload) implements Answer { }
+  record Nack(ByteBuffer payload) implements Answer {}
 
   /** Nothing is said, as some drivers do; the client waits in vain. */
-  record Silence() implements Answer { }
+  record Silence() implements Answer {}
 
   /**
    * A refusal without a body.

@@ -2,7 +2,10 @@ package org.robotui.player.server;
 
 import org.robotui.player.wire.PlayerMessage;
 
-/** What a device does. Calls come from the threads of the clients, also several at once; a slow one holds up its own client only. */
+/**
+ * What a device does. Calls come from the threads of the clients, also several at once; a slow one holds up its own
+ * client only.
+ */
 public interface DeviceHandler {
 
   /**
@@ -25,6 +28,5 @@ public interface DeviceHandler {
    *
    * @param clients how many have it open now
    */
-  default void onClients(int clients) {
-  }
+  default void onClients(int clients) {}
 }

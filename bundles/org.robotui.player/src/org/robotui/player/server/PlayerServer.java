@@ -7,7 +7,10 @@ import org.robotui.player.layout.InterfaceLayout;
 import org.robotui.player.layout.Layouts;
 import org.robotui.player.wire.DeviceId;
 
-/** A Player server. Devices may be added at any time, but clients ask for the list only when they come. Any thread may use it. */
+/**
+ * A Player server. Devices may be added at any time, but clients ask for the list only when they come. Any thread may
+ * use it.
+ */
 public final class PlayerServer implements AutoCloseable {
 
   private final Layouts layouts;
@@ -31,9 +34,9 @@ public final class PlayerServer implements AutoCloseable {
    * Adds a device.
    *
    * @param interfaceName such as {@code position2d}
-   * @param index         its number among those of its interface
-   * @param driver        what clients see as the driver's name
-   * @param handler       what it does
+   * @param index its number among those of its interface
+   * @param driver what clients see as the driver's name
+   * @param handler what it does
    * @return the device
    * @throws IllegalArgumentException if there is no such interface, or the device is there already
    */

@@ -33,10 +33,10 @@ public final class ServedDevice {
   /**
    * Sends data to all clients that have the device open.
    *
-   * @param kind  the kind
+   * @param kind the kind
    * @param value the data
    * @param stamp when they were measured, seconds
-   * @param <T>   their record
+   * @param <T> their record
    */
   public <T> void publish(Kind.Data<T> kind, T value, double stamp) {
     if (clients() > 0) {
@@ -48,8 +48,8 @@ public final class ServedDevice {
    * Sends data to all clients that have the device open.
    *
    * @param message which data
-   * @param value   the data
-   * @param stamp   when they were measured, seconds
+   * @param value the data
+   * @param stamp when they were measured, seconds
    */
   public void publish(MessageLayout message, PlayerRecord value, double stamp) {
     publish(message.subtype(), layouts.encode(value), stamp);
@@ -60,7 +60,7 @@ public final class ServedDevice {
    *
    * @param subtype which data
    * @param payload their body
-   * @param stamp   when they were measured, seconds
+   * @param stamp when they were measured, seconds
    */
   public void publish(int subtype, ByteBuffer payload, double stamp) {
     registry.publish(id, subtype, payload, stamp);

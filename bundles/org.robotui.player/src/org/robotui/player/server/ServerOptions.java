@@ -10,17 +10,18 @@ import java.util.function.DoubleSupplier;
 /**
  * What a server is given by its owner.
  *
- * @param threads     makes a thread that accepts, and two for each client
- * @param bind        where it listens
- * @param port        the port, by custom 6665; 0 for a free one
- * @param version     what it greets with
- * @param key         what clients must say before anything else; none if empty
- * @param clock       the stamp of answers, seconds
- * @param maxClients  more are closed at once
- * @param maxQueued   how many data may wait for one client; older ones are dropped, and the client is told
+ * @param threads makes a thread that accepts, and two for each client
+ * @param bind where it listens
+ * @param port the port, by custom 6665; 0 for a free one
+ * @param version what it greets with
+ * @param key what clients must say before anything else; none if empty
+ * @param clock the stamp of answers, seconds
+ * @param maxClients more are closed at once
+ * @param maxQueued how many data may wait for one client; older ones are dropped, and the client is told
  * @param messageTime for the rest of a message that has begun
  */
-public record ServerOptions(ThreadFactory threads, InetAddress bind, int port, String version, Optional<byte[]> key, DoubleSupplier clock,
+public record ServerOptions(ThreadFactory threads, InetAddress bind, int port, String version, Optional<byte[]> key,
+    DoubleSupplier clock,
     int maxClients, int maxQueued, Duration messageTime) {
 
   /** Checks the bounds. */
@@ -36,12 +37,13 @@ public record ServerOptions(ThreadFactory threads, InetAddress bind, int port, S
    * On loopback, without a key, 64 clients, 1024 messages for each, 5 s for a message.
    *
    * @param threads makes the threads
-   * @param port    the port
-   * @param clock   the stamp of answers, seconds
+   * @param port the port
+   * @param clock the stamp of answers, seconds
    * @return the default
    */
   public static ServerOptions loopback(ThreadFactory threads, int port, DoubleSupplier clock) {
-    return new ServerOptions(threads, InetAddress.getLoopbackAddress(), port, "3.1.0-robotui", Optional.empty(), clock, 64, 1024,
+    return new ServerOptions(threads, InetAddress.getLoopbackAddress(), port, "3.1.0-robotui", Optional.empty(), clock,
+        64, 1024,
         Duration.ofSeconds(5));
   }
 
@@ -52,14 +54,15 @@ public record ServerOptions(ThreadFactory threads, InetAddress bind, int port, S
    * @return the changed options
    */
   public ServerOptions withKey(byte[] bytes) {
-    return new ServerOptions(threads, bind, port, version, Optional.of(bytes.clone()), clock, maxClients, maxQueued, messageTime);
+    return new ServerOptions(threads, bind, port, version, Optional.of(bytes.clone()), clock, maxClients, maxQueued,
+        messageTime);
   }
 
   /**
    * The same options with other bounds.
    *
    * @param clients how many at most
-   * @param queued  how many data may wait for one
+   * @param queued how many data may wait for one
    * @param message for the rest of a message
    * @return the changed options
    */

@@ -40,9 +40,9 @@ public final class TypedHandler implements DeviceHandler {
   /**
    * Adds a command.
    *
-   * @param kind   the kind
+   * @param kind the kind
    * @param action takes its body
-   * @param <T>    the body
+   * @param <T> the body
    * @return this
    */
   public <T> TypedHandler on(Kind.Command<T> kind, Consumer<T> action) {
@@ -57,10 +57,10 @@ public final class TypedHandler implements DeviceHandler {
   /**
    * Adds a request.
    *
-   * @param kind   the kind
+   * @param kind the kind
    * @param action answers the question; empty to refuse
-   * @param <Q>    the question
-   * @param <A>    the answer
+   * @param <Q> the question
+   * @param <A> the answer
    * @return this
    */
   public <Q, A> TypedHandler on(Kind.Request<Q, A> kind, Function<Q, Optional<A>> action) {

@@ -3,10 +3,10 @@ package org.robotui.player.wire;
 /**
  * Which device a message is from or for.
  *
- * @param host          the server's IPv4 address as the server itself writes it: its first byte is the lowest
- * @param robot         the robot, which is the server's TCP port
+ * @param host the server's IPv4 address as the server itself writes it: its first byte is the lowest
+ * @param robot the robot, which is the server's TCP port
  * @param interfaceCode the code of the device's interface, 0 to 65535
- * @param index         the device's number among those of its interface, 0 to 65535
+ * @param index the device's number among those of its interface, 0 to 65535
  */
 public record DeviceAddress(int host, int robot, int interfaceCode, int index) {
 

@@ -4,7 +4,7 @@ package org.robotui.player.wire;
  * Which device of a server.
  *
  * @param interfaceCode the code of its interface
- * @param index         its number among those of its interface
+ * @param index its number among those of its interface
  */
 public record DeviceId(int interfaceCode, int index) {
 
@@ -14,7 +14,7 @@ public record DeviceId(int interfaceCode, int index) {
   /**
    * The address of the device at a server.
    *
-   * @param host  the server's address, first byte lowest
+   * @param host the server's address, first byte lowest
    * @param robot the server's port
    * @return the address
    */

@@ -15,15 +15,14 @@ public final class Framing {
   private static final String GREETING = "Player v.";
   private static final int AT_ONCE = 1 << 18;
 
-  private Framing() {
-  }
+  private Framing() {}
 
   /**
    * Reads the greeting that a server sends first.
    *
    * @param in the stream
    * @return the server's version, such as {@code 3.1.1-dev}
-   * @throws IOException     if the stream fails or ends
+   * @throws IOException if the stream fails or ends
    * @throws PlayerException if it is another greeting
    */
   public static String readBanner(InputStream in) throws IOException, PlayerException {
@@ -56,8 +55,8 @@ public final class Framing {
    *
    * @param in the stream
    * @return the message
-   * @throws EOFException    if the stream ends, also between two messages
-   * @throws IOException     if the stream fails
+   * @throws EOFException if the stream ends, also between two messages
+   * @throws IOException if the stream fails
    * @throws PlayerException if the header is none; the stream is of no use after that
    */
   public static PlayerMessage read(InputStream in) throws IOException, PlayerException {
@@ -66,7 +65,8 @@ public final class Framing {
       int host = xdr.i32();
       DeviceAddress device = new DeviceAddress(host, xdr.i32(), xdr.within(0, 0xffff), xdr.within(0, 0xffff));
       int code = xdr.i32();
-      MessageType type = MessageType.of(code).orElseThrow(() -> new PlayerException("there is no message type " + code));
+      MessageType type =
+          MessageType.of(code).orElseThrow(() -> new PlayerException("there is no message type " + code));
       int subtype = xdr.within(0, 0xff);
       double stamp = xdr.f64();
       long sequence = xdr.u32();
@@ -78,7 +78,8 @@ public final class Framing {
 
   private static byte[] body(long size, DeviceAddress device, InputStream in) throws IOException, PlayerException {
     if (size > PlayerMessage.MAX_BYTES - PlayerMessage.HEADER_BYTES) {
-      throw new PlayerException("a message of " + size + " bytes from device " + device + " is longer than Player's messages can be");
+      throw new PlayerException(
+          "a message of " + size + " bytes from device " + device + " is longer than Player's messages can be");
     }
     return exactly(in, (int) size, () -> "a message of device " + device);
   }

@@ -6,14 +6,15 @@ import java.util.Objects;
 /**
  * One message as it is on the wire.
  *
- * @param device   which device it is from or for
- * @param type     what it is for
- * @param subtype  which of the interface's messages of that type, 0 to 255
- * @param stamp    when it was measured, seconds by the server's clock; clients send 0
+ * @param device which device it is from or for
+ * @param type what it is for
+ * @param subtype which of the interface's messages of that type, 0 to 255
+ * @param stamp when it was measured, seconds by the server's clock; clients send 0
  * @param sequence the number of a request, repeated by the server's own answers; drivers and data have 0
- * @param payload  the body in XDR, read only, position 0
+ * @param payload the body in XDR, read only, position 0
  */
-public record PlayerMessage(DeviceAddress device, MessageType type, int subtype, double stamp, long sequence, ByteBuffer payload) {
+public record PlayerMessage(DeviceAddress device, MessageType type, int subtype, double stamp, long sequence,
+    ByteBuffer payload) {
 
   /** The most bytes of a message with its header. */
   public static final int MAX_BYTES = 8 * 1024 * 1024;
@@ -36,8 +37,8 @@ public record PlayerMessage(DeviceAddress device, MessageType type, int subtype,
   /**
    * A message without a body.
    *
-   * @param device  which device it is for
-   * @param type    what it is for
+   * @param device which device it is for
+   * @param type what it is for
    * @param subtype which message
    * @return the message, with stamp and sequence 0
    */
@@ -48,8 +49,8 @@ public record PlayerMessage(DeviceAddress device, MessageType type, int subtype,
   /**
    * A message with a body.
    *
-   * @param device  which device it is for
-   * @param type    what it is for
+   * @param device which device it is for
+   * @param type what it is for
    * @param subtype which message
    * @param payload the body
    * @return the message, with stamp and sequence 0

@@ -3,7 +3,10 @@ package org.robotui.player.wire;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** Reads XDR as Player writes it: big endian, everything padded to four bytes, lengths before arrays. Every length is checked first. */
+/**
+ * Reads XDR as Player writes it: big endian, everything padded to four bytes, lengths before arrays. Every length is
+ * checked first.
+ */
 public final class XdrReader {
 
   private final ByteBuffer in;
@@ -62,14 +65,15 @@ public final class XdrReader {
    * A small number, which takes four bytes as well.
    *
    * @param least the smallest it can be
-   * @param most  the largest it can be
+   * @param most the largest it can be
    * @return the number
    * @throws PlayerException if the bytes end before it or it is another one
    */
   public int within(int least, int most) throws PlayerException {
     int value = i32();
     if (value < least || value > most) {
-      throw new PlayerException(value + " is outside " + least + " to " + most + " at byte " + (in.position() - Integer.BYTES));
+      throw new PlayerException(
+          value + " is outside " + least + " to " + most + " at byte " + (in.position() - Integer.BYTES));
     }
     return value;
   }
@@ -147,8 +151,9 @@ public final class XdrReader {
     int at = in.position();
     long count = u32();
     if (count * elementBytes > in.remaining()) {
-      throw new PlayerException(count + " elements of " + elementBytes + " bytes or more announced at byte " + at + ", but "
-          + in.remaining() + " bytes follow");
+      throw new PlayerException(
+          count + " elements of " + elementBytes + " bytes or more announced at byte " + at + ", but "
+              + in.remaining() + " bytes follow");
     }
     return (int) count;
   }
@@ -205,8 +210,9 @@ public final class XdrReader {
 
   private void need(int bytes) throws PlayerException {
     if (bytes < 0 || bytes > in.remaining()) {
-      throw new PlayerException("the message ends at byte " + in.limit() + ", where " + bytes + " bytes were expected from byte "
-          + in.position());
+      throw new PlayerException(
+          "the message ends at byte " + in.limit() + ", where " + bytes + " bytes were expected from byte "
+              + in.position());
     }
   }
 }

@@ -59,7 +59,8 @@ class LayoutsTest {
   }
 
   private <T> void roundTrip(Codec<T> codec, Optional<StructLayout> struct) throws PlayerException {
-    ByteBuffer zeros = struct.map(layout -> layouts.encode(PlayerRecord.of(layout, Map.of()))).orElse(ByteBuffer.allocate(0));
+    ByteBuffer zeros =
+        struct.map(layout -> layouts.encode(PlayerRecord.of(layout, Map.of()))).orElse(ByteBuffer.allocate(0));
     assertEquals(zeros, codec.encode(codec.decode(zeros)));
   }
 
@@ -68,7 +69,8 @@ class LayoutsTest {
     for (InterfaceLayout layout : layouts.all()) {
       for (StructLayout struct : layout.structs().values()) {
         assertTrue(!struct.comment().isEmpty(), struct + " of " + layout.name());
-        struct.fields().forEach(field -> assertTrue(!field.comment().isEmpty(), field + " of " + layout.name() + " " + struct.name()));
+        struct.fields().forEach(
+            field -> assertTrue(!field.comment().isEmpty(), field + " of " + layout.name() + " " + struct.name()));
       }
     }
   }
@@ -76,9 +78,10 @@ class LayoutsTest {
   @Test
   void aPluginsInterfaceIsAddedByItsText() throws PlayerException {
     Layouts more = layouts.with("tank.layout", TEXT);
-    StructLayout level = more.byName("tank").orElseThrow().message(MessageType.DATA, 1).orElseThrow().payload().orElseThrow();
+    StructLayout level =
+        more.byName("tank").orElseThrow().message(MessageType.DATA, 1).orElseThrow().payload().orElseThrow();
     PlayerRecord record = PlayerRecord.of(level, Map.of("height", 1.5, "name", "ä",
-        "probes", List.of(Map.of("wet", 1, "place", Map.of("x", 2)), Map.of()), "ends", new double[] {3, 4}));
+        "probes", List.of(Map.of("wet", 1, "place", Map.of("x", 2)), Map.of()), "ends", new double[]{3, 4}));
 
     PlayerRecord back = more.decode(PlayerMessage.of(PLUGIN, MessageType.DATA, 1, more.encode(record)));
 
@@ -95,7 +98,8 @@ class LayoutsTest {
 
   @Test
   void whatIsNotKnownIsShownAsBytes() throws PlayerException {
-    PlayerRecord record = layouts.decode(PlayerMessage.of(PLUGIN, MessageType.DATA, 1, ByteBuffer.wrap(new byte[] {1, 2, 3})));
+    PlayerRecord record =
+        layouts.decode(PlayerMessage.of(PLUGIN, MessageType.DATA, 1, ByteBuffer.wrap(new byte[]{1, 2, 3})));
 
     assertEquals(OptionalDouble.of(3), record.number("bytes[2]"));
     assertEquals("interface150:2", layouts.nameOf(PLUGIN));
@@ -106,7 +110,8 @@ class LayoutsTest {
     DeviceAddress base = new DeviceAddress(0, 6665, 4, 0);
     PlayerException cut = assertThrows(PlayerException.class,
         () -> layouts.decode(PlayerMessage.of(base, MessageType.DATA, 1, ByteBuffer.allocate(20))));
-    assertTrue(cut.getMessage().startsWith("position2d:0 data 1: state: position: yaw: the message ends at byte 20"), cut.getMessage());
+    assertTrue(cut.getMessage().startsWith("position2d:0 data 1: state: position: yaw: the message ends at byte 20"),
+        cut.getMessage());
 
     PlayerException longer = assertThrows(PlayerException.class,
         () -> layouts.decode(PlayerMessage.of(base, MessageType.DATA, 1, ByteBuffer.allocate(56))));
@@ -125,17 +130,17 @@ class LayoutsTest {
 
   @ParameterizedTest
   @CsvSource(delimiter = '|', value = {
-    "data 1 x y                                     | line 1: there is no type 'y'",
-    "interface 7                                    | line 1: 'interface 7' is neither",
-    "interface 7 x;datum 1 x                        | line 2: 'datum 1 x' is neither",
-    "interface 7 x;struct a;  f33 b                 | line 3: there is no type 'f33'",
-    "interface 7 x;struct a;  f32                   | line 3: 'f32' is no field",
-    "interface 7 x;struct a;  b b;struct b;  a a    | contains itself",
-    "interface 7 x;struct a;struct b;  f32 c        | line 2: the structure 'a' has no field",
-    "interface 7 x;struct a;  f32 b;struct a        | line 4: the structure 'a' is described twice",
-    "struct a;  f32 b                               | line 1: no line 'interface CODE NAME'",
-    "interface 7 x;struct a;  f32 b;  f32 b         | line 4: the field 'b' is described twice",
-    "interface 7 x;struct a;  count b;  f32 c       | line 3: there is no array 'b' to count"})
+      "data 1 x y                                     | line 1: there is no type 'y'",
+      "interface 7                                    | line 1: 'interface 7' is neither",
+      "interface 7 x;datum 1 x                        | line 2: 'datum 1 x' is neither",
+      "interface 7 x;struct a;  f33 b                 | line 3: there is no type 'f33'",
+      "interface 7 x;struct a;  f32                   | line 3: 'f32' is no field",
+      "interface 7 x;struct a;  b b;struct b;  a a    | contains itself",
+      "interface 7 x;struct a;struct b;  f32 c        | line 2: the structure 'a' has no field",
+      "interface 7 x;struct a;  f32 b;struct a        | line 4: the structure 'a' is described twice",
+      "struct a;  f32 b                               | line 1: no line 'interface CODE NAME'",
+      "interface 7 x;struct a;  f32 b;  f32 b         | line 4: the field 'b' is described twice",
+      "interface 7 x;struct a;  count b;  f32 c       | line 3: there is no array 'b' to count"})
   void errorsOfADescriptionNameTheLine(String text, String problem) {
     String lines = (text.startsWith("data") ? "interface 7 z" : text).replace(';', '\n');
     String source = text.startsWith("data") ? text.strip() + "\n" + lines : lines;

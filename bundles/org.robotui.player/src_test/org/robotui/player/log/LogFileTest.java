@@ -32,7 +32,8 @@ import org.robotui.testkit.Effort;
 
 class LogFileTest {
 
-  private static final String LINE = "0000000025.110 16777343 6665 position2d 00 001 001 +00.339 -00.004 -0.122 +00.000 +00.000 +00.000 0";
+  private static final String LINE =
+      "0000000025.110 16777343 6665 position2d 00 001 001 +00.339 -00.004 -0.122 +00.000 +00.000 +00.000 0";
 
   private final Layouts layouts = Layouts.standard();
   private final LogFormat format = new LogFormat(layouts);
@@ -102,18 +103,23 @@ class LogFileTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"0.0005, %+07.3f, +00.001", "-0.0001, %+07.3f, -00.000", "2.5, %2d, ' 2'", "-1.5, %04.1f, -1.5", "1, %f, 1.000000",
-    "NaN, %07.3f, '    nan'", "-Infinity, %.3f, -inf", "1234.5678, %+07.3f, +1234.568"})
+  @CsvSource({"0.0005, %+07.3f, +00.001", "-0.0001, %+07.3f, -00.000", "2.5, %2d, ' 2'", "-1.5, %04.1f, -1.5",
+      "1, %f, 1.000000",
+      "NaN, %07.3f, '    nan'", "-Infinity, %.3f, -inf", "1234.5678, %+07.3f, +1234.568"})
   void numbersAreThoseOfPrintf(double value, String how, String text) {
     assertEquals(text, NumberFormat.of(how).write(value));
   }
 
   @ParameterizedTest
-  @CsvSource(delimiter = '|', value = {"nonsense | line 1: the line ends too early", "1 1 1 hover 0 1 1 | line 1: there is no interface 'hover'",
-    "1 1 1 position2d 00 9 1 | there is no message type 9", "1 1 1 position2d 00 1 1 0.1 | line 1: the line ends too early",
-    "1 1 1 position2d 00 1 1 a 0 0 0 0 0 0 | 'a' is no number", "1 1 1 position2d 00 1 1 0 0 0 0 0 0 0 7 | 1 words are left over",
-    "1 1 1 ranger 00 1 1 2000000000 0.5 | 2000000000 elements announced", "1 1 1 ranger 00 1 1 -1 | '-1' is no number of elements",
-    "1 -1 1 ranger 00 1 1 0 | the line is not understood", "1 1 1 camera 0 1 1 1 1 8 1 0 1 XY | hexadecimal"})
+  @CsvSource(delimiter = '|', value = {"nonsense | line 1: the line ends too early",
+      "1 1 1 hover 0 1 1 | line 1: there is no interface 'hover'",
+      "1 1 1 position2d 00 9 1 | there is no message type 9",
+      "1 1 1 position2d 00 1 1 0.1 | line 1: the line ends too early",
+      "1 1 1 position2d 00 1 1 a 0 0 0 0 0 0 | 'a' is no number",
+      "1 1 1 position2d 00 1 1 0 0 0 0 0 0 0 7 | 1 words are left over",
+      "1 1 1 ranger 00 1 1 2000000000 0.5 | 2000000000 elements announced",
+      "1 1 1 ranger 00 1 1 -1 | '-1' is no number of elements",
+      "1 -1 1 ranger 00 1 1 0 | the line is not understood", "1 1 1 camera 0 1 1 1 1 8 1 0 1 XY | hexadecimal"})
   void errorsNameTheLine(String text, String problem) {
     PlayerException e = assertThrows(PlayerException.class, () -> read(text));
     assertTrue(e.getMessage().startsWith("line 1: ") && e.getMessage().contains(problem), e.getMessage());

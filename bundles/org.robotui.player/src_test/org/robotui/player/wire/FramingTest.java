@@ -16,7 +16,7 @@ class FramingTest {
 
   private static final DeviceAddress DEVICE = new DeviceAddress(0x0100007f, 6665, 4, 0);
   private static final PlayerMessage MESSAGE =
-      new PlayerMessage(DEVICE, MessageType.DATA, 1, 12.5, 7, ByteBuffer.wrap(new byte[] {1, 2, 3, 4}));
+      new PlayerMessage(DEVICE, MessageType.DATA, 1, 12.5, 7, ByteBuffer.wrap(new byte[]{1, 2, 3, 4}));
 
   @Test
   void aMessageSurvivesTheWire() throws Exception {
@@ -31,7 +31,8 @@ class FramingTest {
   @Test
   void anotherServersGreetingIsRefusedWithItsWords() {
     PlayerException e = assertThrows(PlayerException.class,
-        () -> Framing.readBanner(new ByteArrayInputStream("SSH-2.0-OpenSSH_9.6 and more words\n".getBytes(StandardCharsets.US_ASCII))));
+        () -> Framing.readBanner(
+            new ByteArrayInputStream("SSH-2.0-OpenSSH_9.6 and more words\n".getBytes(StandardCharsets.US_ASCII))));
     assertTrue(e.getMessage().contains("SSH-2.0-OpenSSH_9.6"), e.getMessage());
   }
 
@@ -41,7 +42,8 @@ class FramingTest {
 
     assertEquals("the peer closed the connection",
         assertThrows(EOFException.class, () -> Framing.read(stream(ByteBuffer.allocate(0)))).getMessage());
-    EOFException cut = assertThrows(EOFException.class, () -> Framing.read(new ByteArrayInputStream(bytes, 0, bytes.length - 1)));
+    EOFException cut =
+        assertThrows(EOFException.class, () -> Framing.read(new ByteArrayInputStream(bytes, 0, bytes.length - 1)));
     assertTrue(cut.getMessage().contains("3 of 4 bytes"), cut.getMessage());
   }
 
@@ -56,13 +58,15 @@ class FramingTest {
   void aLyingLengthTakesNoMemory() {
     // a thousand peers that announce the longest message and send nothing would need 8 GB
     for (int i = 0; i < 1_000; i++) {
-      assertThrows(EOFException.class, () -> Framing.read(stream(with(36, PlayerMessage.MAX_BYTES - PlayerMessage.HEADER_BYTES))));
+      assertThrows(EOFException.class,
+          () -> Framing.read(stream(with(36, PlayerMessage.MAX_BYTES - PlayerMessage.HEADER_BYTES))));
     }
   }
 
   @Test
   void unknownTypesAndNumbersBeyondTheirRangeAreRefused() {
-    assertTrue(assertThrows(PlayerException.class, () -> Framing.read(stream(with(16, 9)))).getMessage().contains("type 9"));
+    assertTrue(
+        assertThrows(PlayerException.class, () -> Framing.read(stream(with(16, 9)))).getMessage().contains("type 9"));
     assertThrows(PlayerException.class, () -> Framing.read(stream(with(16, 0))));
     assertThrows(PlayerException.class, () -> Framing.read(stream(with(20, 256))));
     assertThrows(PlayerException.class, () -> Framing.read(stream(with(8, 0x10000))));
@@ -74,7 +78,8 @@ class FramingTest {
     Arrays.fill(bytes, 0, 4, (byte) 0x7f);
     XdrReader lying = new XdrReader(ByteBuffer.wrap(bytes));
     assertThrows(PlayerException.class, () -> lying.count(4));
-    assertThrows(PlayerException.class, () -> new XdrReader(ByteBuffer.wrap(new byte[] {0, 0, 0, 1, 0, 0, 0, 2})).sameCount(2));
+    assertThrows(PlayerException.class,
+        () -> new XdrReader(ByteBuffer.wrap(new byte[]{0, 0, 0, 1, 0, 0, 0, 2})).sameCount(2));
     assertThrows(PlayerException.class, () -> new XdrReader(ByteBuffer.wrap(new byte[3])).i32());
     assertThrows(PlayerException.class, () -> new XdrReader(ByteBuffer.wrap(new byte[5])).bytes(5));
   }

@@ -17,15 +17,16 @@ public interface ActionClient extends AutoCloseable {
   /**
    * Publishes and subscribes to the action's topics. The server need not be there yet.
    *
-   * @param node     the node; the client must be closed before it
-   * @param action   the action's name
-   * @param type     the action's type
+   * @param node the node; the client must be closed before it
+   * @param action the action's name
+   * @param type the action's type
    * @param registry decodes results and feedback
-   * @param options  what the owner gives it
+   * @param options what the owner gives it
    * @return the client
    * @throws IllegalStateException if this node has a client of the action already, or is closed
    */
-  static ActionClient open(RosNode node, GraphName action, ActionType type, MessageRegistry registry, ActionOptions options) {
+  static ActionClient open(RosNode node, GraphName action, ActionType type, MessageRegistry registry,
+      ActionOptions options) {
     return new ActionLinks(node, action, type, registry, options);
   }
 
@@ -61,10 +62,11 @@ public interface ActionClient extends AutoCloseable {
   /**
    * Waits until there is a server and sends it a goal, once. A goal that cannot be sent in time is not sent at all.
    *
-   * @param goal     the goal's values by field name, as {@link org.robotui.ros.message.DynamicCodec#build} takes them
+   * @param goal the goal's values by field name, as {@link org.robotui.ros.message.DynamicCodec#build} takes them
    * @param listener hears of this goal
    * @param patience how long to wait for the server
-   * @return the goal; refused if the values do not fit or too many goals are on their way; timed out if there is no server
+   * @return the goal; refused if the values do not fit or too many goals are on their way; timed out if there is no
+   * server
    */
   Outcome<GoalHandle> send(Map<String, ?> goal, GoalListener listener, Duration patience);
 

@@ -68,11 +68,13 @@ final class ActionLinks implements ActionClient {
 
   private void result(DynamicMessage message, Reception from) {
     goals.find(message.text("status.goal_id.id").orElse(""), from.callerId()).ifPresent(each -> each.result(
-        (int) message.number("status.status").orElse(-1), message.text("status.text").orElse(""), part(message, "result")));
+        (int) message.number("status.status").orElse(-1), message.text("status.text").orElse(""),
+        part(message, "result")));
   }
 
   private static Optional<DynamicMessage> part(DynamicMessage message, String field) {
-    return message.field(field).filter(RosValue.Nested.class::isInstance).map(value -> ((RosValue.Nested) value).value());
+    return message.field(field).filter(RosValue.Nested.class::isInstance)
+        .map(value -> ((RosValue.Nested) value).value());
   }
 
   @Override
@@ -115,7 +117,8 @@ final class ActionLinks implements ActionClient {
     String id = node.name() + "-" + COUNTER.incrementAndGet() + "-" + Long.toUnsignedString(System.nanoTime(), 36);
     try {
       DynamicMessage message = codec.build(wrap(id, values));
-      return awaitServer(patience) ? server().map(server -> dispatch(id, server, message, listener)).orElseGet(() -> absent(patience))
+      return awaitServer(patience)
+          ? server().map(server -> dispatch(id, server, message, listener)).orElseGet(() -> absent(patience))
           : absent(patience);
     } catch (MessageException e) {
       return new Outcome.Refused<>("goal of " + action + ": " + e.getMessage());
@@ -137,7 +140,8 @@ final class ActionLinks implements ActionClient {
     }
     String heard = status.publishers().isEmpty() ? "nobody publishes " + action + "/status"
         : "not all of its links to " + String.join(", ", status.publishers()) + " stand";
-    return new Outcome.TimedOut<>("action " + action + " has no server of type " + type.name() + ": " + heard, patience);
+    return new Outcome.TimedOut<>("action " + action + " has no server of type " + type.name() + ": " + heard,
+        patience);
   }
 
   /** The goal is tracked before it is sent, so that no answer comes too early. */

@@ -7,8 +7,8 @@ import java.util.concurrent.ThreadFactory;
 /**
  * What a client of an action is given by its owner.
  *
- * @param threads  makes the thread that notices the loss of the server; it lives while goals do
- * @param silence  how long a server may say nothing of its goals, or of one that was sent or ended, before that is lost
+ * @param threads makes the thread that notices the loss of the server; it lives while goals do
+ * @param silence how long a server may say nothing of its goals, or of one that was sent or ended, before that is lost
  * @param maxGoals how many goals may be on their way at once
  */
 public record ActionOptions(ThreadFactory threads, Duration silence, int maxGoals) {

@@ -8,16 +8,17 @@ import org.robotui.ros.message.MessageSchema;
 import org.robotui.ros.message.SchemaLookup;
 
 /**
- * What is to be known of an action's type to send goals and to describe it. Results and feedback are decoded by what the server
- * announces.
+ * What is to be known of an action's type to send goals and to describe it. Results and feedback are decoded by what
+ * the server announces.
  *
- * @param name     the type's name, such as {@code move_base_msgs/MoveBaseAction}
- * @param sent     the message that carries a goal, such as {@code move_base_msgs/MoveBaseActionGoal}
- * @param goal     the goal itself, such as {@code move_base_msgs/MoveBaseGoal}: what a user fills in
- * @param result   the result itself, such as {@code move_base_msgs/MoveBaseResult}
+ * @param name the type's name, such as {@code move_base_msgs/MoveBaseAction}
+ * @param sent the message that carries a goal, such as {@code move_base_msgs/MoveBaseActionGoal}
+ * @param goal the goal itself, such as {@code move_base_msgs/MoveBaseGoal}: what a user fills in
+ * @param result the result itself, such as {@code move_base_msgs/MoveBaseResult}
  * @param feedback what the server tells on the way, such as {@code move_base_msgs/MoveBaseFeedback}
  */
-public record ActionType(String name, MessageSchema sent, MessageSchema goal, MessageSchema result, MessageSchema feedback) {
+public record ActionType(String name, MessageSchema sent, MessageSchema goal, MessageSchema result,
+    MessageSchema feedback) {
 
   private static final String SUFFIX = "Action";
 
@@ -33,7 +34,7 @@ public record ActionType(String name, MessageSchema sent, MessageSchema goal, Me
   /**
    * Finds the definitions of a type. May read files: not for I/O threads.
    *
-   * @param name     the type's name; it ends in {@code Action}
+   * @param name the type's name; it ends in {@code Action}
    * @param registry knows the definitions
    * @return the type, or which definition is missing
    */

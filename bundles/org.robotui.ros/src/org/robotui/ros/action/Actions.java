@@ -12,14 +12,16 @@ import org.robotui.ros.MasterGraph;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
 
-/** Finds actions by their topics: a node that publishes {@code X/status} and subscribes to {@code X/goal} serves action X. */
+/**
+ * Finds actions by their topics: a node that publishes {@code X/status} and subscribes to {@code X/goal} serves action
+ * X.
+ */
 public final class Actions {
 
   private static final String STATUS = "/status";
   private static final String STATUS_TYPE = "actionlib_msgs/GoalStatusArray";
 
-  private Actions() {
-  }
+  private Actions() {}
 
   /**
    * Asks the master for all actions. Waits for the master.
@@ -48,7 +50,8 @@ public final class Actions {
     return state.publishers().keySet().stream().sorted()
         .filter(topic -> topic.endsWith(STATUS) && topic.length() > STATUS.length())
         .filter(topic -> STATUS_TYPE.equals(byTopic.get(topic)))
-        .flatMap(topic -> action(topic.substring(0, topic.length() - STATUS.length()), state, byTopic).stream()).toList();
+        .flatMap(topic -> action(topic.substring(0, topic.length() - STATUS.length()), state, byTopic).stream())
+        .toList();
   }
 
   private static Optional<ActionInfo> action(String name, SystemState state, Map<String, String> types) {

@@ -26,6 +26,8 @@ public interface GoalHandle {
    */
   CompletionStage<GoalOutcome> done();
 
-  /** Asks the server to cancel this goal and no other. Does nothing once it ended. The server decides how the goal ends. */
+  /**
+   * Asks the server to cancel this goal and no other. Does nothing once it ended. The server decides how the goal ends.
+   */
   void cancel();
 }

@@ -12,24 +12,21 @@ public interface GoalListener {
    * The goal got further.
    *
    * @param phase where it is now; {@link GoalPhase#DONE} comes last
-   * @param text  the server's words
+   * @param text the server's words
    */
-  default void onPhase(GoalPhase phase, String text) {
-  }
+  default void onPhase(GoalPhase phase, String text) {}
 
   /**
    * The server tells how it gets on. Never called after the goal ended.
    *
    * @param feedback the feedback without what actionlib wraps it in
    */
-  default void onFeedback(DynamicMessage feedback) {
-  }
+  default void onFeedback(DynamicMessage feedback) {}
 
   /**
    * The goal ended. Called once, after the last phase.
    *
    * @param outcome how
    */
-  default void onDone(GoalOutcome outcome) {
-  }
+  default void onDone(GoalOutcome outcome) {}
 }

@@ -7,8 +7,8 @@ import org.robotui.ros.message.DynamicMessage;
 /**
  * What became of a goal.
  *
- * @param end    how it ended
- * @param text   the server's words, or why the goal is lost
+ * @param end how it ended
+ * @param text the server's words, or why the goal is lost
  * @param result the result without what actionlib wraps it in; empty if none came
  */
 public record GoalOutcome(GoalEnd end, String text, Optional<DynamicMessage> result) {

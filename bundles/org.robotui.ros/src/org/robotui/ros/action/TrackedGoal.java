@@ -13,7 +13,9 @@ import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One goal on its way. Its lock is held while its listener is called, so that calls come one at a time and in order. */
+/**
+ * One goal on its way. Its lock is held while its listener is called, so that calls come one at a time and in order.
+ */
 final class TrackedGoal implements GoalHandle {
 
   private static final Logger LOG = LoggerFactory.getLogger(TrackedGoal.class);
@@ -31,7 +33,8 @@ final class TrackedGoal implements GoalHandle {
   private boolean acknowledged;
   private Optional<GoalEnd> announced = Optional.empty();
 
-  TrackedGoal(String id, String server, GoalListener listener, Consumer<GoalID> canceller, Consumer<TrackedGoal> onDone) {
+  TrackedGoal(String id, String server, GoalListener listener, Consumer<GoalID> canceller,
+      Consumer<TrackedGoal> onDone) {
     this.id = id;
     this.server = server;
     this.listener = listener;
@@ -93,7 +96,9 @@ final class TrackedGoal implements GoalHandle {
     steps.get().forEach(this::enter);
   }
 
-  /** Before it was mentioned once, a goal may still be on its way, and once it ended the server may forget it before us. */
+  /**
+   * Before it was mentioned once, a goal may still be on its way, and once it ended the server may forget it before us.
+   */
   private void unmentioned() {
     if (acknowledged && phase != GoalPhase.WAITING_FOR_RESULT) {
       end(GoalOutcome.lost("server " + server + " does not know the goal any more"));
@@ -104,8 +109,9 @@ final class TrackedGoal implements GoalHandle {
   void result(int status, String words, Optional<DynamicMessage> result) {
     locked(() -> {
       Transitions.next(phase, status).ifPresent(steps -> steps.forEach(this::enter));
-      end(GoalEnd.of(status).map(end -> new GoalOutcome(end, words, result)).orElseGet(() -> new GoalOutcome(GoalEnd.LOST,
-          "server " + server + " sent a result with status " + status + ", which is no end", result)));
+      end(GoalEnd.of(status).map(end -> new GoalOutcome(end, words, result))
+          .orElseGet(() -> new GoalOutcome(GoalEnd.LOST,
+              "server " + server + " sent a result with status " + status + ", which is no end", result)));
     });
   }
 
@@ -122,7 +128,8 @@ final class TrackedGoal implements GoalHandle {
     locked(() -> {
       boolean late = System.nanoTime() - phaseSince > patience.toNanos();
       if (late && !acknowledged && phase != GoalPhase.WAITING_FOR_RESULT) {
-        end(GoalOutcome.lost("server " + server + " did not acknowledge the goal within " + patience.toMillis() + " ms"));
+        end(GoalOutcome
+            .lost("server " + server + " did not acknowledge the goal within " + patience.toMillis() + " ms"));
       } else if (late && phase == GoalPhase.WAITING_FOR_RESULT) {
         end(new GoalOutcome(announced.orElse(GoalEnd.LOST), text, Optional.empty()));
       }

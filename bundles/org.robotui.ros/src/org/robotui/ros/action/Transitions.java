@@ -16,8 +16,7 @@ import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
  */
 final class Transitions {
 
-  private Transitions() {
-  }
+  private Transitions() {}
 
   /** The phases to go through; none if the status tells nothing new; empty if no server may report it in this phase. */
   static Optional<List<GoalPhase>> next(GoalPhase from, int status) {
@@ -28,7 +27,8 @@ final class Transitions {
       case WAITING_FOR_CANCEL -> isEarly(status) ? to() : cancelled(status);
       case RECALLING -> recalling(status);
       case PREEMPTING -> preempting(status);
-      case WAITING_FOR_RESULT, DONE -> isEnd(status) || status == GoalStatus.ACTIVE && from == WAITING_FOR_RESULT ? to() : Optional.empty();
+      case WAITING_FOR_RESULT,
+          DONE -> isEnd(status) || status == GoalStatus.ACTIVE && from == WAITING_FOR_RESULT ? to() : Optional.empty();
     };
   }
 

@@ -8,9 +8,9 @@ import java.util.concurrent.ThreadFactory;
  * What a master is given by its owner.
  *
  * @param threads makes all threads of the master
- * @param host    the address or host name to announce; empty announces, and listens on, loopback only
- * @param port    where to listen; 0 for a free port
- * @param rosout  whether log messages of all nodes are gathered on /rosout_agg, as roscore does
+ * @param host the address or host name to announce; empty announces, and listens on, loopback only
+ * @param port where to listen; 0 for a free port
+ * @param rosout whether log messages of all nodes are gathered on /rosout_agg, as roscore does
  */
 public record MasterOptions(ThreadFactory threads, Optional<String> host, int port, boolean rosout) {
 

@@ -6,9 +6,9 @@ import java.util.List;
 /**
  * Writes an array of numbers or texts, after its length where that is sent.
  *
- * @param field  for errors
+ * @param field for errors
  * @param length of the definition, or {@link FieldReader#SENT}
- * @param width  how many numbers make an element
+ * @param width how many numbers make an element
  */
 record ArrayWriter(String field, int length, int width) {
 

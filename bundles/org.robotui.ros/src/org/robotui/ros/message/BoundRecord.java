@@ -13,7 +13,7 @@ import java.util.Optional;
  * Which component of a record holds which field of a message. They have the same name but for case and underscores
  * ({@code frameId} holds {@code frame_id}). Fields that the record leaves out are passed over.
  *
- * @param type   the record
+ * @param type the record
  * @param fields in the order of the definition
  * @param absent the components that no field fills
  */
@@ -22,12 +22,11 @@ record BoundRecord(Class<?> type, List<BoundField> fields, List<Integer> absent)
   /**
    * A field and what holds it.
    *
-   * @param field     the field
-   * @param index     of the component, -1 if none holds it
+   * @param field the field
+   * @param index of the component, -1 if none holds it
    * @param component what holds it
    */
-  record BoundField(Layout.Field field, int index, Optional<RecordComponent> component) {
-  }
+  record BoundField(Layout.Field field, int index, Optional<RecordComponent> component) {}
 
   /**
    * Compares a record with a message.

@@ -3,9 +3,8 @@ package org.robotui.ros.message;
 /**
  * One constant of a message definition.
  *
- * @param type  the built-in type
- * @param name  the name
+ * @param type the built-in type
+ * @param name the name
  * @param value the value as written; for strings everything right of the equals sign, {@code #} included
  */
-public record ConstantDefinition(Primitive type, String name, String value) {
-}
+public record ConstantDefinition(Primitive type, String name, String value) {}

@@ -8,7 +8,7 @@ public final class DefinitionException extends Exception {
   /**
    * Creates the error for a whole type.
    *
-   * @param type    the type's name
+   * @param type the type's name
    * @param problem what is wrong
    */
   public DefinitionException(String type, String problem) {
@@ -18,8 +18,8 @@ public final class DefinitionException extends Exception {
   /**
    * Creates the error for one line.
    *
-   * @param type    the type's name
-   * @param line    the line's number, from 1
+   * @param type the type's name
+   * @param line the line's number, from 1
    * @param problem what is wrong
    */
   public DefinitionException(String type, int line, String problem) {

@@ -3,8 +3,8 @@ package org.robotui.ros.message;
 import java.util.Objects;
 
 /**
- * How the fields of messages become bytes. A binding calls the methods of these two classes directly, so that the virtual
- * machine compiles it for one encoding as it would a codec that is written by hand.
+ * How the fields of messages become bytes. A binding calls the methods of these two classes directly, so that the
+ * virtual machine compiles it for one encoding as it would a codec that is written by hand.
  *
  * @param reader the public class that reads
  * @param writer the public class that writes

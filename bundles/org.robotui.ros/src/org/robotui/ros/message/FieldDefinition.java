@@ -6,5 +6,4 @@ package org.robotui.ros.message;
  * @param type the type, with message types by their full name
  * @param name the name
  */
-public record FieldDefinition(FieldType type, String name) {
-}
+public record FieldDefinition(FieldType type, String name) {}

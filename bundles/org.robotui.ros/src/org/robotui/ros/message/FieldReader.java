@@ -6,8 +6,8 @@ import java.util.List;
 /**
  * Reads the fields of one message in the order of its definition, whatever the encoding. Every read is checked against
  * the bytes that are left before anything is allocated, and fails with an error that names the field. Arrays are read
- * with their length: that of the definition, or {@link #SENT} where the length is sent with them. An element may consist
- * of several numbers ({@code width}), as a point does. Not for use by several threads at once.
+ * with their length: that of the definition, or {@link #SENT} where the length is sent with them. An element may
+ * consist of several numbers ({@code width}), as a point does. Not for use by several threads at once.
  */
 public interface FieldReader {
 
@@ -80,7 +80,7 @@ public interface FieldReader {
   /**
    * The length of an array, sent before it.
    *
-   * @param field   for errors
+   * @param field for errors
    * @param element the fewest bytes of one element; elements without bytes are bounded by a number
    * @return the number of elements, which the bytes that are left can hold
    * @throws MessageException if they cannot
@@ -91,7 +91,7 @@ public interface FieldReader {
    * Passes over values that nobody wants.
    *
    * @param field for errors
-   * @param type  of each of them
+   * @param type of each of them
    * @param count how many there are
    * @throws MessageException if the message ends before
    */

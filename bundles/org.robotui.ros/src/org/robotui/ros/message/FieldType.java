@@ -5,8 +5,8 @@ import java.util.Optional;
 /**
  * The type of a field: a built-in or a message type, alone or as an array.
  *
- * @param base   a built-in type's name or a message type's full name, without brackets
- * @param arity  whether it is an array
+ * @param base a built-in type's name or a message type's full name, without brackets
+ * @param arity whether it is an array
  * @param length the number of elements of a fixed array, else 0
  */
 public record FieldType(String base, Arity arity, int length) {

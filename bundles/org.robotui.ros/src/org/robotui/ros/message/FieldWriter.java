@@ -3,8 +3,8 @@ package org.robotui.ros.message;
 import java.nio.ByteBuffer;
 
 /**
- * Writes the fields of one message in the order of its definition, whatever the encoding. An array of variable length is
- * preceded by {@link #array}. Not for use by several threads at once.
+ * Writes the fields of one message in the order of its definition, whatever the encoding. An array of variable length
+ * is preceded by {@link #array}. Not for use by several threads at once.
  */
 public interface FieldWriter {
 

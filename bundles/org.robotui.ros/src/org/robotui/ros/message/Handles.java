@@ -9,8 +9,7 @@ final class Handles {
 
   private static final MethodHandles.Lookup HERE = MethodHandles.lookup();
 
-  private Handles() {
-  }
+  private Handles() {}
 
   static MethodHandle method(Class<?> owner, String name, Class<?> result, Class<?>... parameters) {
     try {

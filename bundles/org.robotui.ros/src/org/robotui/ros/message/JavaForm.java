@@ -10,14 +10,14 @@ import java.util.Optional;
 /** Which Java types hold which fields. */
 final class JavaForm {
 
-  private JavaForm() {
-  }
+  private JavaForm() {}
 
   /** Why a component cannot hold a field, empty if it can. */
   static Optional<String> misfit(RecordComponent component, Layout.Field field) {
     Class<?> type = component.getType();
     boolean fits = field.nested() == null ? type == primitive(field) : holdsMessages(component, field);
-    boolean texts = type != List.class || field.nested() != null || element(component).equals(Optional.of(String.class));
+    boolean texts =
+        type != List.class || field.nested() != null || element(component).equals(Optional.of(String.class));
     return fits && texts
         ? Optional.empty()
         : Optional.of("is " + component.getGenericType().getTypeName() + ", but field " + field.name() + " is "
@@ -42,8 +42,7 @@ final class JavaForm {
   }
 
   /** Messages that consist of numbers of one type. */
-  record Flat(Primitive type, int width) {
-  }
+  record Flat(Primitive type, int width) {}
 
   private static boolean holdsMessages(RecordComponent component, Layout.Field field) {
     if (!field.type().isArray()) {

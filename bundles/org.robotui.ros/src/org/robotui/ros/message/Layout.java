@@ -6,9 +6,9 @@ import java.util.Optional;
 /**
  * What decoding needs to know of a message type.
  *
- * @param type      the full name
- * @param fields    in the order on the wire
- * @param minSize   the fewest bytes, saturated at {@link Long#MAX_VALUE}
+ * @param type the full name
+ * @param fields in the order on the wire
+ * @param minSize the fewest bytes, saturated at {@link Long#MAX_VALUE}
  * @param fixedSize whether every message has exactly {@code minSize} bytes
  */
 record Layout(String type, List<Field> fields, long minSize, boolean fixedSize) {
@@ -19,11 +19,11 @@ record Layout(String type, List<Field> fields, long minSize, boolean fixedSize) 
   /**
    * One field.
    *
-   * @param name      the name
-   * @param type      the type
+   * @param name the name
+   * @param type the type
    * @param primitive the built-in type of the value or of the elements, null for a message type
-   * @param nested    the layout of the message type, null for a built-in type
-   * @param element   the fewest bytes of the value or of one element
+   * @param nested the layout of the message type, null for a built-in type
+   * @param element the fewest bytes of the value or of one element
    * @param fixedElement whether every value or element has exactly that size
    */
   record Field(String name, FieldType type, Primitive primitive, Layout nested, long element, boolean fixedElement) {

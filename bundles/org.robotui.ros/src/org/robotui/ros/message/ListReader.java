@@ -8,9 +8,9 @@ import java.util.List;
  * Reads an array of messages.
  *
  * @param element reads one of them
- * @param field   for errors
- * @param length  of the definition, or {@link FieldReader#SENT}
- * @param size    the fewest bytes of an element
+ * @param field for errors
+ * @param length of the definition, or {@link FieldReader#SENT}
+ * @param size the fewest bytes of an element
  */
 record ListReader(MethodHandle element, String field, int length, long size) {
 

@@ -7,8 +7,8 @@ import java.util.List;
  * Writes an array of messages.
  *
  * @param element writes one of them
- * @param field   for errors
- * @param length  of the definition, or {@link FieldReader#SENT}
+ * @param field for errors
+ * @param length of the definition, or {@link FieldReader#SENT}
  */
 record ListWriter(MethodHandle element, String field, int length) {
 

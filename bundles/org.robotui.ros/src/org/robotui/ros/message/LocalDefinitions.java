@@ -28,7 +28,7 @@ public final class LocalDefinitions implements DefinitionSource {
    * Looks into folders.
    *
    * @param shares folders whose direct children are packages
-   * @param trees  folders that are packages or hold them up to four levels down
+   * @param trees folders that are packages or hold them up to four levels down
    */
   public LocalDefinitions(List<Path> shares, List<Path> trees) {
     this.shares = List.copyOf(shares);

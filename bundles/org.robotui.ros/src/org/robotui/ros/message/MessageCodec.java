@@ -21,7 +21,7 @@ public interface MessageCodec<T> {
    * Decodes one message.
    *
    * @param in the whole message and nothing else, little endian, from its position to its limit. The codec may keep
-   *           slices of it: the transport hands over a fresh array and never writes to it again
+   * slices of it: the transport hands over a fresh array and never writes to it again
    * @return the value
    * @throws MessageException if the bytes are no message of this type
    */
@@ -31,7 +31,7 @@ public interface MessageCodec<T> {
    * Decodes one message of a peer whose own identity is known. Codecs for one fixed type need not care; a codec that
    * accepts any type finds the type and its definition here.
    *
-   * @param in   as for {@link #decode(ByteBuffer)}
+   * @param in as for {@link #decode(ByteBuffer)}
    * @param peer the identity the peer announced in its connection header
    * @return the value
    * @throws MessageException if the bytes are no message of this type
@@ -44,7 +44,7 @@ public interface MessageCodec<T> {
    * Appends one message to a writer.
    *
    * @param value the value to encode
-   * @param out   where the bytes go, without a length prefix
+   * @param out where the bytes go, without a length prefix
    */
   void encode(T value, MessageWriter out);
 }

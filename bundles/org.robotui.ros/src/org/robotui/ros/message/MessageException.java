@@ -13,8 +13,8 @@ public final class MessageException extends Exception {
    * Creates the error for one place in a message.
    *
    * @param problem what is wrong, for a user to read
-   * @param path    the field, such as {@code header.frame_id} or {@code points[3].x}; empty for the message itself
-   * @param offset  the byte offset within the message
+   * @param path the field, such as {@code header.frame_id} or {@code points[3].x}; empty for the message itself
+   * @param offset the byte offset within the message
    */
   public MessageException(String problem, String path, long offset) {
     super(problem + (path.isEmpty() ? "" : " in field " + path) + " at byte " + offset);

@@ -5,8 +5,8 @@ import java.util.Objects;
 /**
  * The identity of a message type, as ROS peers exchange it in their connection headers.
  *
- * @param type       the type's full name, such as {@code sensor_msgs/LaserScan}, or {@code *} for any type
- * @param md5        the MD5 sum of the definition as ROS computes it (32 hex digits), or {@code *} for any
+ * @param type the type's full name, such as {@code sensor_msgs/LaserScan}, or {@code *} for any type
+ * @param md5 the MD5 sum of the definition as ROS computes it (32 hex digits), or {@code *} for any
  * @param definition the full text of the definition with all its dependencies; empty if it is not known
  */
 public record MessageInfo(String type, String md5, String definition) {

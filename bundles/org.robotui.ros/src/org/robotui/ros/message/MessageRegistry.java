@@ -82,7 +82,7 @@ public final class MessageRegistry implements DefinitionSource {
    * A message type by name.
    *
    * @param type the full name, such as {@code nav_msgs/Odometry}; requests and responses of services are named
-   *             {@code <service>Request} and {@code <service>Response}
+   * {@code <service>Request} and {@code <service>Response}
    * @return the type, shipped, local or learned, in this order, or why there is none
    */
   public SchemaLookup<MessageSchema> message(String type) {
@@ -93,7 +93,7 @@ public final class MessageRegistry implements DefinitionSource {
    * A message type by name and sum.
    *
    * @param type the full name
-   * @param md5  the sum it must have, or {@code *}
+   * @param md5 the sum it must have, or {@code *}
    * @return the type, or why there is none
    */
   public SchemaLookup<MessageSchema> message(String type, String md5) {
@@ -123,7 +123,7 @@ public final class MessageRegistry implements DefinitionSource {
    * A service type by name and sum.
    *
    * @param type the full name
-   * @param md5  the sum the server announced, or {@code *}
+   * @param md5 the sum the server announced, or {@code *}
    * @return the type, or why there is none
    */
   public SchemaLookup<ServiceSchema> service(String type, String md5) {

@@ -32,7 +32,7 @@ public final class MessageSchema {
    * Puts a type together from its definition and a source of the others.
    *
    * @param definition the type
-   * @param source     where to find the types it refers to
+   * @param source where to find the types it refers to
    * @return the complete type, with the full text as ROS's generator writes it
    * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
    */
@@ -48,10 +48,10 @@ public final class MessageSchema {
   }
 
   /**
-   * Reads the full text of a connection header: the type's own definition, then those it refers to, each after a
-   * line of equals signs and a line {@code MSG: package/Type}.
+   * Reads the full text of a connection header: the type's own definition, then those it refers to, each after a line
+   * of equals signs and a line {@code MSG: package/Type}.
    *
-   * @param type     the type's full name
+   * @param type the type's full name
    * @param fullText the text; it is kept as it is
    * @return the complete type
    * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply

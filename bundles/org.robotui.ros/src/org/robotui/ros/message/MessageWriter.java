@@ -79,7 +79,7 @@ public final class MessageWriter implements FieldWriter {
   /**
    * Appends a ROS time or duration.
    *
-   * @param seconds     whole seconds
+   * @param seconds whole seconds
    * @param nanoseconds nanoseconds within the second
    * @return this
    */
@@ -175,7 +175,7 @@ public final class MessageWriter implements FieldWriter {
    * Replaces 32 bits written earlier, for lengths that are known only afterwards.
    *
    * @param offset where they were written, from the start
-   * @param value  the new value
+   * @param value the new value
    */
   public void patchI32(int offset, int value) {
     if (offset + Integer.BYTES > size()) {

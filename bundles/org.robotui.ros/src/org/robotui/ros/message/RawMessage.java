@@ -7,9 +7,9 @@ import java.util.Objects;
 /**
  * A message that nobody decoded yet.
  *
- * @param info  the identity the publisher announced
+ * @param info the identity the publisher announced
  * @param bytes the message's bytes without a length prefix, read only; {@link #bytes()} answers a fresh little-endian
- *              view each time
+ * view each time
  */
 public record RawMessage(MessageInfo info, ByteBuffer bytes) {
 

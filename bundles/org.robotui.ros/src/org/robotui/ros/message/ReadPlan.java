@@ -14,8 +14,7 @@ import java.util.Map;
  */
 final class ReadPlan {
 
-  private record Key(Class<?> record, Layout layout) {
-  }
+  private record Key(Class<?> record, Layout layout) {}
 
   private static final MethodHandle SKIP =
       Handles.function(Skip.class, "field", void.class, Layout.Field.class, FieldReader.class);
@@ -35,7 +34,7 @@ final class ReadPlan {
    * A handle from the reader to the record.
    *
    * @param layout of the messages
-   * @param own    of the version that the record is made for, by which fields are filled that the messages lack
+   * @param own of the version that the record is made for, by which fields are filled that the messages lack
    */
   MethodHandle of(Class<?> type, Layout layout, Layout own) {
     Key key = new Key(type, layout);
@@ -81,7 +80,8 @@ final class ReadPlan {
     int length = field.type().arity() == FieldType.Arity.FIXED ? field.type().length() : FieldReader.SENT;
     if (type != List.class) {
       int width = field.nested() == null ? 1 : JavaForm.flat(field.nested()).orElseThrow().width();
-      return bind(Handles.method(reader, array(type), type, String.class, int.class, int.class), field.name(), length, width);
+      return bind(Handles.method(reader, array(type), type, String.class, int.class, int.class), field.name(), length,
+          width);
     }
     if (field.nested() == null) {
       return bind(Handles.method(reader, "strings", type, String.class, int.class), field.name(), length);

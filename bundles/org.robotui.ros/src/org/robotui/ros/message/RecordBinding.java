@@ -6,11 +6,11 @@ import java.lang.invoke.MethodType;
 import java.util.function.Supplier;
 
 /**
- * A Java record that holds the messages of a type, in one encoding. The record is compared with the definition when it is
- * bound: each component holds the field of its name ({@code frameId} holds {@code frame_id}) and must be of the type that
- * the field needs. Fields without a component are passed over, and written as zero or empty. An array of messages that
- * consist of numbers of one type, such as points, may be held as one array of those numbers. Immutable; several threads
- * may use it at once.
+ * A Java record that holds the messages of a type, in one encoding. The record is compared with the definition when it
+ * is bound: each component holds the field of its name ({@code frameId} holds {@code frame_id}) and must be of the type
+ * that the field needs. Fields without a component are passed over, and written as zero or empty. An array of messages
+ * that consist of numbers of one type, such as points, may be held as one array of those numbers. Immutable; several
+ * threads may use it at once.
  *
  * @param <T> the record
  */
@@ -28,13 +28,14 @@ public final class RecordBinding<T extends Record> {
   /**
    * Binds a record to its type.
    *
-   * @param type     the record
-   * @param schema   the type of message
+   * @param type the record
+   * @param schema the type of message
    * @param encoding how fields become bytes
-   * @param lookup   may make and read the record and the records in it
-   * @param <T>      the record
+   * @param lookup may make and read the record and the records in it
+   * @param <T> the record
    * @return the binding
-   * @throws IllegalArgumentException if a component has no field, or one of another type, or the record is not accessible
+   * @throws IllegalArgumentException if a component has no field, or one of another type, or the record is not
+   * accessible
    */
   public static <T extends Record> RecordBinding<T> of(
       Class<T> type, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
@@ -44,12 +45,12 @@ public final class RecordBinding<T extends Record> {
   /**
    * Binds a record to another version of its type: components that it has no field for become zero or empty.
    *
-   * @param type     the record
-   * @param own      the version that the record is made for
-   * @param version  the other version
+   * @param type the record
+   * @param own the version that the record is made for
+   * @param version the other version
    * @param encoding how fields become bytes
-   * @param lookup   may make and read the record and the records in it
-   * @param <T>      the record
+   * @param lookup may make and read the record and the records in it
+   * @param <T> the record
    * @return the binding
    * @throws IllegalArgumentException if a component has a field of another type, or none has any
    */
@@ -107,7 +108,7 @@ public final class RecordBinding<T extends Record> {
    * Writes a record.
    *
    * @param value the record
-   * @param out   of the encoding's class
+   * @param out of the encoding's class
    * @throws IllegalArgumentException if an array has not the length that the definition gives
    */
   public void write(T value, FieldWriter out) {

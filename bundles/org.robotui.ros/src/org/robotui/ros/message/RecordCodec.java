@@ -53,7 +53,7 @@ public final class RecordCodec<T extends Record> implements MessageCodec<T> {
    * The codec of a shipped type.
    *
    * @param type a public record with a {@link MessageType}
-   * @param <T>  the record
+   * @param <T> the record
    * @return the codec
    * @throws IllegalArgumentException if no definition of the type is shipped, or the record does not fit to it
    */
@@ -65,10 +65,10 @@ public final class RecordCodec<T extends Record> implements MessageCodec<T> {
   /**
    * The codec of any type whose definition is known.
    *
-   * @param type   a record
+   * @param type a record
    * @param schema the type of message
    * @param lookup may make and read the record, such as {@code MethodHandles.lookup()}
-   * @param <T>    the record
+   * @param <T> the record
    * @return the codec
    * @throws IllegalArgumentException if the record does not fit to the definition
    */
@@ -79,11 +79,11 @@ public final class RecordCodec<T extends Record> implements MessageCodec<T> {
   /**
    * Joins the codecs of a shipped service type.
    *
-   * @param type     the full name
-   * @param request  a record of the request
+   * @param type the full name
+   * @param request a record of the request
    * @param response a record of the response
-   * @param <Q>      the record of the request
-   * @param <R>      the record of the response
+   * @param <Q> the record of the request
+   * @param <R> the record of the response
    * @return the codec, with the sum of the whole service
    */
   public static <Q extends Record, R extends Record> ServiceCodec<Q, R> service(

@@ -10,14 +10,13 @@ public sealed interface RosValue {
    *
    * @param value true or false
    */
-  record Flag(boolean value) implements RosValue {
-  }
+  record Flag(boolean value) implements RosValue {}
 
   /**
    * An integer.
    *
    * @param value the number; for {@code uint64} its bits
-   * @param type  the built-in type
+   * @param type the built-in type
    */
   record Whole(long value, Primitive type) implements RosValue {
 
@@ -35,57 +34,50 @@ public sealed interface RosValue {
    * A floating point number.
    *
    * @param value the number
-   * @param type  the built-in type
+   * @param type the built-in type
    */
-  record Real(double value, Primitive type) implements RosValue {
-  }
+  record Real(double value, Primitive type) implements RosValue {}
 
   /**
    * A text.
    *
    * @param value the text
    */
-  record Text(String value) implements RosValue {
-  }
+  record Text(String value) implements RosValue {}
 
   /**
    * A time or duration.
    *
    * @param nanos nanoseconds
-   * @param type  {@link Primitive#TIME} or {@link Primitive#DURATION}
+   * @param type {@link Primitive#TIME} or {@link Primitive#DURATION}
    */
-  record Instant(long nanos, Primitive type) implements RosValue {
-  }
+  record Instant(long nanos, Primitive type) implements RosValue {}
 
   /**
    * An array of a built-in type other than text.
    *
    * @param values the numbers
    */
-  record Numbers(PrimitiveArray values) implements RosValue {
-  }
+  record Numbers(PrimitiveArray values) implements RosValue {}
 
   /**
    * An array of texts.
    *
    * @param values the texts, decoded when asked for
    */
-  record Texts(List<String> values) implements RosValue {
-  }
+  record Texts(List<String> values) implements RosValue {}
 
   /**
    * A message within the message.
    *
    * @param value the inner message
    */
-  record Nested(DynamicMessage value) implements RosValue {
-  }
+  record Nested(DynamicMessage value) implements RosValue {}
 
   /**
    * An array of messages.
    *
    * @param values the messages, made when asked for
    */
-  record Messages(List<DynamicMessage> values) implements RosValue {
-  }
+  record Messages(List<DynamicMessage> values) implements RosValue {}
 }

@@ -48,10 +48,9 @@ final class ScalarEncoder {
     return switch (value) {
       case null -> false;
       case Boolean flag -> flag;
-      case Number number when number.doubleValue() == 0 || number.doubleValue() == 1 ->
-        number.doubleValue() == 1;
-      case String text when text.equalsIgnoreCase("true") || text.equalsIgnoreCase("false") ->
-        text.equalsIgnoreCase("true");
+      case Number number when number.doubleValue() == 0 || number.doubleValue() == 1 -> number.doubleValue() == 1;
+      case String text when text.equalsIgnoreCase("true") || text.equalsIgnoreCase("false") -> text
+          .equalsIgnoreCase("true");
       default -> throw mismatch(Primitive.BOOL, value);
     };
   }

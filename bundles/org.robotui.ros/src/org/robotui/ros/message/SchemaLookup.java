@@ -11,17 +11,15 @@ public sealed interface SchemaLookup<S> {
    * The type is known.
    *
    * @param schema the type
-   * @param <S>    its kind
+   * @param <S> its kind
    */
-  record Found<S>(S schema) implements SchemaLookup<S> {
-  }
+  record Found<S>(S schema) implements SchemaLookup<S> {}
 
   /**
    * The type is not known, or not as asked.
    *
    * @param reason why, for a user to read
-   * @param <S>    its kind
+   * @param <S> its kind
    */
-  record Missing<S>(String reason) implements SchemaLookup<S> {
-  }
+  record Missing<S>(String reason) implements SchemaLookup<S> {}
 }

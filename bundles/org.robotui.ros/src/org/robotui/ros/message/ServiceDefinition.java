@@ -5,9 +5,9 @@ import java.util.Optional;
 /**
  * One service type as its definition says it.
  *
- * @param type     the full name, such as {@code std_srvs/SetBool}
- * @param text     the definition's text as found
- * @param request  the part before the line {@code ---}; its type is named {@code <type>Request}
+ * @param type the full name, such as {@code std_srvs/SetBool}
+ * @param text the definition's text as found
+ * @param request the part before the line {@code ---}; its type is named {@code <type>Request}
  * @param response the part after it; its type is named {@code <type>Response}
  */
 public record ServiceDefinition(String type, String text, MessageDefinition request, MessageDefinition response) {

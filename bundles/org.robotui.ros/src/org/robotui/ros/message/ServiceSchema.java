@@ -3,9 +3,9 @@ package org.robotui.ros.message;
 /**
  * A service type with all the types it refers to.
  *
- * @param type     the full name, such as {@code std_srvs/SetBool}
- * @param md5      the MD5 sum of the whole service as ROS computes it
- * @param request  the type of the request
+ * @param type the full name, such as {@code std_srvs/SetBool}
+ * @param md5 the MD5 sum of the whole service as ROS computes it
+ * @param request the type of the request
  * @param response the type of the response
  */
 public record ServiceSchema(String type, String md5, MessageSchema request, MessageSchema response) {
@@ -14,7 +14,7 @@ public record ServiceSchema(String type, String md5, MessageSchema request, Mess
    * Puts a type together from its definition and a source of the types it refers to.
    *
    * @param definition the service type
-   * @param source     where to find message types
+   * @param source where to find message types
    * @return the complete type
    * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
    */

@@ -3,8 +3,7 @@ package org.robotui.ros.message;
 /** Passes over fields that a record leaves out. */
 final class Skip {
 
-  private Skip() {
-  }
+  private Skip() {}
 
   static void field(Layout.Field field, FieldReader in) throws MessageException {
     int count = switch (field.type().arity()) {

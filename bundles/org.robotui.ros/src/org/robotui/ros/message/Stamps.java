@@ -5,13 +5,12 @@ public final class Stamps {
 
   private static final long NANOS = 1_000_000_000L;
 
-  private Stamps() {
-  }
+  private Stamps() {}
 
   /**
    * Joins seconds and nanoseconds of a ROS time.
    *
-   * @param secs  unsigned seconds
+   * @param secs unsigned seconds
    * @param nsecs unsigned nanoseconds
    * @return nanoseconds since the epoch of the sender's clock
    */
@@ -22,7 +21,7 @@ public final class Stamps {
   /**
    * Joins seconds and nanoseconds of a ROS duration.
    *
-   * @param secs  signed seconds
+   * @param secs signed seconds
    * @param nsecs signed nanoseconds
    * @return nanoseconds
    */
@@ -54,7 +53,7 @@ public final class Stamps {
    * Appends a ROS time or duration.
    *
    * @param nanos nanoseconds
-   * @param out   where the eight bytes go
+   * @param out where the eight bytes go
    */
   public static void write(long nanos, MessageWriter out) {
     out.time(secs(nanos), nsecs(nanos));

@@ -10,8 +10,7 @@ final class ValuePath {
 
   private static final Pattern STEP = Pattern.compile("(?:^|(?<!^)\\.)([A-Za-z]\\w*)|\\[(\\d{1,9})\\]");
 
-  private ValuePath() {
-  }
+  private ValuePath() {}
 
   static Optional<RosValue> follow(DynamicMessage message, String path) {
     Matcher step = STEP.matcher(path);

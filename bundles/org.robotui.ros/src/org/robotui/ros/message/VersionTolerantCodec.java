@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Reads a type in whatever version the publisher speaks, by the names of the fields. Fields that the other version lacks are zero or
- * empty, those that ours lacks are left out. For types whose definition has grown over the years, so that old robots and old recordings
- * are understood.
+ * Reads a type in whatever version the publisher speaks, by the names of the fields. Fields that the other version
+ * lacks are zero or empty, those that ours lacks are left out. For types whose definition has grown over the years, so
+ * that old robots and old recordings are understood.
  *
  * @param <T> the record that holds a message
  */
@@ -31,7 +31,7 @@ public final class VersionTolerantCodec<T extends Record> implements MessageCode
   /**
    * Wraps a codec.
    *
-   * @param codec    reads one version
+   * @param codec reads one version
    * @param registry remembers the others
    */
   public VersionTolerantCodec(RecordCodec<T> codec, MessageRegistry registry) {

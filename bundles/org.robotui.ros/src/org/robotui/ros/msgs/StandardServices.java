@@ -32,6 +32,5 @@ public final class StandardServices {
   public static final ServiceCodec<ReconfigureRequest, ReconfigureResponse> RECONFIGURE = RecordCodec.service(
       "dynamic_reconfigure/Reconfigure", ReconfigureRequest.class, ReconfigureResponse.class);
 
-  private StandardServices() {
-  }
+  private StandardServices() {}
 }

@@ -10,28 +10,28 @@ public sealed interface ConfigValue {
    *
    * @param value true or false
    */
-  record Flag(boolean value) implements ConfigValue { }
+  record Flag(boolean value) implements ConfigValue {}
 
   /**
    * An integer.
    *
    * @param value the number
    */
-  record Whole(int value) implements ConfigValue { }
+  record Whole(int value) implements ConfigValue {}
 
   /**
    * A float.
    *
    * @param value the number
    */
-  record Real(double value) implements ConfigValue { }
+  record Real(double value) implements ConfigValue {}
 
   /**
    * A text.
    *
    * @param value the text
    */
-  record Text(String value) implements ConfigValue { }
+  record Text(String value) implements ConfigValue {}
 
   /**
    * The value as a Java value.
@@ -50,7 +50,7 @@ public sealed interface ConfigValue {
   /**
    * Reads a Java value, as a form or a script gives it.
    *
-   * @param kind  what the parameter holds
+   * @param kind what the parameter holds
    * @param value a {@link Boolean}, {@link Number} or {@link String}; texts of numbers and truth values are read
    * @return empty if the value is none of this kind
    */
@@ -59,7 +59,8 @@ public sealed interface ConfigValue {
       return switch (kind) {
         case FLAG -> flag(value);
         case WHOLE -> Optional.of(new Whole(Math.toIntExact(whole(value))));
-        case REAL -> Optional.of(new Real(value instanceof Number number ? number.doubleValue() : Double.parseDouble(value.toString())));
+        case REAL -> Optional
+            .of(new Real(value instanceof Number number ? number.doubleValue() : Double.parseDouble(value.toString())));
         case TEXT -> value instanceof String text ? Optional.of(new Text(text)) : Optional.empty();
       };
     } catch (NumberFormatException | ArithmeticException e) {

@@ -21,8 +21,7 @@ final class Configs {
 
   static final int MAX_PARAMETERS = 10_000;
 
-  private Configs() {
-  }
+  private Configs() {}
 
   static ConfigValues values(Config config) {
     Map<String, ConfigValue> values = new LinkedHashMap<>();
@@ -57,12 +56,14 @@ final class Configs {
     if (count > MAX_PARAMETERS) {
       return Optional.empty();
     }
-    Limits limits = new Limits(values(message.min()).values(), values(message.max()).values(), values(message.dflt()).values());
+    Limits limits =
+        new Limits(values(message.min()).values(), values(message.max()).values(), values(message.dflt()).values());
     return Optional.of(new ServerDescription(message.groups().stream().map(group -> group(group, limits)).toList()));
   }
 
   private static ConfigGroup group(Group group, Limits limits) {
-    List<ConfigParameter> parameters = group.parameters().stream().flatMap(each -> parameter(each, limits).stream()).toList();
+    List<ConfigParameter> parameters =
+        group.parameters().stream().flatMap(each -> parameter(each, limits).stream()).toList();
     return new ConfigGroup(group.name(), group.type(), group.id(), group.parent(), parameters);
   }
 

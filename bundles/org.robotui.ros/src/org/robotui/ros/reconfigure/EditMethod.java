@@ -6,7 +6,10 @@ import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The choices of a parameter: {@code {'enum': [{'name': ..., 'value': ..., 'description': ...}], 'enum_description': ...}}. */
+/**
+ * The choices of a parameter: {@code {'enum': [{'name': ..., 'value': ..., 'description': ...}], 'enum_description':
+ * ...}}.
+ */
 record EditMethod(List<ConfigChoice> choices, String description) {
 
   private static final Logger LOG = LoggerFactory.getLogger(EditMethod.class);

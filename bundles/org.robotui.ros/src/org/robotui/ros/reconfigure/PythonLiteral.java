@@ -7,8 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Reads the text of a Python value as data: dictionaries, lists and tuples of texts, numbers, truth values and None. The
- * text comes from a peer: nothing is evaluated, and its length, its depth and the number of its elements are bounded.
+ * Reads the text of a Python value as data: dictionaries, lists and tuples of texts, numbers, truth values and None.
+ * The text comes from a peer: nothing is evaluated, and its length, its depth and the number of its elements are
+ * bounded.
  */
 final class PythonLiteral {
 
@@ -190,7 +191,8 @@ final class PythonLiteral {
         return Long.parseLong(word.replaceFirst("[lL]$", ""));
       }
       if (word.matches("[+-]?(inf|nan)")) {
-        return word.endsWith("nan") ? Double.NaN : word.startsWith("-") ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+        return word.endsWith("nan") ? Double.NaN
+            : word.startsWith("-") ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
       }
       if (word.matches("[+-]?[\\d.][\\d.eE+-]{0,40}")) {
         return Double.parseDouble(word);
@@ -205,6 +207,7 @@ final class PythonLiteral {
 
   private SyntaxException error(String expected) {
     String rest = text.substring(Math.min(at, text.length()), Math.min(text.length(), at + 20));
-    return new SyntaxException("expected " + expected + " at position " + (at + 1) + (rest.isEmpty() ? "" : ", found '" + rest + "'"));
+    return new SyntaxException(
+        "expected " + expected + " at position " + (at + 1) + (rest.isEmpty() ? "" : ", found '" + rest + "'"));
   }
 }

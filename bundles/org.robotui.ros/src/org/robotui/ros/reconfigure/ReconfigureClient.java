@@ -13,8 +13,8 @@ public interface ReconfigureClient extends AutoCloseable {
   /**
    * Subscribes to what the server says. It need not be there yet.
    *
-   * @param node     the node; the client must be closed before it
-   * @param server   the server's name, usually that of a node
+   * @param node the node; the client must be closed before it
+   * @param server the server's name, usually that of a node
    * @param listener hears of the server
    * @return the client
    * @throws IllegalStateException if the node is closed
@@ -51,7 +51,7 @@ public interface ReconfigureClient extends AutoCloseable {
    * @param changes Java values by parameter name, as {@link ConfigValue#of} reads them; the other parameters stay
    * @param timeout for the whole call
    * @return all values as they are now; refused, without a call, if there is no such parameter or a value does not fit,
-   *         or if the description did not come yet
+   * or if the description did not come yet
    */
   Outcome<ConfigValues> set(Map<String, ?> changes, Duration timeout);
 

@@ -42,8 +42,10 @@ final class ReconfigureLinks implements ReconfigureClient {
     this.listener = listener;
     server = node.names().resolve(name.text());
     SubscriberOptions standard = SubscriberOptions.standard();
-    descriptions = node.subscriber(server + "/parameter_descriptions", RecordCodec.of(ConfigDescription.class), standard, (message, from) -> describe(message));
-    updates = node.subscriber(server + "/parameter_updates", RecordCodec.of(Config.class), standard, (message, from) -> update(Configs.values(message)));
+    descriptions = node.subscriber(server + "/parameter_descriptions", RecordCodec.of(ConfigDescription.class),
+        standard, (message, from) -> describe(message));
+    updates = node.subscriber(server + "/parameter_updates", RecordCodec.of(Config.class), standard,
+        (message, from) -> update(Configs.values(message)));
     service = node.serviceClient(server + "/set_parameters", StandardServices.RECONFIGURE, false);
   }
 
@@ -78,7 +80,8 @@ final class ReconfigureLinks implements ReconfigureClient {
   public boolean await(Duration patience) {
     long deadline = System.nanoTime() + patience.toNanos();
     try {
-      return described.await(patience.toNanos(), TimeUnit.NANOSECONDS) && told.await(deadline - System.nanoTime(), TimeUnit.NANOSECONDS);
+      return described.await(patience.toNanos(), TimeUnit.NANOSECONDS)
+          && told.await(deadline - System.nanoTime(), TimeUnit.NANOSECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return false;
@@ -97,10 +100,12 @@ final class ReconfigureLinks implements ReconfigureClient {
     if (!problems.isEmpty()) {
       return new Outcome.Refused<>(server + ": " + String.join("; ", problems));
     }
-    return service.call(new ReconfigureRequest(Configs.message(wanted)), timeout).map(response -> Configs.values(response.config()));
+    return service.call(new ReconfigureRequest(Configs.message(wanted)), timeout)
+        .map(response -> Configs.values(response.config()));
   }
 
-  private static void read(ServerDescription known, String name, Object value, Map<String, ConfigValue> wanted, List<String> problems) {
+  private static void read(ServerDescription known, String name, Object value, Map<String, ConfigValue> wanted,
+      List<String> problems) {
     known.parameter(name).ifPresentOrElse(
         parameter -> ConfigValue.of(parameter.kind(), value).ifPresentOrElse(
             fitting -> wanted.put(name, fitting),

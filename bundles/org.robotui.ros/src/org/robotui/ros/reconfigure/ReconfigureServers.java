@@ -16,8 +16,7 @@ public final class ReconfigureServers {
   private static final String TOPIC = "/parameter_descriptions";
   private static final String TYPE = "dynamic_reconfigure/ConfigDescription";
 
-  private ReconfigureServers() {
-  }
+  private ReconfigureServers() {}
 
   /**
    * Asks the master for all servers. Waits for the master.

@@ -31,6 +31,7 @@ public record ServerDescription(List<ConfigGroup> groups) {
    * @return empty if the server has none of this name
    */
   public Optional<ConfigParameter> parameter(String name) {
-    return groups.stream().flatMap(group -> group.parameters().stream()).filter(each -> each.name().equals(name)).findFirst();
+    return groups.stream().flatMap(group -> group.parameters().stream()).filter(each -> each.name().equals(name))
+        .findFirst();
   }
 }

@@ -12,9 +12,9 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Where a child frame is in its parent frame at a time.
  *
- * @param parent          the parent frame, without leading slash
- * @param child           the child frame, without leading slash
- * @param stampNanos      the time, nanoseconds of the sender's clock
+ * @param parent the parent frame, without leading slash
+ * @param child the child frame, without leading slash
+ * @param stampNanos the time, nanoseconds of the sender's clock
  * @param parentFromChild the transform, as sent: its rotation may be no rotation
  */
 public record FrameTransform(String parent, String child, long stampNanos, RigidTransform parentFromChild) {

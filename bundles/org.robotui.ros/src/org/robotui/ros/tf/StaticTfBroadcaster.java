@@ -22,7 +22,7 @@ public final class StaticTfBroadcaster implements AutoCloseable {
   /**
    * Starts to publish.
    *
-   * @param node   publishes; the broadcaster does not close it
+   * @param node publishes; the broadcaster does not close it
    * @param topics where to
    * @throws IllegalStateException if the node publishes the topic already, or is closed
    */

@@ -18,12 +18,13 @@ public final class TfBroadcaster implements AutoCloseable {
   /**
    * Starts to publish.
    *
-   * @param node   publishes; the broadcaster does not close it
+   * @param node publishes; the broadcaster does not close it
    * @param topics where to
    * @throws IllegalStateException if the node publishes the topic already, or is closed
    */
   public TfBroadcaster(RosNode node, TfTopics topics) {
-    publisher = node.publisher(topics.moving(), RecordCodec.of(TFMessage.class), PublisherOptions.standard().withQueue(QUEUE));
+    publisher =
+        node.publisher(topics.moving(), RecordCodec.of(TFMessage.class), PublisherOptions.standard().withQueue(QUEUE));
   }
 
   /**

@@ -31,9 +31,9 @@ public final class TfListener implements AutoCloseable {
   /**
    * Starts to listen.
    *
-   * @param node     subscribes; the listener does not close it
-   * @param topics   where to listen
-   * @param buffer   is filled, its frames named without leading slash
+   * @param node subscribes; the listener does not close it
+   * @param topics where to listen
+   * @param buffer is filled, its frames named without leading slash
    * @param refusals hears of each transform that was not taken over; called on an I/O thread, must not block
    */
   public TfListener(

@@ -4,7 +4,7 @@ package org.robotui.ros.tf;
  * Where transforms are published.
  *
  * @param moving the topic of transforms that change
- * @param fixed  the topic of transforms that hold for all times; its publishers latch
+ * @param fixed the topic of transforms that hold for all times; its publishers latch
  */
 public record TfTopics(String moving, String fixed) {
 

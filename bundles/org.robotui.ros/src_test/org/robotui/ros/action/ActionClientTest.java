@@ -55,9 +55,11 @@ class ActionClientTest {
   }
 
   private ActionClient open(Duration silence, int goals) throws Exception {
-    ActionType type = assertInstanceOf(SchemaLookup.Found.class, ActionType.find("move_base_msgs/MoveBaseAction", registry)).schema()
-        instanceof ActionType found ? found : null;
-    return ActionClient.open(graph.node("client_of_" + goals + "_in_" + silence.toMillis()), GraphName.of("drive"), type, registry,
+    ActionType type =
+        assertInstanceOf(SchemaLookup.Found.class, ActionType.find("move_base_msgs/MoveBaseAction", registry))
+            .schema() instanceof ActionType found ? found : null;
+    return ActionClient.open(graph.node("client_of_" + goals + "_in_" + silence.toMillis()), GraphName.of("drive"),
+        type, registry,
         new ActionOptions(graph.threads(), silence, goals));
   }
 
@@ -75,7 +77,8 @@ class ActionClientTest {
   @Test
   void theActionIsFoundByItsTopics() {
     assertTrue(client.awaitServer(TIME));
-    assertEquals(new Outcome.Done<>(List.of(new ActionInfo(GraphName.of("/drive"), "move_base_msgs/MoveBaseAction", "/server"))),
+    assertEquals(
+        new Outcome.Done<>(List.of(new ActionInfo(GraphName.of("/drive"), "move_base_msgs/MoveBaseAction", "/server"))),
         Actions.list(serverNode.master()));
   }
 
@@ -85,7 +88,8 @@ class ActionClientTest {
     assertEquals(3, server.goals.get(0).goal().targetPose().pose().position().x());
     assertEquals(goal.id(), server.goals.get(0).goalId().id());
     log.awaitPhase(GoalPhase.PENDING);
-    server.report(ScriptedServer.about("another", GoalStatus.ABORTED, ""), ScriptedServer.about(goal.id(), GoalStatus.ACTIVE, ""));
+    server.report(ScriptedServer.about("another", GoalStatus.ABORTED, ""),
+        ScriptedServer.about(goal.id(), GoalStatus.ACTIVE, ""));
     log.awaitPhase(GoalPhase.ACTIVE);
     server.feedback("another", 1);
     server.feedback(goal.id(), 2.5);
@@ -96,7 +100,8 @@ class ActionClientTest {
     assertEquals(GoalEnd.SUCCEEDED, outcome.end());
     assertEquals("there", outcome.text());
     assertEquals("move_base_msgs/MoveBaseResult", outcome.result().orElseThrow().type());
-    assertEquals(List.of(GoalPhase.PENDING, GoalPhase.ACTIVE, GoalPhase.WAITING_FOR_RESULT, GoalPhase.DONE), log.phases);
+    assertEquals(List.of(GoalPhase.PENDING, GoalPhase.ACTIVE, GoalPhase.WAITING_FOR_RESULT, GoalPhase.DONE),
+        log.phases);
     assertEquals(outcome, goal.done().toCompletableFuture().join());
   }
 
@@ -111,8 +116,10 @@ class ActionClientTest {
     log.awaitPhase(GoalPhase.PREEMPTING);
     server.result(goal.id(), GoalStatus.PREEMPTED, "as asked");
     assertEquals(GoalEnd.PREEMPTED, log.awaitEnd().end());
-    assertEquals(List.of(GoalPhase.ACTIVE, GoalPhase.WAITING_FOR_CANCEL, GoalPhase.PREEMPTING, GoalPhase.WAITING_FOR_RESULT,
-        GoalPhase.DONE), log.phases);
+    assertEquals(
+        List.of(GoalPhase.ACTIVE, GoalPhase.WAITING_FOR_CANCEL, GoalPhase.PREEMPTING, GoalPhase.WAITING_FOR_RESULT,
+            GoalPhase.DONE),
+        log.phases);
   }
 
   @Test
@@ -240,8 +247,10 @@ class ActionClientTest {
   void resultsAndFeedbackOfAnotherTypeAreIgnored() throws Exception {
     GoalHandle goal = sendAndReport(GoalStatus.ACTIVE);
     RosNode liar = graph.node("liar");
-    Publisher<StdString> result = liar.publisher("/drive/result", RecordCodec.of(StdString.class), PublisherOptions.latched());
-    Publisher<GoalStatusArray> feedback = liar.publisher("/drive/feedback", RecordCodec.of(GoalStatusArray.class), PublisherOptions.latched());
+    Publisher<StdString> result =
+        liar.publisher("/drive/result", RecordCodec.of(StdString.class), PublisherOptions.latched());
+    Publisher<GoalStatusArray> feedback =
+        liar.publisher("/drive/feedback", RecordCodec.of(GoalStatusArray.class), PublisherOptions.latched());
     result.publish(new StdString(goal.id()));
     feedback.publish(new GoalStatusArray(ScriptedServer.HEADER, List.of(ScriptedServer.about(goal.id(), 3, ""))));
     Eventually.await("the liar's links", () -> result.numSubscribers() == 1 && feedback.numSubscribers() == 1);
@@ -255,7 +264,7 @@ class ActionClientTest {
     SplittableRandom random = new SplittableRandom(2026);
     for (int round = 0; round < Effort.rounds(300); round++) {
       GoalLog heard = new GoalLog();
-      TrackedGoal goal = new TrackedGoal("g", "/server", heard, id -> { }, ended -> { });
+      TrackedGoal goal = new TrackedGoal("g", "/server", heard, id -> {}, ended -> {});
       for (int step = 0; step < 12; step++) {
         disturb(goal, random);
       }

@@ -33,10 +33,13 @@ final class ScriptedServer {
   private final Publisher<MoveBaseActionResult> result;
 
   ScriptedServer(RosNode node) {
-    node.subscriber("/drive/goal", RecordCodec.of(MoveBaseActionGoal.class), SubscriberOptions.standard(), (goal, from) -> goals.add(goal));
-    node.subscriber("/drive/cancel", RecordCodec.of(GoalID.class), SubscriberOptions.standard(), (id, from) -> cancelled.add(id));
+    node.subscriber("/drive/goal", RecordCodec.of(MoveBaseActionGoal.class), SubscriberOptions.standard(),
+        (goal, from) -> goals.add(goal));
+    node.subscriber("/drive/cancel", RecordCodec.of(GoalID.class), SubscriberOptions.standard(),
+        (id, from) -> cancelled.add(id));
     status = node.publisher("/drive/status", RecordCodec.of(GoalStatusArray.class), PublisherOptions.standard());
-    feedback = node.publisher("/drive/feedback", RecordCodec.of(MoveBaseActionFeedback.class), PublisherOptions.standard());
+    feedback =
+        node.publisher("/drive/feedback", RecordCodec.of(MoveBaseActionFeedback.class), PublisherOptions.standard());
     result = node.publisher("/drive/result", RecordCodec.of(MoveBaseActionResult.class), PublisherOptions.standard());
   }
 

@@ -10,11 +10,9 @@ import org.robotui.ros.message.MessageInfo;
 final class BagReader {
 
   /** One recorded message: topic, type as announced, time of recording, bytes. */
-  record Recorded(String topic, MessageInfo info, long nanos, ByteBuffer bytes) {
-  }
+  record Recorded(String topic, MessageInfo info, long nanos, ByteBuffer bytes) {}
 
-  private BagReader() {
-  }
+  private BagReader() {}
 
   static List<Recorded> read(Path bag) {
     return org.robotui.testkit.recorded.BagReader.read(bag).stream()

@@ -78,8 +78,7 @@ class MutatedMessagesTest {
       case RosValue.Messages m -> m.values().stream().limit(50).forEach(MutatedMessagesTest::fields);
       case RosValue.Texts t -> assertTrue(String.join("", t.values()).length() >= 0);
       case RosValue.Numbers n -> assertTrue(n.values().toDoubles().length == n.values().size());
-      default -> {
-      }
+      default -> {}
     }
   }
 

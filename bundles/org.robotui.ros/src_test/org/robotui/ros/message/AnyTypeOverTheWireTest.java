@@ -18,7 +18,7 @@ class AnyTypeOverTheWireTest {
 
   private static final String DEFINITION =
       "Header header\nWheel[] wheels\n" + "=".repeat(80) + "\nMSG: robot/Wheel\nstring name\nfloat64 speed\n"
-      + "=".repeat(80) + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n";
+          + "=".repeat(80) + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n";
 
   @Test
   void aTypeNobodyKnowsIsDecodedByTheDefinitionInTheConnectionHeader() throws Exception {

@@ -42,7 +42,7 @@ class DefinitionParserTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"float64", "float64 x y", "float64[ x", "float64[-1] x", "a/b/c x", "int32 1x",
-    "time T=5", "Foo A=1", "int32 x\nint32 x", "float64[9999999999] x"})
+      "time T=5", "Foo A=1", "int32 x\nint32 x", "float64[9999999999] x"})
   void linesThatAreNoDefinitionAreRefusedWithTheirNumber(String text) {
     DefinitionException e =
         assertThrows(DefinitionException.class, () -> DefinitionParser.parse("p/T", "bool ok\n" + text));

@@ -38,7 +38,7 @@ class DynamicMessageTest {
 
   @Test
   void arrayElementsAreFoundByIndex() throws Exception {
-    DynamicMessage m = scan.build(Map.of("ranges", new float[] {1, 2, Float.NaN, 4}));
+    DynamicMessage m = scan.build(Map.of("ranges", new float[]{1, 2, Float.NaN, 4}));
     assertEquals(OptionalDouble.of(4), m.number("ranges[3]"));
     assertTrue(Double.isNaN(m.number("ranges[2]").orElseThrow()));
     DynamicMessage c = cloud.build(Map.of(
@@ -51,7 +51,7 @@ class DynamicMessageTest {
 
   @Test
   void pathsThatLeadNowhereAnswerNothing() throws Exception {
-    DynamicMessage m = scan.build(Map.of("ranges", new float[] {1}));
+    DynamicMessage m = scan.build(Map.of("ranges", new float[]{1}));
     for (String path : List.of("nothing", "ranges[1]", "ranges.x", "ranges[", "header.", "header..seq",
         "[0]", "header[0]", "ranges[0][0]", ".header", "header.stamp.hours")) {
       assertTrue(m.at(path).isEmpty(), path);
@@ -64,7 +64,7 @@ class DynamicMessageTest {
   void unsignedNumbersKeepTheirValue() throws Exception {
     DynamicCodec codec = new DynamicCodec(MessageSchema.parse("p/T", "uint64 big\nuint8[] small\nint8 minus"));
     DynamicMessage m = codec.build(
-        Map.of("big", "18446744073709551615", "small", new byte[] {-1, 1}, "minus", -3));
+        Map.of("big", "18446744073709551615", "small", new byte[]{-1, 1}, "minus", -3));
     assertEquals("18446744073709551615", ((RosValue.Whole) m.at("big").orElseThrow()).text());
     assertEquals(18446744073709551615.0, m.number("big").orElseThrow());
     assertEquals(255, m.number("small[0]").orElseThrow());
@@ -74,12 +74,12 @@ class DynamicMessageTest {
   @Test
   void aMessageIsRebuiltFromItsOwnValues() throws Exception {
     DynamicMessage m = cloud.build(Map.of("points", List.of(Map.of("x", 1)),
-        "channels", List.of(Map.of("name", "a", "values", new float[] {3}))));
+        "channels", List.of(Map.of("name", "a", "values", new float[]{3}))));
     Map<String, RosValue> values = new HashMap<>();
     m.fields().forEach(f -> values.put(f.name(), m.field(f.name()).orElseThrow()));
     assertEquals(m, cloud.build(values));
     PrimitiveArray numbers = ((RosValue.Numbers) m.at("channels[0].values").orElseThrow()).values();
-    assertArrayEquals(new double[] {3}, numbers.toDoubles());
+    assertArrayEquals(new double[]{3}, numbers.toDoubles());
   }
 
   @Test
@@ -115,7 +115,7 @@ class DynamicMessageTest {
   @Test
   void arraysOfNothingAreBounded() throws Exception {
     DynamicCodec codec = new DynamicCodec(MessageSchema.parse("p/T", EMPTY_ARRAYS));
-    DynamicMessage three = codec.decode(ByteBuffer.wrap(new byte[] {3, 0, 0, 0, 9}));
+    DynamicMessage three = codec.decode(ByteBuffer.wrap(new byte[]{3, 0, 0, 0, 9}));
     assertEquals(9, three.number("last").orElseThrow());
     assertEquals(3, ((RosValue.Messages) three.at("many").orElseThrow()).values().size());
     byte[] lying = {-1, -1, -1, -1, 9};

@@ -88,7 +88,7 @@ class MessageRegistryTest {
     String text = "Inner[] inners\n" + "=".repeat(80) + "\nMSG: robot/Inner\nfloat32 v";
     String md5 = MessageSchema.parse("robot/Outer", text).info().md5();
     DynamicMessage m = new AnyCodec(registry).decode(
-        ByteBuffer.wrap(new byte[] {1, 0, 0, 0, 0, 0, (byte) 0x80, 0x3f}),
+        ByteBuffer.wrap(new byte[]{1, 0, 0, 0, 0, 0, (byte) 0x80, 0x3f}),
         new MessageInfo("robot/Outer", md5, text));
     assertEquals(1, m.number("inners[0].v").orElseThrow());
     assertInstanceOf(SchemaLookup.Found.class, registry.message("robot/Outer"));

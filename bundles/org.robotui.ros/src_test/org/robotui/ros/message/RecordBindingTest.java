@@ -34,30 +34,22 @@ class RecordBindingTest {
       Spot spot
       """;
 
-  private record Spot(double x, double y) {
-  }
+  private record Spot(double x, double y) {}
 
-  private record Label(Spot spot, String text) {
-  }
+  private record Label(Spot spot, String text) {}
 
   private record Track(
-      List<Label> labels, String name, long begin, long count, double[] spots, short[] codes, long big) {
-  }
+      List<Label> labels, String name, long begin, long count, double[] spots, short[] codes, long big) {}
 
-  private record Short(String name) {
-  }
+  private record Short(String name) {}
 
-  private record Typo(String nam) {
-  }
+  private record Typo(String nam) {}
 
-  private record Narrow(int count) {
-  }
+  private record Narrow(int count) {}
 
-  private record Times(long[] waits) {
-  }
+  private record Times(long[] waits) {}
 
-  private record Numbers(List<Integer> codes) {
-  }
+  private record Numbers(List<Integer> codes) {}
 
   record Picky(String name) {
     Picky {
@@ -86,8 +78,8 @@ class RecordBindingTest {
     assertEquals("loop", track.name());
     assertEquals(5_000_000_007L, track.begin());
     assertEquals(4_000_000_000L, track.count());
-    assertArrayEquals(new double[] {1, 2, 1, 2}, track.spots());
-    assertArrayEquals(new short[] {-1, 2}, track.codes());
+    assertArrayEquals(new double[]{1, 2, 1, 2}, track.spots());
+    assertArrayEquals(new short[]{-1, 2}, track.codes());
     assertEquals(List.of(new Label(new Spot(1, 2), "start")), track.labels());
     assertEquals(-1, track.big());
   }

@@ -12,8 +12,7 @@ import java.util.stream.Stream;
 /** All records of messages that this library ships, found where their classes are. */
 public final class ShippedRecords {
 
-  private ShippedRecords() {
-  }
+  private ShippedRecords() {}
 
   /** The codecs by the name of the ROS type, services' requests and responses included. */
   static Map<String, RecordCodec<?>> codecs() throws IOException {

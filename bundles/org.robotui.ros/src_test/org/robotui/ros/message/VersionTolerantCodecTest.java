@@ -18,7 +18,8 @@ class VersionTolerantCodecTest {
       """;
   private static final String NEW = "string name\nfloat64 weight\nPart[] parts\nint32[3] code\nbool checked\n" + PARTS
       + "uint8 kind\nstring label\n";
-  private static final String OLD = "float64 weight\nint16 gone\nPart[] parts\nstring name\n" + PARTS + "string label\nfloat32 old\n";
+  private static final String OLD =
+      "float64 weight\nint16 gone\nPart[] parts\nstring name\n" + PARTS + "string label\nfloat32 old\n";
 
   private final MessageRegistry registry = new MessageRegistry(new LocalDefinitions(List.of(), List.of()));
 
@@ -26,11 +27,9 @@ class VersionTolerantCodecTest {
     return MessageSchema.parse("lab_msgs/Box", definition);
   }
 
-  private record Part(int kind, String label) {
-  }
+  private record Part(int kind, String label) {}
 
-  private record Box(String name, double weight, List<Part> parts, int[] code, boolean checked) {
-  }
+  private record Box(String name, double weight, List<Part> parts, int[] code, boolean checked) {}
 
   private VersionTolerantCodec<Box> ours() throws DefinitionException {
     return new VersionTolerantCodec<>(RecordCodec.of(Box.class, schema(NEW), MethodHandles.lookup()), registry);

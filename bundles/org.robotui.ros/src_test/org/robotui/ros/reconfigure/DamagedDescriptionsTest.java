@@ -34,9 +34,11 @@ class DamagedDescriptionsTest {
     ParamDescription rate = new ParamDescription("rate", "int", 1, "how often",
         "{'enum': [{'name': 'Slow', 'value': 1, 'description': ''}], 'enum_description': 'how often'}");
     ParamDescription gain = new ParamDescription("gain", "double", 2, "how much", "");
-    Config config = new Config(List.of(new BoolParameter("on", true)), List.of(new IntParameter("rate", 3)), List.of(new StrParameter("s", "t")),
+    Config config = new Config(List.of(new BoolParameter("on", true)), List.of(new IntParameter("rate", 3)),
+        List.of(new StrParameter("s", "t")),
         List.of(new DoubleParameter("gain", 0.5)), List.of(new GroupState("Default", true, 0, 0)));
-    List<Group> groups = List.of(new Group("Default", "", List.of(rate, gain), 0, 0), new Group("Inner", "tab", List.of(rate), 0, 1));
+    List<Group> groups =
+        List.of(new Group("Default", "", List.of(rate, gain), 0, 0), new Group("Inner", "tab", List.of(rate), 0, 1));
     MessageWriter out = new MessageWriter();
     RecordCodec.of(ConfigDescription.class).encode(new ConfigDescription(groups, config, config, config), out);
     return out.toByteArray();
@@ -71,7 +73,8 @@ class DamagedDescriptionsTest {
 
   private static boolean isRead(byte[] bytes) {
     try {
-      ConfigDescription message = RecordCodec.of(ConfigDescription.class).decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
+      ConfigDescription message =
+          RecordCodec.of(ConfigDescription.class).decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
       ServerDescription read = Configs.description(message).orElseThrow();
       return read.parameters().size() <= 3 && Configs.values(message.dflt()).values().size() <= 4;
     } catch (MessageException e) {

@@ -16,9 +16,10 @@ import org.robotui.testkit.Effort;
 
 class PythonLiteralTest {
 
-  private static final String CHOICES = "{'enum': [{'name': 'Small', 'type': 'int', 'value': 0, 'srcline': 44, 'srcfile': 'Test.cfg',"
-      + " 'description': \"A 'small' constant\", 'ctype': 'int'}, {'name': u'La\\u00e9', 'value': 2, 'description': 'tab\\there'}],"
-      + " 'enum_description': 'sets\\nthe size'}";
+  private static final String CHOICES =
+      "{'enum': [{'name': 'Small', 'type': 'int', 'value': 0, 'srcline': 44, 'srcfile': 'Test.cfg',"
+          + " 'description': \"A 'small' constant\", 'ctype': 'int'}, {'name': u'La\\u00e9', 'value': 2, 'description': 'tab\\there'}],"
+          + " 'enum_description': 'sets\\nthe size'}";
 
   @Test
   void valuesAreReadAsData() throws Exception {
@@ -38,7 +39,8 @@ class PythonLiteralTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "{", "[1", "'a", "{1}", "[1 2]", "os.system('x')", "__import__", "1.2.3", "'\\x1'", "'\\U99999999'", "[1]]", "u", "--1"})
+  @ValueSource(strings = {"", "{", "[1", "'a", "{1}", "[1 2]", "os.system('x')", "__import__", "1.2.3", "'\\x1'",
+      "'\\U99999999'", "[1]]", "u", "--1"})
   void otherTextsAreRefusedWithTheirPosition(String text) {
     String message = assertThrows(PythonLiteral.SyntaxException.class, () -> PythonLiteral.parse(text)).getMessage();
     assertTrue(message.startsWith("expected "), message);
@@ -50,7 +52,8 @@ class PythonLiteralTest {
   void boundsHold() {
     assertThrows(PythonLiteral.SyntaxException.class, () -> PythonLiteral.parse("[".repeat(200_000)));
     assertThrows(PythonLiteral.SyntaxException.class, () -> PythonLiteral.parse("[" + "1,".repeat(50_000) + "]"));
-    assertThrows(PythonLiteral.SyntaxException.class, () -> PythonLiteral.parse("'" + "x".repeat(PythonLiteral.MAX_TEXT) + "'"));
+    assertThrows(PythonLiteral.SyntaxException.class,
+        () -> PythonLiteral.parse("'" + "x".repeat(PythonLiteral.MAX_TEXT) + "'"));
   }
 
   @Test

@@ -46,8 +46,7 @@ final class RecordingNode {
   @SuppressWarnings("unchecked")
   private Subscriber subscribe(String topic, Object listener) {
     listeners.put(topic, (MessageListener<TFMessage>) listener);
-    return fake(Subscriber.class, (proxy, method, args) ->
-        method.getName().equals("close") ? unsubscribe(topic) : 1);
+    return fake(Subscriber.class, (proxy, method, args) -> method.getName().equals("close") ? unsubscribe(topic) : 1);
   }
 
   private Object unsubscribe(String topic) {
@@ -66,7 +65,7 @@ final class RecordingNode {
   }
 
   private static <T> T fake(Class<T> type, InvocationHandler handler) {
-    return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, handler));
+    return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[]{type}, handler));
   }
 
   void receive(String topic, String callerId, FrameTransform... transforms) {

@@ -87,7 +87,8 @@ class TfOverTheWireTest {
     RosNode old = graph.node("old");
     Publisher<TfMessage> publisher = old.publisher("/tf", RecordCodec.of(TfMessage.class), PublisherOptions.latched());
     publisher.publish(new TfMessage(List.of(ahead("/odom", "/base").toMessage())));
-    try (TfListener listener = listen(); TfBroadcaster other = new TfBroadcaster(graph.node("new"), TfTopics.STANDARD)) {
+    try (TfListener listener = listen();
+        TfBroadcaster other = new TfBroadcaster(graph.node("new"), TfTopics.STANDARD)) {
       Eventually.await("both publishers", () -> listener.numPublishers() == 2);
       other.send(List.of(ahead("map", "odom")));
       Eventually.await("both transforms", () -> buffer.frames().equals(Set.of("map", "odom", "base")));
@@ -101,8 +102,8 @@ class TfOverTheWireTest {
     try (TfListener listener = listen();
         StaticTfBroadcaster ours = new StaticTfBroadcaster(graph.node("ours"), TfTopics.STANDARD)) {
       ours.send(List.of(ahead("lidar", "window")));
-      Eventually.await("the whole chain", () ->
-          buffer.lookup("odom", "window", 7_000_000_000L).transform().isPresent());
+      Eventually.await("the whole chain",
+          () -> buffer.lookup("odom", "window", 7_000_000_000L).transform().isPresent());
       RigidTransform odomFromWindow = buffer.lookup("odom", "window", 7_000_000_000L).transform().orElseThrow();
       assertEquals(5, odomFromWindow.translation().x(), 1e-12);
       assertEquals(List.of(), refusals);

@@ -30,8 +30,8 @@ import org.robotui.sim.internal.world.Walker;
 import org.robotui.sim.internal.world.World;
 
 /**
- * The robot in its building, advanced in steps of {@link #STEP} seconds by one thread. The same seed, steps and commands
- * give the same states. {@link #submit} and {@link #state} are for any thread.
+ * The robot in its building, advanced in steps of {@link #STEP} seconds by one thread. The same seed, steps and
+ * commands give the same states. {@link #submit} and {@link #state} are for any thread.
  */
 public final class Simulation {
   public static final double STEP = 0.01;
@@ -86,7 +86,8 @@ public final class Simulation {
     pressed = bumpers.free();
     neck = robot.head() ? Optional.of(new Neck()) : Optional.empty();
     tuning = Tuning.of(settings.limits());
-    pilot = new Pilot(new Navigator(new Planner(new Clearance(map), robot.radius() + PLANNING_MARGIN), tuning.cruise()), events);
+    pilot = new Pilot(new Navigator(new Planner(new Clearance(map), robot.radius() + PLANNING_MARGIN), tuning.cruise()),
+        events);
     guard = new FrontGuard(this::present, robot.radius(), robot.laser().height());
     state = capture();
   }
@@ -116,7 +117,7 @@ public final class Simulation {
 
   /** Asks for something with the next step; false if more was asked than can be done. */
   public boolean submit(Command command) {
-    return submit(command, () -> { });
+    return submit(command, () -> {});
   }
 
   /**

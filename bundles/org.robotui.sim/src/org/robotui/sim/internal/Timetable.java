@@ -25,7 +25,9 @@ public final class Timetable {
     return start + Math.round((steps + 1) * stepNanos);
   }
 
-  /** Notes that a step is made now. After a long sleep of the machine the missed steps are left out, not made up for. */
+  /**
+   * Notes that a step is made now. After a long sleep of the machine the missed steps are left out, not made up for.
+   */
   public void stepMade(long now) {
     long late = now - nextDue();
     if (late > GIVE_UP) {

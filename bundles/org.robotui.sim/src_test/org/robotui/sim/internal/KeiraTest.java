@@ -22,7 +22,8 @@ class KeiraTest {
   private final List<Event> events = new ArrayList<>();
 
   private Simulation in(World world) {
-    return new Simulation(world, new MapRasterizer(world, 0.05, Robots.KEIRA.laser().height()).rasterize(), Settings.of(Robots.KEIRA, 2), events::add);
+    return new Simulation(world, new MapRasterizer(world, 0.05, Robots.KEIRA.laser().height()).rasterize(),
+        Settings.of(Robots.KEIRA, 2), events::add);
   }
 
   private static void run(Simulation simulation, double seconds) {
@@ -52,7 +53,8 @@ class KeiraTest {
 
   @Test
   void aWallAskewPressesTheBumperOfItsSide() {
-    Simulation simulation = in(TestWorlds.of("room hall 0 0 10 6 tile 808080 c04040\nwall 10 0 10 6 0.2\nstart 9 3 40\n"));
+    Simulation simulation =
+        in(TestWorlds.of("room hall 0 0 10 6 tile 808080 c04040\nwall 10 0 10 6 0.2\nstart 9 3 40\n"));
     drive(simulation, 0.3, 0, 6);
     assertEquals(List.of(false, true), simulation.state().bumpers());
   }
@@ -71,7 +73,8 @@ class KeiraTest {
   @Test
   void everyRoomOfTheApartmentIsReached() {
     Simulation simulation = in(World.of("apartment"));
-    List<Pose2> tour = List.of(new Pose2(2.6, 5.6, 1), new Pose2(4.2, 5.2, 2), new Pose2(6, 3.6, 0), new Pose2(6.4, 1.6, -2), new Pose2(6, 5, 3));
+    List<Pose2> tour = List.of(new Pose2(2.6, 5.6, 1), new Pose2(4.2, 5.2, 2), new Pose2(6, 3.6, 0),
+        new Pose2(6.4, 1.6, -2), new Pose2(6, 5, 3));
     for (Pose2 goal : tour) {
       simulation.submit(new Command.Goal("g", goal));
       run(simulation, 0.1);
@@ -114,7 +117,8 @@ class KeiraTest {
     Simulation keira = in(TestWorlds.room());
     assertEquals(Optional.empty(), keira.state().head());
     World world = TestWorlds.room();
-    Simulation natalie = new Simulation(world, new MapRasterizer(world, 0.05, 0.3).rasterize(), Settings.demo(1), events::add);
+    Simulation natalie =
+        new Simulation(world, new MapRasterizer(world, 0.05, 0.3).rasterize(), Settings.demo(1), events::add);
     run(natalie, 4);
     assertEquals(0.9, natalie.state().head().orElseThrow().pan(), 0.01);
     natalie.submit(new Command.Turn(new Neck.Look(-0.5, 9, 1, 1)));

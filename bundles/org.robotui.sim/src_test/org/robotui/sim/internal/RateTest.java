@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class RateTest {
   @Test
   void everyRateIsMetOverAMinute() {
-    for (double hertz : new double[] {1, 5, 10, 15, 20, 30, 50, 100}) {
+    for (double hertz : new double[]{1, 5, 10, 15, 20, 30, 50, 100}) {
       long count = LongStream.rangeClosed(1, 6000).filter(new Rate(hertz)::isDue).count();
       assertEquals(60 * hertz, count);
     }

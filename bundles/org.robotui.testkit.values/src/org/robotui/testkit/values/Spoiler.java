@@ -18,13 +18,15 @@ import org.robotui.data.array.Doubles;
 import org.robotui.data.array.Floats;
 
 /**
- * Spoils values as broken and hostile programs do: numbers that are none, that are huge or negative, lists and arrays of the wrong size, long and
- * odd texts, frames that are not there. A record says by an {@link IllegalArgumentException} that it cannot be so: then nobody ever gets it. The same
- * seed spoils the same values in the same way. For one thread.
+ * Spoils values as broken and hostile programs do: numbers that are none, that are huge or negative, lists and arrays
+ * of the wrong size, long and odd texts, frames that are not there. A record says by an
+ * {@link IllegalArgumentException} that it cannot be so: then nobody ever gets it. The same seed spoils the same values
+ * in the same way. For one thread.
  */
 public final class Spoiler {
-  private static final double[] NUMBERS = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 0, -0.0, -1, 1e-320, 1e-9, 1e12, 1e300, -1e300,
-      Double.MAX_VALUE};
+  private static final double[] NUMBERS =
+      {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 0, -0.0, -1, 1e-320, 1e-9, 1e12, 1e300, -1e300,
+          Double.MAX_VALUE};
   private static final int[] WHOLE = {-1, 0, 1, 3, 7, 255, 65_536, 1 << 28, Integer.MAX_VALUE, Integer.MIN_VALUE};
   private static final int LONG_TEXT = 1 << 20;
   private static final int MANY = 20_000;
@@ -65,7 +67,8 @@ public final class Spoiler {
       case Long l -> random.nextBoolean() ? random.nextLong() : (long) WHOLE[random.nextInt(WHOLE.length)];
       case Boolean b -> !b;
       case String s -> text(s);
-      case Enum<?> e -> e.getDeclaringClass().getEnumConstants()[random.nextInt(e.getDeclaringClass().getEnumConstants().length)];
+      case Enum<?> e -> e.getDeclaringClass().getEnumConstants()[random
+          .nextInt(e.getDeclaringClass().getEnumConstants().length)];
       case Optional<?> o -> o.isPresent() && random.nextBoolean() ? Optional.of(other(o.get())) : Optional.empty();
       case List<?> l -> list(l);
       case Map<?, ?> m -> map(m);
@@ -99,7 +102,8 @@ public final class Spoiler {
       if (e.getCause() instanceof IllegalArgumentException refused) {
         throw refused;
       }
-      throw new AssertionError(record.getClass() + " does not refuse as it should: " + Arrays.toString(values), e.getCause());
+      throw new AssertionError(record.getClass() + " does not refuse as it should: " + Arrays.toString(values),
+          e.getCause());
     } catch (ReflectiveOperationException e) {
       throw new AssertionError(record.getClass().toString(), e);
     }
@@ -137,7 +141,8 @@ public final class Spoiler {
     int chosen = map.isEmpty() ? 0 : random.nextInt(map.size());
     for (Map.Entry<?, ?> entry : map.entrySet()) {
       boolean here = next.size() == chosen;
-      next.put(here && random.nextBoolean() ? other(entry.getKey()) : entry.getKey(), here ? other(entry.getValue()) : entry.getValue());
+      next.put(here && random.nextBoolean() ? other(entry.getKey()) : entry.getKey(),
+          here ? other(entry.getValue()) : entry.getValue());
     }
     return next;
   }
@@ -169,7 +174,8 @@ public final class Spoiler {
     bytes.buffer(ByteOrder.LITTLE_ENDIAN).get(values);
     byte[] next = Arrays.copyOf(values, size(values.length));
     if (next.length >= Double.BYTES) {
-      ByteBuffer into = ByteBuffer.wrap(next).order(random.nextBoolean() ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+      ByteBuffer into =
+          ByteBuffer.wrap(next).order(random.nextBoolean() ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
       int at = random.nextInt(next.length - Double.BYTES + 1);
       if (random.nextBoolean()) {
         into.putFloat(at / Float.BYTES * Float.BYTES, (float) NUMBERS[random.nextInt(NUMBERS.length)]);

@@ -33,8 +33,9 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.UiContext;
 
 /**
- * A view that is shown values which are valid, and values which are not but could be made, until it has painted them: it throws nothing, and its work
- * has a bound. A new view gets it by one line, {@code ViewTrial.of(new MyType())}. Display thread.
+ * A view that is shown values which are valid, and values which are not but could be made, until it has painted them:
+ * it throws nothing, and its work has a bound. A new view gets it by one line, {@code ViewTrial.of(new MyType())}.
+ * Display thread.
  */
 public final class ViewTrial {
   private static final int ROUNDS = 60;
@@ -63,7 +64,7 @@ public final class ViewTrial {
    * @throws AssertionError where it fails or works without a bound; names the values
    */
   public static void of(UicType type) {
-    of(type, context -> { });
+    of(type, context -> {});
   }
 
   /**
@@ -118,7 +119,8 @@ public final class ViewTrial {
         @SuppressWarnings("unchecked") // only values of its type are put in
         FakeInput<Data> input = (FakeInput<Data>) context.input(stream);
         valid.stream().filter(stream.type()::isInstance)
-            .forEach(value -> given.add(new Given(input, source(value), spoiled ? spoil(value) : value, stamp(spoiled))));
+            .forEach(
+                value -> given.add(new Given(input, source(value), spoiled ? spoil(value) : value, stamp(spoiled))));
       }
     }
     return given;
@@ -152,7 +154,7 @@ public final class ViewTrial {
     Shell shell = new Shell(display, SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
     shell.setSize(WIDTH, HEIGHT);
-    view.createControl(shell, UiContext.of(theme, note -> { }));
+    view.createControl(shell, UiContext.of(theme, note -> {}));
     shell.open();
     return shell;
   }

@@ -9,8 +9,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 
 /**
- * A bound on the work of a thread, in time of the processor, so that it is the same on a busy machine. Where it is far exceeded, nothing but the end
- * of the program helps: what the thread does is said then. Begins where it is made, ends with {@link #close}.
+ * A bound on the work of a thread, in time of the processor, so that it is the same on a busy machine. Where it is far
+ * exceeded, nothing but the end of the program helps: what the thread does is said then. Begins where it is made, ends
+ * with {@link #close}.
  */
 final class WorkLimit implements AutoCloseable {
   private static final long MOST = TimeUnit.SECONDS.toNanos(5);
@@ -39,7 +40,8 @@ final class WorkLimit implements AutoCloseable {
     try {
       while (!over.await(LOOK.toMillis(), TimeUnit.MILLISECONDS)) {
         if (spent() > HANGS) {
-          System.getLogger(WorkLimit.class.getName()).log(System.Logger.Level.ERROR, "hangs: " + what.get() + "\n" + Arrays.toString(worker.getStackTrace()));
+          System.getLogger(WorkLimit.class.getName()).log(System.Logger.Level.ERROR,
+              "hangs: " + what.get() + "\n" + Arrays.toString(worker.getStackTrace()));
           Runtime.getRuntime().halt(EXIT);
         }
       }

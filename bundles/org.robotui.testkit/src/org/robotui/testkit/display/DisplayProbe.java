@@ -23,7 +23,10 @@ import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Rgba;
 
-/** A display with what a scene would give it: settings with their fallbacks, places, and ticks a tenth of a second apart. For one thread. */
+/**
+ * A display with what a scene would give it: settings with their fallbacks, places, and ticks a tenth of a second
+ * apart. For one thread.
+ */
 public final class DisplayProbe implements AutoCloseable {
   private static final long STEP = 100_000_000;
 
@@ -115,12 +118,15 @@ public final class DisplayProbe implements AutoCloseable {
 
   private DisplayResult tick(boolean reset, Data... arrived) {
     now += STEP;
-    List<Envelope<? extends Data>> envelopes = Stream.of(arrived).<Envelope<? extends Data>>map(this::envelope).toList();
-    return display.update(new DisplayTick(envelopes, state, places, new Settings(type.schema(), values), Rgba.WHITE, now, reset));
+    List<Envelope<? extends Data>> envelopes =
+        Stream.of(arrived).<Envelope<? extends Data>>map(this::envelope).toList();
+    return display
+        .update(new DisplayTick(envelopes, state, places, new Settings(type.schema(), values), Rgba.WHITE, now, reset));
   }
 
   private <T extends Data> Envelope<T> envelope(T value) {
-    return new Envelope<>(value, new SourceId(FakePlaces.ROBOT, "port"), sequence++, Optional.of(new Stamp(now, ClockKind.ROBOT)), now,
+    return new Envelope<>(value, new SourceId(FakePlaces.ROBOT, "port"), sequence++,
+        Optional.of(new Stamp(now, ClockKind.ROBOT)), now,
         Optional.empty());
   }
 

@@ -65,8 +65,10 @@ public final class FakePlaces implements Places {
 
   @Override
   public Place at(FrameId frame, Optional<Stamp> stamp) {
-    return Optional.ofNullable(known.get(frame)).or(() -> everywhere ? Optional.of(RigidTransform.IDENTITY) : Optional.empty())
-        .<Place>map(Place.At::new).orElseGet(() -> new Place.Missing("no transform leads from " + frame.name() + " to " + fixed.name()));
+    return Optional.ofNullable(known.get(frame))
+        .or(() -> everywhere ? Optional.of(RigidTransform.IDENTITY) : Optional.empty())
+        .<Place>map(Place.At::new)
+        .orElseGet(() -> new Place.Missing("no transform leads from " + frame.name() + " to " + fixed.name()));
   }
 
   @Override

@@ -14,7 +14,8 @@ import org.osgi.framework.BundleException;
 import org.osgi.framework.wiring.BundleWiring;
 
 /**
- * A bundle packed from one package of the tests, so that it is a bundle like any other: with a name and a class loader of its own.
+ * A bundle packed from one package of the tests, so that it is a bundle like any other: with a name and a class loader
+ * of its own.
  *
  * @param tests the bundle that has the classes
  * @param name of the new bundle and of the package; its activator is the class {@code BadActivator} there

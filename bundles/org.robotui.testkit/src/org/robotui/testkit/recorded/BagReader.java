@@ -12,7 +12,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Reads bags of ROS 1, format 2.0, in the order of the file: chunks that are plain or compressed by lz4 or bzip2. Trusts the file. */
+/**
+ * Reads bags of ROS 1, format 2.0, in the order of the file: chunks that are plain or compressed by lz4 or bzip2.
+ * Trusts the file.
+ */
 public final class BagReader {
   private static final String MAGIC = "#ROSBAG V2.0\n";
   private static final int MESSAGE = 2;
@@ -78,7 +81,8 @@ public final class BagReader {
   private void connection(Map<String, ByteBuffer> header, ByteBuffer data) {
     Map<String, ByteBuffer> fields = header(data);
     connections.put(header.get("conn").getInt(), new Connection(
-        text(header.get("topic")), text(fields.get("type")), text(fields.get("md5sum")), text(fields.get("message_definition"))));
+        text(header.get("topic")), text(fields.get("type")), text(fields.get("md5sum")),
+        text(fields.get("message_definition"))));
   }
 
   private void message(Map<String, ByteBuffer> header, ByteBuffer data) {

@@ -9,15 +9,17 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Finds the recordings, maps and models that are shared beside the repository, in the folder that {@code ROBOTUI_SHARED} names. A test that
- * needs them: {@code @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)}.
+ * Finds the recordings, maps and models that are shared beside the repository, in the folder that
+ * {@code ROBOTUI_SHARED} names. A test that needs them:
+ * {@code @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)}.
  */
 public final class SharedData {
   /** The name of the condition as JUnit wants it. */
   public static final String AVAILABLE = "org.robotui.testkit.recorded.SharedData#available";
 
   /** What is shown where a test is skipped. */
-  public static final String REASON = "no shared data: ROBOTUI_SHARED names no folder, and none lies beside the repository";
+  public static final String REASON =
+      "no shared data: ROBOTUI_SHARED names no folder, and none lies beside the repository";
 
   private SharedData() {}
 
@@ -66,7 +68,8 @@ public final class SharedData {
   }
 
   private static Optional<Path> folder() {
-    return Optional.ofNullable(System.getenv("ROBOTUI_SHARED")).map(Path::of).or(() -> repository().map(root -> root.resolveSibling("shared")))
+    return Optional.ofNullable(System.getenv("ROBOTUI_SHARED")).map(Path::of)
+        .or(() -> repository().map(root -> root.resolveSibling("shared")))
         .map(shared -> shared.resolve("data")).filter(Files::isDirectory);
   }
 

@@ -6,7 +6,8 @@ import java.util.Optional;
  * One thing that a robot interface keeps.
  *
  * @param name a sentence about the robot interface
- * @param lacking why it cannot be checked with this framework, if so; such a check is not to be run but shown as skipped
+ * @param lacking why it cannot be checked with this framework, if so; such a check is not to be run but shown as
+ * skipped
  * @param body checks it
  */
 public record Check(String name, Optional<String> lacking, Body body) {
@@ -16,7 +17,8 @@ public record Check(String name, Optional<String> lacking, Body body) {
     /**
      * Checks.
      *
-     * @throws Exception where the robot of the test does not work; an {@link AssertionError} says that the robot interface does not
+     * @throws Exception where the robot of the test does not work; an {@link AssertionError} says that the robot
+     * interface does not
      */
     void run() throws Exception;
   }
@@ -24,7 +26,8 @@ public record Check(String name, Optional<String> lacking, Body body) {
   /**
    * Checks it.
    *
-   * @throws Exception where the robot of the test does not work; an {@link AssertionError} says that the robot interface does not
+   * @throws Exception where the robot of the test does not work; an {@link AssertionError} says that the robot
+   * interface does not
    */
   public void run() throws Exception {
     body.run();

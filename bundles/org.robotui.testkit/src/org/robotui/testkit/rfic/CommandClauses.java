@@ -13,18 +13,23 @@ final class CommandClauses {
 
   static List<Clause> all() {
     return List.of(
-        Clause.connected("takes motions, and the robot hears them with their units", CommandClauses::motion, Capability.COMMANDS),
+        Clause.connected("takes motions, and the robot hears them with their units", CommandClauses::motion,
+            Capability.COMMANDS),
         Clause.connected("stops what it drives when it ends", CommandClauses::stopped, Capability.COMMANDS),
-        Clause.connected("brings a stop to the robot that is given right before its end", CommandClauses::lastStop, Capability.COMMANDS),
+        Clause.connected("brings a stop to the robot that is given right before its end", CommandClauses::lastStop,
+            Capability.COMMANDS),
         Clause.connected("tells the robot nothing that nobody commanded", CommandClauses::nothing, Capability.COMMANDS),
-        Clause.connected("leaves alone at its end what it drives no more", CommandClauses::othersDrive, Capability.COMMANDS),
+        Clause.connected("leaves alone at its end what it drives no more", CommandClauses::othersDrive,
+            Capability.COMMANDS),
         Clause.connected("sends nothing after its end", CommandClauses::afterEnd, Capability.COMMANDS),
-        Clause.connected("keeps no command for a robot that comes back", CommandClauses::nothingKept, Capability.COMMANDS, Capability.RETURN));
+        Clause.connected("keeps no command for a robot that comes back", CommandClauses::nothingKept,
+            Capability.COMMANDS, Capability.RETURN));
   }
 
   private static void motion(Trial trial) throws Exception {
     trial.drive();
-    require(trial.context.commands.get(trial.peer.motionPort()).isMotion(), trial.peer.motionPort() + " is no port for motions, so that no stop would reach it");
+    require(trial.context.commands.get(trial.peer.motionPort()).isMotion(),
+        trial.peer.motionPort() + " is no port for motions, so that no stop would reach it");
     Optional<String> difference = Alike.difference(trial.peer.motion(), trial.peer.heard().getFirst());
     require(difference.isEmpty(), difference.orElse(""));
   }
@@ -85,13 +90,15 @@ final class CommandClauses {
   private static void nothingKept(Trial trial) throws Exception {
     trial.drive();
     trial.peer.kill();
-    trial.await("the loss is told", () -> !(trial.link() instanceof LinkState.Connected), () -> trial.link().toString());
+    trial.await("the loss is told", () -> !(trial.link() instanceof LinkState.Connected),
+        () -> trial.link().toString());
     int before = trial.peer.heard().size();
     trial.send(trial.peer.motion());
     trial.peer.start();
     trial.awaitConnected();
     trial.saying(Trial.MOMENT);
-    long late = trial.peer.heard().stream().skip(before).filter(m -> Alike.difference(trial.peer.motion(), m).isEmpty()).count();
+    long late = trial.peer.heard().stream().skip(before).filter(m -> Alike.difference(trial.peer.motion(), m).isEmpty())
+        .count();
     require(late == 0, "the robot heard what was commanded while it was away");
   }
 }

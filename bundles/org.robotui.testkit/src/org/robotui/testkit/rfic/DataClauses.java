@@ -13,7 +13,8 @@ final class DataClauses {
   static List<Clause> all() {
     return List.of(
         Clause.connected("brings what the robot says, in SI units and in frames of this robot", DataClauses::values),
-        Clause.connected("tells when something was measured, by the clock of its source", DataClauses::stamps, Capability.STAMPS),
+        Clause.connected("tells when something was measured, by the clock of its source", DataClauses::stamps,
+            Capability.STAMPS),
         Clause.connected("tells when something was received, by the clock of this machine", DataClauses::receipts),
         Clause.connected("brings nothing that nobody wants", DataClauses::unwanted),
         Clause.connected("asks the robot for nothing that nobody wants", DataClauses::demand, Capability.DEMAND),
@@ -34,7 +35,8 @@ final class DataClauses {
     for (Sample sample : trial.peer.samples()) {
       trial.want(sample, true);
       Published came = trial.next(sample);
-      require(came.stamp().equals(sample.stamp()), sample + " has the stamp " + came.stamp() + " instead of " + sample.stamp());
+      require(came.stamp().equals(sample.stamp()),
+          sample + " has the stamp " + came.stamp() + " instead of " + sample.stamp());
     }
   }
 
@@ -61,15 +63,18 @@ final class DataClauses {
 
   private static void demand(Trial trial) throws Exception {
     Sample sample = trial.first();
-    trial.awaitSaying(sample + " is offered", () -> trial.context.streams.containsKey(sample.port()), () -> trial.context.streams.keySet().toString());
+    trial.awaitSaying(sample + " is offered", () -> trial.context.streams.containsKey(sample.port()),
+        () -> trial.context.streams.keySet().toString());
     trial.saying(Trial.MOMENT);
     for (Sample each : trial.peer.samples()) {
       require(trial.peer.listeners(each) == 0, "the robot is asked for " + each + ", which nobody wants");
     }
     trial.want(sample, true);
-    trial.awaitSaying("the robot is asked for " + sample, () -> trial.peer.listeners(sample) > 0, () -> trial.link().toString());
+    trial.awaitSaying("the robot is asked for " + sample, () -> trial.peer.listeners(sample) > 0,
+        () -> trial.link().toString());
     trial.want(sample, false);
-    trial.awaitSaying("the robot is asked for " + sample + " no more", () -> trial.peer.listeners(sample) == 0, () -> trial.link().toString());
+    trial.awaitSaying("the robot is asked for " + sample + " no more", () -> trial.peer.listeners(sample) == 0,
+        () -> trial.link().toString());
   }
 
   private static void again(Trial trial) throws Exception {

@@ -66,8 +66,9 @@ final class EndClauses {
     trial.want(sample, true);
     trial.next(sample);
     trial.end();
-    Map<String, Set<String>> left = Map.of("streams", trial.context.streams.keySet(), "commands", trial.context.commands.keySet(),
-        "calls", trial.context.handlers.keySet(), "browsers", trial.context.browsers.keySet());
+    Map<String, Set<String>> left =
+        Map.of("streams", trial.context.streams.keySet(), "commands", trial.context.commands.keySet(),
+            "calls", trial.context.handlers.keySet(), "browsers", trial.context.browsers.keySet());
     left.forEach((what, names) -> require(names.isEmpty(), what + " are left: " + names));
     int before = trial.brought(sample);
     trial.saying(Trial.MOMENT);
@@ -96,7 +97,8 @@ final class EndClauses {
     }
     require(!trial.peer.registrations().equals(before), "the robot of the test does not see that somebody was there");
     trial.end();
-    trial.await("the robot is as it was", () -> trial.peer.registrations().equals(before), () -> trial.peer.registrations() + " instead of " + before);
+    trial.await("the robot is as it was", () -> trial.peer.registrations().equals(before),
+        () -> trial.peer.registrations() + " instead of " + before);
   }
 
   private static void nothingLeft(Supplier<? extends Peer> peers) throws Exception {

@@ -13,12 +13,15 @@ final class FaultClauses {
 
   static List<Clause> all() {
     return List.of(
-        Clause.connected("tells why a robot is lost, and brings its data again when it is back", FaultClauses::back, Capability.RETURN),
+        Clause.connected("tells why a robot is lost, and brings its data again when it is back", FaultClauses::back,
+            Capability.RETURN),
         Clause.connected("tells of a robot that hangs, and goes on with it", FaultClauses::hung, Capability.HANG),
-        Clause.connected("tells of a robot that hangs though it is commanded", FaultClauses::hungDriven, Capability.HANG, Capability.COMMANDS),
+        Clause.connected("tells of a robot that hangs though it is commanded", FaultClauses::hungDriven,
+            Capability.HANG, Capability.COMMANDS),
         Clause.connected("complains of what nobody can read, and goes on", FaultClauses::garbled, Capability.GARBAGE),
         Clause.connected("ends in time while the robot hangs", FaultClauses::endsHung, Capability.HANG),
-        Clause.connected("ends in time while the robot hangs and is commanded", FaultClauses::endsCommanding, Capability.HANG, Capability.COMMANDS));
+        Clause.connected("ends in time while the robot hangs and is commanded", FaultClauses::endsCommanding,
+            Capability.HANG, Capability.COMMANDS));
   }
 
   private static void back(Trial trial) throws Exception {
@@ -27,7 +30,8 @@ final class FaultClauses {
     trial.next(sample);
     for (int i = 0; i < 2; i++) {
       trial.peer.kill();
-      trial.await("the loss is told", () -> !(trial.link() instanceof LinkState.Connected), () -> trial.link().toString());
+      trial.await("the loss is told", () -> !(trial.link() instanceof LinkState.Connected),
+          () -> trial.link().toString());
       trial.await("the loss has a reason", () -> !trial.link().reason().isBlank(), () -> trial.link().toString());
       trial.peer.start();
       trial.awaitConnected();
@@ -40,7 +44,8 @@ final class FaultClauses {
     trial.want(sample, true);
     trial.next(sample);
     trial.peer.hang();
-    trial.await("it is told that the robot hangs", () -> !(trial.link() instanceof LinkState.Connected) && !trial.link().reason().isBlank(),
+    trial.await("it is told that the robot hangs",
+        () -> !(trial.link() instanceof LinkState.Connected) && !trial.link().reason().isBlank(),
         () -> trial.link().toString());
     trial.peer.goOn();
     trial.awaitConnected();
@@ -68,7 +73,8 @@ final class FaultClauses {
     }
     long links = trial.context.links.size();
     trial.peer.garble();
-    trial.awaitSaying("it complains", () -> !trial.complaints().isEmpty() || lostSince(trial, links), () -> trial.link() + ", no complaint");
+    trial.awaitSaying("it complains", () -> !trial.complaints().isEmpty() || lostSince(trial, links),
+        () -> trial.link() + ", no complaint");
     trial.awaitConnected();
     for (Sample each : trial.peer.samples()) {
       trial.next(each);
@@ -76,7 +82,8 @@ final class FaultClauses {
   }
 
   private static boolean lostSince(Trial trial, long links) {
-    return trial.context.links.stream().skip(links).anyMatch(l -> !(l instanceof LinkState.Connected) && !l.reason().isBlank());
+    return trial.context.links.stream().skip(links)
+        .anyMatch(l -> !(l instanceof LinkState.Connected) && !l.reason().isBlank());
   }
 
   private static void endsHung(Trial trial) throws Exception {

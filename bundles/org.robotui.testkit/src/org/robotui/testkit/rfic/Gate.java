@@ -9,9 +9,9 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A door of TCP before a robot, with an address of its own that stays while robots come and go behind it. It can be shut, so that links
- * break; hold, so that nothing is carried though links stay; and put bytes of its own before those that come from the robot. Safe for all
- * threads.
+ * A door of TCP before a robot, with an address of its own that stays while robots come and go behind it. It can be
+ * shut, so that links break; hold, so that nothing is carried though links stay; and put bytes of its own before those
+ * that come from the robot. Safe for all threads.
  */
 public final class Gate implements AutoCloseable {
   private static final int CHUNK = 1 << 14;

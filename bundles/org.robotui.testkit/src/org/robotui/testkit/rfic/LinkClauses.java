@@ -16,7 +16,8 @@ final class LinkClauses {
     return List.of(
         Clause.fresh("says nothing and asks nobody before it begins", LinkClauses::silent),
         Clause.fresh("is connecting first, and connected only when the robot is there", LinkClauses::order),
-        Clause.fresh("says why a robot that is away is not reached, and when it tries again", LinkClauses::away, Capability.LINKS),
+        Clause.fresh("says why a robot that is away is not reached, and when it tries again", LinkClauses::away,
+            Capability.LINKS),
         Clause.fresh("is not connected to a robot that hangs from the beginning", LinkClauses::mute, Capability.HANG),
         Clause.connected("is disconnected after its end", LinkClauses::disconnected));
   }
@@ -32,7 +33,8 @@ final class LinkClauses {
   private static void order(Trial trial) throws Exception {
     trial.begin();
     trial.await("it reports something", () -> !trial.context.links.isEmpty(), () -> "nothing");
-    require(trial.context.links.getFirst() instanceof LinkState.Connecting, "the first state is " + trial.context.links.getFirst());
+    require(trial.context.links.getFirst() instanceof LinkState.Connecting,
+        "the first state is " + trial.context.links.getFirst());
     Thread.sleep(A_WHILE);
     require(!trial.everConnected(), "it is connected to a robot that is away: " + trial.context.links);
     trial.peer.start();
@@ -43,7 +45,8 @@ final class LinkClauses {
   private static void away(Trial trial) throws Exception {
     trial.begin();
     trial.await("it fails", () -> trial.link() instanceof LinkState.Failed, () -> trial.link().toString());
-    LinkState.Failed failed = (LinkState.Failed) trial.context.links.stream().filter(LinkState.Failed.class::isInstance).findFirst().orElseThrow();
+    LinkState.Failed failed = (LinkState.Failed) trial.context.links.stream().filter(LinkState.Failed.class::isInstance)
+        .findFirst().orElseThrow();
     require(!failed.reason().isBlank() && !failed.reason().equals("null"), "there is no reason for " + failed);
     require(!failed.retryIn().isNegative(), "it tries again before now: " + failed);
   }

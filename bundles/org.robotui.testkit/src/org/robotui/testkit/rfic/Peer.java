@@ -12,8 +12,9 @@ import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
 
 /**
- * A robot of one framework, and the robot interface to it, for {@link RficContract}. A new one is away and has its address already. Its
- * threads come from {@link Peer#THREADS}, so that those of the robot interface can be told from them. All is called by one thread.
+ * A robot of one framework, and the robot interface to it, for {@link RficContract}. A new one is away and has its
+ * address already. Its threads come from {@link Peer#THREADS}, so that those of the robot interface can be told from
+ * them. All is called by one thread.
  */
 public interface Peer extends AutoCloseable {
   /** Makes all threads of robots, in a group of their own. */
@@ -35,7 +36,8 @@ public interface Peer extends AutoCloseable {
   Rfic create(RficContext context);
 
   /**
-   * Comes, or comes back at the same address. It drives nothing and nobody is linked to it. Returns when it is all there.
+   * Comes, or comes back at the same address. It drives nothing and nobody is linked to it. Returns when it is all
+   * there.
    *
    * @throws IOException where it cannot
    */
@@ -62,8 +64,8 @@ public interface Peer extends AutoCloseable {
   void garble() throws IOException;
 
   /**
-   * What it can say; the first is said again and again while something is waited for. It should say as much as it can, with units and
-   * frames of the framework that differ from those expected.
+   * What it can say; the first is said again and again while something is waited for. It should say as much as it can,
+   * with units and frames of the framework that differ from those expected.
    *
    * @return at least one
    */

@@ -18,16 +18,19 @@ import java.util.TreeSet;
  * @param handles as the kernel names them; empty where it does not tell
  */
 record Resources(Set<Thread> threads, Set<String> handles) {
-  private static final ThreadGroup ROBOTS = Optional.ofNullable(Peer.THREADS.newThread(() -> { }).getThreadGroup()).orElseThrow();
+  private static final ThreadGroup ROBOTS =
+      Optional.ofNullable(Peer.THREADS.newThread(() -> {}).getThreadGroup()).orElseThrow();
   private static final Path OPEN = Path.of("/proc/self/fd");
   private static final List<String> KINDS = List.of("socket:", "pipe:", "anon_inode:[event");
   /** One for all, that come when first used and stay. */
-  private static final List<String> SHARED = List.of("ForkJoinPool", "CompletableFutureDelayScheduler", "process reaper", "Cleaner", "Common-Cleaner",
-      "Attach Listener", "surefire", "junit");
+  private static final List<String> SHARED =
+      List.of("ForkJoinPool", "CompletableFutureDelayScheduler", "process reaper", "Cleaner", "Common-Cleaner",
+          "Attach Listener", "surefire", "junit");
 
   static Resources now() throws IOException {
     Set<Thread> threads = new HashSet<>(Thread.getAllStackTraces().keySet());
-    threads.removeIf(thread -> !thread.isAlive() || thread.getThreadGroup() == ROBOTS || SHARED.stream().anyMatch(thread.getName()::startsWith));
+    threads.removeIf(thread -> !thread.isAlive() || thread.getThreadGroup() == ROBOTS
+        || SHARED.stream().anyMatch(thread.getName()::startsWith));
     return new Resources(threads, handlesNow());
   }
 

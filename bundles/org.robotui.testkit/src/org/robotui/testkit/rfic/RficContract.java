@@ -30,7 +30,8 @@ public final class RficContract {
   }
 
   private static Check check(Clause clause, Map<Capability, String> lacks, Supplier<? extends Peer> peers) {
-    String reasons = clause.needs().stream().filter(lacks::containsKey).map(lacks::get).collect(Collectors.joining("; "));
+    String reasons =
+        clause.needs().stream().filter(lacks::containsKey).map(lacks::get).collect(Collectors.joining("; "));
     return new Check(clause.name(), Optional.of(reasons).filter(r -> !r.isEmpty()), () -> clause.body().run(peers));
   }
 }

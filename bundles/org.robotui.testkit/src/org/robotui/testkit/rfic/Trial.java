@@ -103,7 +103,8 @@ final class Trial implements AutoCloseable {
   }
 
   void want(Sample sample, boolean wanted) throws IOException, InterruptedException {
-    awaitSaying(sample + " is offered", () -> context.streams.containsKey(sample.port()), () -> context.streams.keySet().toString());
+    awaitSaying(sample + " is offered", () -> context.streams.containsKey(sample.port()),
+        () -> context.streams.keySet().toString());
     context.demand(sample.port(), wanted);
   }
 
@@ -134,7 +135,8 @@ final class Trial implements AutoCloseable {
 
   /** Drives until the robot has heard it: the first may be refused while it is being linked. */
   void drive() throws IOException, InterruptedException {
-    awaitSaying(peer.motionPort() + " is offered", () -> context.commands.containsKey(peer.motionPort()), () -> context.commands.keySet().toString());
+    awaitSaying(peer.motionPort() + " is offered", () -> context.commands.containsKey(peer.motionPort()),
+        () -> context.commands.keySet().toString());
     int before = peer.heard().size();
     Sent[] last = new Sent[1];
     awaitSaying("the robot hears a motion", () -> {
@@ -158,7 +160,8 @@ final class Trial implements AutoCloseable {
     boolean holds() throws IOException;
   }
 
-  void awaitSaying(String what, Condition condition, Supplier<String> instead) throws IOException, InterruptedException {
+  void awaitSaying(String what, Condition condition, Supplier<String> instead)
+      throws IOException, InterruptedException {
     await(what, () -> {
       peer.say(first());
       return condition.holds();

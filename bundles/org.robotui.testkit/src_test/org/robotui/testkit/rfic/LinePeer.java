@@ -31,8 +31,10 @@ import org.robotui.geometry.Vector3;
 
 /** A robot that speaks in lines of text, in millimetres and degrees. */
 final class LinePeer implements Peer {
-  private static final Sample POSE = new Sample("pose", new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base"), RigidTransform.planar(1.5, -2, 0),
-      Doubles.EMPTY, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY), Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT)));
+  private static final Sample POSE = new Sample("pose",
+      new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base"), RigidTransform.planar(1.5, -2, 0),
+          Doubles.EMPTY, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY),
+      Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT)));
   private static final long TICK_NANOS = 100_000_000;
 
   private final Flaw flaw;
@@ -83,11 +85,14 @@ final class LinePeer implements Peer {
   }
 
   private void listen(Socket caller) {
-    try (caller; BufferedReader in = new BufferedReader(new InputStreamReader(caller.getInputStream(), StandardCharsets.UTF_8))) {
+    try (caller;
+        BufferedReader in =
+            new BufferedReader(new InputStreamReader(caller.getInputStream(), StandardCharsets.UTF_8))) {
       for (String line = in.readLine(); line != null; line = in.readLine()) {
         String[] words = line.split(" ");
         switch (words[0]) {
-          case "drive" -> heard.add(VelocityCommand.planar(Double.parseDouble(words[1]) / 1000, Math.toRadians(Double.parseDouble(words[2]))));
+          case "drive" -> heard.add(VelocityCommand.planar(Double.parseDouble(words[1]) / 1000,
+              Math.toRadians(Double.parseDouble(words[2]))));
           default -> callers.put(caller, words[0].equals("want"));
         }
       }

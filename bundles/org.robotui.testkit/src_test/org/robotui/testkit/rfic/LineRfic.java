@@ -54,8 +54,10 @@ final class LineRfic implements Rfic {
     this.port = port;
     this.flaw = flaw;
     this.worker = new RficWorker(context, RETRY, this::follow);
-    this.poses = context.offers().stream(new StreamPort<>("pose", Odometry.class, Arity.MANY, "where it is"), this::demand);
-    this.drive = context.offers().command(new CommandPort<>("drive", VelocityCommand.class, Arity.MANY, "drives it"), this::send);
+    this.poses =
+        context.offers().stream(new StreamPort<>("pose", Odometry.class, Arity.MANY, "where it is"), this::demand);
+    this.drive = context.offers().command(new CommandPort<>("drive", VelocityCommand.class, Arity.MANY, "drives it"),
+        this::send);
   }
 
   @Override
@@ -107,7 +109,7 @@ final class LineRfic implements Rfic {
     String[] words = line.split(" ");
     switch (words[0]) {
       case "hello" -> context.link().report(new LinkState.Connected("port " + port));
-      case "tick" -> { }
+      case "tick" -> {}
       case "pose" -> pose(words);
       default -> {
         if (flaw != Flaw.SWALLOWS_GARBAGE) {
@@ -120,7 +122,8 @@ final class LineRfic implements Rfic {
   private void pose(String[] words) {
     double unit = flaw == Flaw.MILLIMETRES ? 1 : 1000;
     Odometry pose = new Odometry(new FrameId(context.robot(), "odom"), new FrameId(context.robot(), "base"),
-        RigidTransform.planar(Double.parseDouble(words[2]) / unit, Double.parseDouble(words[3]) / unit, 0), Doubles.EMPTY, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY);
+        RigidTransform.planar(Double.parseDouble(words[2]) / unit, Double.parseDouble(words[3]) / unit, 0),
+        Doubles.EMPTY, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY);
     long nanos = Duration.ofSeconds(Long.parseLong(words[1])).toNanos();
     if (wanted || flaw == Flaw.BRINGS_ALL) {
       poses.publish(pose, Optional.of(new Stamp(nanos, flaw == Flaw.OWN_STAMPS ? ClockKind.WALL : ClockKind.ROBOT)));

@@ -27,7 +27,8 @@ class RficContractTest {
   @ParameterizedTest
   @EnumSource(value = Flaw.class, names = "NONE", mode = EnumSource.Mode.EXCLUDE)
   void whatDoesNotIsFound(Flaw flaw) {
-    Check check = RficContract.of(() -> new LinePeer(flaw)).filter(c -> c.name().equals(flaw.found)).findFirst().orElseThrow();
+    Check check =
+        RficContract.of(() -> new LinePeer(flaw)).filter(c -> c.name().equals(flaw.found)).findFirst().orElseThrow();
     assertThrows(AssertionError.class, check::run);
   }
 

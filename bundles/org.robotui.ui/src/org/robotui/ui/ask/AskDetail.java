@@ -68,9 +68,11 @@ final class AskDetail {
     form.control().setLayoutData(Boxes.fill());
     Composite foot = Boxes.inset(left, theme, words.cancels() ? 3 : 2, Theme.EDGE, Theme.STEP);
     foot.setLayoutData(Boxes.line(FOOT));
-    button = new QuietButton(foot, theme, this::ask).text(words.verb()).fill(Role.ACCENT).hint(words.verb() + " (Ctrl+Enter)");
+    button = new QuietButton(foot, theme, this::ask).text(words.verb()).fill(Role.ACCENT)
+        .hint(words.verb() + " (Ctrl+Enter)");
     button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, false));
-    cancel = words.cancels() ? Optional.of(new QuietButton(foot, theme, this::cancel).text("Cancel")) : Optional.empty();
+    cancel =
+        words.cancels() ? Optional.of(new QuietButton(foot, theme, this::cancel).text("Cancel")) : Optional.empty();
     outcome = new Caption(foot, theme, Face.BODY);
     outcome.control().setLayoutData(Boxes.line(PART));
     Composite right = Boxes.panel(parts, theme, 1);
@@ -78,7 +80,8 @@ final class AskDetail {
     tree = new RecordTree(right, theme);
     tree.control().setLayoutData(Boxes.fill());
     parts.setWeights(SHARES);
-    parts.addListener(SWT.Resize, e -> parts.setOrientation(parts.getSize().x < ROOM_BESIDE ? SWT.VERTICAL : SWT.HORIZONTAL));
+    parts.addListener(SWT.Resize,
+        e -> parts.setOrientation(parts.getSize().x < ROOM_BESIDE ? SWT.VERTICAL : SWT.HORIZONTAL));
     history = new AskHistory(rows, theme, this::look);
     rows.setWeights(HISTORY_SHARES);
   }
@@ -164,7 +167,8 @@ final class AskDetail {
       replyTitle.say(Optional.empty(), words.reply(), "");
       tree.clear();
       tree.message(Health.NONE, detail.isEmpty() ? "Nothing chosen" : "Not asked yet",
-          detail.isEmpty() ? "Choose one of the " + words.things() + " at the left." : "Fill in the form and press " + words.verb() + ".");
+          detail.isEmpty() ? "Choose one of the " + words.things() + " at the left."
+              : "Fill in the form and press " + words.verb() + ".");
       return;
     }
     Asked asked = current.get();

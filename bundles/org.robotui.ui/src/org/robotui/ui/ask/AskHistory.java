@@ -14,7 +14,8 @@ import org.robotui.ui.control.RowTable;
 
 /** The questions that were asked. Choosing one shows again what came back. Display thread. */
 final class AskHistory {
-  private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HH:mm:ss").withZone(ZoneId.systemDefault());
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("HH:mm:ss").withZone(ZoneId.systemDefault());
   private static final int TIME_WIDTH = 92;
   private static final int ROOM_FOR_TIME = 260;
   private static final double MILLIS = 1e3;

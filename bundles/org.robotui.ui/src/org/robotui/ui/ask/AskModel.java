@@ -6,7 +6,9 @@ import java.util.Optional;
 import org.robotui.ui.ask.Catalogue.Entry;
 import org.robotui.ui.ask.Catalogue.Listing;
 
-/** The state of a view that asks: what there is, what is chosen, and what became of the questions. Safe for all threads. */
+/**
+ * The state of a view that asks: what there is, what is chosen, and what became of the questions. Safe for all threads.
+ */
 public final class AskModel {
   /**
    * What is to be shown.
@@ -17,7 +19,8 @@ public final class AskModel {
    * @param detail more about the chosen one
    * @param asked the questions, the newest first
    */
-  public record Shown(Listing listing, List<Entry> entries, String filter, Optional<Detail> detail, List<Asked> asked) {}
+  public record Shown(Listing listing, List<Entry> entries, String filter, Optional<Detail> detail,
+      List<Asked> asked) {}
 
   private final Catalogue catalogue;
   private final Questions questions;

@@ -28,7 +28,8 @@ public final class AskUic implements SwtUic {
    */
   public AskUic(UicContext context, BrowsePort graph, AskWords words, Asker asker) {
     this.words = words;
-    this.model = new AskModel(new Catalogue(context.browse(graph), context.background(), words.kind()), new Questions(asker));
+    this.model =
+        new AskModel(new Catalogue(context.browse(graph), context.background(), words.kind()), new Questions(asker));
     this.actions = List.of(
         new ViewAction("again", "Read the form from the robot again", "restart", Optional.empty(), model::again));
   }

@@ -19,5 +19,6 @@ import org.robotui.ui.Health;
  * @param feedback what the robot said last on its way
  * @param result what came back
  */
-public record Asked(long number, Catalogue.Entry entry, Instant at, boolean running, Health health, String words, Duration took,
+public record Asked(long number, Catalogue.Entry entry, Instant at, boolean running, Health health, String words,
+    Duration took,
     Optional<DynamicRecord> feedback, Optional<DynamicRecord> result) {}

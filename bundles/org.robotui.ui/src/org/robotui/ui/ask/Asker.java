@@ -9,8 +9,8 @@ import org.robotui.ui.Health;
 @FunctionalInterface
 public interface Asker {
   /**
-   * Begins to ask. Called on the display thread; must not block. Everything that becomes of it is reported, also that it cannot
-   * be asked.
+   * Begins to ask. Called on the display thread; must not block. Everything that becomes of it is reported, also that
+   * it cannot be asked.
    *
    * @param entry what to ask
    * @param values what was filled in

@@ -14,7 +14,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
-/** One line of words: a dot where there is something to judge, strong words, and quiet ones behind them. Cut words are in the hint. */
+/**
+ * One line of words: a dot where there is something to judge, strong words, and quiet ones behind them. Cut words are
+ * in the hint.
+ */
 final class Caption {
   private static final int GAP = 8;
 

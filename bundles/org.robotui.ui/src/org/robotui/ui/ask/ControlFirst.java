@@ -8,8 +8,8 @@ import org.robotui.api.command.Principal;
 import org.robotui.api.host.RuicView;
 
 /**
- * Takes control of the robot before something is changed: where nobody has it at once, else when the user confirmed. What was to be done
- * waits for the answer. All threads; never blocks.
+ * Takes control of the robot before something is changed: where nobody has it at once, else when the user confirmed.
+ * What was to be done waits for the answer. All threads; never blocks.
  */
 public final class ControlFirst {
   private final RuicView ruic;
@@ -37,7 +37,8 @@ public final class ControlFirst {
   }
 
   /**
-   * Does something as soon as control is taken, or something else where the user does not want that or wants something new.
+   * Does something as soon as control is taken, or something else where the user does not want that or wants something
+   * new.
    *
    * @param robot whose control is taken; one without an authority needs none
    * @param action is run once, at once or when the user has confirmed
@@ -53,7 +54,8 @@ public final class ControlFirst {
 
   private synchronized boolean granted(Authority authority, Runnable action, Runnable givenUp) {
     if (authority.take(principal, false) instanceof LeaseOutcome.HeldBy held) {
-      waiting = Optional.of(new Waiting(authority, action, givenUp, new Question(held.holder().label(), authority.robot())));
+      waiting =
+          Optional.of(new Waiting(authority, action, givenUp, new Question(held.holder().label(), authority.robot())));
       return false;
     }
     waiting = Optional.empty();

@@ -38,12 +38,14 @@ final class EntryList {
       changed.run();
     });
     filter.setLayoutData(Boxes.line(SWT.DEFAULT));
-    table = new RowTable<>(box, theme, List.of(names, types), e -> e).order(new RowOrder<>(names, false)).onOrder(changed);
+    table =
+        new RowTable<>(box, theme, List.of(names, types), e -> e).order(new RowOrder<>(names, false)).onOrder(changed);
     table.control().setLayoutData(Boxes.fill());
-    table.list().named(words.things()).onFind(filter::focus).onSelect(rows -> rows.stream().findFirst().ifPresent(entry -> {
-      model.choose(entry);
-      changed.run();
-    }));
+    table.list().named(words.things()).onFind(filter::focus)
+        .onSelect(rows -> rows.stream().findFirst().ifPresent(entry -> {
+          model.choose(entry);
+          changed.run();
+        }));
     filter.onDown(() -> table.list().control().setFocus());
   }
 
@@ -64,11 +66,13 @@ final class EntryList {
     } else if (!listing.asked()) {
       table.list().message(Health.WAITING, "Asking", "The robot is asked for its " + words.things() + ".");
     } else if (listing.robots() == 0) {
-      table.list().message(Health.NONE, "No robot", "No robot interface that is connected can list " + words.things() + ".");
+      table.list().message(Health.NONE, "No robot",
+          "No robot interface that is connected can list " + words.things() + ".");
     } else if (listing.entries().isEmpty()) {
       table.list().message(Health.NONE, "No " + words.things(), "The robot offers none now.");
     } else {
-      table.list().message(Health.NONE, "No match", "None of " + listing.entries().size() + " contains the words of the filter.");
+      table.list().message(Health.NONE, "No match",
+          "None of " + listing.entries().size() + " contains the words of the filter.");
     }
   }
 

@@ -14,7 +14,8 @@ import java.util.OptionalDouble;
  * @param count messages since measuring began
  */
 public record Measure(
-    double hertz, double jitter, double shortest, double longest, OptionalDouble bytesPerSecond, OptionalDouble meanSize, long count) {
+    double hertz, double jitter, double shortest, double longest, OptionalDouble bytesPerSecond,
+    OptionalDouble meanSize, long count) {
   /** Before the first message. */
   public static final Measure NOTHING = new Measure(
       Double.NaN, Double.NaN, Double.NaN, Double.NaN, OptionalDouble.empty(), OptionalDouble.empty(), 0);

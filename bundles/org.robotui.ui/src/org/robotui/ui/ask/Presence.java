@@ -59,7 +59,8 @@ public final class Presence {
    */
   public static String notice(InputState state, Map<String, String> failures) {
     return state instanceof InputState.Live
-        ? failures.entrySet().stream().map(e -> failure(e.getKey(), e.getValue())).sorted().findFirst().orElse("") : "";
+        ? failures.entrySet().stream().map(e -> failure(e.getKey(), e.getValue())).sorted().findFirst().orElse("")
+        : "";
   }
 
   private static String failure(String robot, String why) {

@@ -10,8 +10,8 @@ import java.util.stream.Collectors;
 import org.robotui.api.port.SourceId;
 
 /**
- * Which stream carries which topic of one robot interface. Its ports are named as topics are, relative to a namespace that only it
- * knows: that under which most ports are topics.
+ * Which stream carries which topic of one robot interface. Its ports are named as topics are, relative to a namespace
+ * that only it knows: that under which most ports are topics.
  */
 public final class StreamNames {
   private static final int ENOUGH = 200;
@@ -45,7 +45,8 @@ public final class StreamNames {
    */
   public Optional<SourceId> find(String topic) {
     return topic.startsWith(namespace)
-        ? Optional.ofNullable(ports.get(topic.substring(namespace.length()))) : Optional.empty();
+        ? Optional.ofNullable(ports.get(topic.substring(namespace.length())))
+        : Optional.empty();
   }
 
   private static String namespace(Collection<String> topics, Set<String> ports) {
@@ -62,7 +63,9 @@ public final class StreamNames {
     return votes.entrySet().stream().max(StreamNames::better).map(Map.Entry::getKey).orElse("/");
   }
 
-  /** The one with more votes; of equal ones the outer, and then the first by name, so that the answer does not change. */
+  /**
+   * The one with more votes; of equal ones the outer, and then the first by name, so that the answer does not change.
+   */
   private static int better(Map.Entry<String, Integer> one, Map.Entry<String, Integer> other) {
     int votes = Integer.compare(one.getValue(), other.getValue());
     int outer = votes != 0 ? votes : Integer.compare(other.getKey().length(), one.getKey().length());

@@ -11,8 +11,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * Containers in the theme's colours, and the places of what stands in them. They are no plain composites, which style sheets would
- * colour. Display thread.
+ * Containers in the theme's colours, and the places of what stands in them. They are no plain composites, which style
+ * sheets would colour. Display thread.
  */
 public final class Boxes {
   private static final int SASH = 4;

@@ -21,8 +21,8 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
 /**
- * Asks which of several ports is meant: a sentence and a row per candidate, chosen by a click or by arrow keys and enter.
- * Display thread only.
+ * Asks which of several ports is meant: a sentence and a row per candidate, chosen by a click or by arrow keys and
+ * enter. Display thread only.
  */
 public final class CandidateChooser extends Canvas {
   private static final int ROW = 30;
@@ -106,7 +106,7 @@ public final class CandidateChooser extends Canvas {
       case SWT.ARROW_UP -> mark(marked - 1);
       case SWT.ARROW_DOWN -> mark(marked + 1);
       case SWT.CR, SWT.KEYPAD_CR, ' ' -> choose(marked);
-      default -> { }
+      default -> {}
     }
   }
 

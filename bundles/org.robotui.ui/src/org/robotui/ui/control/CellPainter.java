@@ -36,8 +36,8 @@ final class CellPainter {
       column.paint().get().paint(gc, at, row);
       return;
     }
-    column.dot(row).ifPresent(health ->
-        HealthDot.paint(gc, theme, health, at.x + HealthDot.SIZE / 2, at.y + at.height / 2));
+    column.dot(row)
+        .ifPresent(health -> HealthDot.paint(gc, theme, health, at.x + HealthDot.SIZE / 2, at.y + at.height / 2));
     Rectangle words = column.dotted() ? behindDot(at) : at;
     String text = column.fitting(row, whole -> fits(gc, column.face(), whole, words.width));
     words(gc, words, text, column.face(), theme.color(column.role(row)), column.right(), column.highlighted());

@@ -33,7 +33,7 @@ public final class Clipboards {
 
   private static void copy(Object content, Transfer form) {
     Clipboard clipboard = new Clipboard(Display.getCurrent());
-    clipboard.setContents(new Object[] {content}, new Transfer[] {form});
+    clipboard.setContents(new Object[]{content}, new Transfer[]{form});
     clipboard.dispose();
   }
 }

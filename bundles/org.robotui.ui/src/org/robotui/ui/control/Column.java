@@ -12,8 +12,8 @@ import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 
 /**
- * A column of a {@link RowTable}: what it shows of a row, and how wide it is. Immutable; its functions are called on the display
- * thread for rows that are seen, and the order by whoever sorts.
+ * A column of a {@link RowTable}: what it shows of a row, and how wide it is. Immutable; its functions are called on
+ * the display thread for rows that are seen, and the order by whoever sorts.
  *
  * @param <R> a row
  */

@@ -15,8 +15,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * A field for words to search or filter by, with a button that clears it. Esc clears, arrow down goes on to the list, enter
- * may choose. Display thread only.
+ * A field for words to search or filter by, with a button that clears it. Esc clears, arrow down goes on to the list,
+ * enter may choose. Display thread only.
  */
 public final class FilterField extends Canvas {
   private static final int HEIGHT = 26;
@@ -29,8 +29,8 @@ public final class FilterField extends Canvas {
   private final Text text;
   private final QuietButton clear;
   private final Consumer<String> changed;
-  private Runnable down = () -> { };
-  private Runnable enter = () -> { };
+  private Runnable down = () -> {};
+  private Runnable enter = () -> {};
 
   /**
    * An empty field.
@@ -142,7 +142,7 @@ public final class FilterField extends Canvas {
     switch (event.keyCode) {
       case SWT.ESC -> text.setText("");
       case SWT.ARROW_DOWN -> down.run();
-      default -> { }
+      default -> {}
     }
   }
 

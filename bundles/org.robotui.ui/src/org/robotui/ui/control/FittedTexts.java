@@ -8,8 +8,8 @@ import org.robotui.ui.Face;
 import org.robotui.ui.TextFit;
 
 /**
- * Remembers how texts fit, since measuring them takes longer than painting them and most are painted again and again. Display
- * thread.
+ * Remembers how texts fit, since measuring them takes longer than painting them and most are painted again and again.
+ * Display thread.
  */
 final class FittedTexts {
   private static final int MOST = 2_048;

@@ -11,8 +11,8 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.Theme;
 
 /**
- * Makes the widgets of a form, of what is open only. They are made anew when a part opens or closes, or an element comes or goes.
- * Display thread.
+ * Makes the widgets of a form, of what is open only. They are made anew when a part opens or closes, or an element
+ * comes or goes. Display thread.
  */
 final class FormBody {
   /** More elements are kept and sent, but not shown. */
@@ -49,7 +49,8 @@ final class FormBody {
 
   /** Makes all widgets anew, with what is in the model. */
   void build() {
-    Optional<String> focused = rows.values().stream().filter(row -> row.input().isFocusControl()).map(row -> row.leaf().path()).findFirst();
+    Optional<String> focused =
+        rows.values().stream().filter(row -> row.input().isFocusControl()).map(row -> row.leaf().path()).findFirst();
     root.setRedraw(false);
     rows.clear();
     for (Control child : root.getChildren()) {
@@ -88,7 +89,7 @@ final class FormBody {
     switch (node) {
       case FormGroup group -> group.fields().forEach(field -> reveal(field, path, depth + 1));
       case FormArray array -> array.elements().forEach(element -> reveal(element, path, depth + 1));
-      case FormLeaf leaf -> { }
+      case FormLeaf leaf -> {}
     }
   }
 
@@ -111,7 +112,8 @@ final class FormBody {
     }
     for (int i = 0; i < Math.min(SHOWN, size); i++) {
       int index = i;
-      node(array.elements().get(i), depth + 1, array.fixed() ? Optional.empty() : Optional.of(() -> change(() -> array.remove(index))));
+      node(array.elements().get(i), depth + 1,
+          array.fixed() ? Optional.empty() : Optional.of(() -> change(() -> array.remove(index))));
     }
     if (size > SHOWN) {
       cells.name(depth + 1, "");

@@ -48,7 +48,10 @@ final class FormCells {
     return label;
   }
 
-  /** A name with a sign that opens and closes what is within: over the whole width, so that it takes none from what is typed. */
+  /**
+   * A name with a sign that opens and closes what is within: over the whole width, so that it takes none from what is
+   * typed.
+   */
   Composite head(int depth, FormNode node, boolean open, int columns, Runnable turn) {
     Composite line = part(root);
     line.setLayout(layout(columns));

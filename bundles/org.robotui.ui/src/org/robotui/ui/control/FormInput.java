@@ -64,7 +64,8 @@ final class FormInput {
   private static Object whole(FieldShape.Whole shape, String text) throws Unreadable {
     BigInteger value = text.isEmpty() ? BigInteger.ZERO : integer(text);
     BigInteger least = shape.signed() ? BigInteger.ONE.shiftLeft(shape.bits() - 1).negate() : BigInteger.ZERO;
-    BigInteger most = BigInteger.ONE.shiftLeft(shape.signed() ? shape.bits() - 1 : shape.bits()).subtract(BigInteger.ONE);
+    BigInteger most =
+        BigInteger.ONE.shiftLeft(shape.signed() ? shape.bits() - 1 : shape.bits()).subtract(BigInteger.ONE);
     if (value.compareTo(least) < 0 || value.compareTo(most) > 0) {
       throw new Unreadable("must be from " + least + " to " + most);
     }
@@ -90,13 +91,13 @@ final class FormInput {
 
   private static double real(String text) throws Unreadable {
     switch (text) {
-      case "nan":
+      case "nan" :
         return Double.NaN;
-      case "inf", "+inf":
+      case "inf", "+inf" :
         return Double.POSITIVE_INFINITY;
-      case "-inf":
+      case "-inf" :
         return Double.NEGATIVE_INFINITY;
-      default:
+      default :
         return finite(text);
     }
   }

@@ -87,7 +87,8 @@ final class FormLeaf implements FormNode {
     if (kept.isPresent() && kept.get().text().equals(text)) {
       return kept.get().values();
     }
-    Optional<String> chosen = choices.stream().filter(c -> c.name().equals(text.strip())).map(RecordShape.Constant::value).findFirst();
+    Optional<String> chosen =
+        choices.stream().filter(c -> c.name().equals(text.strip())).map(RecordShape.Constant::value).findFirst();
     return input.read(shape, chosen.orElse(text));
   }
 
@@ -109,7 +110,7 @@ final class FormLeaf implements FormNode {
       case FieldValue.Time t -> text = RecordText.shortSeconds(t.nanos());
       case FieldValue.Numbers n -> numbers(n);
       case FieldValue.Items i -> text = i.values().stream().map(RecordText::line).collect(Collectors.joining(", "));
-      case FieldValue.Nested n -> { }
+      case FieldValue.Nested n -> {}
       default -> text = RecordText.line(value);
     }
     if (problem().isPresent()) {
@@ -123,7 +124,8 @@ final class FormLeaf implements FormNode {
       text = size + " numbers as received";
       kept = Optional.of(new Kept(text, IntStream.range(0, size).mapToObj(numbers.values()::get).toList()));
     } else {
-      text = IntStream.range(0, size).mapToObj(i -> RecordText.number(numbers.values().get(i))).collect(Collectors.joining(", "));
+      text = IntStream.range(0, size).mapToObj(i -> RecordText.number(numbers.values().get(i)))
+          .collect(Collectors.joining(", "));
     }
   }
 

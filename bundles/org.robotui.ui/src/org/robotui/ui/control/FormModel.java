@@ -46,8 +46,8 @@ final class FormModel {
   private FormNode node(String path, String name, FieldShape shape, List<RecordShape.Constant> constants) {
     return switch (shape) {
       case FieldShape.Nested n -> group(path, name, n);
-      case FieldShape.Many m when !inOneLine(m.element()) ->
-          new FormArray(path, name, m, i -> node(path + '[' + i + ']', "[" + i + "]", m.element(), constants));
+      case FieldShape.Many m when !inOneLine(m.element()) -> new FormArray(path, name, m,
+          i -> node(path + '[' + i + ']', "[" + i + "]", m.element(), constants));
       default -> new FormLeaf(path, name, shape, choices(name, shape, constants), input);
     };
   }
@@ -65,7 +65,10 @@ final class FormModel {
     return element instanceof FieldShape.Whole || element instanceof FieldShape.Real;
   }
 
-  /** Definitions do not say which field a constant is for: its name does where it begins like the field, else every one that fits may be meant. */
+  /**
+   * Definitions do not say which field a constant is for: its name does where it begins like the field, else every one
+   * that fits may be meant.
+   */
   private List<RecordShape.Constant> choices(String name, FieldShape shape, List<RecordShape.Constant> constants) {
     List<RecordShape.Constant> fitting = constants.stream().filter(constant -> fits(shape, constant.value())).toList();
     String begin = name.toUpperCase(Locale.ROOT) + '_';

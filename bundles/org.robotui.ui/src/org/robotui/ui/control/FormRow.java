@@ -113,7 +113,8 @@ final class FormRow {
 
   private void choices() {
     QuietButton[] button = new QuietButton[1];
-    button[0] = new QuietButton(editor, theme, () -> choose(button[0])).icon(Icon.MORE).hint("Named values of " + leaf.path());
+    button[0] =
+        new QuietButton(editor, theme, () -> choose(button[0])).icon(Icon.MORE).hint("Named values of " + leaf.path());
     button[0].setLayoutData(high(new GridData(SWT.END, SWT.CENTER, false, false)));
   }
 

@@ -148,7 +148,7 @@ public final class LimitBar extends Canvas {
       case SWT.ARROW_RIGHT, SWT.ARROW_UP -> choose(value + max * KEY_SHARE);
       case SWT.HOME -> choose(0);
       case SWT.END -> choose(max);
-      default -> { }
+      default -> {}
     }
   }
 

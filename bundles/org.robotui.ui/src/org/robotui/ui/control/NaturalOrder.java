@@ -5,7 +5,8 @@ import java.util.Comparator;
 /** The order in which people put names with numbers: {@code arm_2} before {@code arm_10}. */
 public final class NaturalOrder {
   /** By numbers where both have one, else by letters in either case; consistent with equality. */
-  public static final Comparator<String> ORDER = ((Comparator<String>) NaturalOrder::compare).thenComparing(Comparator.naturalOrder());
+  public static final Comparator<String> ORDER =
+      ((Comparator<String>) NaturalOrder::compare).thenComparing(Comparator.naturalOrder());
 
   private NaturalOrder() {}
 
@@ -41,7 +42,8 @@ public final class NaturalOrder {
     }
     String first = one.replaceFirst("^0+(?=.)", "");
     String second = other.replaceFirst("^0+(?=.)", "");
-    return first.length() != second.length() ? Integer.compare(first.length(), second.length()) : first.compareTo(second);
+    return first.length() != second.length() ? Integer.compare(first.length(), second.length())
+        : first.compareTo(second);
   }
 
   private static boolean digit(char c) {

@@ -7,7 +7,10 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
-/** A label that keeps its colour: those of the toolkit get the one that the platform's style sheets give them by name. Display thread. */
+/**
+ * A label that keeps its colour: those of the toolkit get the one that the platform's style sheets give them by name.
+ * Display thread.
+ */
 public final class PlainLabel extends Label {
   /**
    * A label on the ground of its parent.
@@ -25,7 +28,10 @@ public final class PlainLabel extends Label {
     setBackground(parent.getBackground());
   }
 
-  /** The toolkit asks classes that are derived from it to say that they know what they do: nothing is changed but the name. */
+  /**
+   * The toolkit asks classes that are derived from it to say that they know what they do: nothing is changed but the
+   * name.
+   */
   @Override
   protected void checkSubclass() {
     // allowed

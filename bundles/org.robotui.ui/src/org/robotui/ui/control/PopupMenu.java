@@ -9,8 +9,8 @@ import org.eclipse.swt.widgets.MenuItem;
 import org.robotui.ui.ViewAction;
 
 /**
- * A menu that is made to be opened once and goes when it has closed. What follows a tab in a label is the key that does the same; an
- * ampersand is shown as it is. Display thread.
+ * A menu that is made to be opened once and goes when it has closed. What follows a tab in a label is the key that does
+ * the same; an ampersand is shown as it is. Display thread.
  */
 public final class PopupMenu {
   private final Menu menu;
@@ -22,7 +22,7 @@ public final class PopupMenu {
    * @param control whose menu it is
    */
   public PopupMenu(Control control) {
-    this(control, () -> { });
+    this(control, () -> {});
   }
 
   /**
@@ -74,7 +74,7 @@ public final class PopupMenu {
    * @return this
    */
   public PopupMenu unavailable(String label, String reason) {
-    MenuItem item = item(SWT.PUSH, label + "  (" + reason + ")", chosen -> { });
+    MenuItem item = item(SWT.PUSH, label + "  (" + reason + ")", chosen -> {});
     item.setEnabled(false);
     return this;
   }

@@ -22,8 +22,8 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
 /**
- * A button without a border: text, an icon, or both. It may be switched (a toggle), and filled where it is the one thing to
- * press. Enter and space press it. Display thread only.
+ * A button without a border: text, an icon, or both. It may be switched (a toggle), and filled where it is the one
+ * thing to press. Enter and space press it. Display thread only.
  */
 public final class QuietButton extends Canvas {
   private static final int HEIGHT = 28;

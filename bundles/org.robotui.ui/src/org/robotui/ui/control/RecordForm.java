@@ -18,9 +18,9 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * A form for the records of a type. Fields are checked while they are typed, and what is wrong is said at the field and summed up below.
- * A blank field is zero. Arrays of numbers are typed in one line, others element by element. Tab goes from field to field,
- * Ctrl+Enter submits. Display thread only.
+ * A form for the records of a type. Fields are checked while they are typed, and what is wrong is said at the field and
+ * summed up below. A blank field is zero. Arrays of numbers are typed in one line, others element by element. Tab goes
+ * from field to field, Ctrl+Enter submits. Display thread only.
  */
 public final class RecordForm {
   private final Composite root;
@@ -30,8 +30,8 @@ public final class RecordForm {
   private final FormSummary summary;
   private final Clock clock;
   private Optional<FormModel> model = Optional.empty();
-  private Runnable changed = () -> { };
-  private Runnable submitted = () -> { };
+  private Runnable changed = () -> {};
+  private Runnable submitted = () -> {};
 
   /**
    * A form without fields.
@@ -104,8 +104,8 @@ public final class RecordForm {
   /**
    * What was typed.
    *
-   * @return the fields by name: Boolean, Long (BigInteger beyond), Double, String, nanoseconds as Long for times and durations, List
-   *     and Map; none while anything is wrong, or without a shape
+   * @return the fields by name: Boolean, Long (BigInteger beyond), Double, String, nanoseconds as Long for times and
+   * durations, List and Map; none while anything is wrong, or without a shape
    */
   public Optional<Map<String, Object>> values() {
     return model.flatMap(FormModel::values);

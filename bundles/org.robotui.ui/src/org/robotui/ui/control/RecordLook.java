@@ -49,12 +49,14 @@ final class RecordLook implements RowLook<RecordRow> {
   public void paint(GC gc, Rectangle at, RecordRow row) {
     gc.setForeground(theme.mix(Role.LINE, Role.PANEL, LINE_SHARE));
     gc.setLineWidth(1);
-    gc.drawLine(at.x + CellPainter.PADDING, at.y + at.height - 1, at.x + at.width - CellPainter.PADDING, at.y + at.height - 1);
+    gc.drawLine(at.x + CellPainter.PADDING, at.y + at.height - 1, at.x + at.width - CellPainter.PADDING,
+        at.y + at.height - 1);
     if (row.expandable()) {
       chevron(gc, at.x + chevronAt(row), at.y + at.height / 2, row.expanded());
     }
     Role ink = row.name().startsWith("[") ? Role.DIM : Role.TEXT;
-    cells.words(gc, name(at, row), row.name(), row.name().startsWith("[") ? Face.FIGURES : Face.BODY, theme.color(ink), false, true);
+    cells.words(gc, name(at, row), row.name(), row.name().startsWith("[") ? Face.FIGURES : Face.BODY, theme.color(ink),
+        false, true);
     cells.words(gc, value(at), RecordText.line(row), face(row), theme.color(valueRole(row)), false, true);
   }
 
@@ -93,11 +95,14 @@ final class RecordLook implements RowLook<RecordRow> {
   }
 
   private static Face face(RecordRow row) {
-    return row.value() instanceof FieldValue.Nested || row.value() instanceof FieldValue.Text ? Face.BODY : Face.FIGURES;
+    return row.value() instanceof FieldValue.Nested || row.value() instanceof FieldValue.Text ? Face.BODY
+        : Face.FIGURES;
   }
 
   private static Role valueRole(RecordRow row) {
-    return row.expandable() || row.value() instanceof FieldValue.Items || row.value() instanceof FieldValue.Numbers ? Role.DIM : Role.TEXT;
+    return row.expandable() || row.value() instanceof FieldValue.Items || row.value() instanceof FieldValue.Numbers
+        ? Role.DIM
+        : Role.TEXT;
   }
 
   private void chevron(GC gc, int x, int middle, boolean down) {
@@ -106,8 +111,8 @@ final class RecordLook implements RowLook<RecordRow> {
     gc.setLineWidth(2);
     int left = x + 4;
     gc.drawPolyline(down
-        ? new int[] {left, middle - 2, left + 4, middle + 2, left + 8, middle - 2}
-        : new int[] {left + 2, middle - 4, left + 6, middle, left + 2, middle + 4});
+        ? new int[]{left, middle - 2, left + 4, middle + 2, left + 8, middle - 2}
+        : new int[]{left + 2, middle - 4, left + 6, middle, left + 2, middle + 4});
     gc.setLineWidth(1);
   }
 }

@@ -8,8 +8,8 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 
 /**
- * The lines of the tree of a record. What is open is kept by path, so that the next record of the type looks the same. Only what
- * is open is looked at, and long arrays come in pages of pages, so that an update costs what is seen. Pure.
+ * The lines of the tree of a record. What is open is kept by path, so that the next record of the type looks the same.
+ * Only what is open is looked at, and long arrays come in pages of pages, so that an update costs what is seen. Pure.
  */
 final class RecordRows {
   static final int PAGE = 100;
@@ -74,7 +74,7 @@ final class RecordRows {
       case FieldValue.Nested n -> fields(n.value(), row.path(), row.depth() + 1, rows);
       case FieldValue.Numbers n -> elements(row, n.values().size(), rows);
       case FieldValue.Items i -> elements(row, i.values().size(), rows);
-      default -> { }
+      default -> {}
     }
   }
 

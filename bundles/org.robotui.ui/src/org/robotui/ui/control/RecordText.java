@@ -32,7 +32,10 @@ final class RecordText {
     return row.isPage() ? "" : line(row.value());
   }
 
-  /** A number as one would write it: whole ones without a point, single precision ones without the digits of double precision. */
+  /**
+   * A number as one would write it: whole ones without a point, single precision ones without the digits of double
+   * precision.
+   */
   static String number(double value) {
     if (value == Math.rint(value) && Math.abs(value) < WHOLE_UNTIL) {
       return Long.toString((long) value);
@@ -47,7 +50,8 @@ final class RecordText {
 
   /** Seconds as they are typed, without zeros at the end. */
   static String shortSeconds(long nanos) {
-    return nanos % NANOS == 0 ? Long.toString(nanos / NANOS) : BigDecimal.valueOf(nanos, 9).stripTrailingZeros().toPlainString();
+    return nanos % NANOS == 0 ? Long.toString(nanos / NANOS)
+        : BigDecimal.valueOf(nanos, 9).stripTrailingZeros().toPlainString();
   }
 
   /** A value over many lines, as tools of robots print it, cut where it is very long. */

@@ -17,17 +17,18 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;
 
 /**
- * Shows a record as a tree of its fields. The next record of the type is shown in place: what is open, selected and scrolled to
- * stays. Long arrays come in pages. Right and left arrow open and close, Ctrl+C copies path and value. Only what is seen is made
- * into words, so that a record of many kilobytes can be shown at the rate at which it comes. Display thread only.
+ * Shows a record as a tree of its fields. The next record of the type is shown in place: what is open, selected and
+ * scrolled to stays. Long arrays come in pages. Right and left arrow open and close, Ctrl+C copies path and value. Only
+ * what is seen is made into words, so that a record of many kilobytes can be shown at the rate at which it comes.
+ * Display thread only.
  */
 public final class RecordTree {
   private final RecordLook look;
   private final RowList<RecordRow> list;
   private final RecordRows rows = new RecordRows();
   private Optional<DynamicRecord> record = Optional.empty();
-  private Consumer<String> opened = path -> { };
-  private BiConsumer<PopupMenu, String> first = (menu, path) -> { };
+  private Consumer<String> opened = path -> {};
+  private BiConsumer<PopupMenu, String> first = (menu, path) -> {};
 
   /**
    * An empty tree.

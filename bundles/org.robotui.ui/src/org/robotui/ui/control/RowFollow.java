@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 
 /** Whether the end of a list stays in sight. */
 final class RowFollow {
-  private Consumer<Boolean> changed = on -> { };
+  private Consumer<Boolean> changed = on -> {};
   private boolean possible;
   private boolean now;
 

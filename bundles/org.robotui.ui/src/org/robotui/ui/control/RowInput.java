@@ -9,8 +9,8 @@ import org.eclipse.swt.widgets.Event;
 
 /** What keys and mouse do to a list. Display thread. */
 final class RowInput<R> {
-  Consumer<R> open = row -> { };
-  Runnable find = () -> { };
+  Consumer<R> open = row -> {};
+  Runnable find = () -> {};
 
   private final RowList<R> list;
   private Predicate<Event> keys = event -> false;
@@ -30,7 +30,8 @@ final class RowInput<R> {
     canvas.addListener(SWT.MouseMove, this::moved);
     canvas.addListener(SWT.MouseExit, e -> list.hover(-1));
     canvas.addListener(SWT.KeyDown, this::key);
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
 
   /** Has keys first go elsewhere; true says that nothing else is to be done. */

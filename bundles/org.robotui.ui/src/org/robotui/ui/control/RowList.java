@@ -20,9 +20,9 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;
 
 /**
- * A scrolled list of rows of equal height, of which only what is seen is painted: showing a hundred thousand rows costs no
- * more than showing ten. Rows are selected by key, so that they stay selected while others come and go. Arrow keys, page keys, Home
- * and End move, Enter and a double-click open, Ctrl+C copies, Ctrl+F or / finds. Display thread only.
+ * A scrolled list of rows of equal height, of which only what is seen is painted: showing a hundred thousand rows costs
+ * no more than showing ten. Rows are selected by key, so that they stay selected while others come and go. Arrow keys,
+ * page keys, Home and End move, Enter and a double-click open, Ctrl+C copies, Ctrl+F or / finds. Display thread only.
  *
  * @param <R> a row, immutable
  */
@@ -35,7 +35,7 @@ public final class RowList<R> {
   private final RowInput<R> input;
   private final RowFollow followed = new RowFollow();
   private List<R> rows = List.of();
-  private Consumer<List<R>> selected = rows -> { };
+  private Consumer<List<R>> selected = rows -> {};
 
   /**
    * An empty list.
@@ -88,8 +88,8 @@ public final class RowList<R> {
   }
 
   /**
-   * Keeps the newest, last row in sight until the user scrolls up or selects another row, and again from when the user goes back
-   * to the end. What is seen meanwhile stays in place when rows go at the beginning.
+   * Keeps the newest, last row in sight until the user scrolls up or selects another row, and again from when the user
+   * goes back to the end. What is seen meanwhile stays in place when rows go at the beginning.
    *
    * @param changed is told when following begins or ends; now it does follow
    * @return this
@@ -210,8 +210,8 @@ public final class RowList<R> {
   }
 
   /**
-   * Shows the state of the input that the rows come from: rows are faded while it is stale, and a message is in their place while
-   * there is no data.
+   * Shows the state of the input that the rows come from: rows are faded while it is stale, and a message is in their
+   * place while there is no data.
    *
    * @param next the state
    */
@@ -271,7 +271,8 @@ public final class RowList<R> {
    * @return its place in the control, or empty where it is not among the rows
    */
   public Optional<Rectangle> bounds(Object key) {
-    return IntStream.range(0, rows.size()).filter(i -> look.key(rows.get(i)).equals(key)).mapToObj(this::at).findFirst();
+    return IntStream.range(0, rows.size()).filter(i -> look.key(rows.get(i)).equals(key)).mapToObj(this::at)
+        .findFirst();
   }
 
   /**

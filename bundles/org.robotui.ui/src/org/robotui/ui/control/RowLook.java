@@ -4,7 +4,8 @@ import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
 
 /**
- * How the rows of a {@link RowList} look. All on the display thread, but for {@link #key} and {@link #text}, which are pure.
+ * How the rows of a {@link RowList} look. All on the display thread, but for {@link #key} and {@link #text}, which are
+ * pure.
  *
  * @param <R> a row, immutable
  */

@@ -79,7 +79,8 @@ final class RowPaint<R> {
     R row = list.rows().get(index);
     boolean focus = list.canvas().isFocusControl();
     if (list.marks().has(row)) {
-      gc.setBackground(focus ? theme.mix(Role.ACCENT, Role.PANEL, MARKED_IN_FOCUS) : theme.mix(Role.TEXT, Role.PANEL, MARKED));
+      gc.setBackground(
+          focus ? theme.mix(Role.ACCENT, Role.PANEL, MARKED_IN_FOCUS) : theme.mix(Role.TEXT, Role.PANEL, MARKED));
       gc.fillRectangle(at);
     } else if (index == hot) {
       gc.setBackground(theme.mix(Role.TEXT, Role.PANEL, HOVERED));

@@ -17,10 +17,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * A table: headings, and a {@link RowList} of rows in columns. Made for a hundred thousand rows that change at the rate of the
- * view: the tick prepares an immutable list, sorted by {@link #sorted}, and the display thread only paints what is seen. A click
- * on a heading, or Ctrl with the digit of its place, sorts. All on the
- * display thread, but for {@link #sorted} and {@link #order}.
+ * A table: headings, and a {@link RowList} of rows in columns. Made for a hundred thousand rows that change at the rate
+ * of the view: the tick prepares an immutable list, sorted by {@link #sorted}, and the display thread only paints what
+ * is seen. A click on a heading, or Ctrl with the digit of its place, sorts. All on the display thread, but for
+ * {@link #sorted} and {@link #order}.
  *
  * @param <R> a row, immutable
  */
@@ -36,7 +36,7 @@ public final class RowTable<R> {
   private final CellPainter cells;
   private final Function<R, Object> key;
   private volatile Optional<RowOrder<R>> order = Optional.empty();
-  private Runnable ordered = () -> { };
+  private Runnable ordered = () -> {};
   private int[] edges = {0};
 
   /**
@@ -76,7 +76,8 @@ public final class RowTable<R> {
   }
 
   /**
-   * The list below the headings: selection, opening, menu, dragging, following, messages, and the state of the input are set there.
+   * The list below the headings: selection, opening, menu, dragging, following, messages, and the state of the input
+   * are set there.
    *
    * @return the list
    */
@@ -142,7 +143,8 @@ public final class RowTable<R> {
    * @return the column, or none beside all columns
    */
   public Optional<Column<R>> columnAt(int x) {
-    return IntStream.range(0, edges.length - 1).filter(i -> x >= edges[i] && x < edges[i + 1]).mapToObj(columns::get).findFirst();
+    return IntStream.range(0, edges.length - 1).filter(i -> x >= edges[i] && x < edges[i + 1]).mapToObj(columns::get)
+        .findFirst();
   }
 
   /**
@@ -159,7 +161,8 @@ public final class RowTable<R> {
   private void key(Event event) {
     int digit = event.keyCode - '1';
     if ((event.stateMask & SWT.MOD1) != 0 && digit >= 0 && digit < '9' - '0') {
-      IntStream.range(0, edges.length - 1).filter(i -> edges[i + 1] > edges[i]).skip(digit).mapToObj(columns::get).findFirst()
+      IntStream.range(0, edges.length - 1).filter(i -> edges[i + 1] > edges[i]).skip(digit).mapToObj(columns::get)
+          .findFirst()
           .filter(column -> column.order().isPresent()).ifPresent(this::clicked);
     }
   }
@@ -199,7 +202,8 @@ public final class RowTable<R> {
     public void paint(GC gc, Rectangle at, R row) {
       gc.setForeground(theme.mix(Role.LINE, Role.PANEL, LINE_SHARE));
       gc.setLineWidth(1);
-      gc.drawLine(at.x + CellPainter.PADDING, at.y + at.height - 1, at.x + at.width - CellPainter.PADDING, at.y + at.height - 1);
+      gc.drawLine(at.x + CellPainter.PADDING, at.y + at.height - 1, at.x + at.width - CellPainter.PADDING,
+          at.y + at.height - 1);
       for (int i = 0; i + 1 < edges.length; i++) {
         if (edges[i + 1] > edges[i]) {
           cells.cell(gc, cell(at, i), columns.get(i), row);

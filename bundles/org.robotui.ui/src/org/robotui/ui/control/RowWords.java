@@ -53,7 +53,8 @@ public final class RowWords {
   }
 
   /**
-   * Paints a name from the left of a column. Where it does not fit its middle is left out: names of the same root differ by their ends.
+   * Paints a name from the left of a column. Where it does not fit its middle is left out: names of the same root
+   * differ by their ends.
    *
    * @param gc where to
    * @param row the row
@@ -78,7 +79,8 @@ public final class RowWords {
    * @param role the colour
    */
   public void first(GC gc, Rectangle row, int x, int width, List<String> texts, Role role) {
-    String text = texts.stream().filter(t -> cells.fits(gc, Face.FIGURES, t, width)).findFirst().orElse(texts.getLast());
+    String text =
+        texts.stream().filter(t -> cells.fits(gc, Face.FIGURES, t, width)).findFirst().orElse(texts.getLast());
     text(gc, row, x, width, text, Face.FIGURES, role);
   }
 

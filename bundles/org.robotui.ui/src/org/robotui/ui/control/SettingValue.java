@@ -37,13 +37,16 @@ final class SettingValue {
     String bare = words.strip();
     boolean several = takesList() && (bare.contains(",") || setting.type() instanceof ValueType.ListOf);
     value = bare.isEmpty() ? Optional.empty()
-        : Optional.of(several ? (Object) Arrays.stream(bare.split(",")).map(String::strip).filter(s -> !s.isEmpty()).toList() : bare);
+        : Optional
+            .of(several ? (Object) Arrays.stream(bare.split(",")).map(String::strip).filter(s -> !s.isEmpty()).toList()
+                : bare);
   }
 
   /** What is wrong with it, as the end of a sentence that begins with its name. */
   Optional<String> problem() {
     if (value.isEmpty()) {
-      return setting.required() ? Optional.of("'" + setting.name() + "' is needed: " + setting.help()) : Optional.empty();
+      return setting.required() ? Optional.of("'" + setting.name() + "' is needed: " + setting.help())
+          : Optional.empty();
     }
     return check.apply(setting, value.get());
   }
@@ -61,7 +64,8 @@ final class SettingValue {
 
   private boolean takesList() {
     return setting.type() instanceof ValueType.ListOf
-        || setting.type() instanceof ValueType.AnyOf a && a.alternatives().stream().anyMatch(ValueType.ListOf.class::isInstance);
+        || setting.type() instanceof ValueType.AnyOf a
+            && a.alternatives().stream().anyMatch(ValueType.ListOf.class::isInstance);
   }
 
   String text() {
@@ -71,11 +75,13 @@ final class SettingValue {
   /** What holds where nothing is given. */
   String fallback() {
     String usual = setting.fallback().map(SettingValue::text).filter(t -> !t.isEmpty()).orElse("");
-    String unit = setting.type() instanceof ValueType.Num n && !n.unit().isEmpty() && !usual.isEmpty() ? " " + n.unit() : "";
+    String unit =
+        setting.type() instanceof ValueType.Num n && !n.unit().isEmpty() && !usual.isEmpty() ? " " + n.unit() : "";
     return usual.isEmpty() ? setting.required() ? "needed" : "none" : usual + unit;
   }
 
   private static String text(Object value) {
-    return value instanceof List<?> list ? list.stream().map(Object::toString).collect(Collectors.joining(", ")) : value.toString();
+    return value instanceof List<?> list ? list.stream().map(Object::toString).collect(Collectors.joining(", "))
+        : value.toString();
   }
 }

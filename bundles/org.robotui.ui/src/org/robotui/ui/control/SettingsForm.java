@@ -18,8 +18,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * A form made from what a component can be configured with. What is left blank is left to the component, which is shown in pale; what is
- * wrong is said below the field while it is typed. Display thread only.
+ * A form made from what a component can be configured with. What is left blank is left to the component, which is shown
+ * in pale; what is wrong is said below the field while it is typed. Display thread only.
  */
 public final class SettingsForm {
   private final ScrolledComposite scrolled;
@@ -29,7 +29,7 @@ public final class SettingsForm {
   private final Map<String, SettingRow> rows = new LinkedHashMap<>();
   private final List<SettingValue> settings = new ArrayList<>();
   private Map<String, Object> other = Map.of();
-  private Runnable changed = () -> { };
+  private Runnable changed = () -> {};
 
   /**
    * A form without fields.

@@ -15,7 +15,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 
-/** The headings of a table: a click sorts, a drag at an edge makes a column wider, a double-click there undoes it. Display thread. */
+/**
+ * The headings of a table: a click sorts, a drag at an edge makes a column wider, a double-click there undoes it.
+ * Display thread.
+ */
 final class TableHeader<R> {
   static final int HEIGHT = 24;
 
@@ -34,7 +37,8 @@ final class TableHeader<R> {
   private int hot = -1;
   private int pressed = -1;
 
-  TableHeader(Composite parent, Theme theme, List<Column<R>> columns, ColumnWidths widths, Runnable resized, Consumer<Column<R>> clicked) {
+  TableHeader(Composite parent, Theme theme, List<Column<R>> columns, ColumnWidths widths, Runnable resized,
+      Consumer<Column<R>> clicked) {
     this.theme = theme;
     this.columns = columns;
     this.widths = widths;
@@ -97,7 +101,7 @@ final class TableHeader<R> {
     int tip = down ? middle + 2 : middle - 2;
     int base = down ? middle - 2 : middle + 2;
     gc.setBackground(theme.color(Role.ACCENT));
-    gc.fillPolygon(new int[] {x, base, x + ARROW, base, x + ARROW / 2, tip});
+    gc.fillPolygon(new int[]{x, base, x + ARROW, base, x + ARROW / 2, tip});
   }
 
   private void down(Event event) {

@@ -3,4 +3,3 @@
  */
 @org.osgi.annotation.versioning.Version("1.6.0")
 package org.robotui.ui.control;
-

@@ -18,7 +18,8 @@ import org.robotui.ui.Role;
  * @param role the colour of its edge
  */
 public record Box(
-    Object key, double x, double y, double width, double height, Form form, String title, String note, Health health, Role role) {
+    Object key, double x, double y, double width, double height, Form form, String title, String note, Health health,
+    Role role) {
   /** How a box looks. */
   public enum Form {
     /** With corners that are a little round. */

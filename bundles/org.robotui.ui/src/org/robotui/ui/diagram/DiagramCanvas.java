@@ -26,8 +26,9 @@ import org.robotui.ui.scene.SceneHands;
 import org.robotui.ui.scene.Viewport;
 
 /**
- * Shows a diagram: drag and arrows move it, the wheel, plus and minus zoom, 0, Home and a double click beside all boxes show all; a click
- * selects a box and lets all fade that it is not wired to. Paints only what is in sight. Display thread only.
+ * Shows a diagram: drag and arrows move it, the wheel, plus and minus zoom, 0, Home and a double click beside all boxes
+ * show all; a click selects a box and lets all fade that it is not wired to. Paints only what is in sight. Display
+ * thread only.
  */
 public final class DiagramCanvas {
   private static final int MOST_PIXELS = 8000;
@@ -39,8 +40,8 @@ public final class DiagramCanvas {
   private final DiagramPainter painter;
   private final StateView stateView;
   private final DiagramEye eye = new DiagramEye();
-  private Consumer<Optional<Object>> selecting = key -> { };
-  private Consumer<Box> opening = box -> { };
+  private Consumer<Optional<Object>> selecting = key -> {};
+  private Consumer<Box> opening = box -> {};
   private Function<Box, String> hints = box -> "";
   private Diagram diagram = Diagram.EMPTY;
   private Optional<Object> selected = Optional.empty();
@@ -195,7 +196,8 @@ public final class DiagramCanvas {
     if (!selected.equals(next)) {
       selected = next;
       light();
-      next.flatMap(diagram::find).filter(box -> eye.moved()).ifPresent(box -> eye.reveal(box, canvas.getSize().x, canvas.getSize().y));
+      next.flatMap(diagram::find).filter(box -> eye.moved())
+          .ifPresent(box -> eye.reveal(box, canvas.getSize().x, canvas.getSize().y));
       canvas.redraw();
     }
   }

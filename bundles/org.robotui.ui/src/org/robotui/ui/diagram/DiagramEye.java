@@ -3,8 +3,8 @@ package org.robotui.ui.diagram;
 import java.util.Optional;
 
 /**
- * What of a diagram is seen: zoom and shift. Until it is moved by hand it shows all, or, where that would be too small to read, the
- * first box and what is around it. Display thread.
+ * What of a diagram is seen: zoom and shift. Until it is moved by hand it shows all, or, where that would be too small
+ * to read, the first box and what is around it. Display thread.
  */
 final class DiagramEye {
   private static final double LEAST = 0.02;
@@ -21,7 +21,8 @@ final class DiagramEye {
   /** What is to be seen, before each paint. */
   void settle(Diagram diagram, int width, int height) {
     if (!moved) {
-      double fits = Math.min((width - 2.0 * MARGIN) / Math.max(1, diagram.width()), (height - 2.0 * MARGIN) / Math.max(1, diagram.height()));
+      double fits = Math.min((width - 2.0 * MARGIN) / Math.max(1, diagram.width()),
+          (height - 2.0 * MARGIN) / Math.max(1, diagram.height()));
       zoom = Math.clamp(fits, whole ? LEAST : READABLE, 1);
       Optional<Box> first = diagram.boxes().stream().findFirst();
       left = along(width, diagram.width(), first.map(box -> box.x() + box.width() / 2).orElse(0.0));
@@ -29,10 +30,14 @@ final class DiagramEye {
     }
   }
 
-  /** In the middle where it fits, else with the first box as near to the middle as can be without leaving room at an end. */
+  /**
+   * In the middle where it fits, else with the first box as near to the middle as can be without leaving room at an
+   * end.
+   */
   private double along(int room, double length, double first) {
     double spare = room - length * zoom;
-    return spare >= 2 * MARGIN ? spare / 2 : Math.clamp(room / 2.0 - first * zoom, Math.min(spare - MARGIN, MARGIN), MARGIN);
+    return spare >= 2 * MARGIN ? spare / 2
+        : Math.clamp(room / 2.0 - first * zoom, Math.min(spare - MARGIN, MARGIN), MARGIN);
   }
 
   /** Shows all, as small as need be. */

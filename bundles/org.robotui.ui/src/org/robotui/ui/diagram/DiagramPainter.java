@@ -26,7 +26,10 @@ final class DiagramPainter {
   private static final int FADED = 110;
   private static final double TITLES_FROM = 0.3;
   private static final double NOTES_FROM = 0.5;
-  /** Labels of wires are read from here on: below the next number of a zoom they are as large as at that, as long as they do not cover each other. */
+  /**
+   * Labels of wires are read from here on: below the next number of a zoom they are as large as at that, as long as
+   * they do not cover each other.
+   */
   private static final double LABELS_FROM = 0.2;
   private static final double LABELS_READABLE = 0.85;
   private static final int CORNER = 8;
@@ -58,7 +61,8 @@ final class DiagramPainter {
     transform.scale((float) zoom, (float) zoom);
     gc.setTransform(transform);
     boolean fades = !lit.isEmpty();
-    diagram.boxes().stream().filter(box -> box.form() == Box.Form.GROUP && seen(box)).forEach(box -> group(gc, box, selected));
+    diagram.boxes().stream().filter(box -> box.form() == Box.Form.GROUP && seen(box))
+        .forEach(box -> group(gc, box, selected));
     List<Wire> wires = diagram.wires().stream().filter(this::seen).toList();
     wires.forEach(wire -> wire(gc, wire, fades, near(wire, selected, lit)));
     labels(gc, transform, wires, fades, wire -> near(wire, selected, lit));
@@ -72,7 +76,8 @@ final class DiagramPainter {
   }
 
   private boolean seen(Box box) {
-    return box.x() < seenRight && box.x() + box.width() > seenLeft && box.y() < seenBottom && box.y() + box.height() > seenTop;
+    return box.x() < seenRight && box.x() + box.width() > seenLeft && box.y() < seenBottom
+        && box.y() + box.height() > seenTop;
   }
 
   private boolean seen(Wire wire) {
@@ -106,9 +111,11 @@ final class DiagramPainter {
     int width = round(box.width());
     int height = round(box.height());
     int corner = box.form() == Box.Form.PILL ? height : CORNER;
-    gc.setBackground(chosen ? theme.mix(Role.ACCENT, Role.PANEL, 0.25) : theme.mix(box.role(), Role.PANEL, box.role() == Role.LINE ? 0.45 : 0.14));
+    gc.setBackground(chosen ? theme.mix(Role.ACCENT, Role.PANEL, 0.25)
+        : theme.mix(box.role(), Role.PANEL, box.role() == Role.LINE ? 0.45 : 0.14));
     gc.fillRoundRectangle(x, y, width, height, corner, corner);
-    Color edge = chosen || lit ? theme.color(Role.ACCENT) : theme.mix(box.role(), Role.PANEL, box.role() == Role.LINE ? 1 : 0.75);
+    Color edge = chosen || lit ? theme.color(Role.ACCENT)
+        : theme.mix(box.role(), Role.PANEL, box.role() == Role.LINE ? 1 : 0.75);
     line(gc, edge, chosen ? 2 : 1);
     gc.drawRoundRectangle(x, y, width, height, corner, corner);
     if (zoom >= TITLES_FROM) {
@@ -132,8 +139,10 @@ final class DiagramPainter {
     if (noted) {
       gc.setFont(theme.font(Face.SMALL));
       String note = TextFit.shorten(gc, box.note(), round(box.width() - 2 * PADDING));
-      gc.setForeground(theme.color(box.health() == Health.WARNING || box.health() == Health.BAD ? Role.TEXT : Role.DIM));
-      gc.drawText(note, round(box.x() + (box.width() - gc.textExtent(note).x) / 2), round(box.y() + box.height() * 0.55), true);
+      gc.setForeground(
+          theme.color(box.health() == Health.WARNING || box.health() == Health.BAD ? Role.TEXT : Role.DIM));
+      gc.drawText(note, round(box.x() + (box.width() - gc.textExtent(note).x) / 2),
+          round(box.y() + box.height() * 0.55), true);
     }
   }
 
@@ -173,7 +182,7 @@ final class DiagramPainter {
     double dx = (end.x() - before.x()) / length;
     double dy = (end.y() - before.y()) / length;
     gc.setBackground(gc.getForeground());
-    gc.fillPolygon(new int[] {round(end.x()), round(end.y()),
+    gc.fillPolygon(new int[]{round(end.x()), round(end.y()),
         round(end.x() - HEAD * dx + HEAD_WIDE * dy), round(end.y() - HEAD * dy - HEAD_WIDE * dx),
         round(end.x() - HEAD * dx - HEAD_WIDE * dy), round(end.y() - HEAD * dy + HEAD_WIDE * dx)});
   }
@@ -187,10 +196,11 @@ final class DiagramPainter {
     gc.setBackground(theme.color(Role.PANEL));
     gc.setForeground(theme.color(Role.TEXT));
     List<Rectangle> taken = new ArrayList<>();
-    wires.stream().filter(wire -> !wire.label().isEmpty()).sorted(Comparator.comparing((Wire wire) -> !near.test(wire))).forEach(wire -> {
-      gc.setAlpha(!fades || near.test(wire) ? OPAQUE : FADED);
-      label(gc, eye, wire, taken);
-    });
+    wires.stream().filter(wire -> !wire.label().isEmpty()).sorted(Comparator.comparing((Wire wire) -> !near.test(wire)))
+        .forEach(wire -> {
+          gc.setAlpha(!fades || near.test(wire) ? OPAQUE : FADED);
+          label(gc, eye, wire, taken);
+        });
     gc.setTransform(eye);
     gc.setAlpha(OPAQUE);
   }
@@ -199,8 +209,9 @@ final class DiagramPainter {
     double grown = Math.max(1, LABELS_READABLE / zoom);
     Point size = gc.textExtent(wire.label());
     Corner middle = wire.middle();
-    Rectangle place = new Rectangle(round(middle.x() - grown * (size.x / 2.0 + LABEL_EDGE)), round(middle.y() - grown * size.y / 2.0),
-        round(grown * (size.x + 2 * LABEL_EDGE)), round(grown * size.y));
+    Rectangle place =
+        new Rectangle(round(middle.x() - grown * (size.x / 2.0 + LABEL_EDGE)), round(middle.y() - grown * size.y / 2.0),
+            round(grown * (size.x + 2 * LABEL_EDGE)), round(grown * size.y));
     if (taken.stream().noneMatch(place::intersects)) {
       taken.add(place);
       float[] elements = new float[6];

@@ -45,7 +45,7 @@ public final class DiagramSaver {
     try {
       if (file.toString().toLowerCase(Locale.ROOT).endsWith(PNG)) {
         ImageLoader loader = new ImageLoader();
-        loader.data = new ImageData[] {canvas.picture()};
+        loader.data = new ImageData[]{canvas.picture()};
         loader.save(file.toString(), SWT.IMAGE_PNG);
       } else {
         Files.writeString(file, DiagramSvg.write(canvas.diagram(), theme.palette()), StandardCharsets.UTF_8);

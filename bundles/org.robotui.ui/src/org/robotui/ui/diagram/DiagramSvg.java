@@ -21,11 +21,14 @@ public final class DiagramSvg {
    */
   public static String write(Diagram diagram, Palette palette) {
     StringBuilder out = new StringBuilder();
-    out.append(String.format(Locale.ROOT, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-16 -16 %.0f %.0f\" font-family=\"sans-serif\">%n",
+    out.append(String.format(Locale.ROOT,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-16 -16 %.0f %.0f\" font-family=\"sans-serif\">%n",
         diagram.width() + 32, diagram.height() + 32));
-    out.append("<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">"
-        + "<path d=\"M0 0L8 4L0 8z\" fill=\"context-stroke\"/></marker></defs>\n");
-    out.append(String.format(Locale.ROOT, "<rect x=\"-16\" y=\"-16\" width=\"100%%\" height=\"100%%\" fill=\"%s\"/>%n", color(palette.rgb(Role.PANEL))));
+    out.append(
+        "<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"7\" markerHeight=\"7\" orient=\"auto\">"
+            + "<path d=\"M0 0L8 4L0 8z\" fill=\"context-stroke\"/></marker></defs>\n");
+    out.append(String.format(Locale.ROOT, "<rect x=\"-16\" y=\"-16\" width=\"100%%\" height=\"100%%\" fill=\"%s\"/>%n",
+        color(palette.rgb(Role.PANEL))));
     diagram.boxes().stream().filter(box -> box.form() == Box.Form.GROUP).forEach(box -> box(out, box, palette));
     diagram.wires().forEach(wire -> wire(out, wire, palette));
     diagram.boxes().stream().filter(box -> box.form() != Box.Form.GROUP).forEach(box -> box(out, box, palette));
@@ -34,7 +37,8 @@ public final class DiagramSvg {
 
   private static void box(StringBuilder out, Box box, Palette palette) {
     double round = box.form() == Box.Form.PILL ? box.height() / 2 : CORNER;
-    out.append(String.format(Locale.ROOT, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"%.1f\" fill=\"%s\" stroke=\"%s\"/>%n",
+    out.append(String.format(Locale.ROOT,
+        "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"%.1f\" fill=\"%s\" stroke=\"%s\"/>%n",
         box.x(), box.y(), box.width(), box.height(), round,
         color(Palette.mix(palette.rgb(box.role()), palette.rgb(Role.PANEL), 0.2)), color(palette.rgb(box.role()))));
     if (box.form() == Box.Form.GROUP) {
@@ -42,7 +46,8 @@ public final class DiagramSvg {
     } else {
       boolean noted = !box.note().isEmpty();
       double middle = box.x() + box.width() / 2;
-      text(out, middle, box.y() + (noted ? box.height() * 0.34 : box.height() / 2) + 4, 12.5, "middle", palette.rgb(Role.TEXT), box.title());
+      text(out, middle, box.y() + (noted ? box.height() * 0.34 : box.height() / 2) + 4, 12.5, "middle",
+          palette.rgb(Role.TEXT), box.title());
       if (noted) {
         text(out, middle, box.y() + box.height() * 0.8, 11, "middle", palette.rgb(Role.DIM), box.note());
       }
@@ -50,8 +55,10 @@ public final class DiagramSvg {
   }
 
   private static void wire(StringBuilder out, Wire wire, Palette palette) {
-    String points = wire.corners().stream().map(c -> String.format(Locale.ROOT, "%.1f,%.1f", c.x(), c.y())).collect(Collectors.joining(" "));
-    out.append(String.format(Locale.ROOT, "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\"%s marker-end=\"url(#head)\"/>%n",
+    String points = wire.corners().stream().map(c -> String.format(Locale.ROOT, "%.1f,%.1f", c.x(), c.y()))
+        .collect(Collectors.joining(" "));
+    out.append(String.format(Locale.ROOT,
+        "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\"%s marker-end=\"url(#head)\"/>%n",
         points, color(palette.rgb(wire.role())), wire.dashed() ? " stroke-dasharray=\"5 4\"" : ""));
     if (!wire.label().isEmpty()) {
       text(out, wire.middle().x(), wire.middle().y() - 3, 11, "middle", palette.rgb(Role.TEXT), wire.label());
@@ -59,7 +66,8 @@ public final class DiagramSvg {
   }
 
   private static void text(StringBuilder out, double x, double y, double size, String anchor, RGB color, String words) {
-    out.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>%n",
+    out.append(String.format(Locale.ROOT,
+        "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>%n",
         x, y, size, anchor, color(color), escaped(words)));
   }
 

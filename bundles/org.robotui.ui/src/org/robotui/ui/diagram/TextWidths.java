@@ -6,8 +6,8 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Theme;
 
 /**
- * How wide words are, so that boxes are laid out beside the display thread. Immutable. What a title does not find room for is shortened when
- * it is painted.
+ * How wide words are, so that boxes are laid out beside the display thread. Immutable. What a title does not find room
+ * for is shortened when it is painted.
  */
 public final class TextWidths {
   private static final int FIRST = 32;

@@ -15,7 +15,8 @@ import org.robotui.ui.Role;
  * @param role its colour
  * @param dashed whether it is interrupted
  */
-public record Wire(Object from, Object to, List<Corner> corners, String label, Optional<Corner> room, Role role, boolean dashed) {
+public record Wire(Object from, Object to, List<Corner> corners, String label, Optional<Corner> room, Role role,
+    boolean dashed) {
   /**
    * A place where a wire goes along.
    *

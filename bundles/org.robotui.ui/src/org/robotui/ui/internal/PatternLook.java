@@ -8,8 +8,8 @@ import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Pattern;
 
 /**
- * How the toolkit enlarges and continues a pattern made of an image. It is not part of what SWT promises, so it is looked up, as {@link SurfacePixels}
- * is. Display thread.
+ * How the toolkit enlarges and continues a pattern made of an image. It is not part of what SWT promises, so it is
+ * looked up, as {@link SurfacePixels} is. Display thread.
  */
 public final class PatternLook {
   private static final String CAIRO = "org.eclipse.swt.internal.cairo.Cairo";

@@ -9,8 +9,8 @@ import org.eclipse.swt.SWTException;
 import org.eclipse.swt.graphics.Image;
 
 /**
- * The memory in which the toolkit keeps the pixels of an image. It is not part of what SWT promises, so it is looked up, and whoever wants it goes the
- * long way where there is none: on another platform or in another version.
+ * The memory in which the toolkit keeps the pixels of an image. It is not part of what SWT promises, so it is looked
+ * up, and whoever wants it goes the long way where there is none: on another platform or in another version.
  */
 public final class SurfacePixels {
   private static final String TOOLKIT = "org.eclipse.swt.internal.";

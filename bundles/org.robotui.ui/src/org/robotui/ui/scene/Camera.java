@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.robotui.geometry.Vector3;
 
 /**
- * Where the user looks. Until the user moves the view it shows all there is; afterwards only hands and following move it.
- * Display thread.
+ * Where the user looks. Until the user moves the view it shows all there is; afterwards only hands and following move
+ * it. Display thread.
  */
 public final class Camera {
   private static final double START_SCALE = 40;

@@ -3,7 +3,10 @@ package org.robotui.ui.scene;
 import org.eclipse.swt.graphics.Device;
 import org.eclipse.swt.graphics.Path;
 
-/** Circles as polygons of so many corners that nobody sees it: they are filled in a quarter of the time that the toolkit's arcs take. */
+/**
+ * Circles as polygons of so many corners that nobody sees it: they are filled in a quarter of the time that the
+ * toolkit's arcs take.
+ */
 final class Circles {
   /** How far an edge may lie within the circle, pixels. */
   private static final double SAGITTA = 0.04;
@@ -19,7 +22,10 @@ final class Circles {
     return path;
   }
 
-  /** The line of a circle as an area: the inner circle goes the other way round, and is left out whatever the rule of filling; to be disposed. */
+  /**
+   * The line of a circle as an area: the inner circle goes the other way round, and is left out whatever the rule of
+   * filling; to be disposed.
+   */
   static Path ring(Device device, double x, double y, double radius, double width) {
     Path path = disc(device, x, y, radius + width / 2);
     if (radius > width / 2) {

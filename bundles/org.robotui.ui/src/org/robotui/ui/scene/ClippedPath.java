@@ -5,8 +5,9 @@ import org.eclipse.swt.graphics.Device;
 import org.eclipse.swt.graphics.Path;
 
 /**
- * Lines and areas as paths that end far outside of any window: the fixed-point numbers of the toolkit end at some millions of pixels, and a dashed
- * line takes time for each dash, whether it is seen or not. Corners that are no numbers are left out.
+ * Lines and areas as paths that end far outside of any window: the fixed-point numbers of the toolkit end at some
+ * millions of pixels, and a dashed line takes time for each dash, whether it is seen or not. Corners that are no
+ * numbers are left out.
  */
 final class ClippedPath {
   /** Twice as far as the largest window reaches, pixels. */

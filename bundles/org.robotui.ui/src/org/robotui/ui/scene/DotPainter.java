@@ -5,9 +5,9 @@ import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Path;
 
 /**
- * Draws many small dots as cheaply as they can be: two crossed rectangles look round at this size and cost a tenth of an
- * antialiased circle; dots that cannot be seen, or lie on the one before, are skipped. What remains is filled in few calls, since a
- * call costs more than a dot.
+ * Draws many small dots as cheaply as they can be: two crossed rectangles look round at this size and cost a tenth of
+ * an antialiased circle; dots that cannot be seen, or lie on the one before, are skipped. What remains is filled in few
+ * calls, since a call costs more than a dot.
  */
 final class DotPainter {
   /** So many in one call: the platform's effort grows faster than their number. */

@@ -3,9 +3,9 @@ package org.robotui.ui.scene;
 import java.util.Optional;
 
 /**
- * A building block of a map: knows how to draw itself and never where its data comes from. Each has a method of its own to
- * prepare what is to be drawn, called on a worker, which must publish it as one immutable value; the methods here use the
- * last value published.
+ * A building block of a map: knows how to draw itself and never where its data comes from. Each has a method of its own
+ * to prepare what is to be drawn, called on a worker, which must publish it as one immutable value; the methods here
+ * use the last value published.
  */
 public interface Entity {
   /**

@@ -1,8 +1,9 @@
 package org.robotui.ui.scene;
 
 /**
- * Leaves out the points of a long line that lie as good as between others, as most of a way do that was driven. One pass: from the last point that is kept,
- * the directions that pass all points since then form a cone, which each further point narrows; one outside it has the point before it kept.
+ * Leaves out the points of a long line that lie as good as between others, as most of a way do that was driven. One
+ * pass: from the last point that is kept, the directions that pass all points since then form a cone, which each
+ * further point narrows; one outside it has the point before it kept.
  */
 final class LineThinner {
   private final double[] xy;
@@ -67,7 +68,8 @@ final class LineThinner {
   private boolean passes(double x, double y) {
     double dx = x - anchorX;
     double dy = y - anchorY;
-    return (!cone || rightX * dy - rightY * dx >= 0 && dx * leftY - dy * leftX >= 0) && Math.hypot(dx, dy) >= farthest - tolerance;
+    return (!cone || rightX * dy - rightY * dx >= 0 && dx * leftY - dy * leftX >= 0)
+        && Math.hypot(dx, dy) >= farthest - tolerance;
   }
 
   private void narrow(double dx, double dy) {

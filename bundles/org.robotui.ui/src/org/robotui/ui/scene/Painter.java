@@ -19,8 +19,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * Draws in world coordinates, antialiased and with fractions of a pixel. Widths and sizes are pixels, places are metres in the
- * fixed frame. Made for one paint; display thread only.
+ * Draws in world coordinates, antialiased and with fractions of a pixel. Widths and sizes are pixels, places are metres
+ * in the fixed frame. Made for one paint; display thread only.
  */
 public final class Painter {
   private static final int OPAQUE = 255;
@@ -192,7 +192,7 @@ public final class Painter {
    * @param y2 metres
    */
   public void line(double x1, double y1, double x2, double y2) {
-    polyline(new double[] {x1, y1, x2, y2}, 2);
+    polyline(new double[]{x1, y1, x2, y2}, 2);
   }
 
   /**
@@ -346,7 +346,8 @@ public final class Painter {
    * Draws an image of which the first row lies lowest, without smoothing, as cells are to be seen.
    *
    * @param image the image; row 0 at the origin, rows along y
-   * @param worldFromImage where the outer corner of pixel (0, 0) lies and how the image is turned; only its planar part counts
+   * @param worldFromImage where the outer corner of pixel (0, 0) lies and how the image is turned; only its planar part
+   * counts
    * @param metresPerPixel edge of a pixel of the image
    */
   public void image(Image image, RigidTransform worldFromImage, double metresPerPixel) {

@@ -9,7 +9,9 @@ import org.robotui.geometry.TransformLookup;
 
 /** Finds where data lies in the fixed frame. */
 public final class Placer {
-  /** A transform that is this much off in time is better than none: transforms are often sent a little after the data. */
+  /**
+   * A transform that is this much off in time is better than none: transforms are often sent a little after the data.
+   */
   private static final long TOLERANCE_NANOS = 1_000_000_000L;
 
   private final Frames frames;

@@ -3,15 +3,15 @@ package org.robotui.ui.scene;
 import java.util.Arrays;
 
 /**
- * Where something has been: positions at least a little apart, of bounded number. When it is full, every second position goes and
- * the least distance doubles, so that a long way stays whole. Not safe for several threads.
+ * Where something has been: positions at least a little apart, of bounded number. When it is full, every second
+ * position goes and the least distance doubles, so that a long way stays whole. Not safe for several threads.
  */
 public final class PositionHistory {
   /** Is told where a position has gone, so that what belongs to it can follow. */
   @FunctionalInterface
   public interface Moves {
     /** Nothing belongs to the positions. */
-    Moves NOTHING = (from, to, count) -> { };
+    Moves NOTHING = (from, to, count) -> {};
 
     /**
      * Positions have gone to other indices; called in the order in which that can be done in place.

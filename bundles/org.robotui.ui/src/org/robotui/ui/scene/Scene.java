@@ -8,8 +8,8 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 
 /**
- * Layers in order. They may be added and removed on a worker; what a removed one holds of the display is released with the
- * next paint.
+ * Layers in order. They may be added and removed on a worker; what a removed one holds of the display is released with
+ * the next paint.
  */
 public final class Scene {
   private static final double FADED = 0.35;
@@ -87,7 +87,10 @@ public final class Scene {
     layers.forEach(layer -> paint(layer, painter));
   }
 
-  /** Paints a layer where it is visible; one that has been removed has given back what it held of the display, and would take it again. Display thread. */
+  /**
+   * Paints a layer where it is visible; one that has been removed has given back what it held of the display, and would
+   * take it again. Display thread.
+   */
   void paint(Layer layer, Painter painter) {
     if (layer.visible() && layers.contains(layer)) {
       painter.fade(layer.faded() ? FADED : 1);

@@ -7,8 +7,8 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 
 /**
- * The hands on a scene: the left or middle button moves it, the wheel zooms at the pointer, a double click shows all; plus, minus,
- * 0, Home and the arrows do the same from the keyboard. Display thread.
+ * The hands on a scene: the left or middle button moves it, the wheel zooms at the pointer, a double click shows all;
+ * plus, minus, 0, Home and the arrows do the same from the keyboard. Display thread.
  */
 public final class SceneHands {
   /** What the hands move. */
@@ -129,7 +129,7 @@ public final class SceneHands {
       case '+', '=' -> zoomMiddle(KEY_FACTOR);
       case '-' -> zoomMiddle(1 / KEY_FACTOR);
       case '0' -> held.fit();
-      default -> { }
+      default -> {}
     }
   }
 

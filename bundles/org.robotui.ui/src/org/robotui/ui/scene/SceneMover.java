@@ -7,8 +7,8 @@ import java.util.function.Supplier;
 import org.robotui.geometry.Vector3;
 
 /**
- * Moves a camera over a scene in which something may be followed: a hand that moves the scene lets go of it, and while it is followed it is the
- * one place that stays in a zoom. Display thread.
+ * Moves a camera over a scene in which something may be followed: a hand that moves the scene lets go of it, and while
+ * it is followed it is the one place that stays in a zoom. Display thread.
  */
 public final class SceneMover {
   /** What may take a press in place of the scene. */

@@ -5,9 +5,10 @@ import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Theme;
 
 /**
- * What a canvas shows of a scene. A scene that is painted quickly is painted as it is. One that takes long, as that of many robots, is painted layer
- * by layer into a sheet, in turns of a few milliseconds between which the display serves others, and shown when it is complete; it then takes no more
- * than half of the display's time. A camera that moves is followed at once, whatever that takes. Display thread.
+ * What a canvas shows of a scene. A scene that is painted quickly is painted as it is. One that takes long, as that of
+ * many robots, is painted layer by layer into a sheet, in turns of a few milliseconds between which the display serves
+ * others, and shown when it is complete; it then takes no more than half of the display's time. A camera that moves is
+ * followed at once, whatever that takes. Display thread.
  */
 public final class ScenePicture {
   private static final long MILLI = 1_000_000;
@@ -17,7 +18,10 @@ public final class ScenePicture {
   private static final int TIMES = 3;
   /** And as it is again where its turns together take less than this. */
   private static final long SHORT = 3 * MILLI;
-  /** Between two pictures it does nothing for as long as one takes, and for this at least: more of them a second are not told apart on a map. */
+  /**
+   * Between two pictures it does nothing for as long as one takes, and for this at least: more of them a second are not
+   * told apart on a map.
+   */
   private static final long REST = 25 * MILLI;
   /** While a camera moves no sheet is worth its time. */
   private static final long STILL = 120 * MILLI;
@@ -116,7 +120,8 @@ public final class ScenePicture {
   private void begin() {
     changed = false;
     scene.release();
-    SceneSheet sheet = spare.filter(this::fits).orElseGet(() -> new SceneSheet(canvas.getDisplay(), viewport, canvas.zoom()));
+    SceneSheet sheet =
+        spare.filter(this::fits).orElseGet(() -> new SceneSheet(canvas.getDisplay(), viewport, canvas.zoom()));
     spare.filter(s -> s != sheet).ifPresent(SceneSheet::dispose);
     spare = Optional.empty();
     SheetWork begun = new SheetWork(scene, sheet, canvas, theme);

@@ -9,7 +9,10 @@ import org.eclipse.swt.graphics.PaletteData;
 import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.ui.ImageFill;
 
-/** What is seen through a viewport, as pixels in this process: lines and text are painted faster there than at the display's server. Display thread. */
+/**
+ * What is seen through a viewport, as pixels in this process: lines and text are painted faster there than at the
+ * display's server. Display thread.
+ */
 final class SceneSheet {
   private static final int DEPTH = 32;
   private static final int HUNDRED = 100;
@@ -24,7 +27,8 @@ final class SceneSheet {
     this.viewport = viewport;
     this.zoom = zoom;
     ImageDataProvider pixels = percent -> new ImageData(
-        Math.ceilDiv(viewport.width() * percent, HUNDRED), Math.ceilDiv(viewport.height() * percent, HUNDRED), DEPTH, ORDER);
+        Math.ceilDiv(viewport.width() * percent, HUNDRED), Math.ceilDiv(viewport.height() * percent, HUNDRED), DEPTH,
+        ORDER);
     image = new Image(device, pixels);
   }
 

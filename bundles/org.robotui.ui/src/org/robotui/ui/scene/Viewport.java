@@ -139,7 +139,8 @@ public record Viewport(double centerX, double centerY, double scale, int width, 
     Bounds near = new Bounds(near(bounds.minX()), near(bounds.minY()), near(bounds.maxX()), near(bounds.maxY()));
     double across = Math.max(1, width - 2.0 * margin) / Math.max(SMALLEST_EXTENT, near.width());
     double down = Math.max(1, height - 2.0 * margin) / Math.max(SMALLEST_EXTENT, near.height());
-    return new Viewport((near.minX() + near.maxX()) / 2, (near.minY() + near.maxY()) / 2, Math.min(across, down), width, height);
+    return new Viewport((near.minX() + near.maxX()) / 2, (near.minY() + near.maxY()) / 2, Math.min(across, down), width,
+        height);
   }
 
   private static double near(double coordinate) {

@@ -17,7 +17,8 @@ public final class NumberPaths {
   private NumberPaths() {}
 
   /**
-   * Finds the numbers and truth values. Long lists and headers are left out; of very large values so is all that comes after the first sixty.
+   * Finds the numbers and truth values. Long lists and headers are left out; of very large values so is all that comes
+   * after the first sixty.
    *
    * @param record a value
    * @return paths such as {@code linear.x} or {@code joints[0].position}, in the order of the fields
@@ -64,7 +65,7 @@ public final class NumberPaths {
           value(path + "[" + i + "]", items.values().get(i), depth + 1);
         }
       }
-      default -> { }
+      default -> {}
     }
   }
 

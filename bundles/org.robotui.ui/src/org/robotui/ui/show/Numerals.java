@@ -36,7 +36,8 @@ final class Numerals {
 
   /** Whole numbers without a point. */
   private static String plain(double value) {
-    return value == Math.rint(value) && Math.abs(value) < WHOLE_UNTIL ? Long.toString((long) value) : Double.toString(value);
+    return value == Math.rint(value) && Math.abs(value) < WHOLE_UNTIL ? Long.toString((long) value)
+        : Double.toString(value);
   }
 
   /** In quotation marks, with escapes that both YAML and JSON know. */

@@ -17,8 +17,8 @@ import org.eclipse.swt.widgets.Control;
 import org.robotui.api.show.Subject;
 
 /**
- * Ports and their fields as they are dragged: from any list, onto any view that takes them, and as text into other programs, which get the
- * names that the robot uses. Display thread.
+ * Ports and their fields as they are dragged: from any list, onto any view that takes them, and as text into other
+ * programs, which get the names that the robot uses. Display thread.
  */
 public final class PortDrag {
   private PortDrag() {}
@@ -85,7 +85,7 @@ public final class PortDrag {
   public static void to(Control control, boolean texts, Target taker) {
     PortTransfer ports = new PortTransfer();
     DropTarget target = new DropTarget(control, DND.DROP_COPY | DND.DROP_MOVE | DND.DROP_LINK | DND.DROP_DEFAULT);
-    target.setTransfer(texts ? new Transfer[] {ports, TextTransfer.getInstance()} : new Transfer[] {ports});
+    target.setTransfer(texts ? new Transfer[]{ports, TextTransfer.getInstance()} : new Transfer[]{ports});
     target.addDropListener(new DropTargetAdapter() {
       @Override
       public void dragEnter(DropTargetEvent event) {

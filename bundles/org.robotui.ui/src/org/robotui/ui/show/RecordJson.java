@@ -49,7 +49,8 @@ public final class RecordJson {
       case FieldValue.Num n -> text.append(Numerals.json(n));
       case FieldValue.Flag f -> text.append(f.value());
       case FieldValue.Text t -> text.append(Numerals.quoted(t.value()));
-      case FieldValue.Time t -> text.append("{\"secs\": ").append(Math.floorDiv(t.nanos(), NANOS)).append(", \"nsecs\": ")
+      case FieldValue.Time t -> text.append("{\"secs\": ").append(Math.floorDiv(t.nanos(), NANOS))
+          .append(", \"nsecs\": ")
           .append(Math.floorMod(t.nanos(), NANOS)).append('}');
       case FieldValue.Numbers n -> numbers(n.values());
       case FieldValue.Items i -> items(i.values(), depth);

@@ -25,8 +25,8 @@ import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.PopupMenu;
 
 /**
- * The menu of a port, a field, a frame or a node, the same wherever it is listed: the views that show it, its name and value for the
- * clipboard, and what its type means. Display thread; values become texts elsewhere.
+ * The menu of a port, a field, a frame or a node, the same wherever it is listed: the views that show it, its name and
+ * value for the clipboard, and what its type means. Display thread; values become texts elsewhere.
  */
 public final class SubjectMenu {
   private static final int MOST_FIELDS = 24;
@@ -103,10 +103,12 @@ public final class SubjectMenu {
     } else if (paths.isEmpty()) {
       menu.push(label + "\u2026", () -> ruic.show(choice, stream));
     } else if (paths.size() == 1 || paths.equals(stream.fields())) {
-      menu.push(stream.fields().isEmpty() ? label + " " + paths.getFirst() : label, () -> ruic.show(choice, of(stream, paths)));
+      menu.push(stream.fields().isEmpty() ? label + " " + paths.getFirst() : label,
+          () -> ruic.show(choice, of(stream, paths)));
     } else {
       PopupMenu fields = menu.under(label);
-      paths.stream().limit(MOST_FIELDS).forEach(path -> fields.push(path, () -> ruic.show(choice, of(stream, List.of(path)))));
+      paths.stream().limit(MOST_FIELDS)
+          .forEach(path -> fields.push(path, () -> ruic.show(choice, of(stream, List.of(path)))));
       fields.line().push("Choose among all\u2026", () -> ruic.show(choice, Subject.Stream.of(stream.port())));
     }
   }
@@ -120,7 +122,8 @@ public final class SubjectMenu {
     if (fields.isEmpty()) {
       return NumberPaths.of(DataRecord.of(newest.value()));
     }
-    return fields.stream().flatMap(field -> at(newest, field).stream().flatMap(value -> NumberPaths.at(field, value).stream())).toList();
+    return fields.stream()
+        .flatMap(field -> at(newest, field).stream().flatMap(value -> NumberPaths.at(field, value).stream())).toList();
   }
 
   /** A field by the name that we give, else by that of the robot. */
@@ -142,13 +145,15 @@ public final class SubjectMenu {
     }
     type(stream.port()).ifPresent(type -> {
       menu.line();
-      menu.push("Documentation of " + type, () -> TypeWindow.open(Display.getCurrent(), theme, type, ruic.newest(stream.port()).map(Envelope::record)));
+      menu.push("Documentation of " + type,
+          () -> TypeWindow.open(Display.getCurrent(), theme, type, ruic.newest(stream.port()).map(Envelope::record)));
     });
   }
 
   private void field(PopupMenu menu, Subject.Stream stream) {
     Optional<String> value = ruic.newest(stream.port()).flatMap(e -> value(e, stream.fields().getFirst()));
-    value.ifPresentOrElse(text -> menu.push("Copy value", () -> Clipboards.copy(text)), () -> menu.unavailable("Copy value", "no value yet"));
+    value.ifPresentOrElse(text -> menu.push("Copy value", () -> Clipboards.copy(text)),
+        () -> menu.unavailable("Copy value", "no value yet"));
   }
 
   private static Optional<String> value(Envelope<?> newest, String path) {
@@ -171,7 +176,8 @@ public final class SubjectMenu {
   }
 
   private Optional<String> type(SourceId port) {
-    return ruic.snapshot().ports().stream().filter(status -> status.kind() == PortKind.STREAM && status.port().equals(port))
+    return ruic.snapshot().ports().stream()
+        .filter(status -> status.kind() == PortKind.STREAM && status.port().equals(port))
         .map(PortStatus::typeName).findFirst();
   }
 }

@@ -18,7 +18,10 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
-/** A small window that says what a type of data means: its fields with their units, and what the robot's own message is made of. Display thread. */
+/**
+ * A small window that says what a type of data means: its fields with their units, and what the robot's own message is
+ * made of. Display thread.
+ */
 final class TypeWindow {
   private static final int WIDTH = 560;
   private static final int HEIGHT = 460;
@@ -42,7 +45,8 @@ final class TypeWindow {
     shell.setLayout(new FillLayout());
     new TypeWindow(theme).fill(shell, type, own);
     Rectangle over = parent == null ? display.getPrimaryMonitor().getClientArea() : parent.getBounds();
-    shell.setBounds(over.x + (over.width - WIDTH) / 2, over.y + (over.height - HEIGHT) / 2, Math.min(WIDTH, over.width), Math.min(HEIGHT, over.height));
+    shell.setBounds(over.x + (over.width - WIDTH) / 2, over.y + (over.height - HEIGHT) / 2, Math.min(WIDTH, over.width),
+        Math.min(HEIGHT, over.height));
     shell.open();
     return shell;
   }
@@ -52,7 +56,8 @@ final class TypeWindow {
     docs.forEach(this::type);
     if (docs.isEmpty()) {
       words(type, Face.BODY_STRONG, Role.TEXT);
-      line("\nA message of the robot that no data type stands for. Its fields have the names and units that the robot gives them.\n");
+      line(
+          "\nA message of the robot that no data type stands for. Its fields have the names and units that the robot gives them.\n");
     }
     own.filter(record -> !record.schema().equals(type)).ifPresent(this::message);
     StyledText area = new StyledText(shell, SWT.READ_ONLY | SWT.MULTI | SWT.WRAP | SWT.V_SCROLL);

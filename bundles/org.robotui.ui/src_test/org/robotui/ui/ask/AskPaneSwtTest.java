@@ -35,7 +35,7 @@ class AskPaneSwtTest {
   private final FakeBrowser robot = new FakeBrowser();
   private final AskModel model = new AskModel(
       new Catalogue(() -> List.of(new BrowseInput.Robot(GRAPH, robot)), Runnable::run, Kind.ACTION),
-      new Questions((entry, values, report) -> () -> { }));
+      new Questions((entry, values, report) -> () -> {}));
   private Theme theme;
   private Shell shell;
 
@@ -47,7 +47,8 @@ class AskPaneSwtTest {
     robot.items = List.of(MOVE);
     model.tick(System.nanoTime());
     model.choose(new Catalogue.Entry(GRAPH, MOVE));
-    new AskPane(shell, UiContext.of(theme, note -> { }), model, new AskWords(Kind.ACTION, "actions", "Send goal", "Goal", "Result", true));
+    new AskPane(shell, UiContext.of(theme, note -> {}), model,
+        new AskWords(Kind.ACTION, "actions", "Send goal", "Goal", "Result", true));
   }
 
   @AfterEach
@@ -59,7 +60,7 @@ class AskPaneSwtTest {
   @Test
   void sendingAndCancellingAreWholeHoweverNarrow() {
     shell.open();
-    for (int width : new int[] {900, 500, 320, 420, 640, 1400}) {
+    for (int width : new int[]{900, 500, 320, 420, 640, 1400}) {
       shell.setSize(width, 560);
       shell.layout(true, true);
       List<QuietButton> buttons = buttons(shell).stream().filter(b -> b.getParent().getChildren().length == 3).toList();

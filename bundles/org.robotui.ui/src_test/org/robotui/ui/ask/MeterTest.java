@@ -21,7 +21,7 @@ class MeterTest {
 
   @Test
   void periodsAreMeasured() {
-    for (long at : new long[] {0, 100, 220, 300}) {
+    for (long at : new long[]{0, 100, 220, 300}) {
       meter.take(at * MILLI, OptionalInt.of(50));
     }
     Measure measure = meter.measure(310 * MILLI);

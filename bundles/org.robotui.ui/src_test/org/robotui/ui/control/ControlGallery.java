@@ -108,7 +108,8 @@ final class ControlGallery {
     field.moveAbove(null);
     field.setLayoutData(new GridData(SWT.END, SWT.TOP, false, false));
     table.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
-    table.order(new RowOrder<>(Line.COLUMNS.getFirst(), false)).list().several().named("Topics").drag(line -> Optional.of(line.topic()));
+    table.order(new RowOrder<>(Line.COLUMNS.getFirst(), false)).list().several().named("Topics")
+        .drag(line -> Optional.of(line.topic()));
     table.show(table.sorted(Line.many()));
     table.list().select("/robot1/camera/image_raw");
     field.words("camera");
@@ -127,19 +128,25 @@ final class ControlGallery {
   private record Line(String topic, String type, double rate, Health health) {
     static final List<Column<Line>> COLUMNS = List.of(
         Column.<Line>words("Topic", Line::topic).weight(3).dot(Line::health).order(Comparator.comparing(Line::topic)),
-        Column.<Line>words("Type", Line::type).weight(2).role(Role.DIM).from(420).order(Comparator.comparing(Line::type)),
-        Column.<Line>figures("Rate", line -> String.format("%.1f Hz", line.rate())).order(Comparator.comparing(Line::rate)),
-        Column.<Line>figures("Bandwidth", line -> String.format("%.0f kB/s", line.rate() * 14)).role(Role.DIM).width(96).from(380));
+        Column.<Line>words("Type", Line::type).weight(2).role(Role.DIM).from(420)
+            .order(Comparator.comparing(Line::type)),
+        Column.<Line>figures("Rate", line -> String.format("%.1f Hz", line.rate()))
+            .order(Comparator.comparing(Line::rate)),
+        Column.<Line>figures("Bandwidth", line -> String.format("%.0f kB/s", line.rate() * 14)).role(Role.DIM).width(96)
+            .from(380));
 
     static List<Line> many() {
       return IntStream.range(0, 200).mapToObj(Line::of).toList();
     }
 
     private static Line of(int i) {
-      List<String> names = List.of("scan", "odom", "camera/image_raw", "camera/camera_info", "move_base/local_costmap/costmap_updates");
-      List<String> types = List.of("sensor_msgs/LaserScan", "nav_msgs/Odometry", "sensor_msgs/Image", "sensor_msgs/CameraInfo",
-          "map_msgs/OccupancyGridUpdate");
-      return new Line("/robot" + i / 5 + "/" + names.get(i % 5), types.get(i % 5), 10 + i * 7 % 41, Health.values()[i % 6]);
+      List<String> names =
+          List.of("scan", "odom", "camera/image_raw", "camera/camera_info", "move_base/local_costmap/costmap_updates");
+      List<String> types =
+          List.of("sensor_msgs/LaserScan", "nav_msgs/Odometry", "sensor_msgs/Image", "sensor_msgs/CameraInfo",
+              "map_msgs/OccupancyGridUpdate");
+      return new Line("/robot" + i / 5 + "/" + names.get(i % 5), types.get(i % 5), 10 + i * 7 % 41,
+          Health.values()[i % 6]);
     }
   }
 }

@@ -123,7 +123,8 @@ class ControlLookSwtTest {
     shell.setLayout(new FillLayout());
     FilterField field = new FilterField(shell, theme, "Filter", told::add).onDown(() -> told.add("down"));
     Control text = Arrays.stream(field.getChildren()).filter(Text.class::isInstance).findFirst().orElseThrow();
-    QuietButton clear = (QuietButton) Arrays.stream(field.getChildren()).filter(QuietButton.class::isInstance).findFirst().orElseThrow();
+    QuietButton clear = (QuietButton) Arrays.stream(field.getChildren()).filter(QuietButton.class::isInstance)
+        .findFirst().orElseThrow();
     shell.open();
     assertFalse(clear.getVisible());
     field.words("scan");
@@ -150,7 +151,7 @@ class ControlLookSwtTest {
     table.show(List.of("a", "b"));
     new RecordTree(other, theme).show(Records.scan(10, 0));
     new RecordForm(other, theme).shape(Shapes.TASK);
-    new FilterField(other, theme, "Filter", words -> { });
+    new FilterField(other, theme, "Filter", words -> {});
     other.dispose();
   }
 

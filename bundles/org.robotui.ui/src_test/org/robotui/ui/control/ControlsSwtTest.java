@@ -72,7 +72,7 @@ class ControlsSwtTest {
 
   @Test
   void aToggleShowsWhatItIsTold() {
-    QuietButton button = new QuietButton(shell, theme, () -> { }).checked(true);
+    QuietButton button = new QuietButton(shell, theme, () -> {}).checked(true);
     assertTrue(button.isChecked());
     assertFalse(button.checked(false).isChecked());
   }

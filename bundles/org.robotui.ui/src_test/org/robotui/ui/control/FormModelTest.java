@@ -154,6 +154,7 @@ class FormModelTest {
   }
 
   private FormLeaf leaf(String group, String name) {
-    return (FormLeaf) ((FormGroup) node(group)).fields().stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
+    return (FormLeaf) ((FormGroup) node(group)).fields().stream().filter(f -> f.name().equals(name)).findFirst()
+        .orElseThrow();
   }
 }

@@ -152,7 +152,9 @@ class RecordFormSwtTest {
   }
 
   private static Stream<Control> all(Control control) {
-    Stream<Control> within = control instanceof Composite parent ? Stream.of(parent.getChildren()).flatMap(RecordFormSwtTest::all) : Stream.of();
+    Stream<Control> within =
+        control instanceof Composite parent ? Stream.of(parent.getChildren()).flatMap(RecordFormSwtTest::all)
+            : Stream.of();
     return Stream.concat(Stream.of(control), within);
   }
 }

@@ -14,8 +14,10 @@ class RecordRowsTest {
 
   @Test
   void recordsWithinAreOpenAtFirstAndArraysClosed() {
-    assertEquals(List.of("header", "header.seq", "header.stamp", "header.frame_id", "angle_min", "ranges", "intensities", "ok",
-        "names", "poses"), paths(360));
+    assertEquals(
+        List.of("header", "header.seq", "header.stamp", "header.frame_id", "angle_min", "ranges", "intensities", "ok",
+            "names", "poses"),
+        paths(360));
   }
 
   @Test
@@ -82,7 +84,8 @@ class RecordRowsTest {
     assertEquals("-3", RecordText.number(-3));
     assertEquals("NaN", RecordText.number(Double.NaN));
     assertEquals("1.5E300", RecordText.number(1.5e300));
-    assertEquals("18446744073709551615", RecordText.line(new FieldValue.Num(1.8446744073709552E19, "18446744073709551615")));
+    assertEquals("18446744073709551615",
+        RecordText.line(new FieldValue.Num(1.8446744073709552E19, "18446744073709551615")));
     assertEquals("1763737178.123456789", RecordText.line(new FieldValue.Time(1_763_737_178_123_456_789L)));
     assertEquals("-0.500000000", RecordText.line(new FieldValue.Time(-500_000_000L)));
     assertEquals("[2]  left, right", RecordText.line(Records.scan(1, 0).field("names").orElseThrow()));

@@ -46,7 +46,8 @@ class RowTableSwtTest {
     theme = Themes.dark(display);
     shell = new Shell(display);
     shell.setLayout(new FillLayout());
-    Column<Integer> number = Column.<Integer>figures("Number", this::format).width(100).order(Comparator.naturalOrder());
+    Column<Integer> number =
+        Column.<Integer>figures("Number", this::format).width(100).order(Comparator.naturalOrder());
     table = new RowTable<>(shell, theme, List.of(number, Column.words("Name", i -> "row " + i)), i -> i);
     shell.setSize(400, 300);
     shell.open();
@@ -71,7 +72,8 @@ class RowTableSwtTest {
     Column<String> type = Column.<String>words("Type", s -> s).brief(s -> s.substring(s.lastIndexOf('/') + 1));
     assertEquals("a/b", type.fitting("a/b", text -> true));
     assertEquals("b", type.fitting("a/b", text -> false));
-    assertEquals("a b", Column.<String>words("Type", s -> s).fitting("a\nb", text -> false), "without shorter words it is cut");
+    assertEquals("a b", Column.<String>words("Type", s -> s).fitting("a\nb", text -> false),
+        "without shorter words it is cut");
   }
 
   @Test

@@ -7,7 +7,8 @@ import org.robotui.data.record.RecordShape;
 
 /** Forms of messages for tests. */
 final class Shapes {
-  static final RecordShape POINT = shape("geometry_msgs/Point", field("x", new FieldShape.Real(64)), field("y", new FieldShape.Real(64)));
+  static final RecordShape POINT =
+      shape("geometry_msgs/Point", field("x", new FieldShape.Real(64)), field("y", new FieldShape.Real(64)));
 
   static final RecordShape HEADER = shape("std_msgs/Header", field("seq", new FieldShape.Whole(32, false)),
       field("stamp", new FieldShape.Time()), field("frame_id", new FieldShape.Text()));

@@ -18,7 +18,8 @@ class DiagramTest {
   private static final Box GROUP = box("g", 0, 0, 300, 100, Box.Form.GROUP);
   private static final Box LEFT = box("a", 10, 30, 80, 28, Box.Form.ROUNDED);
   private static final Box RIGHT = box("b", 200, 30, 80, 28, Box.Form.PILL);
-  private static final Wire WIRE = new Wire("a", "b", List.of(new Corner(90, 44), new Corner(120, 44), new Corner(200, 44)), "10 Hz", Role.DIM, true);
+  private static final Wire WIRE = new Wire("a", "b",
+      List.of(new Corner(90, 44), new Corner(120, 44), new Corner(200, 44)), "10 Hz", Role.DIM, true);
   private static final Diagram DIAGRAM = new Diagram(List.of(GROUP, LEFT, RIGHT), List.of(WIRE), 300, 100);
 
   private static Box box(String key, double x, double y, double width, double height, Box.Form form) {
@@ -41,7 +42,8 @@ class DiagramTest {
   @Test
   void aLabelStandsOnTheLongestPart() {
     assertEquals(new Corner(160, 44), WIRE.middle());
-    assertThrows(IllegalArgumentException.class, () -> new Wire("a", "b", List.of(new Corner(0, 0)), "", Role.DIM, false));
+    assertThrows(IllegalArgumentException.class,
+        () -> new Wire("a", "b", List.of(new Corner(0, 0)), "", Role.DIM, false));
   }
 
   @Test

@@ -39,7 +39,10 @@ class WireLabelsTest {
 
   /** Wires across, so far apart in the diagram, each between two boxes without words. */
   private static Diagram wires(int count, double apart) {
-    List<Box> boxes = IntStream.range(0, 2 * count).mapToObj(i -> new Box(i, i % 2 * 390.0, i / 2 * apart, 10, 10, Box.Form.ROUNDED, "", "", Health.NONE, Role.LINE)).toList();
+    List<Box> boxes = IntStream.range(0, 2 * count)
+        .mapToObj(
+            i -> new Box(i, i % 2 * 390.0, i / 2 * apart, 10, 10, Box.Form.ROUNDED, "", "", Health.NONE, Role.LINE))
+        .toList();
     List<Wire> wires = IntStream.range(0, count).mapToObj(i -> new Wire(2 * i, 2 * i + 1,
         List.of(new Corner(10, i * apart + 5), new Corner(390, i * apart + 5)), "HH", Role.DIM, false)).toList();
     return new Diagram(boxes, wires, 400, count * apart);
@@ -58,20 +61,22 @@ class WireLabelsTest {
     ImageData data = image.getImageData();
     image.dispose();
     int middle = (int) (200 * zoom);
-    return IntStream.range(0, HEIGHT).filter(y -> IntStream.range(middle - 15, middle + 15).anyMatch(x -> isLetter(data, x, y))).boxed().toList();
+    return IntStream.range(0, HEIGHT)
+        .filter(y -> IntStream.range(middle - 15, middle + 15).anyMatch(x -> isLetter(data, x, y))).boxed().toList();
   }
 
   private boolean isLetter(ImageData data, int x, int y) {
     RGB seen = data.palette.getRGB(data.getPixel(x, y));
     RGB letters = theme.palette().rgb(Role.TEXT);
-    return Math.abs(seen.red - letters.red) + Math.abs(seen.green - letters.green) + Math.abs(seen.blue - letters.blue) < 120;
+    return Math.abs(seen.red - letters.red) + Math.abs(seen.green - letters.green)
+        + Math.abs(seen.blue - letters.blue) < 120;
   }
 
   @Test
   void aLabelIsReadAlsoWhereBoxesAreSmall() {
     int whole = rows(wires(1, 100), 1, Optional.empty()).size();
     assertTrue(whole >= 6, whole + " rows");
-    for (double zoom : new double[] {0.6, 0.4, 0.25}) {
+    for (double zoom : new double[]{0.6, 0.4, 0.25}) {
       int rows = rows(wires(1, 100), zoom, Optional.empty()).size();
       assertTrue(rows >= whole - 3, () -> rows + " rows at " + zoom + ", " + whole + " at 1");
     }
@@ -84,6 +89,7 @@ class WireLabelsTest {
     assertEquals(one, rows(wires(2, 20), 0.3, Optional.empty()).size(), "the second would lie on the first");
     assertEquals(2 * one, rows(wires(2, 200), 0.3, Optional.empty()).size(), 2);
     List<Integer> chosen = rows(wires(2, 20), 0.3, Optional.of(2));
-    assertTrue(chosen.getFirst() > rows(wires(1, 100), 0.3, Optional.empty()).getFirst(), "that of the selected one goes first");
+    assertTrue(chosen.getFirst() > rows(wires(1, 100), 0.3, Optional.empty()).getFirst(),
+        "that of the selected one goes first");
   }
 }

@@ -53,7 +53,8 @@ class CirclesTest {
 
   private Path arc(double radius) {
     Path path = new Path(display);
-    path.addArc((float) (MIDDLE - radius), (float) (MIDDLE - radius), (float) (2 * radius), (float) (2 * radius), 0, 360);
+    path.addArc((float) (MIDDLE - radius), (float) (MIDDLE - radius), (float) (2 * radius), (float) (2 * radius), 0,
+        360);
     path.close();
     return path;
   }
@@ -70,11 +71,12 @@ class CirclesTest {
 
   @Test
   void theyLookAsTheToolkitsOwn() {
-    for (double radius : new double[] {4.5, 9, 33, 2}) {
+    for (double radius : new double[]{4.5, 9, 33, 2}) {
       byte[] disc = drawn(gc -> filled(gc, Circles.disc(display, MIDDLE, MIDDLE, radius)));
       assertTrue(mostApart(disc, drawn(gc -> filled(gc, arc(radius)))) <= SLIGHT, "disc of " + radius);
       byte[] ring = drawn(gc -> filled(gc, Circles.ring(display, MIDDLE, MIDDLE, radius, WIDTH)));
-      assertTrue(mostApart(ring, drawn(gc -> stroked(gc, arc(radius)))) <= SLIGHT, "ring of " + radius + ": " + mostApart(ring, drawn(gc -> stroked(gc, arc(radius)))));
+      assertTrue(mostApart(ring, drawn(gc -> stroked(gc, arc(radius)))) <= SLIGHT,
+          "ring of " + radius + ": " + mostApart(ring, drawn(gc -> stroked(gc, arc(radius)))));
     }
   }
 

@@ -18,27 +18,27 @@ class ClippedPathTest {
 
   @Test
   void whatLiesNearIsLeftAsItIs() {
-    assertArrayEquals(new float[] {1, 2, 30, 40, -5, 6}, line(1, 2, 30, 40, -5, 6).points);
-    assertArrayEquals(new float[] {0, 0, 9, 0, 9, 9}, Arrays.copyOf(area(0, 0, 9, 0, 9, 9).points, 6));
+    assertArrayEquals(new float[]{1, 2, 30, 40, -5, 6}, line(1, 2, 30, 40, -5, 6).points);
+    assertArrayEquals(new float[]{0, 0, 9, 0, 9, 9}, Arrays.copyOf(area(0, 0, 9, 0, 9, 9).points, 6));
   }
 
   @Test
   void aLineEndsWhereItLeaves() {
-    assertArrayEquals(new float[] {0, 10, FAR, 10}, line(0, 10, 1e12, 10).points);
-    assertArrayEquals(new float[] {-FAR, 10, FAR, 10}, line(Double.NEGATIVE_INFINITY, 10, 1e300, 10).points);
+    assertArrayEquals(new float[]{0, 10, FAR, 10}, line(0, 10, 1e12, 10).points);
+    assertArrayEquals(new float[]{-FAR, 10, FAR, 10}, line(Double.NEGATIVE_INFINITY, 10, 1e300, 10).points);
     assertEquals(0, line(1e6, 1e6, 2e6, 5e6).points.length, "never seen");
   }
 
   @Test
   void aLineThatComesBackIsTwoLines() {
     PathData seen = line(0, 0, 1e5, 0, 1e5, 100, 0, 100);
-    assertArrayEquals(new float[] {0, 0, FAR, 0, FAR, 100, 0, 100}, seen.points);
+    assertArrayEquals(new float[]{0, 0, FAR, 0, FAR, 100, 0, 100}, seen.points);
     assertEquals(2, moves(seen));
   }
 
   @Test
   void cornersThatAreNoNumbersAreLeftOut() {
-    assertArrayEquals(new float[] {0, 0, 5, 5}, line(0, 0, Double.NaN, 3, 5, 5).points);
+    assertArrayEquals(new float[]{0, 0, 5, 5}, line(0, 0, Double.NaN, 3, 5, 5).points);
     assertEquals(0, area(Double.NaN, 0, 0, Double.NaN).points.length);
   }
 
@@ -55,7 +55,7 @@ class ClippedPathTest {
 
   @Test
   void circlesOfAnySizeHaveABound() {
-    for (double radius : new double[] {0, 1e-300, 5, 1e5, 1e300, Double.POSITIVE_INFINITY, Double.NaN}) {
+    for (double radius : new double[]{0, 1e-300, 5, 1e5, 1e300, Double.POSITIVE_INFINITY, Double.NaN}) {
       Path path = Circles.ring(TestDisplay.get(), 100, 100, radius, 2);
       for (float at : path.getPathData().points) {
         assertTrue(Math.abs(at) <= FAR, radius + " reaches " + at);

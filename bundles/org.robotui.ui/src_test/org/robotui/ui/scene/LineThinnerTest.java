@@ -18,23 +18,23 @@ class LineThinnerTest {
 
   @Test
   void ofAStraightLineItsEndsAreLeft() {
-    assertArrayEquals(new double[] {0, 0, 9, 3}, thinned(0, 0, 3, 1, 6, 2.1, 9, 3));
+    assertArrayEquals(new double[]{0, 0, 9, 3}, thinned(0, 0, 3, 1, 6, 2.1, 9, 3));
   }
 
   @Test
   void cornersAreKept() {
-    assertArrayEquals(new double[] {0, 0, 10, 0, 10, 10}, thinned(0, 0, 5, 0, 10, 0, 10, 5, 10, 10));
+    assertArrayEquals(new double[]{0, 0, 10, 0, 10, 10}, thinned(0, 0, 5, 0, 10, 0, 10, 5, 10, 10));
   }
 
   @Test
   void aWayThereAndBackIsAsLongAsItWas() {
-    assertArrayEquals(new double[] {0, 0, 10, 0, 4, 0}, thinned(0, 0, 5, 0, 10, 0, 7, 0, 4, 0));
+    assertArrayEquals(new double[]{0, 0, 10, 0, 4, 0}, thinned(0, 0, 5, 0, 10, 0, 7, 0, 4, 0));
   }
 
   @Test
   void oneThatStandsStaysAPoint() {
-    assertArrayEquals(new double[] {1, 1, 1, 1}, thinned(1, 1, 1, 1, 1, 1, 1, 1));
-    assertArrayEquals(new double[] {1, 1, 2, 2}, thinned(1, 1, 2, 2));
+    assertArrayEquals(new double[]{1, 1, 1, 1}, thinned(1, 1, 1, 1, 1, 1, 1, 1));
+    assertArrayEquals(new double[]{1, 1, 2, 2}, thinned(1, 1, 2, 2));
   }
 
   @Test

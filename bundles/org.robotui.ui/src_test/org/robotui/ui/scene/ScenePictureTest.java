@@ -51,7 +51,8 @@ class ScenePictureTest {
     public void paint(Painter painter) {
       assertFalse(gone, "a layer that was removed is painted no more");
       painted++;
-      painter.fill(theme.traces().get(number)).area(new double[] {number, 0, number + 2, 0, number + 2, 2, number, 2}, 4);
+      painter.fill(theme.traces().get(number)).area(new double[]{number, 0, number + 2, 0, number + 2, 2, number, 2},
+          4);
       for (long until = System.nanoTime() + 5_000_000; slow && System.nanoTime() < until;) {
         LockSupport.parkNanos(until - System.nanoTime());
       }

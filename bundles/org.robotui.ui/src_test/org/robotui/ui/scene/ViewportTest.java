@@ -62,7 +62,8 @@ class ViewportTest {
 
   @Test
   void fittingWhatReachesAnywhereGivesAViewOfSomewhere() {
-    double[] edges = {Double.NEGATIVE_INFINITY, -Double.MAX_VALUE, -1e300, 0, 1e300, Double.MAX_VALUE, Double.POSITIVE_INFINITY};
+    double[] edges =
+        {Double.NEGATIVE_INFINITY, -Double.MAX_VALUE, -1e300, 0, 1e300, Double.MAX_VALUE, Double.POSITIVE_INFINITY};
     for (double low : edges) {
       for (double high : edges) {
         if (low <= high) {

@@ -15,14 +15,16 @@ class NumberPathsTest {
   @Test
   void findsNumbersOfListsOfRecords() {
     JointState joints = new JointState(List.of(new JointState.Joint("a", 1, 2, 3)));
-    assertEquals(List.of("joints[0].position", "joints[0].velocity", "joints[0].effort"), NumberPaths.of(DataRecord.of(joints)));
+    assertEquals(List.of("joints[0].position", "joints[0].velocity", "joints[0].effort"),
+        NumberPaths.of(DataRecord.of(joints)));
   }
 
   @Test
   void leavesOutHeadersTextsAndLongLists() {
     FieldValue number = new FieldValue.Num(1, "1");
-    MapRecord record = new MapRecord("test/Record", Map.of("header", new FieldValue.Nested(new MapRecord("Header", Map.of("seq", number))),
-        "name", new FieldValue.Text("x"), "ranges", new FieldValue.Numbers(Doubles.wrap(new double[13]))));
+    MapRecord record = new MapRecord("test/Record",
+        Map.of("header", new FieldValue.Nested(new MapRecord("Header", Map.of("seq", number))),
+            "name", new FieldValue.Text("x"), "ranges", new FieldValue.Numbers(Doubles.wrap(new double[13]))));
     assertEquals(List.of(), NumberPaths.of(record));
   }
 

@@ -16,7 +16,8 @@ import org.robotui.testkit.TestDisplay;
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class PortTransferTest {
   private static final DraggedPorts PORTS = new DraggedPorts("Keira", List.of(
-      new Subject.Stream(new SourceId("base", "/odom"), List.of("linear.x", "angular.z")), Subject.Stream.of(new SourceId("arm", "/joint_states"))));
+      new Subject.Stream(new SourceId("base", "/odom"), List.of("linear.x", "angular.z")),
+      Subject.Stream.of(new SourceId("arm", "/joint_states"))));
 
   @Test
   void whatIsDraggedArrivesWhole() {
@@ -31,8 +32,9 @@ class PortTransferTest {
     for (int length = 0; length < bytes.length; length++) {
       assertEquals(Optional.empty(), PortTransfer.ports(Arrays.copyOf(bytes, length)), "cut after " + length);
     }
-    assertEquals(Optional.empty(), PortTransfer.ports("GET / HTTP/1.1\r\n\r\n".repeat(20).getBytes(StandardCharsets.US_ASCII)));
-    assertEquals(Optional.empty(), PortTransfer.ports(new byte[] {0, 0, 0x7f, -1, -1, -1}));
+    assertEquals(Optional.empty(),
+        PortTransfer.ports("GET / HTTP/1.1\r\n\r\n".repeat(20).getBytes(StandardCharsets.US_ASCII)));
+    assertEquals(Optional.empty(), PortTransfer.ports(new byte[]{0, 0, 0x7f, -1, -1, -1}));
   }
 
   @Test

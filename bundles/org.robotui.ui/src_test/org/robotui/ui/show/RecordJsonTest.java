@@ -19,7 +19,8 @@ class RecordJsonTest {
     fields.put("charge", new FieldValue.Num(Double.NaN, "NaN"));
     fields.put("id", new FieldValue.Num(9.007199254740993E15, "9007199254740993"));
     fields.put("ranges", new FieldValue.Numbers(Doubles.of(1, Double.POSITIVE_INFINITY, 2.5)));
-    fields.put("joints", new FieldValue.Items(List.of(new FieldValue.Nested(new MapRecord("Joint", Map.of("ok", new FieldValue.Flag(true)))))));
+    fields.put("joints", new FieldValue.Items(
+        List.of(new FieldValue.Nested(new MapRecord("Joint", Map.of("ok", new FieldValue.Flag(true)))))));
     fields.put("nothing", new FieldValue.Nested(new MapRecord("Empty", Map.of())));
     assertEquals("""
         {

@@ -38,7 +38,8 @@ class RecordYamlTest {
 
   @Test
   void longListsAreCutAndSaySo() {
-    String text = RecordYaml.of(new Values(Map.of("data", new FieldValue.Numbers(Doubles.wrap(new double[1_000_000])))));
+    String text =
+        RecordYaml.of(new Values(Map.of("data", new FieldValue.Numbers(Doubles.wrap(new double[1_000_000])))));
     assertTrue(text.endsWith("] # and 990000 more\n"), text);
   }
 

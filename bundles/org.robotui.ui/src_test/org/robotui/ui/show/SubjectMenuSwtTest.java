@@ -58,7 +58,8 @@ class SubjectMenuSwtTest {
     menus = new SubjectMenu(ruic, theme, Runnable::run);
     RuicSnapshot now = ruic.snapshot();
     ruic.snapshot(new RuicSnapshot(now.name(), now.state(), "", now.link(), now.components(),
-        List.of(new PortStatus(JOINTS, PortKind.STREAM, "JointState", true, 1, 10, 0.1, false, 0, "", "")), now.matches()));
+        List.of(new PortStatus(JOINTS, PortKind.STREAM, "JointState", true, 1, 10, 0.1, false, 0, "", "")),
+        now.matches()));
     views.offer("topics", ECHO).offer("plot", PLOT).refuse(MAP, "shows no JointState");
   }
 
@@ -71,7 +72,8 @@ class SubjectMenuSwtTest {
   @Test
   void aPortHasTheViewsThatShowItItsNameItsValueAndItsDocumentation() {
     value(1.5);
-    assertEquals(List.of("Echo", "Plot", "Show in Map  (shows no JointState)", "Copy name", "Copy value as YAML", "Copy value as JSON",
+    assertEquals(List.of("Echo", "Plot", "Show in Map  (shows no JointState)", "Copy name", "Copy value as YAML",
+        "Copy value as JSON",
         "Documentation of JointState"), words(menu(Subject.Stream.of(JOINTS))));
   }
 
@@ -86,7 +88,8 @@ class SubjectMenuSwtTest {
   void theNumbersOfAPortAreInAMenuOfTheirOwn() {
     value(1.5);
     Menu fields = item(menu(Subject.Stream.of(JOINTS)), "Plot").getMenu();
-    assertEquals(List.of("joints[0].position", "joints[0].velocity", "joints[0].effort", "Choose among all\u2026"), words(fields));
+    assertEquals(List.of("joints[0].position", "joints[0].velocity", "joints[0].effort", "Choose among all\u2026"),
+        words(fields));
     choose(item(fields, "joints[0].velocity"));
     assertEquals(new Subject.Stream(JOINTS, List.of("joints[0].velocity")), views.shown().getFirst().subject());
     assertEquals("plot", views.shown().getFirst().choice().view());
@@ -122,13 +125,15 @@ class SubjectMenuSwtTest {
   void twoViewsOfOneTypeAreToldApartByTheirTitles() {
     views.offer("forces", PLOT);
     value(1.5);
-    assertEquals(List.of("Plot (plot)", "Plot (forces)"), words(menu(Subject.Stream.of(JOINTS))).stream().filter(w -> w.startsWith("Plot")).toList());
+    assertEquals(List.of("Plot (plot)", "Plot (forces)"),
+        words(menu(Subject.Stream.of(JOINTS))).stream().filter(w -> w.startsWith("Plot")).toList());
   }
 
   @Test
   void framesAndNodesHaveTheViewsForThemAlone() {
     views.offer("scene", Showing.frames("frame", "Show in Scene"));
-    assertEquals(List.of("Show in Scene", "Copy name"), words(menu(new Subject.Frame(new FrameId("Keira", "base_link")))));
+    assertEquals(List.of("Show in Scene", "Copy name"),
+        words(menu(new Subject.Frame(new FrameId("Keira", "base_link")))));
     assertEquals(List.of("Copy name"), words(menu(new Subject.Node("/amcl"))));
   }
 
@@ -153,7 +158,8 @@ class SubjectMenuSwtTest {
   }
 
   private static List<String> words(Menu menu) {
-    return Arrays.stream(menu.getItems()).filter(item -> (item.getStyle() & SWT.SEPARATOR) == 0).map(MenuItem::getText).toList();
+    return Arrays.stream(menu.getItems()).filter(item -> (item.getStyle() & SWT.SEPARATOR) == 0).map(MenuItem::getText)
+        .toList();
   }
 
   private static MenuItem item(Menu menu, String words) {

@@ -31,8 +31,9 @@ public final class Numbers {
   public static double[] of(XmlNode node, String attribute, int count) throws Refusal {
     double[] numbers = all(node, attribute);
     if (numbers.length != count) {
-      throw node.refusal(attribute + "=\"" + shortened(node.required(attribute)) + "\" in <" + node.name() + "> must be "
-          + (count == 1 ? "one number" : count + " numbers with blanks between them"));
+      throw node
+          .refusal(attribute + "=\"" + shortened(node.required(attribute)) + "\" in <" + node.name() + "> must be "
+              + (count == 1 ? "one number" : count + " numbers with blanks between them"));
     }
     return numbers;
   }

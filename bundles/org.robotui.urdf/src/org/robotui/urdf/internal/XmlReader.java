@@ -32,7 +32,8 @@ public final class XmlReader {
 
   private static void check(long length, XmlLimits limits) throws Refusal {
     if (length > limits.characters()) {
-      throw new Refusal(0, "the text has " + length + " characters, more than the " + limits.characters() + " that are read");
+      throw new Refusal(0,
+          "the text has " + length + " characters, more than the " + limits.characters() + " that are read");
     }
   }
 

@@ -15,7 +15,8 @@ import org.robotui.urdf.Color;
  * @param triangles three indices of corners each
  * @param parts what has a surface of its own, in the order of the triangles; no corner belongs to two
  */
-public record Mesh(FloatBuffer xyz, FloatBuffer normals, Optional<FloatBuffer> uv, IntBuffer triangles, List<Part> parts) {
+public record Mesh(FloatBuffer xyz, FloatBuffer normals, Optional<FloatBuffer> uv, IntBuffer triangles,
+    List<Part> parts) {
   /**
    * Makes the buffers read-only and copies the list.
    *
@@ -44,5 +45,6 @@ public record Mesh(FloatBuffer xyz, FloatBuffer normals, Optional<FloatBuffer> u
    * @param texture the file of a picture, as written; none where there is none
    */
   public record Part(
-      int firstCorner, int corners, int firstTriangle, int triangles, Optional<Color> color, Optional<String> texture) {}
+      int firstCorner, int corners, int firstTriangle, int triangles, Optional<Color> color,
+      Optional<String> texture) {}
 }

@@ -13,9 +13,10 @@ import org.robotui.urdf.internal.mesh.Pictures;
 import org.robotui.urdf.internal.mesh.StlReader;
 
 /**
- * Reads meshes: STL (binary and ASCII), OBJ with MTL, COLLADA, with the PNG and JPEG pictures of their surfaces. A mesh has 20 million triangles and 512 MB at most. Corners without
- * normals get those of their triangles. The {@code up_axis} of COLLADA files is not followed, as RViz and Gazebo do not: models are written
- * for that; their {@code unit} is.
+ * Reads meshes: STL (binary and ASCII), OBJ with MTL, COLLADA, with the PNG and JPEG pictures of their surfaces. A mesh
+ * has 20 million triangles and 512 MB at most. Corners without normals get those of their triangles. The
+ * {@code up_axis} of COLLADA files is not followed, as RViz and Gazebo do not: models are written for that; their
+ * {@code unit} is.
  */
 public final class MeshReader {
   private MeshReader() {}
@@ -42,7 +43,8 @@ public final class MeshReader {
       Mesh mesh = builder.build();
       return new MeshRead.Ok(mesh, new Pictures(warnings, beside).read(mesh), warnings);
     } catch (Refusal refusal) {
-      return new MeshRead.Refused(refusal.line() > 0 ? "line " + refusal.line() + ": " + refusal.getMessage() : refusal.getMessage());
+      return new MeshRead.Refused(
+          refusal.line() > 0 ? "line " + refusal.line() + ": " + refusal.getMessage() : refusal.getMessage());
     }
   }
 }

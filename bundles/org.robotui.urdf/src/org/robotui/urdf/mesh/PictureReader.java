@@ -32,7 +32,8 @@ public final class PictureReader {
    */
   public static PictureRead read(byte[] bytes) {
     if (bytes.length > MOST_BYTES) {
-      return new PictureRead.Refused("it has " + bytes.length + " bytes, more than the " + MOST_BYTES + " that are read");
+      return new PictureRead.Refused(
+          "it has " + bytes.length + " bytes, more than the " + MOST_BYTES + " that are read");
     }
     if (!isWhole(ByteBuffer.wrap(bytes))) {
       return new PictureRead.Refused("it is cut off or broken");
@@ -52,7 +53,9 @@ public final class PictureReader {
     }
   }
 
-  /** Whether the chunks of a PNG are as long as they say, as decoders take memory for what they say; other files are. */
+  /**
+   * Whether the chunks of a PNG are as long as they say, as decoders take memory for what they say; other files are.
+   */
   private static boolean isWhole(ByteBuffer file) {
     if (file.remaining() < Long.BYTES || file.getLong() != PNG) {
       return true;
@@ -76,7 +79,8 @@ public final class PictureReader {
       int width = reader.getWidth(0);
       int height = reader.getHeight(0);
       if (width > MOST_EDGE || height > MOST_EDGE) {
-        return new PictureRead.Refused("it has " + width + " x " + height + " pixels, more than " + MOST_EDGE + " along an edge");
+        return new PictureRead.Refused(
+            "it has " + width + " x " + height + " pixels, more than " + MOST_EDGE + " along an edge");
       }
       int every = (Math.max(width, height) + Picture.MOST - 1) / Picture.MOST;
       ImageReadParam sampling = reader.getDefaultReadParam();

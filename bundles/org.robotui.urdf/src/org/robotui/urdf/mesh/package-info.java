@@ -1,3 +1,5 @@
-/** Meshes of STL, OBJ and COLLADA files as immutable records. Nothing is allocated that the bytes of a file cannot fill. */
+/**
+ * Meshes of STL, OBJ and COLLADA files as immutable records. Nothing is allocated that the bytes of a file cannot fill.
+ */
 @org.osgi.annotation.versioning.Version("1.0.0")
 package org.robotui.urdf.mesh;

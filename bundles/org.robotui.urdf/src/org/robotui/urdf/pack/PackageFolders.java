@@ -14,8 +14,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Finds the files that models name. A root is a package, or contains packages, as with {@code ROS_PACKAGE_PATH}. What lies outside, also by
- * {@code ..} or a link, is refused. Methods read folders and may block; safe for all threads.
+ * Finds the files that models name. A root is a package, or contains packages, as with {@code ROS_PACKAGE_PATH}. What
+ * lies outside, also by {@code ..} or a link, is refused. Methods read folders and may block; safe for all threads.
  */
 public final class PackageFolders {
   private static final long MOST_BYTES = 512L << 20;
@@ -39,7 +39,8 @@ public final class PackageFolders {
    * @return the absolute ones among them
    */
   public static List<Path> split(String list) {
-    return List.of(list.split(":")).stream().filter(path -> path.startsWith("/")).flatMap(path -> path(path).stream()).toList();
+    return List.of(list.split(":")).stream().filter(path -> path.startsWith("/")).flatMap(path -> path(path).stream())
+        .toList();
   }
 
   /**
@@ -56,7 +57,8 @@ public final class PackageFolders {
       if (uri.startsWith("file://")) {
         return inRoots(uri, decoded(uri.substring("file://".length())));
       }
-      return new PackageFile.Refused("'" + shortened(uri) + "' is not read, must be package://PACKAGE/... or file:///... : nothing is fetched from elsewhere");
+      return new PackageFile.Refused("'" + shortened(uri)
+          + "' is not read, must be package://PACKAGE/... or file:///... : nothing is fetched from elsewhere");
     } catch (IOException | URISyntaxException | InvalidPathException e) {
       return new PackageFile.Refused("'" + shortened(uri) + "' cannot be read: " + e.getMessage());
     }
@@ -89,8 +91,9 @@ public final class PackageFolders {
     }
     Optional<Path> folder = found.computeIfAbsent(name, n -> new PackageSearch(roots).folder(n));
     if (folder.isEmpty()) {
-      return new PackageFile.Refused("the package '" + name + "' is not in " + (roots.isEmpty() ? "any folder (none is known)" : roots)
-          + "; add the folder that contains it to 'packages'");
+      return new PackageFile.Refused(
+          "the package '" + name + "' is not in " + (roots.isEmpty() ? "any folder (none is known)" : roots)
+              + "; add the folder that contains it to 'packages'");
     }
     return inside(folder.get(), folder.get().resolve(rest.substring(slash + 1)), uri);
   }
@@ -104,13 +107,15 @@ public final class PackageFolders {
       }
       tried.add(root.toString());
     }
-    return new PackageFile.Refused("'" + shortened(uri) + "' lies outside of the folders of packages " + tried + "; add its folder to 'packages'");
+    return new PackageFile.Refused(
+        "'" + shortened(uri) + "' lies outside of the folders of packages " + tried + "; add its folder to 'packages'");
   }
 
   /** The file, where it really lies in the folder. */
   private static PackageFile inside(Path base, Path file, String uri) throws IOException {
     if (!file.normalize().startsWith(base)) {
-      return new PackageFile.Refused("'" + shortened(uri) + "' leads out of its package " + base + ", which is not followed");
+      return new PackageFile.Refused(
+          "'" + shortened(uri) + "' leads out of its package " + base + ", which is not followed");
     }
     if (!Files.exists(file)) {
       return new PackageFile.Refused("there is no file " + file);
@@ -118,7 +123,8 @@ public final class PackageFolders {
     Path folder = base.toRealPath();
     Path real = file.toRealPath();
     if (!real.startsWith(folder)) {
-      return new PackageFile.Refused("'" + shortened(uri) + "' leads out of its package " + folder + " by a link, which is not followed; copy the file into the package");
+      return new PackageFile.Refused("'" + shortened(uri) + "' leads out of its package " + folder
+          + " by a link, which is not followed; copy the file into the package");
     }
     if (!Files.isRegularFile(real)) {
       return new PackageFile.Refused(real + " is no file");
@@ -129,7 +135,8 @@ public final class PackageFolders {
   }
 
   private static String decoded(String text) throws URISyntaxException {
-    return text.indexOf('%') < 0 ? text : Optional.ofNullable(new URI("x:/" + text.replace(" ", "%20")).getPath()).orElse("/").substring(1);
+    return text.indexOf('%') < 0 ? text
+        : Optional.ofNullable(new URI("x:/" + text.replace(" ", "%20")).getPath()).orElse("/").substring(1);
   }
 
   private static Optional<Path> path(String text) {

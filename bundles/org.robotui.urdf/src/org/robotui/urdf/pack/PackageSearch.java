@@ -41,7 +41,8 @@ final class PackageSearch {
   }
 
   private static boolean isNamed(Path root, String name) {
-    return Files.isDirectory(root) && Optional.ofNullable(root.getFileName()).filter(n -> n.toString().equals(name)).isPresent();
+    return Files.isDirectory(root)
+        && Optional.ofNullable(root.getFileName()).filter(n -> n.toString().equals(name)).isPresent();
   }
 
   private Optional<Path> below(Path root, String name) {
@@ -61,7 +62,8 @@ final class PackageSearch {
 
   private static List<Path> folders(Path folder) {
     try (Stream<Path> all = Files.list(folder)) {
-      return all.filter(p -> !p.getFileName().toString().startsWith(".") && Files.isDirectory(p)).sorted().limit(MOST_FOLDERS).toList();
+      return all.filter(p -> !p.getFileName().toString().startsWith(".") && Files.isDirectory(p)).sorted()
+          .limit(MOST_FOLDERS).toList();
     } catch (IOException e) {
       // what cannot be listed contains no package that could be read
       return List.of();

@@ -14,14 +14,16 @@ class MeshFuzzTest {
 
   @Test
   void brokenFilesAreRefusedInWordsOrReadWhole() {
-    Map<String, byte[]> samples = Map.of("a.stl", MeshSamples.bytes(MeshSamples.ASCII_STL), "b.stl", MeshSamples.binaryStl(4, 4),
-        "c.obj", MeshSamples.bytes(MeshSamples.OBJ), "d.dae", MeshSamples.triangles());
+    Map<String, byte[]> samples =
+        Map.of("a.stl", MeshSamples.bytes(MeshSamples.ASCII_STL), "b.stl", MeshSamples.binaryStl(4, 4),
+            "c.obj", MeshSamples.bytes(MeshSamples.OBJ), "d.dae", MeshSamples.triangles());
     Random random = new Random(20261122);
     samples.forEach((name, bytes) -> {
       for (int round = 0; round < ROUNDS; round++) {
         byte[] broken = Mutator.bytes(bytes, random);
         int number = round;
-        MeshRead read = assertDoesNotThrow(() -> MeshReader.read(name, broken, MeshSamples::mtl), () -> name + " round " + number);
+        MeshRead read =
+            assertDoesNotThrow(() -> MeshReader.read(name, broken, MeshSamples::mtl), () -> name + " round " + number);
         if (read instanceof MeshRead.Ok ok) {
           assertWhole(ok.mesh());
         }

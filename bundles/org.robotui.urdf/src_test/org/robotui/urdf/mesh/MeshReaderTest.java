@@ -27,22 +27,22 @@ class MeshReaderTest {
   }
 
   private static float[] three(FloatBuffer numbers, int index) {
-    return new float[] {numbers.get(3 * index), numbers.get(3 * index + 1), numbers.get(3 * index + 2)};
+    return new float[]{numbers.get(3 * index), numbers.get(3 * index + 1), numbers.get(3 * index + 2)};
   }
 
   @Test
   void readsBinaryStlAlsoWhereItBeginsWithSolid() {
     Mesh mesh = read("A.STL", MeshSamples.binaryStl(3, 3)).mesh();
     assertEquals(9, mesh.triangles().remaining());
-    assertArrayEquals(new float[] {3, 0, 0}, three(mesh.xyz(), 7));
-    assertArrayEquals(new float[] {0, 0, 1}, three(mesh.normals(), 7));
+    assertArrayEquals(new float[]{3, 0, 0}, three(mesh.xyz(), 7));
+    assertArrayEquals(new float[]{0, 0, 1}, three(mesh.normals(), 7));
   }
 
   @Test
   void readsAsciiStlAndComputesNormalsThatAreMissing() {
     Mesh mesh = read("a.stl", MeshSamples.bytes(MeshSamples.ASCII_STL)).mesh();
     assertEquals(6, mesh.triangles().remaining());
-    assertArrayEquals(new float[] {1, 0, 0}, three(mesh.normals(), 4));
+    assertArrayEquals(new float[]{1, 0, 0}, three(mesh.normals(), 4));
   }
 
   @Test
@@ -51,7 +51,9 @@ class MeshReaderTest {
     byte[] bytes = MeshSamples.binaryStl(2_000_000_000, 2);
     bytes[0] = 'b';
     assertTrue(refused("a.stl", bytes).contains("declares 2000000000 triangles"));
-    assertTrue(refused("a.dae", MeshSamples.dae("<triangles count='9'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1 7</p></triangles>"))
+    assertTrue(refused("a.dae",
+        MeshSamples
+            .dae("<triangles count='9'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1 7</p></triangles>"))
         .contains("has the index 7, but there are 4"));
   }
 
@@ -63,12 +65,13 @@ class MeshReaderTest {
     assertEquals(List.of(
         new Mesh.Part(0, 4, 0, 2, Optional.of(new Color(1, 0, 0, 1)), Optional.empty()),
         new Mesh.Part(4, 3, 2, 1, Optional.of(new Color(0, 1, 0, 0.25f)), Optional.of("glass.png"))), mesh.parts());
-    assertArrayEquals(new float[] {0, 0, 1}, three(mesh.normals(), 6));
+    assertArrayEquals(new float[]{0, 0, 1}, three(mesh.normals(), 6));
   }
 
   @Test
   void saysThatMaterialsOfAnObjAreMissing() {
-    MeshRead.Ok read = assertInstanceOf(MeshRead.Ok.class, MeshReader.read("a.obj", MeshSamples.bytes(MeshSamples.OBJ), name -> Optional.empty()));
+    MeshRead.Ok read = assertInstanceOf(MeshRead.Ok.class,
+        MeshReader.read("a.obj", MeshSamples.bytes(MeshSamples.OBJ), name -> Optional.empty()));
     assertTrue(read.warnings().get(0).contains("looks.mtl"));
   }
 
@@ -78,8 +81,8 @@ class MeshReaderTest {
     assertEquals(6, mesh.triangles().remaining());
     assertEquals(4, mesh.xyz().remaining() / 3);
     // (100, 0, 0) scaled by 2, turned by 90 degrees, lifted by 200, all in centimetres
-    assertArrayEquals(new float[] {0, 2, 2}, three(mesh.xyz(), 1), 1e-6f);
-    assertArrayEquals(new float[] {0, 0, 1}, three(mesh.normals(), 1), 1e-6f);
+    assertArrayEquals(new float[]{0, 2, 2}, three(mesh.xyz(), 1), 1e-6f);
+    assertArrayEquals(new float[]{0, 0, 1}, three(mesh.normals(), 1), 1e-6f);
     assertEquals(Optional.of(new Color(0, 0.5f, 1, 0.5f)), mesh.parts().get(0).color());
   }
 
@@ -92,7 +95,7 @@ class MeshReaderTest {
   void cutsPolygonsOfColladaIntoTriangles(String primitive) {
     Mesh mesh = read("a.dae", MeshSamples.dae(primitive)).mesh();
     assertEquals(6, mesh.triangles().remaining());
-    assertArrayEquals(new float[] {0, 0, 1}, new float[] {0, 0, Math.abs(mesh.normals().get(2))});
+    assertArrayEquals(new float[]{0, 0, 1}, new float[]{0, 0, Math.abs(mesh.normals().get(2))});
     assertEquals(Optional.of("wood.png"), mesh.parts().get(0).texture());
     assertEquals(0.25f, mesh.uv().orElseThrow().get(1));
   }
@@ -109,7 +112,8 @@ class MeshReaderTest {
     MeshRead.Ok read = textured(obj, Map.of("a.mtl", mtl, "my skin.png", PictureSamples.file("png", 4, 2)));
     assertEquals(List.of(), read.warnings());
     assertEquals(4, read.pictures().get("my skin.png").width());
-    assertArrayEquals(new float[] {1, 1}, new float[] {read.mesh().uv().orElseThrow().get(4), read.mesh().uv().orElseThrow().get(5)});
+    assertArrayEquals(new float[]{1, 1},
+        new float[]{read.mesh().uv().orElseThrow().get(4), read.mesh().uv().orElseThrow().get(5)});
     assertEquals(List.of("its picture 'my skin.png' is not shown: there is no such file in its package"),
         textured(obj, Map.of("a.mtl", mtl)).warnings());
     assertEquals(List.of("its picture 'my skin.png' is not shown: it is neither PNG nor JPEG"),
@@ -120,15 +124,18 @@ class MeshReaderTest {
   void picturesOfColladaAreUris() {
     String triangles = "<triangles count='1' material='psym'><input semantic='VERTEX' source='#v' offset='0'/>"
         + "<input semantic='TEXCOORD' source='#u' offset='1'/><p>0 0 1 0 2 0</p></triangles>";
-    byte[] dae = MeshSamples.bytes(new String(MeshSamples.dae(triangles), StandardCharsets.UTF_8).replace("wood.png", "../my%20wood.png"));
-    MeshRead read = MeshReader.read("a.dae", dae, name -> Optional.of(name).filter("../my wood.png"::equals).map(n -> PictureSamples.file("jpeg", 4, 4)));
+    byte[] dae = MeshSamples
+        .bytes(new String(MeshSamples.dae(triangles), StandardCharsets.UTF_8).replace("wood.png", "../my%20wood.png"));
+    MeshRead read = MeshReader.read("a.dae", dae,
+        name -> Optional.of(name).filter("../my wood.png"::equals).map(n -> PictureSamples.file("jpeg", 4, 4)));
     assertEquals(Set.of("../my%20wood.png"), assertInstanceOf(MeshRead.Ok.class, read).pictures().keySet());
   }
 
   @Test
   void refusesNodesThatContainThemselves() {
-    String text = "<COLLADA><library_nodes><node id='n'><instance_node url='#n'/><instance_node url='#n'/></node></library_nodes>"
-        + "<library_visual_scenes><visual_scene><node><instance_node url='#n'/></node></visual_scene></library_visual_scenes></COLLADA>";
+    String text =
+        "<COLLADA><library_nodes><node id='n'><instance_node url='#n'/><instance_node url='#n'/></node></library_nodes>"
+            + "<library_visual_scenes><visual_scene><node><instance_node url='#n'/></node></visual_scene></library_visual_scenes></COLLADA>";
     assertTrue(refused("a.dae", MeshSamples.bytes(text)).contains("contain themselves"));
   }
 
@@ -137,6 +144,7 @@ class MeshReaderTest {
     assertTrue(refused("a.blend", new byte[0]).contains("must be .stl, .dae or .obj"));
     assertTrue(refused("a.obj", new byte[0]).contains("no triangle"));
     assertTrue(refused("a.stl", new byte[3]).contains("no STL"));
-    assertTrue(refused("a.obj", MeshSamples.bytes("v 0 0 0\nv NaN 0 0\nv 1 1 1\nf 1 2 3")).contains("no finite number"));
+    assertTrue(
+        refused("a.obj", MeshSamples.bytes("v 0 0 0\nv NaN 0 0\nv 1 1 1\nf 1 2 3")).contains("no finite number"));
   }
 }

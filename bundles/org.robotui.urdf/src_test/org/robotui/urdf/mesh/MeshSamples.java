@@ -83,7 +83,7 @@ final class MeshSamples {
     bytes.putInt(80, declared);
     for (int i = 0; i < written; i++) {
       bytes.position(84 + 50 * i);
-      for (float number : new float[] {0, 0, 2, i, 0, 0, i + 1, 0, 0, i, 1, 0}) {
+      for (float number : new float[]{0, 0, 2, i, 0, 0, i + 1, 0, 0, i, 1, 0}) {
         bytes.putFloat(number);
       }
     }

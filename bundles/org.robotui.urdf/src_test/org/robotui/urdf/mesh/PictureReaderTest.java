@@ -55,7 +55,7 @@ class PictureReaderTest {
   @Test
   void brokenFilesAreRefusedOrReadWhole() {
     Random random = new Random(20261122);
-    for (String format : new String[] {"png", "jpeg"}) {
+    for (String format : new String[]{"png", "jpeg"}) {
       byte[] sample = PictureSamples.file(format, 16, 16);
       for (int round = 0; round < 400; round++) {
         byte[] broken = Mutator.bytes(sample, random);

@@ -53,20 +53,23 @@ class PackageFoldersTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"package://arm/../../secret", "package://arm/meshes/../../../secret", "package://arm/%2e%2e/%2e%2e/secret",
+  @ValueSource(strings = {"package://arm/../../secret", "package://arm/meshes/../../../secret",
+      "package://arm/%2e%2e/%2e%2e/secret",
       "package://arm/out.stl", "package://arm//../../secret"})
   void followsNothingOutOfAPackage(String uri) {
     assertTrue(refused(uri).contains("leads out of its package"), refused(uri));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"http://host/a.stl", "https://host/a.stl", "ftp://host/a.stl", "a.stl", "/etc/hostname", "jar:file:/a!/b", ""})
+  @ValueSource(strings = {"http://host/a.stl", "https://host/a.stl", "ftp://host/a.stl", "a.stl", "/etc/hostname",
+      "jar:file:/a!/b", ""})
   void fetchesNothingFromElsewhere(String uri) {
     assertTrue(refused(uri).contains("must be package://"), refused(uri));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"package://", "package://arm", "package://../secret", "package://./secret", "package:///secret"})
+  @ValueSource(strings = {"package://", "package://arm", "package://../secret", "package://./secret",
+      "package:///secret"})
   void wantsAPackageAndAFile(String uri) {
     assertTrue(refused(uri).contains("names no file"), refused(uri));
   }

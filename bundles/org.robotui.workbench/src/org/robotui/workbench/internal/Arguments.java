@@ -72,7 +72,7 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
         case "-screenshot" -> screenshot = Optional.of(Path.of(value(word)));
         case "-measure" -> measure = Optional.of(Path.of(value(word)));
         case "-theme" -> theme = Optional.of(theme(value(word)));
-        default -> { }
+        default -> {}
       }
     }
 

@@ -27,9 +27,11 @@ final class ConfigNews {
 
   private static Optional<String> warning(Step step, Predicate<String> asked) {
     return switch (step) {
-      case Step.Exchanged e when !asked.test(e.ruic()) -> Optional.of(e.ruic() + ": the robot interface '" + e.wanted().id()
-          + "' was changed; select it and choose Robot > Change Framework, or restart it, to take that up");
-      case Step.NeedsRestart r -> Optional.of(r.ruic() + ": " + r.what() + " changed; choose Robot > Restart Robot UI to take that up");
+      case Step.Exchanged e when !asked.test(e.ruic()) -> Optional
+          .of(e.ruic() + ": the robot interface '" + e.wanted().id()
+              + "' was changed; select it and choose Robot > Change Framework, or restart it, to take that up");
+      case Step.NeedsRestart r -> Optional
+          .of(r.ruic() + ": " + r.what() + " changed; choose Robot > Restart Robot UI to take that up");
       case Step.Gone g -> Optional.of(g.ruic() + " is not in the file any more; it goes on until it is removed");
       default -> Optional.empty();
     };
@@ -42,7 +44,7 @@ final class ConfigNews {
       switch (step) {
         case Step.TakenUp t -> words.add(t.ruic() + ": " + t.what() + " taken up from the file");
         case Step.Added a -> words.add(a.ruic() + " is new in the file");
-        default -> { }
+        default -> {}
       }
     }
     return String.join("; ", words);

@@ -40,7 +40,8 @@ public final class Configurations implements AutoCloseable {
    * @param loaded is told on the display thread after each file
    * @param components what the first reading waits for: a type that is not known yet would be a problem
    */
-  public Configurations(Host host, Executor display, BiConsumer<Path, List<Problem>> loaded, CompletableFuture<?> components) {
+  public Configurations(Host host, Executor display, BiConsumer<Path, List<Problem>> loaded,
+      CompletableFuture<?> components) {
     this.host = host;
     this.display = display;
     this.loaded = loaded;

@@ -6,9 +6,9 @@ import java.util.concurrent.TimeUnit;
 import org.osgi.framework.startlevel.FrameworkStartLevel;
 
 /**
- * The bundles that the window does not wait for (docs/adr/0022). The product gives them start levels above the one that the framework has
- * when the application begins: core and what robots, views and interfaces consist of, then the installer's. Without such levels, as in
- * an IDE, all have started already.
+ * The bundles that the window does not wait for (docs/adr/0022). The product gives them start levels above the one that
+ * the framework has when the application begins: core and what robots, views and interfaces consist of, then the
+ * installer's. Without such levels, as in an IDE, all have started already.
  */
 final class LaterBundles {
   private static final int COMPONENTS = 5;

@@ -10,14 +10,15 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The bundles that held the display up in the last run: core's watchdog names them in a file, one a line. Where it could blame
- * no single view it names a bundle that nothing works without; nobody is asked about those.
+ * The bundles that held the display up in the last run: core's watchdog names them in a file, one a line. Where it
+ * could blame no single view it names a bundle that nothing works without; nobody is asked about those.
  */
 public final class Suspects {
   private static final Logger LOG = LoggerFactory.getLogger(Suspects.class);
   private static final String FILE = "suspect-bundles.txt";
-  private static final Set<String> NEEDED = Set.of("org.robotui.workbench", "org.robotui.ui", "org.robotui.core", "org.robotui.api",
-      "org.robotui.data", "org.robotui.geometry");
+  private static final Set<String> NEEDED =
+      Set.of("org.robotui.workbench", "org.robotui.ui", "org.robotui.core", "org.robotui.api",
+          "org.robotui.data", "org.robotui.geometry");
 
   private final Path file;
 
@@ -40,7 +41,8 @@ public final class Suspects {
 
   private List<String> read() {
     try {
-      return Files.exists(file) ? Files.readAllLines(file).stream().filter(l -> !l.isBlank()).distinct().toList() : List.of();
+      return Files.exists(file) ? Files.readAllLines(file).stream().filter(l -> !l.isBlank()).distinct().toList()
+          : List.of();
     } catch (IOException e) {
       LOG.warn("{} cannot be read: {}", file, e.toString());
       return List.of();

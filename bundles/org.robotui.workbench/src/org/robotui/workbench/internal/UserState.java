@@ -29,7 +29,8 @@ public final class UserState {
   /** The folder of this user: a system property, else what the XDG base directories say. */
   public static Path usualFolder() {
     return Optional.ofNullable(System.getProperty("robotui.state")).map(Path::of)
-        .or(() -> Optional.ofNullable(System.getenv("XDG_STATE_HOME")).filter(home -> home.startsWith("/")).map(home -> Path.of(home, "robotui")))
+        .or(() -> Optional.ofNullable(System.getenv("XDG_STATE_HOME")).filter(home -> home.startsWith("/"))
+            .map(home -> Path.of(home, "robotui")))
         .orElseGet(() -> Path.of(System.getProperty("user.home"), ".local", "state", "robotui"));
   }
 
@@ -64,7 +65,8 @@ public final class UserState {
   private void write() {
     Path file = folder.resolve(FILE);
     try {
-      Files.createDirectories(folder, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+      Files.createDirectories(folder,
+          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
       write(file, Files.createTempFile(folder, FILE, ".new"));
     } catch (IOException e) {
       LOG.warn("{} cannot be written, so that what you change is kept for this run only: {}", file, e.toString());

@@ -33,8 +33,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The workbench. Exit codes: 0 fine, 1 the display was lost, 2 a configuration cannot be read, 3 wrong arguments, 4 the core did not start, 5 there is no
- * display.
+ * The workbench. Exit codes: 0 fine, 1 the display was lost, 2 a configuration cannot be read, 3 wrong arguments, 4 the
+ * core did not start, 5 there is no display.
  */
 public final class WorkbenchApplication implements IApplication {
   /** How long the end may take, also when a robot hangs. */
@@ -72,9 +72,13 @@ public final class WorkbenchApplication implements IApplication {
     System.err.println(Printable.of(sentence));
   }
 
-  /** What cannot be read at all is said where the workbench was started from; where nothing is left to be shown, that is the end. */
+  /**
+   * What cannot be read at all is said where the workbench was started from; where nothing is left to be shown, that is
+   * the end.
+   */
   private static Object start(Arguments arguments) throws InterruptedException {
-    List<String> unreadable = arguments.configurations().stream().flatMap(file -> Configuration.unreadable(file).stream()).toList();
+    List<String> unreadable =
+        arguments.configurations().stream().flatMap(file -> Configuration.unreadable(file).stream()).toList();
     unreadable.forEach(WorkbenchApplication::say);
     boolean nothingLeft = !unreadable.isEmpty() && unreadable.size() == arguments.configurations().size();
     Object code = nothingLeft ? EXIT_OK : show(arguments);
@@ -106,7 +110,8 @@ public final class WorkbenchApplication implements IApplication {
 
   private static String withoutDisplay(Error failure) {
     return failure instanceof UnsatisfiedLinkError
-        ? "RobotUI cannot open a window: GTK 3 is not installed, or not wholly (" + failure.getMessage().lines().findFirst().orElse("") + ")"
+        ? "RobotUI cannot open a window: GTK 3 is not installed, or not wholly ("
+            + failure.getMessage().lines().findFirst().orElse("") + ")"
         : "RobotUI cannot open a window: there is no display, or it does not let us in (DISPLAY is "
             + Optional.ofNullable(System.getenv("DISPLAY")).map(name -> "'" + name + "'").orElse("not set")
             + "). Start it from a desktop session, through ssh -X or by xvfb-run -a, or see it as text: ./robotui run --text";
@@ -147,7 +152,9 @@ public final class WorkbenchApplication implements IApplication {
     }
   }
 
-  /** The windows have gone; what we drive is stopped on a worker while the display still serves those who wait for it. */
+  /**
+   * The windows have gone; what we drive is stopped on a worker while the display still serves those who wait for it.
+   */
   private static void end(Host host, Display display) {
     CompletableFuture<Void> ended = CompletableFuture.runAsync(
         () -> host.close(CLOSE_LIMIT).forEach(left -> log().warn("not ended in time: {}", left)),
@@ -163,7 +170,10 @@ public final class WorkbenchApplication implements IApplication {
     }
   }
 
-  /** Not made with the class: the first logger of all takes a while, and core asks for one beside the start of the display. */
+  /**
+   * Not made with the class: the first logger of all takes a while, and core asks for one beside the start of the
+   * display.
+   */
   private static Logger log() {
     return LoggerFactory.getLogger(WorkbenchApplication.class);
   }

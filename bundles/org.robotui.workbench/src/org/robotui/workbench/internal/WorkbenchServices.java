@@ -15,8 +15,8 @@ import org.robotui.api.host.Host;
 import org.slf4j.LoggerFactory;
 
 /**
- * The one place that asks OSGi for services. What the extension registry creates (the application, parts, handlers) gets
- * nothing injected; it asks here, and hands on by constructors.
+ * The one place that asks OSGi for services. What the extension registry creates (the application, parts, handlers)
+ * gets nothing injected; it asks here, and hands on by constructors.
  */
 @SuppressWarnings("restriction") // the platform has no public way to set a theme
 public final class WorkbenchServices {
@@ -33,7 +33,10 @@ public final class WorkbenchServices {
     }
   }
 
-  /** Starts the bundles that the window does not wait for; done when core and the components are there, or after the limit. */
+  /**
+   * Starts the bundles that the window does not wait for; done when core and the components are there, or after the
+   * limit.
+   */
   static CompletableFuture<Void> startLaterBundles(Duration limit) {
     return LaterBundles.start(context().getBundle(Constants.SYSTEM_BUNDLE_ID).adapt(FrameworkStartLevel.class), limit);
   }

@@ -57,7 +57,8 @@ public final class WorkbenchSession {
    * @param look the theme
    * @param components done when the types of components are known, without which no configuration is read
    */
-  public WorkbenchSession(Host host, Principal user, Display display, Arguments arguments, UserState state, ActiveTheme look, CompletableFuture<?> components) {
+  public WorkbenchSession(Host host, Principal user, Display display, Arguments arguments, UserState state,
+      ActiveTheme look, CompletableFuture<?> components) {
     this.host = host;
     this.user = user;
     this.display = display;
@@ -270,7 +271,8 @@ public final class WorkbenchSession {
   }
 
   private void survey() {
-    overviewer.request(models.values().stream().flatMap(m -> m.selected().stream()).map(Ruic::name).collect(Collectors.toSet()));
+    overviewer.request(
+        models.values().stream().flatMap(m -> m.selected().stream()).map(Ruic::name).collect(Collectors.toSet()));
   }
 
   private void periodic() {

@@ -48,7 +48,8 @@ public final class HostReader {
     for (int i = 0; i < plugins.count(); i++) {
       int at = i * plugins.size();
       if (from.getInt(at + state) != 0) {
-        all.put(i, new HostReading.Plugin(from.getLong(at + cycles), from.getLong(at + last), timing.buckets(from, at + busy)));
+        all.put(i, new HostReading.Plugin(from.getLong(at + cycles), from.getLong(at + last),
+            timing.buckets(from, at + busy)));
       }
     }
     return all;

@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Where in shared memory what lies, as {@code layout.txt} says: a copy of the one that the native side is checked against, so that no
- * offset stands in Java code.
+ * Where in shared memory what lies, as {@code layout.txt} says: a copy of the one that the native side is checked
+ * against, so that no offset stands in Java code.
  */
 public final class Layout {
   private static final String RESOURCE = "layout.txt";
@@ -63,7 +63,8 @@ public final class Layout {
         fields = new LinkedHashMap<>();
         layout.structs.put(words[1], new Struct(Integer.parseInt(words[2]), fields));
       } else if (line.startsWith(" ")) {
-        fields.put(words[0], new Field(words[1], Integer.parseInt(words[2]), Integer.parseInt(words[3]), Integer.parseInt(words[4])));
+        fields.put(words[0],
+            new Field(words[1], Integer.parseInt(words[2]), Integer.parseInt(words[3]), Integer.parseInt(words[4])));
       } else {
         layout.numbers.put(words[words.length - 2], Integer.parseInt(words[words.length - 1]));
       }
@@ -73,7 +74,8 @@ public final class Layout {
 
   /** A constant, such as {@code joints}. */
   int number(String name) {
-    return Optional.ofNullable(numbers.get(name)).orElseThrow(() -> new IllegalArgumentException("no constant " + name));
+    return Optional.ofNullable(numbers.get(name))
+        .orElseThrow(() -> new IllegalArgumentException("no constant " + name));
   }
 
   /** The bytes of a struct. */

@@ -7,7 +7,9 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 
-/** Reads memory that another process writes meanwhile: under a sequence lock, copied before anything in it is believed. */
+/**
+ * Reads memory that another process writes meanwhile: under a sequence lock, copied before anything in it is believed.
+ */
 final class Memory {
   private static final VarHandle LONGS = MethodHandles.byteBufferViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
   private static final int TRIES = 100;
@@ -32,7 +34,8 @@ final class Memory {
   }
 
   /**
-   * A copy of what a sequence lock guards, taken while nobody wrote it; none where the writer writes all the time, or died writing.
+   * A copy of what a sequence lock guards, taken while nobody wrote it; none where the writer writes all the time, or
+   * died writing.
    *
    * @param sequence where the lock's number is
    * @param offset where the data begins

@@ -6,7 +6,10 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import org.robotui.xbot.Answer;
 
-/** One connection to a supervisor. The native object serves one thread at a time, and none after its end: this sees to both. */
+/**
+ * One connection to a supervisor. The native object serves one thread at a time, and none after its end: this sees to
+ * both.
+ */
 public final class NativeClient implements AutoCloseable {
   private static final String OK = "ok";
 

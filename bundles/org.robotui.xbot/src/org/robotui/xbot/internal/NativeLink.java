@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * The native side of the link ({@code rt-native/jni}). Numbers named client and attachment are native objects: using one after its end
- * crashes the process, so only {@link NativeClient} and {@link Segments} call this. Texts are UTF-8.
+ * The native side of the link ({@code rt-native/jni}). Numbers named client and attachment are native objects: using
+ * one after its end crashes the process, so only {@link NativeClient} and {@link Segments} call this. Texts are UTF-8.
  */
 final class NativeLink {
   private static final String LIBRARY = "robotui_rt_jni";

@@ -12,8 +12,8 @@ import org.robotui.xbot.StateFrame;
 import org.robotui.xbot.Timing;
 
 /**
- * The mapped memory of a running control. It is unmapped when nobody can reach this any more, and not before: reading memory that is
- * not mapped would end the process. After the control has gone it stays as it was.
+ * The mapped memory of a running control. It is unmapped when nobody can reach this any more, and not before: reading
+ * memory that is not mapped would end the process. After the control has gone it stays as it was.
  */
 public final class Segments {
   private static final Cleaner CLEANER = Cleaner.create();
@@ -78,7 +78,9 @@ public final class Segments {
     }
   }
 
-  /** What there is: read again only where something else was written, since it is long, rarely new, and asked for often. */
+  /**
+   * What there is: read again only where something else was written, since it is long, rarely new, and asked for often.
+   */
   public Optional<Board> board() {
     try {
       long version = readers.board().version(board);

@@ -6,7 +6,9 @@ import java.util.List;
 import org.robotui.xbot.Timing;
 import org.robotui.xbot.Timing.Buckets;
 
-/** Reads how threads keep their time. Counters are read one by one while they run: one may be a cycle behind another. */
+/**
+ * Reads how threads keep their time. Counters are read one by one while they run: one may be a cycle behind another.
+ */
 final class TimingReader {
   private final Layout layout;
   private final Layout.Field buckets;

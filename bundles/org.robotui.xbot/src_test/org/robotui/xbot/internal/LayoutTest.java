@@ -19,7 +19,8 @@ class LayoutTest {
   @Test
   void theBundlesCopyIsThatOfTheNativeSide() throws IOException {
     try (var stream = Layout.class.getResourceAsStream("layout.txt")) {
-      assertEquals(Files.readString(NativeFiles.of("link/layout.txt")), new String(stream.readAllBytes(), StandardCharsets.UTF_8));
+      assertEquals(Files.readString(NativeFiles.of("link/layout.txt")),
+          new String(stream.readAllBytes(), StandardCharsets.UTF_8));
     }
   }
 

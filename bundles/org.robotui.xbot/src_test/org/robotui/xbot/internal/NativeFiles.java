@@ -16,7 +16,8 @@ final class NativeFiles {
     Stream<Path> places = Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of),
         Stream.iterate(Path.of("").toAbsolutePath(), p -> p != null, Path::getParent));
     return places.map(p -> p.resolve("rt-native").resolve(path)).filter(Files::exists).findFirst()
-        .orElseThrow(() -> new AssertionError("rt-native/" + path + " is not found: set ROBOTUI_ROOT to the repository"));
+        .orElseThrow(
+            () -> new AssertionError("rt-native/" + path + " is not found: set ROBOTUI_ROOT to the repository"));
   }
 
   static Memory vector(String name) throws IOException {

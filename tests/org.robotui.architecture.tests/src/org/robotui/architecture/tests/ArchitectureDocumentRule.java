@@ -22,7 +22,8 @@ final class ArchitectureDocumentRule implements Rule {
   public Stream<Violation> violations(Repository repository) {
     Set<String> named = NAME.matcher(repository.read(FILE)).results().map(MatchResult::group)
         .map(quoted -> quoted.replace("`", "")).collect(Collectors.toCollection(TreeSet::new));
-    Set<String> existing = repository.bundles().stream().map(Bundle::name).collect(Collectors.toCollection(TreeSet::new));
+    Set<String> existing =
+        repository.bundles().stream().map(Bundle::name).collect(Collectors.toCollection(TreeSet::new));
     return Stream.concat(
         missing(existing, named).map(name -> new Violation(FILE, "does not name the bundle " + name)),
         missing(named, existing).map(name -> new Violation(FILE, "names " + name + ", which is no bundle")));

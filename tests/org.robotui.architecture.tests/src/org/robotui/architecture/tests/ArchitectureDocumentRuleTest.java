@@ -19,7 +19,8 @@ class ArchitectureDocumentRuleTest {
 
   @Test
   void refuses_a_document_that_leaves_one_out() {
-    assertEquals(List.of("ARCHITECTURE.md: does not name the bundle org.robotui.data"), violations("org.robotui.data without quotes"));
+    assertEquals(List.of("ARCHITECTURE.md: does not name the bundle org.robotui.data"),
+        violations("org.robotui.data without quotes"));
   }
 
   @Test

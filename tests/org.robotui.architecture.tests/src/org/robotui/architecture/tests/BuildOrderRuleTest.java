@@ -17,7 +17,8 @@ class BuildOrderRuleTest {
   @BeforeEach
   void aBundleWhoseTestsUseAnother() {
     fixture = new Fixture(folder).bundle("org.robotui.ui").bundle("org.robotui.core")
-        .file("bundles/org.robotui.ui/build.properties", "source.. = src/\nadditional.bundles = org.robotui.api,\\\n org.robotui.core\n");
+        .file("bundles/org.robotui.ui/build.properties",
+            "source.. = src/\nadditional.bundles = org.robotui.api,\\\n org.robotui.core\n");
   }
 
   @Test
@@ -35,7 +36,8 @@ class BuildOrderRuleTest {
 
   @Test
   void refuses_what_needs_the_tested_bundle_by_way_of_another() {
-    fixture.bundle("org.robotui.core", "Import-Package: org.robotui.data").bundle("org.robotui.data", "Import-Package: org.robotui.ui");
+    fixture.bundle("org.robotui.core", "Import-Package: org.robotui.data").bundle("org.robotui.data",
+        "Import-Package: org.robotui.ui");
 
     assertEquals(List.of("org.robotui.ui: its tests use org.robotui.core, which needs it: neither can be built first"),
         fixture.violationsOf(new BuildOrderRule()));

@@ -6,8 +6,10 @@ import java.util.stream.Stream;
 /** RFICs, UICs and RUICs know each other by type id only; a RUIC knows no entity either. */
 final class ComponentIsolationRule implements Rule {
 
-  private static final List<String> COMPONENTS = List.of("org.robotui.rfic.*", "org.robotui.uic.*", "org.robotui.ruic.*");
-  private static final List<String> HIDDEN_FROM_RUICS = List.of("org.robotui.entity.*", "org.robotui.ui", "org.robotui.gl", "org.robotui.core");
+  private static final List<String> COMPONENTS =
+      List.of("org.robotui.rfic.*", "org.robotui.uic.*", "org.robotui.ruic.*");
+  private static final List<String> HIDDEN_FROM_RUICS =
+      List.of("org.robotui.entity.*", "org.robotui.ui", "org.robotui.gl", "org.robotui.core");
 
   @Override
   public String statement() {

@@ -29,7 +29,9 @@ class ComponentIsolationRuleTest {
   void refuses_a_view_that_knows_a_framework_component() {
     fixture.bundle("org.robotui.uic.map", "Import-Package: org.robotui.rfic.ros");
 
-    assertEquals(List.of("org.robotui.uic.map/META-INF/MANIFEST.MF: uses org.robotui.rfic.ros of the component org.robotui.rfic.ros"), violations());
+    assertEquals(List.of(
+        "org.robotui.uic.map/META-INF/MANIFEST.MF: uses org.robotui.rfic.ros of the component org.robotui.rfic.ros"),
+        violations());
   }
 
   @Test

@@ -25,6 +25,7 @@ final class ExportRule implements Rule {
       return Stream.of("internal packages stay inside");
     }
     return bundle.sources().stream().noneMatch(source -> source.folderPackage().equals(exported))
-        ? Stream.of("there is no such package") : Stream.empty();
+        ? Stream.of("there is no such package")
+        : Stream.empty();
   }
 }

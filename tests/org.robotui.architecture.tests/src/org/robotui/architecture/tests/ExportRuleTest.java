@@ -31,8 +31,9 @@ class ExportRuleTest {
 
   @Test
   void refuses_a_package_that_does_not_exist() {
-    List<String> found = new Fixture(folder).bundle("org.robotui.data", "Export-Package: org.robotui.data.gone;version=\"1.0.0\"")
-        .violationsOf(new ExportRule());
+    List<String> found =
+        new Fixture(folder).bundle("org.robotui.data", "Export-Package: org.robotui.data.gone;version=\"1.0.0\"")
+            .violationsOf(new ExportRule());
 
     assertEquals(List.of("org.robotui.data: exports org.robotui.data.gone: there is no such package"), found);
   }

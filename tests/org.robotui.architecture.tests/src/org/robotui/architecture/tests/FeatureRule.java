@@ -23,7 +23,8 @@ final class FeatureRule implements Rule {
     return repository.bundles().stream().map(Bundle::name)
         .filter(name -> !name.startsWith(FOR_TESTS))
         .filter(name -> shipped.stream().filter(name::equals).count() != 1)
-        .map(name -> new Violation(name, "is in " + shipped.stream().filter(name::equals).count() + " of features/*/feature.xml"));
+        .map(name -> new Violation(name,
+            "is in " + shipped.stream().filter(name::equals).count() + " of features/*/feature.xml"));
   }
 
   private static Stream<String> pluginsOf(Path feature) {

@@ -42,7 +42,8 @@ final class Fixture {
   /** Adds a source to a bundle: a type by its full name, and the text after its package line. */
   Fixture source(String bundle, String type, String text) {
     String packageName = type.substring(0, type.lastIndexOf('.'));
-    return file("bundles/" + bundle + "/src/" + type.replace('.', '/') + ".java", "package " + packageName + ";\n" + text);
+    return file("bundles/" + bundle + "/src/" + type.replace('.', '/') + ".java",
+        "package " + packageName + ";\n" + text);
   }
 
   Fixture file(String path, String text) {

@@ -8,8 +8,7 @@ import java.util.stream.Stream;
 final class ForbiddenTextRule implements Rule {
 
   /** A text, and whether an application's entry may have it all the same. */
-  private record Forbidden(Pattern text, boolean fineInApplications) {
-  }
+  private record Forbidden(Pattern text, boolean fineInApplications) {}
 
   private static final List<Forbidden> FORBIDDEN = List.of(
       new Forbidden(Pattern.compile("\\bSystem\\.(out|err)\\b"), true),
@@ -25,7 +24,8 @@ final class ForbiddenTextRule implements Rule {
 
   @Override
   public Stream<Violation> violations(Repository repository) {
-    return repository.bundles().stream().flatMap(bundle -> bundle.sources().stream()).flatMap(ForbiddenTextRule::violationsIn);
+    return repository.bundles().stream().flatMap(bundle -> bundle.sources().stream())
+        .flatMap(ForbiddenTextRule::violationsIn);
   }
 
   private static Stream<Violation> violationsIn(SourceFile source) {

@@ -12,8 +12,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What an IDE imports and starts is all that there is: every bundle, feature and bundle of tests is a project; a launch configuration of a
- * product has the features of that product, there is one for each bundle of tests, and none names what is not there.
+ * What an IDE imports and starts is all that there is: every bundle, feature and bundle of tests is a project; a launch
+ * configuration of a product has the features of that product, there is one for each bundle of tests, and none names
+ * what is not there.
  */
 final class IdeRule implements Rule {
 
@@ -32,10 +33,13 @@ final class IdeRule implements Rule {
   public Stream<Violation> violations(Repository repository) {
     List<Launch> launches = Launch.allOf(repository);
     List<Path> tests = Trees.folders(repository.root().resolve("tests")).stream().filter(IdeRule::holdsTests).toList();
-    List<Path> folders = Stream.of(Trees.folders(repository.root().resolve("bundles")).stream().filter(f -> Files.exists(f.resolve("META-INF"))),
+    List<Path> folders = Stream.of(
+        Trees.folders(repository.root().resolve("bundles")).stream().filter(f -> Files.exists(f.resolve("META-INF"))),
         repository.features().stream().map(Path::getParent), tests.stream()).flatMap(all -> all).toList();
-    return Stream.of(notImported(repository, folders), missing(repository, launches, folders), incomplete(repository, launches),
-        withoutLaunch(tests, launches)).flatMap(all -> all);
+    return Stream
+        .of(notImported(repository, folders), missing(repository, launches, folders), incomplete(repository, launches),
+            withoutLaunch(tests, launches))
+        .flatMap(all -> all);
   }
 
   private static boolean holdsTests(Path folder) {
@@ -44,14 +48,17 @@ final class IdeRule implements Rule {
 
   private static Stream<Violation> notImported(Repository repository, List<Path> folders) {
     return folders.stream().filter(folder -> !projectIn(folder).equals(Optional.of(folder.getFileName().toString())))
-        .map(folder -> new Violation(repository.root().relativize(folder).toString(), "has no .project of its name, so that no IDE imports it"));
+        .map(folder -> new Violation(repository.root().relativize(folder).toString(),
+            "has no .project of its name, so that no IDE imports it"));
   }
 
   private static Stream<Violation> missing(Repository repository, List<Launch> launches, List<Path> folders) {
-    Set<String> projects = Stream.concat(folders.stream(), Stream.of("product", "releng").map(repository.root()::resolve))
-        .flatMap(folder -> projectIn(folder).stream()).collect(Collectors.toSet());
+    Set<String> projects =
+        Stream.concat(folders.stream(), Stream.of("product", "releng").map(repository.root()::resolve))
+            .flatMap(folder -> projectIn(folder).stream()).collect(Collectors.toSet());
     return launches.stream().flatMap(launch -> Stream.concat(launch.projects(), launch.features().stream())
-        .filter(name -> !projects.contains(name)).map(name -> new Violation(launch.path(), "names " + name + ", which is no project")));
+        .filter(name -> !projects.contains(name))
+        .map(name -> new Violation(launch.path(), "names " + name + ", which is no project")));
   }
 
   private static Stream<Violation> incomplete(Repository repository, List<Launch> launches) {
@@ -65,7 +72,8 @@ final class IdeRule implements Rule {
         .filter(launch -> !launch.features().equals(products.getOrDefault(launch.application().orElse(""), Set.of())))
         .map(launch -> new Violation(launch.path(), "has other features than the product of its application"));
     Stream<Violation> none = products.keySet().stream()
-        .filter(application -> launches.stream().noneMatch(launch -> launch.isApplication() && launch.application().orElse("").equals(application)))
+        .filter(application -> launches.stream()
+            .noneMatch(launch -> launch.isApplication() && launch.application().orElse("").equals(application)))
         .map(application -> new Violation("releng", "has no launch configuration of " + application));
     return Stream.concat(different, none);
   }
@@ -78,6 +86,7 @@ final class IdeRule implements Rule {
 
   private static Optional<String> projectIn(Path folder) {
     Path file = folder.resolve(".project");
-    return Files.exists(file) ? NAME.matcher(Trees.read(file)).results().map(found -> found.group(1)).findFirst() : Optional.empty();
+    return Files.exists(file) ? NAME.matcher(Trees.read(file)).results().map(found -> found.group(1)).findFirst()
+        : Optional.empty();
   }
 }

@@ -34,10 +34,13 @@ class IdeRuleTest {
         .file("features/org.robotui.feature.core/.project", project("org.robotui.feature.core"))
         .file("tests/org.robotui.core.tests/src/X.java", "")
         .file("tests/org.robotui.core.tests/.project", project("org.robotui.core.tests"))
-        .file("product/w.product", "<product application=\"org.robotui.workbench.application\"><feature id=\"org.robotui.feature.core\"/></product>")
+        .file("product/w.product",
+            "<product application=\"org.robotui.workbench.application\"><feature id=\"org.robotui.feature.core\"/></product>")
         .file("releng/.project", project("org.robotui.releng"))
-        .file("releng/window.launch", LAUNCH.formatted("RuntimeWorkbench", "org.robotui.core", "org.robotui.releng", "core"))
-        .file("releng/tests.launch", LAUNCH.formatted("JunitLaunchConfig", "org.robotui.core", "org.robotui.releng", "core"));
+        .file("releng/window.launch",
+            LAUNCH.formatted("RuntimeWorkbench", "org.robotui.core", "org.robotui.releng", "core"))
+        .file("releng/tests.launch",
+            LAUNCH.formatted("JunitLaunchConfig", "org.robotui.core", "org.robotui.releng", "core"));
   }
 
   private static String project(String name) {
@@ -61,21 +64,28 @@ class IdeRuleTest {
 
   @Test
   void what_is_not_there_cannot_be_launched() {
-    assertEquals(List.of("releng/tests.launch: names org.robotui.gone, which is no project", "releng/tests.launch: names org.robotui.away, which is no project",
-        "releng/tests.launch: names org.robotui.feature.lost, which is no project"),
-        violations(fixture().file("releng/tests.launch", LAUNCH.formatted("JunitLaunchConfig", "org.robotui.gone", "org.robotui.away", "lost"))));
+    assertEquals(
+        List.of("releng/tests.launch: names org.robotui.gone, which is no project",
+            "releng/tests.launch: names org.robotui.away, which is no project",
+            "releng/tests.launch: names org.robotui.feature.lost, which is no project"),
+        violations(fixture().file("releng/tests.launch",
+            LAUNCH.formatted("JunitLaunchConfig", "org.robotui.gone", "org.robotui.away", "lost"))));
   }
 
   @Test
   void a_launch_lacks_no_feature_of_its_product() {
-    assertEquals(List.of("releng/window.launch: has other features than the product of its application"), violations(fixture().file("product/w.product",
-        "<product application=\"org.robotui.workbench.application\"><feature id=\"org.robotui.feature.core\"/><feature id=\"org.robotui.feature.ros\"/></product>")));
+    assertEquals(List.of("releng/window.launch: has other features than the product of its application"),
+        violations(fixture().file("product/w.product",
+            "<product application=\"org.robotui.workbench.application\"><feature id=\"org.robotui.feature.core\"/><feature id=\"org.robotui.feature.ros\"/></product>")));
   }
 
   @Test
   void each_application_and_each_bundle_of_tests_can_be_launched() {
-    assertEquals(List.of("releng: has no launch configuration of org.robotui.headless.application", "releng: has no launch configuration of org.robotui.ros.tests"),
+    assertEquals(
+        List.of("releng: has no launch configuration of org.robotui.headless.application",
+            "releng: has no launch configuration of org.robotui.ros.tests"),
         violations(fixture().file("product/h.product", "<product application=\"org.robotui.headless.application\"/>")
-            .file("tests/org.robotui.ros.tests/src/X.java", "").file("tests/org.robotui.ros.tests/.project", project("org.robotui.ros.tests"))));
+            .file("tests/org.robotui.ros.tests/src/X.java", "")
+            .file("tests/org.robotui.ros.tests/.project", project("org.robotui.ros.tests"))));
   }
 }

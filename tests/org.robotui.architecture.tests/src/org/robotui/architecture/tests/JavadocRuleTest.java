@@ -16,18 +16,23 @@ class JavadocRuleTest {
 
   @Test
   void accepts_what_is_explained() {
-    assertEquals(List.of(), violations("/** A scan. */ public record Scan(int n) { public Scan { } @Override public String toString() { return \"\"; } }"));
+    assertEquals(List.of(), violations(
+        "/** A scan. */ public record Scan(int n) { public Scan { } @Override public String toString() { return \"\"; } }"));
   }
 
   @Test
   void refuses_a_type_a_method_a_constant_and_a_constructor_without_a_comment() {
-    assertEquals(List.of(FILE + "Scan has no Javadoc", FILE + "N has no Javadoc", FILE + "a constructor has no Javadoc", FILE + "turn has no Javadoc"),
-        violations("public class Scan { public static final int N = 1; public Scan(int n) { } protected void turn() { } }"));
+    assertEquals(
+        List.of(FILE + "Scan has no Javadoc", FILE + "N has no Javadoc", FILE + "a constructor has no Javadoc",
+            FILE + "turn has no Javadoc"),
+        violations(
+            "public class Scan { public static final int N = 1; public Scan(int n) { } protected void turn() { } }"));
   }
 
   @Test
   void refuses_a_method_of_an_interface_without_a_comment() {
-    assertEquals(List.of(FILE + "turn has no Javadoc"), violations("/** A scan. */ public interface Scan { void turn(); }"));
+    assertEquals(List.of(FILE + "turn has no Javadoc"),
+        violations("/** A scan. */ public interface Scan { void turn(); }"));
   }
 
   @Test

@@ -16,11 +16,13 @@ record Launch(String path, String text) {
 
   private static final Pattern PROJECT_FOLDER = Pattern.compile("\\$\\{project_loc:/([^}]+)}");
 
-  private static final Pattern PROJECT = Pattern.compile("\"org\\.eclipse\\.jdt\\.launching\\.PROJECT_ATTR\" value=\"([^\"]+)\"");
+  private static final Pattern PROJECT =
+      Pattern.compile("\"org\\.eclipse\\.jdt\\.launching\\.PROJECT_ATTR\" value=\"([^\"]+)\"");
 
   /** All that lie in releng/. */
   static List<Launch> allOf(Repository repository) {
-    return Trees.files(repository.root().resolve("releng"), ".launch").stream().map(file -> at(repository.root(), file)).toList();
+    return Trees.files(repository.root().resolve("releng"), ".launch").stream().map(file -> at(repository.root(), file))
+        .toList();
   }
 
   private static Launch at(Path root, Path file) {
@@ -47,17 +49,21 @@ record Launch(String path, String text) {
 
   /** Bundles and projects of ours that it names. */
   Stream<String> projects() {
-    Stream<String> bundles = ENTRY.matcher(set("additional_plugins")).results().map(Launch::first).filter(id -> id.startsWith("org.robotui."));
-    return Stream.of(bundles, PROJECT_FOLDER.matcher(text).results().map(Launch::first), project().stream()).flatMap(all -> all);
+    Stream<String> bundles = ENTRY.matcher(set("additional_plugins")).results().map(Launch::first)
+        .filter(id -> id.startsWith("org.robotui."));
+    return Stream.of(bundles, PROJECT_FOLDER.matcher(text).results().map(Launch::first), project().stream())
+        .flatMap(all -> all);
   }
 
   private String set(String key) {
-    return Pattern.compile("<setAttribute key=\"" + key + "\">(.*?)</setAttribute>", Pattern.DOTALL).matcher(text).results()
+    return Pattern.compile("<setAttribute key=\"" + key + "\">(.*?)</setAttribute>", Pattern.DOTALL).matcher(text)
+        .results()
         .map(Launch::first).collect(Collectors.joining());
   }
 
   private Optional<String> value(String key) {
-    return Pattern.compile("<stringAttribute key=\"" + key + "\" value=\"([^\"]*)\"").matcher(text).results().map(Launch::first).findFirst();
+    return Pattern.compile("<stringAttribute key=\"" + key + "\" value=\"([^\"]*)\"").matcher(text).results()
+        .map(Launch::first).findFirst();
   }
 
   private static String first(MatchResult found) {

@@ -4,7 +4,10 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 
-/** Arrows point strictly down the lines of bundles/LAYERS, in manifests and in sources, and only from those whom a line is for. */
+/**
+ * Arrows point strictly down the lines of bundles/LAYERS, in manifests and in sources, and only from those whom a line
+ * is for.
+ */
 final class LayerRule implements Rule {
 
   @Override
@@ -42,6 +45,7 @@ final class LayerRule implements Rule {
     if (other.getAsInt() >= own) {
       return Optional.of(new Violation(use.where(), arrow));
     }
-    return used.isFor(user.level()) ? Optional.empty() : Optional.of(new Violation(use.where(), arrow + ", which is for " + used.audience()));
+    return used.isFor(user.level()) ? Optional.empty()
+        : Optional.of(new Violation(use.where(), arrow + ", which is for " + used.audience()));
   }
 }

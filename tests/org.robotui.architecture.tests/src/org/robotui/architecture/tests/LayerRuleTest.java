@@ -18,7 +18,8 @@ class LayerRuleTest {
 
   @BeforeEach
   void twoBundlesThatAreRight() {
-    fixture = new Fixture(folder).bundle("org.robotui.data").bundle("org.robotui.core", "Import-Package: org.robotui.data").bundle("org.robotui.ros");
+    fixture = new Fixture(folder).bundle("org.robotui.data")
+        .bundle("org.robotui.core", "Import-Package: org.robotui.data").bundle("org.robotui.ros");
   }
 
   @Test
@@ -30,35 +31,44 @@ class LayerRuleTest {
   void refuses_an_upward_import_in_a_manifest() {
     fixture.bundle("org.robotui.data", "Import-Package: org.slf4j;version=\"[2.0,3)\",org.robotui.core.run");
 
-    assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core.run of layer 3"), violations());
+    assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core.run of layer 3"),
+        violations());
   }
 
   @Test
   void refuses_an_upward_requirement_of_a_bundle() {
     fixture.bundle("org.robotui.data", "Require-Bundle: org.robotui.core");
 
-    assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core of layer 3"), violations());
+    assertEquals(List.of("org.robotui.data/META-INF/MANIFEST.MF: layer 1 uses org.robotui.core of layer 3"),
+        violations());
   }
 
   @Test
   void refuses_an_upward_import_in_a_source() {
     fixture.source("org.robotui.data", "org.robotui.data.Scan", "import org.robotui.core.Core;\nclass Scan { }");
 
-    assertEquals(List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"), violations());
+    assertEquals(
+        List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"),
+        violations());
   }
 
   @Test
   void refuses_an_upward_qualified_name_in_a_source() {
     fixture.source("org.robotui.data", "org.robotui.data.Scan", "class Scan { org.robotui.core.Core core; }");
 
-    assertEquals(List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"), violations());
+    assertEquals(
+        List.of("org.robotui.data/src/org/robotui/data/Scan.java: layer 1 uses org.robotui.core.Core of layer 3"),
+        violations());
   }
 
   @Test
   void refuses_an_import_on_the_same_level() {
-    fixture.bundle("org.robotui.entity.scan", "Import-Package: org.robotui.entity.path").bundle("org.robotui.entity.path");
+    fixture.bundle("org.robotui.entity.scan", "Import-Package: org.robotui.entity.path")
+        .bundle("org.robotui.entity.path");
 
-    assertEquals(List.of("org.robotui.entity.scan/META-INF/MANIFEST.MF: layer 6 uses org.robotui.entity.path of layer 6"), violations());
+    assertEquals(
+        List.of("org.robotui.entity.scan/META-INF/MANIFEST.MF: layer 6 uses org.robotui.entity.path of layer 6"),
+        violations());
   }
 
   @Test
@@ -81,7 +91,8 @@ class LayerRuleTest {
   void refuses_those_whom_a_line_is_not_for() {
     fixture.bundle("org.robotui.uic.map", "Import-Package: org.robotui.ros.master");
 
-    assertEquals(List.of("org.robotui.uic.map/META-INF/MANIFEST.MF: layer 7 uses org.robotui.ros.master of layer 0c, which is for 0d 4 alone"),
+    assertEquals(List.of(
+        "org.robotui.uic.map/META-INF/MANIFEST.MF: layer 7 uses org.robotui.ros.master of layer 0c, which is for 0d 4 alone"),
         violations());
   }
 
@@ -89,7 +100,10 @@ class LayerRuleTest {
   void refuses_to_import_what_is_for_nobody() {
     fixture.bundle("org.robotui.uic.map", "Require-Bundle: org.robotui.core");
 
-    assertEquals(List.of("org.robotui.uic.map/META-INF/MANIFEST.MF: layer 7 uses org.robotui.core of layer 3, which is for nobody"), violations());
+    assertEquals(
+        List.of(
+            "org.robotui.uic.map/META-INF/MANIFEST.MF: layer 7 uses org.robotui.core of layer 3, which is for nobody"),
+        violations());
   }
 
   @Test

@@ -68,6 +68,7 @@ record Layers(List<Layer> layers) {
     List<String> words = Arrays.asList(line.split("\\s+"));
     int names = (int) words.stream().takeWhile(word -> !word.startsWith(OURS)).count();
     boolean limited = names > 1 && words.get(1).equals(FOR);
-    return new Layer(words.getFirst(), limited ? words.subList(2, names) : List.of(), words.subList(names, words.size()));
+    return new Layer(words.getFirst(), limited ? words.subList(2, names) : List.of(),
+        words.subList(names, words.size()));
   }
 }

@@ -38,26 +38,32 @@ class NamingRuleTest {
   void refuses_a_package_outside_the_bundles_name() {
     fixture.source("org.robotui.data", "org.robotui.database.Scan", "class Scan { }");
 
-    assertEquals(List.of("org.robotui.data/src/org/robotui/database/Scan.java: lies outside the package org.robotui.data"), violations());
+    assertEquals(
+        List.of("org.robotui.data/src/org/robotui/database/Scan.java: lies outside the package org.robotui.data"),
+        violations());
   }
 
   @Test
   void refuses_a_package_line_that_differs_from_the_folder() {
-    fixture.file("bundles/org.robotui.data/src/org/robotui/data/Other.java", "package org.robotui.other;\nclass Other { }");
+    fixture.file("bundles/org.robotui.data/src/org/robotui/data/Other.java",
+        "package org.robotui.other;\nclass Other { }");
 
-    assertEquals(List.of("org.robotui.data/src/org/robotui/data/Other.java: lies outside the package org.robotui.data"), violations());
+    assertEquals(List.of("org.robotui.data/src/org/robotui/data/Other.java: lies outside the package org.robotui.data"),
+        violations());
   }
 
   @Test
   void refuses_a_package_that_is_neither_exported_nor_internal() {
     fixture.source("org.robotui.data", "org.robotui.data.secret.Scan", "class Scan { }");
 
-    assertEquals(List.of("org.robotui.data: the package org.robotui.data.secret is neither exported nor internal"), violations());
+    assertEquals(List.of("org.robotui.data: the package org.robotui.data.secret is neither exported nor internal"),
+        violations());
   }
 
   @Test
   void accepts_the_package_of_a_main_class() {
-    fixture.source("org.robotui.data", "org.robotui.data.tool.Main", "class Main { public static void main(String[] a) { } }");
+    fixture.source("org.robotui.data", "org.robotui.data.tool.Main",
+        "class Main { public static void main(String[] a) { } }");
 
     assertEquals(List.of(), violations());
   }

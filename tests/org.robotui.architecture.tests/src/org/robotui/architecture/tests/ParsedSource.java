@@ -23,7 +23,7 @@ record ParsedSource(CompilationUnitTree unit, Trees trees) {
 
   static ParsedSource of(SourceFile source) {
     JavacTask task = (JavacTask) ToolProvider.getSystemJavaCompiler()
-        .getTask(null, null, diagnostic -> { }, List.of("-proc:none"), null, List.of(fileObject(source)));
+        .getTask(null, null, diagnostic -> {}, List.of("-proc:none"), null, List.of(fileObject(source)));
     try {
       return new ParsedSource(task.parse().iterator().next(), Trees.instance(task));
     } catch (IOException e) {

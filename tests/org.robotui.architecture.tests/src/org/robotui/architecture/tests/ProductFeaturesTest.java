@@ -28,11 +28,15 @@ class ProductFeaturesTest {
         .file("product/org.robotui.workbench.product", PRODUCT)
         .file("product/org.robotui.headless.product", PRODUCT)
         .file("product/category.xml", "<site>\n  <category-def name=\"org.robotui\" label=\"RobotUI\"/>\n</site>\n")
-        .file("features/a/feature.xml", "<feature id=\"org.robotui.feature.platform\"><includes id=\"org.robotui.feature.platform.headless\"/>"
-            + "<plugin id=\"org.eclipse.swt\"/></feature>")
-        .file("features/b/feature.xml", "<feature id=\"org.robotui.feature.platform.headless\"><plugin id=\"org.eclipse.osgi\"/></feature>")
-        .file("features/c/feature.xml", "<feature id=\"org.robotui.feature.views\"><plugin id=\"org.robotui.uic.map\"/></feature>")
-        .file("features/d/feature.xml", "<feature id=\"org.robotui.feature.lcm\"><plugin id=\"org.robotui.rfic.lcm\"/></feature>")
+        .file("features/a/feature.xml",
+            "<feature id=\"org.robotui.feature.platform\"><includes id=\"org.robotui.feature.platform.headless\"/>"
+                + "<plugin id=\"org.eclipse.swt\"/></feature>")
+        .file("features/b/feature.xml",
+            "<feature id=\"org.robotui.feature.platform.headless\"><plugin id=\"org.eclipse.osgi\"/></feature>")
+        .file("features/c/feature.xml",
+            "<feature id=\"org.robotui.feature.views\"><plugin id=\"org.robotui.uic.map\"/></feature>")
+        .file("features/d/feature.xml",
+            "<feature id=\"org.robotui.feature.lcm\"><plugin id=\"org.robotui.rfic.lcm\"/></feature>")
         .bundle("org.robotui.uic.map", "Import-Package: org.robotui.api;version=\"[1.0,2.0)\",org.robotui.ui.scene")
         .bundle("org.robotui.rfic.lcm", "Import-Package: org.robotui.api");
   }
@@ -41,14 +45,16 @@ class ProductFeaturesTest {
   void the_window_has_all_features_that_no_other_includes() throws Exception {
     assertEquals(0, run(folder));
 
-    assertEquals(listing("platform", "lcm", "views"), Files.readString(folder.resolve("product/org.robotui.workbench.product")));
+    assertEquals(listing("platform", "lcm", "views"),
+        Files.readString(folder.resolve("product/org.robotui.workbench.product")));
   }
 
   @Test
   void the_headless_product_has_those_that_need_no_window() throws Exception {
     run(folder);
 
-    assertEquals(listing("platform.headless", "lcm"), Files.readString(folder.resolve("product/org.robotui.headless.product")));
+    assertEquals(listing("platform.headless", "lcm"),
+        Files.readString(folder.resolve("product/org.robotui.headless.product")));
   }
 
   @Test
@@ -56,7 +62,8 @@ class ProductFeaturesTest {
     run(folder);
 
     assertEquals(List.of("lcm", "views"), Files.readString(folder.resolve("product/category.xml")).lines()
-        .filter(line -> line.contains("<feature")).map(line -> line.replaceAll(".*feature\\.([a-z]+)\".*", "$1")).toList());
+        .filter(line -> line.contains("<feature")).map(line -> line.replaceAll(".*feature\\.([a-z]+)\".*", "$1"))
+        .toList());
   }
 
   @Test
@@ -74,7 +81,9 @@ class ProductFeaturesTest {
   }
 
   private static String listing(String... features) {
-    return "<product>\n  <features>\n" + String.join("", List.of(features).stream().map(ROOT_FEATURE::formatted).toList()) + "  </features>\n</product>\n";
+    return "<product>\n  <features>\n"
+        + String.join("", List.of(features).stream().map(ROOT_FEATURE::formatted).toList())
+        + "  </features>\n</product>\n";
   }
 
   /** The exit code. What the program says goes into the failure where it is not the one that it should be. */

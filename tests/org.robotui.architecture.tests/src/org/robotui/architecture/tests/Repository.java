@@ -40,7 +40,8 @@ record Repository(Path root, List<Bundle> bundles, Layers layers) {
 
   private static List<Bundle> bundlesIn(Path folder) {
     try (Stream<Path> children = Files.list(folder)) {
-      return children.filter(child -> Files.exists(child.resolve("META-INF/MANIFEST.MF"))).sorted().map(Bundle::at).toList();
+      return children.filter(child -> Files.exists(child.resolve("META-INF/MANIFEST.MF"))).sorted().map(Bundle::at)
+          .toList();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -20,7 +20,8 @@ final class ReservedPackagesRule implements Rule {
 
   private static final List<Reservation> RESERVATIONS = List.of(
       new Reservation(List.of("org.eclipse.swt", "org.eclipse.jface"),
-          List.of("org.robotui.ui", "org.robotui.gl", "org.robotui.entity.*", "org.robotui.uic.*", "org.robotui.workbench",
+          List.of("org.robotui.ui", "org.robotui.gl", "org.robotui.entity.*", "org.robotui.uic.*",
+              "org.robotui.workbench",
               "org.robotui.testkit", "org.robotui.testkit.*")),
       new Reservation(List.of("org.eclipse.ui", "org.eclipse.e4"), List.of("org.robotui.workbench")));
 

@@ -17,21 +17,22 @@ class ReservedPackagesRuleTest {
 
   @ParameterizedTest
   @CsvSource({
-    "org.robotui.core,     org.eclipse.swt.graphics",
-    "org.robotui.rfic.ros, org.eclipse.jface.action",
-    "org.robotui.uic.map,  org.eclipse.ui",
-    "org.robotui.headless, org.eclipse.swt.widgets"})
+      "org.robotui.core,     org.eclipse.swt.graphics",
+      "org.robotui.rfic.ros, org.eclipse.jface.action",
+      "org.robotui.uic.map,  org.eclipse.ui",
+      "org.robotui.headless, org.eclipse.swt.widgets"})
   void refuses_what_is_reserved_for_others(String bundle, String used) {
     List<String> violations = violations(bundle, used);
 
     assertEquals(1, violations.size());
-    assertTrue(violations.getFirst().startsWith(bundle + "/META-INF/MANIFEST.MF: uses " + used + ", which only"), violations.getFirst());
+    assertTrue(violations.getFirst().startsWith(bundle + "/META-INF/MANIFEST.MF: uses " + used + ", which only"),
+        violations.getFirst());
   }
 
   @ParameterizedTest
   @CsvSource({
-    "org.robotui.uic.map,   org.eclipse.swt.graphics",
-    "org.robotui.workbench, org.eclipse.ui"})
+      "org.robotui.uic.map,   org.eclipse.swt.graphics",
+      "org.robotui.workbench, org.eclipse.ui"})
   void accepts_its_users(String bundle, String used) {
     assertEquals(List.of(), violations(bundle, used));
   }
@@ -39,7 +40,8 @@ class ReservedPackagesRuleTest {
   @Test
   void sees_sources_too() {
     Fixture fixture = new Fixture(folder).bundle("org.robotui.core")
-        .source("org.robotui.core", "org.robotui.core.internal.Box", "class Box { org.eclipse.swt.widgets.Button button; }");
+        .source("org.robotui.core", "org.robotui.core.internal.Box",
+            "class Box { org.eclipse.swt.widgets.Button button; }");
 
     assertEquals(1, fixture.violationsOf(new ReservedPackagesRule()).size());
   }

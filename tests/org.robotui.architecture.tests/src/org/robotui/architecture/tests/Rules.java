@@ -6,10 +6,11 @@ import java.util.List;
 final class Rules {
 
   static final List<Rule> ALL = List.of(
-      new LayerRule(), new BuildOrderRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(), new NamingRule(), new SharedNameRule(),
-      new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(), new JavadocRule(), new SizeRule(),
+      new LayerRule(), new BuildOrderRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(),
+      new NamingRule(), new SharedNameRule(),
+      new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(),
+      new JavadocRule(), new SizeRule(),
       new ForbiddenTextRule(), new IdeRule());
 
-  private Rules() {
-  }
+  private Rules() {}
 }

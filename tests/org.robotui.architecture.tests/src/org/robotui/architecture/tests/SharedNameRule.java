@@ -7,8 +7,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * One simple name for one class, as far as it goes: libraries of several frameworks speak of the same things. What stands today is the most that may stand; whoever
- * takes a name away lowers the number.
+ * One simple name for one class, as far as it goes: libraries of several frameworks speak of the same things. What
+ * stands today is the most that may stand; whoever takes a name away lowers the number.
  */
 final class SharedNameRule implements Rule {
 
@@ -20,7 +20,8 @@ final class SharedNameRule implements Rule {
 
   @Override
   public String statement() {
-    return "a simple name stands for one class, but for " + MOST_NAMES + " names, and never for more than " + MOST_CLASSES;
+    return "a simple name stands for one class, but for " + MOST_NAMES + " names, and never for more than "
+        + MOST_CLASSES;
   }
 
   @Override
@@ -32,9 +33,11 @@ final class SharedNameRule implements Rule {
         .collect(Collectors.groupingBy(SharedNameRule::simpleName)));
     shared.values().removeIf(places -> places.size() < 2);
     Stream<Violation> crowded = shared.entrySet().stream().filter(name -> name.getValue().size() > MOST_CLASSES)
-        .map(name -> new Violation(name.getKey(), "names " + name.getValue().size() + " classes: " + String.join(", ", name.getValue())));
+        .map(name -> new Violation(name.getKey(),
+            "names " + name.getValue().size() + " classes: " + String.join(", ", name.getValue())));
     return shared.size() <= MOST_NAMES ? crowded
-        : Stream.concat(crowded, Stream.of(new Violation("bundles", shared.size() + " names stand for more than one class: " + shared.keySet())));
+        : Stream.concat(crowded, Stream
+            .of(new Violation("bundles", shared.size() + " names stand for more than one class: " + shared.keySet())));
   }
 
   private static String simpleName(String where) {

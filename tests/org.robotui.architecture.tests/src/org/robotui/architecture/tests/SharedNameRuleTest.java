@@ -29,7 +29,8 @@ class SharedNameRuleTest {
   void refuses_more_shared_names_than_there_were() {
     Fixture fixture = new Fixture(folder).bundle("org.robotui.data").bundle("org.robotui.api");
     for (int i = 0; i <= SharedNameRule.MOST_NAMES; i++) {
-      fixture.source("org.robotui.data", "org.robotui.data.Row" + i, "").source("org.robotui.api", "org.robotui.api.Row" + i, "");
+      fixture.source("org.robotui.data", "org.robotui.data.Row" + i, "").source("org.robotui.api",
+          "org.robotui.api.Row" + i, "");
     }
 
     assertEquals(1, fixture.violationsOf(new SharedNameRule()).size());

@@ -4,7 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 
-/** One Java file: where it lies under its source folder, its text, and its syntax tree, which is made when it is wanted. */
+/**
+ * One Java file: where it lies under its source folder, its text, and its syntax tree, which is made when it is wanted.
+ */
 final class SourceFile {
 
   private final Path folder;

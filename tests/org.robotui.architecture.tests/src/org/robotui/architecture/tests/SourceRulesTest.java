@@ -26,7 +26,8 @@ class SourceRulesTest {
   @ParameterizedTest
   @ValueSource(strings = {"System.out", "System.err", ".printStackTrace()", "TODO"})
   void what_is_forbidden_is_found(String text) {
-    assertEquals(List.of(FILE + "has " + text), violations(new ForbiddenTextRule(), "class Main { } // x" + (text.startsWith(".") ? "" : " ") + text));
+    assertEquals(List.of(FILE + "has " + text),
+        violations(new ForbiddenTextRule(), "class Main { } // x" + (text.startsWith(".") ? "" : " ") + text));
   }
 
   @Test
@@ -38,6 +39,7 @@ class SourceRulesTest {
   }
 
   private List<String> violations(Rule rule, String text) {
-    return new Fixture(folder).bundle("org.robotui.sim").source("org.robotui.sim", "org.robotui.sim.Main", text).violationsOf(rule);
+    return new Fixture(folder).bundle("org.robotui.sim").source("org.robotui.sim", "org.robotui.sim.Main", text)
+        .violationsOf(rule);
   }
 }

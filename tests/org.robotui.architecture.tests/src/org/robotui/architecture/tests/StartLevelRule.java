@@ -6,8 +6,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The window does not wait for core, components and what components draw at its start, so the product gives them a later start level. It
- * names them by what their ids begin with: a bundle that it named itself could not be taken out of it.
+ * The window does not wait for core, components and what components draw at its start, so the product gives them a
+ * later start level. It names them by what their ids begin with: a bundle that it named itself could not be taken out
+ * of it.
  */
 final class StartLevelRule implements Rule {
 
@@ -34,10 +35,11 @@ final class StartLevelRule implements Rule {
       return Stream.empty();
     }
     List<Pattern> later = PATTERN.matcher(repository.read(LATER)).results().map(found -> glob(found.group(1))).toList();
-    Stream<Violation> levels = repository.bundles().stream().filter(bundle -> hasComponents(bundle) != isLater(bundle, later))
-        .map(bundle -> new Violation(bundle.name(), isLater(bundle, later)
-            ? "is no component, but starts beside the window (" + LATER + ")"
-            : "has no start level in " + LATER + ": the window would wait for it"));
+    Stream<Violation> levels =
+        repository.bundles().stream().filter(bundle -> hasComponents(bundle) != isLater(bundle, later))
+            .map(bundle -> new Violation(bundle.name(), isLater(bundle, later)
+                ? "is no component, but starts beside the window (" + LATER + ")"
+                : "has no start level in " + LATER + ": the window would wait for it"));
     return Stream.concat(levels, named(repository));
   }
 
@@ -46,7 +48,8 @@ final class StartLevelRule implements Rule {
       return Stream.empty();
     }
     return NAMED.matcher(repository.read(PRODUCT)).results()
-        .map(found -> new Violation(PRODUCT, "names " + found.group(1) + ", whose feature could then not be taken out"));
+        .map(
+            found -> new Violation(PRODUCT, "names " + found.group(1) + ", whose feature could then not be taken out"));
   }
 
   private static boolean isLater(Bundle bundle, List<Pattern> later) {

@@ -10,8 +10,7 @@ import java.util.stream.Stream;
 /** Reading files and folders, without what the build put there. */
 final class Trees {
 
-  private Trees() {
-  }
+  private Trees() {}
 
   static String read(Path file) {
     try {

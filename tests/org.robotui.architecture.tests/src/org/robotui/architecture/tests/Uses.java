@@ -6,11 +6,9 @@ import java.util.stream.Stream;
 final class Uses {
 
   /** A used package, bundle or type, and where it is named. */
-  record Use(String where, String name) {
-  }
+  record Use(String where, String name) {}
 
-  private Uses() {
-  }
+  private Uses() {}
 
   static Stream<Use> of(Bundle bundle) {
     return Stream.concat(inManifest(bundle), inSources(bundle));

@@ -7,8 +7,9 @@ import org.robotui.testkit.osgi.PackedBundle;
 final class BadBundle {
   static final String NAME = "org.robotui.tests.bad";
 
-  private static final String IMPORTS = "org.osgi.framework,org.robotui.api,org.robotui.api.command,org.robotui.api.config,"
-      + "org.robotui.api.host,org.robotui.api.link,org.robotui.api.port,org.robotui.data,org.robotui.geometry";
+  private static final String IMPORTS =
+      "org.osgi.framework,org.robotui.api,org.robotui.api.command,org.robotui.api.config,"
+          + "org.robotui.api.host,org.robotui.api.link,org.robotui.api.port,org.robotui.data,org.robotui.geometry";
 
   private BadBundle() {}
 

@@ -60,7 +60,8 @@ class BrokenTypeTest {
     assertEquals("type 'broken' is not there; install or start bundle org.robotui.core.tests", world.reason("broken"));
     world.bring(type);
 
-    Eventually.await("it failed again", () -> world.reason("broken").contains("no such device"), () -> world.reason("broken"));
+    Eventually.await("it failed again", () -> world.reason("broken").contains("no such device"),
+        () -> world.reason("broken"));
     awaitBroken();
     notes.awaitMore();
   }

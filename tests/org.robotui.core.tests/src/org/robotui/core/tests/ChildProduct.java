@@ -14,12 +14,13 @@ import java.util.stream.Stream;
 import org.osgi.framework.Bundle;
 
 /**
- * The headless product in a process of its own, made of the bundles of this framework and the one that misbehaves, with as little
- * memory as a test likes.
+ * The headless product in a process of its own, made of the bundles of this framework and the one that misbehaves, with
+ * as little memory as a test likes.
  */
 final class ChildProduct implements AutoCloseable {
-  private static final Set<String> STARTED = Set.of("org.apache.felix.scr", "org.eclipse.equinox.common", "org.eclipse.core.runtime",
-      "org.eclipse.equinox.app");
+  private static final Set<String> STARTED =
+      Set.of("org.apache.felix.scr", "org.eclipse.equinox.common", "org.eclipse.core.runtime",
+          "org.eclipse.equinox.app");
   private static final long END_SECONDS = 10;
 
   private final Path out;
@@ -29,8 +30,9 @@ final class ChildProduct implements AutoCloseable {
   ChildProduct(Path folder, String yaml, String... vmOptions) throws Exception {
     Path bad = Files.write(folder.resolve(BadBundle.NAME + ".jar"), BadBundle.packed().jar());
     Path configuration = Files.createDirectories(folder.resolve("configuration"));
-    Files.writeString(configuration.resolve("config.ini"), "osgi.bundles=" + bundles(bad) + "\nosgi.bundles.defaultStartLevel=4\n"
-        + "osgi.framework=" + Bundles.file("org.eclipse.osgi").toUri() + "\nosgi.instance.area.default=@none\n");
+    Files.writeString(configuration.resolve("config.ini"),
+        "osgi.bundles=" + bundles(bad) + "\nosgi.bundles.defaultStartLevel=4\n"
+            + "osgi.framework=" + Bundles.file("org.eclipse.osgi").toUri() + "\nosgi.instance.area.default=@none\n");
     Path config = Files.writeString(folder.resolve("child.yaml"), yaml);
     out = folder.resolve("out");
     err = folder.resolve("err");

@@ -11,8 +11,8 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicState;
 
 /**
- * A component of the bundle that misbehaves in the RUIC Keira, beside a healthy robot interface and a healthy view, and beside a
- * second, healthy RUIC. Ends what never ends by itself.
+ * A component of the bundle that misbehaves in the RUIC Keira, beside a healthy robot interface and a healthy view, and
+ * beside a second, healthy RUIC. Ends what never ends by itself.
  */
 final class Fence implements AutoCloseable {
   static final String OVER = "robotui.tests.over";

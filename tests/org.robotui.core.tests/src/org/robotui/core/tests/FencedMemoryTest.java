@@ -52,7 +52,8 @@ class FencedMemoryTest {
 
   @Test
   void aThreadThatTakesAllMemoryEndsItsRobotInterfaceAndTheProcessGoesOn() throws Exception {
-    try (ChildProduct product = product("      bad: {type: badrobot, robot: Other, in: thread, does: hoard, after: 3}", "")) {
+    try (ChildProduct product =
+        product("      bad: {type: badrobot, robot: Other, in: thread, does: hoard, after: 3}", "")) {
       awaitCommand("1.0");
       product.awaitError(" ended with " + GUILTY + " " + BUNDLE + "BadRobot");
       product.awaitMore();
@@ -65,8 +66,9 @@ class FencedMemoryTest {
   void memoryThatIsNearlyUsedUpIsToldWithTheBoundAndHowToRaiseItAndStopsNobody() throws Exception {
     try (ChildProduct product = product("", "      bad: {type: badview, in: task, does: hoard_most, after: 3}")) {
       awaitCommand("1.0");
-      product.awaitError("MB of memory, and stops all robots when they are used up: close views or robots, or start it with more, as by "
-          + "ROBOTUI_MEMORY=124m");
+      product.awaitError(
+          "MB of memory, and stops all robots when they are used up: close views or robots, or start it with more, as by "
+              + "ROBOTUI_MEMORY=124m");
       product.awaitMore();
       awaitCommand("1.0");
     }

@@ -14,7 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.host.RuicState;
 
-/** A robot interface that misbehaves fails alone, the user reads which bundle it was, and what we move through it is stopped. */
+/**
+ * A robot interface that misbehaves fails alone, the user reads which bundle it was, and what we move through it is
+ * stopped.
+ */
 class FencedRobotTest {
   private static final Duration LIMIT = Duration.ofSeconds(5);
   private static final String DRIVER = "      driver: driver";
@@ -60,7 +63,8 @@ class FencedRobotTest {
 
   private void assertTheGoodOneStillMoves() {
     int before = fence.wheels.commands().size();
-    Eventually.await("commands come", () -> fence.wheels.commands().size() > before + 10, fence.wheels.commands()::size);
+    Eventually.await("commands come", () -> fence.wheels.commands().size() > before + 10,
+        fence.wheels.commands()::size);
     fence.wheels.awaitMoving();
   }
 
@@ -99,7 +103,8 @@ class FencedRobotTest {
     fence.world.await("bad", RuicState.INITIALIZED);
     fence.assertTheOthersGoOn();
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.matches(".*bad has ended; threads left: Keira.bad-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
+    assertTrue(left.matches(".*bad has ended; threads left: Keira.bad-\\d+ \\(bundle org.robotui.tests.bad, class .*"),
+        left);
   }
 
   @Test
@@ -107,7 +112,8 @@ class FencedRobotTest {
     fence.robot("in: start, does: leak");
     fence.world.await("bad", RuicState.INITIALIZED);
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.matches(".*bad has ended; threads left: leaked-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
+    assertTrue(left.matches(".*bad has ended; threads left: leaked-\\d+ \\(bundle org.robotui.tests.bad, class .*"),
+        left);
   }
 
   @Test
@@ -131,7 +137,8 @@ class FencedRobotTest {
   @Test
   void aSendThatNeverReturnsIsFencedAndTheOtherRobotMovesOn() throws Exception {
     driven("in: send, does: wait_deaf");
-    fence.world.awaitAlert("Keira.bad hangs while sending on 'cmd_vel'; nothing more is sent there (bundle org.robotui.tests.bad");
+    fence.world.awaitAlert(
+        "Keira.bad hangs while sending on 'cmd_vel'; nothing more is sent there (bundle org.robotui.tests.bad");
     assertTheGoodOneStillMoves();
     fence.assertTheOthersGoOn();
     String left = fence.close(LIMIT).toString();
@@ -152,8 +159,9 @@ class FencedRobotTest {
   @Test
   void anErrorInACallFailsItAtOnce() throws Exception {
     stopWithCall("in: call, does: overflow");
-    fence.world.awaitAlert("the stop call of Keira failed: the robot interface failed: java.lang.StackOverflowError (bundle "
-        + "org.robotui.tests.bad, class ");
+    fence.world
+        .awaitAlert("the stop call of Keira failed: the robot interface failed: java.lang.StackOverflowError (bundle "
+            + "org.robotui.tests.bad, class ");
     fence.assertTheOthersGoOn();
   }
 
@@ -200,7 +208,8 @@ class FencedRobotTest {
     fence.robot("in: close, does: assert");
     fence.world.await("bad", RuicState.INITIALIZED);
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.contains("bad threw java.lang.AssertionError: an invariant in close (bundle org.robotui.tests.bad"), left);
+    assertTrue(left.contains("bad threw java.lang.AssertionError: an invariant in close (bundle org.robotui.tests.bad"),
+        left);
   }
 
   @Test

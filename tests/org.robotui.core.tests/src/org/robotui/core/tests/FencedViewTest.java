@@ -133,7 +133,8 @@ class FencedViewTest {
     assertLate(LATE);
     long gone = fence.wheels.awaitStopped() - fence.wheels.commands().reversed().stream().filter(c -> !c.isZero())
         .findFirst().orElseThrow().nanos();
-    assertTrue(gone < 2_000_000_000L + SOON_NANOS, "its last command would have been valid for a minute, and was for " + gone);
+    assertTrue(gone < 2_000_000_000L + SOON_NANOS,
+        "its last command would have been valid for a minute, and was for " + gone);
   }
 
   @Test
@@ -160,7 +161,8 @@ class FencedViewTest {
     fence.view("in: close, does: assert");
     fence.world.await("bad", RuicState.SELECTED);
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.contains("bad threw java.lang.AssertionError: an invariant in close (bundle org.robotui.tests.bad"), left);
+    assertTrue(left.contains("bad threw java.lang.AssertionError: an invariant in close (bundle org.robotui.tests.bad"),
+        left);
   }
 
   @Test
@@ -168,7 +170,8 @@ class FencedViewTest {
     fence.view("in: create, does: leak");
     fence.world.await("bad", RuicState.SELECTED);
     String left = fence.close(LIMIT).toString();
-    assertTrue(left.matches(".*bad has ended; threads left: leaked-\\d+ \\(bundle org.robotui.tests.bad, class .*"), left);
+    assertTrue(left.matches(".*bad has ended; threads left: leaked-\\d+ \\(bundle org.robotui.tests.bad, class .*"),
+        left);
     assertEquals(1, World.threads("leaked-").size());
   }
 

@@ -74,7 +74,8 @@ abstract class FrameworkBundleCase {
 
   private void awaitScans() {
     world.awaitMatch("text.all", m -> m.state() == MatchState.CONNECTED);
-    Eventually.await("scans come", () -> world.port("base." + framework.scan()).filter(p -> p.rateHz() > 1 && !p.stale()).isPresent(),
+    Eventually.await("scans come",
+        () -> world.port("base." + framework.scan()).filter(p -> p.rateHz() > 1 && !p.stale()).isPresent(),
         () -> world.port("base." + framework.scan()));
     world.awaitText("text", "LaserScan");
     world.awaitText("text", "base (" + framework.type() + ")  connected: ");
@@ -82,7 +83,8 @@ abstract class FrameworkBundleCase {
 
   private void awaitLoss() {
     world.await("base", RuicState.FAILED);
-    assertEquals("type '" + framework.type() + "' is not there; install or start bundle " + framework.bundle(), world.reason("base"));
+    assertEquals("type '" + framework.type() + "' is not there; install or start bundle " + framework.bundle(),
+        world.reason("base"));
     String reason = world.awaitMatch("text.all", m -> m.state() == MatchState.PENDING).reason();
     assertTrue(reason.endsWith("is not there; base has failed: " + world.reason("base")), reason);
     assertEquals(List.of(), world.ports());

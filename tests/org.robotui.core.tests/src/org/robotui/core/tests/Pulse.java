@@ -55,7 +55,7 @@ record Pulse(String id, boolean drives, AtomicInteger values) implements UicType
   @Override
   public Uic create(UicContext context, Settings settings) {
     Input<Battery> battery = context.input(FakeRobot.BATTERY);
-    Runnable drive = drives ? driving(context.output(Wheels.DRIVE)) : () -> { };
+    Runnable drive = drives ? driving(context.output(Wheels.DRIVE)) : () -> {};
     return new Uic() {
       @Override
       public boolean tick(long nowNanos) {

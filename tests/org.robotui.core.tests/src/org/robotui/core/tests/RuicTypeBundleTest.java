@@ -73,7 +73,8 @@ class RuicTypeBundleTest {
     Bundles.stop(World.SINGLE);
 
     world.awaitRuic(RuicState.FAILED);
-    assertEquals("type 'single' is not there; install or start bundle org.robotui.ruic.single", ruic.snapshot().reason());
+    assertEquals("type 'single' is not there; install or start bundle org.robotui.ruic.single",
+        ruic.snapshot().reason());
     assertEquals(1, robot.closed().get());
     world.awaitNoThread("Keira.");
 

@@ -26,7 +26,9 @@ final class Simulator implements AutoCloseable {
 
   /** Speaks ROS, or what the options say. */
   Simulator(String... options) throws IOException {
-    String classes = Stream.of("org.robotui.sim", "org.robotui.ros", "org.robotui.player", "org.robotui.lcm", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
+    String classes = Stream
+        .of("org.robotui.sim", "org.robotui.ros", "org.robotui.player", "org.robotui.lcm", "org.robotui.net",
+            "org.robotui.geometry", "slf4j.api")
         .map(Bundles::file).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-XX:TieredStopAtLevel=1", "-Xmx128m", "-cp", classes, "org.robotui.sim.Main",

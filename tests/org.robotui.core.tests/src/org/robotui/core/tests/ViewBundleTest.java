@@ -99,7 +99,8 @@ class ViewBundleTest {
     world.install(World.TEXT);
 
     awaitText();
-    assertNotSame(before.getClass(), ruic.uic("plain").orElseThrow().getClass(), "the classes are those of the new bundle");
+    assertNotSame(before.getClass(), ruic.uic("plain").orElseThrow().getClass(),
+        "the classes are those of the new bundle");
     assertTheOthersWentOn();
   }
 
@@ -124,7 +125,8 @@ class ViewBundleTest {
     Bundles.refresh(World.TEXT);
 
     awaitText();
-    assertNotSame(before.getClass(), ruic.uic("plain").orElseThrow().getClass(), "the classes are those of the new wiring");
+    assertNotSame(before.getClass(), ruic.uic("plain").orElseThrow().getClass(),
+        "the classes are those of the new wiring");
     assertTheOthersWentOn();
   }
 

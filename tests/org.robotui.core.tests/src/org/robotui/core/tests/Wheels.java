@@ -13,7 +13,8 @@ import org.robotui.api.port.CommandSink;
 import org.robotui.data.command.VelocityCommand;
 
 /**
- * A type of a healthy robot interface: it tells of a battery a hundred times a second and notes which commands came, and when.
+ * A type of a healthy robot interface: it tells of a battery a hundred times a second and notes which commands came,
+ * and when.
  *
  * @param id the word in configurations
  * @param commands what came, in order

@@ -38,8 +38,9 @@ final class World implements AutoCloseable {
   static final String TEXT = "org.robotui.uic.text";
   static final String SINGLE = "org.robotui.ruic.single";
 
-  private static final List<String> PARTS = List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.ros", "org.robotui.rfic.ros",
-      "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm", "org.robotui.rfic.lcm");
+  private static final List<String> PARTS =
+      List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.ros", "org.robotui.rfic.ros",
+          "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm", "org.robotui.rfic.lcm");
   private static final long SERVICE_MILLIS = 10_000;
 
   private final Path folder;
@@ -110,7 +111,8 @@ final class World implements AutoCloseable {
   /** Loads a configuration of one RUIC and selects it. */
   Ruic load(String yaml) throws IOException {
     List<Problem> problems = host.load(Files.writeString(folder.resolve("robot.yaml"), yaml));
-    Assertions.assertTrue(problems.stream().noneMatch(p -> p.severity() == Problem.Severity.ERROR), problems.toString());
+    Assertions.assertTrue(problems.stream().noneMatch(p -> p.severity() == Problem.Severity.ERROR),
+        problems.toString());
     Ruic ruic = keira();
     ruic.select("window");
     return ruic;
@@ -144,7 +146,8 @@ final class World implements AutoCloseable {
   }
 
   Match awaitMatch(String port, Predicate<Match> condition) {
-    Eventually.await(port + " is matched so", () -> match(port).filter(condition).isPresent(), () -> snapshot().matches());
+    Eventually.await(port + " is matched so", () -> match(port).filter(condition).isPresent(),
+        () -> snapshot().matches());
     return match(port).orElseThrow();
   }
 
@@ -170,7 +173,8 @@ final class World implements AutoCloseable {
 
   /** Waits for a text with some word that is as it should be: before the first value it names what is waited for. */
   void awaitText(String view, String word, Predicate<String> right) {
-    Eventually.await(view + " shows " + word, () -> text(view).contains(word) && right.test(text(view)), () -> text(view));
+    Eventually.await(view + " shows " + word, () -> text(view).contains(word) && right.test(text(view)),
+        () -> text(view));
   }
 
   private String text(String view) {
@@ -194,7 +198,8 @@ final class World implements AutoCloseable {
   }
 
   void awaitAlert(String word) {
-    Eventually.await("the user is told of " + word, () -> alerts.stream().anyMatch(a -> a.contains(word)), () -> alerts);
+    Eventually.await("the user is told of " + word, () -> alerts.stream().anyMatch(a -> a.contains(word)),
+        () -> alerts);
   }
 
   /** Threads that live, by the beginning of their names. */

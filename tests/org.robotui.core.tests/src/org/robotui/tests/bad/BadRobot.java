@@ -89,7 +89,8 @@ final class BadRobot implements RficType {
 
     private void note(VelocityCommand command) {
       try {
-        Files.writeString(Path.of(file), System.nanoTime() + " " + command.linear().x() + "\n", StandardOpenOption.CREATE,
+        Files.writeString(Path.of(file), System.nanoTime() + " " + command.linear().x() + "\n",
+            StandardOpenOption.CREATE,
             StandardOpenOption.APPEND);
       } catch (IOException e) {
         throw new UncheckedIOException(e);

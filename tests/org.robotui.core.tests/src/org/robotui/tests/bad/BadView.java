@@ -13,7 +13,10 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
 import org.robotui.data.command.VelocityCommand;
 
-/** The type of a view that misbehaves in {@code create}, {@code first_tick}, {@code tick} (each later one), {@code task}, {@code lines} or {@code close}. */
+/**
+ * The type of a view that misbehaves in {@code create}, {@code first_tick}, {@code tick} (each later one),
+ * {@code task}, {@code lines} or {@code close}.
+ */
 final class BadView implements UicType {
   private static final CommandPort<VelocityCommand> DRIVE =
       new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.MANY, "Drives.");

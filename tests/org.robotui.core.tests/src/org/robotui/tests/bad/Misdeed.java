@@ -138,7 +138,8 @@ enum Misdeed {
     @Override
     void commit() {
       MemoryPoolMXBean old = ManagementFactory.getMemoryPoolMXBeans().stream()
-          .filter(pool -> pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported()).findFirst().orElseThrow();
+          .filter(pool -> pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported()).findFirst()
+          .orElseThrow();
       List<byte[]> hoard = new ArrayList<>();
       while (!isOver()) {
         if (old.getUsage().getUsed() < 0.87 * old.getUsage().getMax()) {

@@ -11,8 +11,7 @@ final class Eventually {
 
   private static final Duration TIME = Duration.ofSeconds(60);
 
-  private Eventually() {
-  }
+  private Eventually() {}
 
   static void await(String what, BooleanSupplier condition) {
     await(() -> what, condition);

@@ -58,13 +58,17 @@ class InteroperationTest {
     return sender.awaitLine("sent ");
   }
 
-  /** In one datagram, in just one, in two, and in more: with pauses, as the stock client in Java asks for no larger buffer. */
+  /**
+   * In one datagram, in just one, in two, and in more: with pauses, as the stock client in Java asks for no larger
+   * buffer.
+   */
   private static String[] send(int count) {
-    return new String[] {LcmWorld.GROUP, "send", "DATA_1", "1,65493,65494,65495,65496,130974,100000", Integer.toString(count), "30000"};
+    return new String[]{LcmWorld.GROUP, "send", "DATA_1", "1,65493,65494,65495,65496,130974,100000",
+        Integer.toString(count), "30000"};
   }
 
   private static String[] receive() {
-    return new String[] {LcmWorld.GROUP + LARGE_BUFFER, "receive", "DATA_.*"};
+    return new String[]{LcmWorld.GROUP + LARGE_BUFFER, "receive", "DATA_.*"};
   }
 
   @Test
@@ -83,15 +87,20 @@ class InteroperationTest {
     assertTrue(receiver.output().contains("missing 0"), receiver.output());
   }
 
-  /** As from a camera or a lidar: each message is more than a dozen datagrams at once. The C client beside ours tells whether it was the machine. */
+  /**
+   * As from a camera or a lidar: each message is more than a dozen datagrams at once. The C client beside ours tells
+   * whether it was the machine.
+   */
   @Test
   void nothingIsLostOfLargeMessagesAtAPace() throws Exception {
     long limit = bufferLimit();
-    assumeTrue(limit >= ENOUGH, "the kernel grants receive buffers of " + limit + " bytes only (net.core.rmem_max), this takes " + ENOUGH);
+    assumeTrue(limit >= ENOUGH,
+        "the kernel grants receive buffers of " + limit + " bytes only (net.core.rmem_max), this takes " + ENOUGH);
     Peer ours = world.ours(receive());
     Peer stock = world.stockC(receive());
     sent(world.stockC(LcmWorld.GROUP, "send", "DATA_1", "1000000", "60", "50000"));
-    String both = "ours: " + ours.awaitLine("received ").output() + "\nthe client in C: " + stock.awaitLine("received ").output();
+    String both =
+        "ours: " + ours.awaitLine("received ").output() + "\nthe client in C: " + stock.awaitLine("received ").output();
     assertEquals(60, whole(ours), both);
     assertTrue(ours.output().contains("missing 0"), both);
   }

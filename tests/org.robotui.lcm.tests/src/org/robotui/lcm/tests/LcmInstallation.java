@@ -13,14 +13,15 @@ final class LcmInstallation {
   /** The stock client in Java. */
   static final Path JAR = Path.of("/usr/share/java/lcm.jar");
 
-  private LcmInstallation() {
-  }
+  private LcmInstallation() {}
 
   /** Skips the test, with the packages to install, if they are missing. */
   static void assumeThere() {
     boolean there = Files.exists(JAR) && Files.exists(Path.of("/usr/include/lcm/lcm.h")) && succeeds("gcc", "--version")
-        && List.of("lcm-gen", "lcm-logger", "lcm-logplayer").stream().allMatch(tool -> succeeds("sh", "-c", "command -v " + tool));
-    Assumptions.assumeTrue(there, "LCM is not installed: needs gcc and the Debian packages liblcm-bin liblcm-dev liblcm-java");
+        && List.of("lcm-gen", "lcm-logger", "lcm-logplayer").stream()
+            .allMatch(tool -> succeeds("sh", "-c", "command -v " + tool));
+    Assumptions.assumeTrue(there,
+        "LCM is not installed: needs gcc and the Debian packages liblcm-bin liblcm-dev liblcm-java");
   }
 
   private static boolean succeeds(String... command) {

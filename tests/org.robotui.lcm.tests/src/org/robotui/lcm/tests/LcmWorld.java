@@ -22,8 +22,9 @@ final class LcmWorld implements AutoCloseable {
   /** Multicast to a group on the network of this world. */
   static final String GROUP = "udpm://239.255.76.67:7667?ttl=0";
 
-  private static final String NETWORK = "ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo"
-      + " && echo ready && exec sleep 3600";
+  private static final String NETWORK =
+      "ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo"
+          + " && echo ready && exec sleep 3600";
 
   private final Path folder;
   private final List<Peer> peers = new ArrayList<>();
@@ -37,10 +38,15 @@ final class LcmWorld implements AutoCloseable {
     return folder;
   }
 
-  /** All programs that are started from now on are in a network where nothing leaves this machine; skips the test if none is to be had. */
+  /**
+   * All programs that are started from now on are in a network where nothing leaves this machine; skips the test if
+   * none is to be had.
+   */
   void ownNetwork() throws IOException, InterruptedException {
-    String reason = start("sh", "-c", "unshare --map-root-user --net ip link 2>&1 >/dev/null && ip -V && nsenter -V").finish();
-    Assumptions.assumeTrue(reason.contains("iproute") && reason.contains("nsenter"), "this machine gives us no network of our own: " + reason);
+    String reason =
+        start("sh", "-c", "unshare --map-root-user --net ip link 2>&1 >/dev/null && ip -V && nsenter -V").finish();
+    Assumptions.assumeTrue(reason.contains("iproute") && reason.contains("nsenter"),
+        "this machine gives us no network of our own: " + reason);
     ProcessBuilder holder = new ProcessBuilder("unshare", "--map-root-user", "--net", "sh", "-c", NETWORK);
     Process process = holder.redirectErrorStream(true).start();
     Peer network = new Peer("own network", process);
@@ -75,7 +81,8 @@ final class LcmWorld implements AutoCloseable {
 
   /** Starts the stock Java client with the same arguments. */
   Peer stockJava(String... arguments) throws IOException {
-    return ready(java(), List.of("-Djava.net.preferIPv4Stack=true", "-cp", LcmInstallation.JAR.toString(), resource("StockPeer.java.txt", "StockPeer.java").toString()), arguments);
+    return ready(java(), List.of("-Djava.net.preferIPv4Stack=true", "-cp", LcmInstallation.JAR.toString(),
+        resource("StockPeer.java.txt", "StockPeer.java").toString()), arguments);
   }
 
   /** Starts our client with the same arguments. */

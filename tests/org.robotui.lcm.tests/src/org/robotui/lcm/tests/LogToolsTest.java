@@ -33,7 +33,8 @@ class LogToolsTest {
   @Test
   void aLogOfTheStockLoggerIsRead() throws Exception {
     Path log = world.folder().resolve("stock.lcmlog");
-    Peer logger = world.start("lcm-logger", "--lcm-url=" + LcmWorld.GROUP, log.toString()).awaitLine("Opening log file");
+    Peer logger =
+        world.start("lcm-logger", "--lcm-url=" + LcmWorld.GROUP, log.toString()).awaitLine("Opening log file");
     Peer sender = world.ours(LcmWorld.GROUP, "send", "DATA_1", "1000", "500", "1000");
     sender.tell("go");
     sender.awaitLine("sent 500");

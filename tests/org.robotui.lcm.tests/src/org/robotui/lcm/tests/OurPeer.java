@@ -12,13 +12,12 @@ import org.robotui.lcm.SubscriptionOptions;
 
 /**
  * A process with our client: URL {@code send CHANNEL SIZE,SIZE... COUNT PAUSE} sends so many messages of these sizes in
- * turn, with so many microseconds between them, once it is told to, then END until it is killed; URL {@code receive CHANNELS} counts until END comes.
- * The stock peers beside this class do the same.
+ * turn, with so many microseconds between them, once it is told to, then END until it is killed; URL
+ * {@code receive CHANNELS} counts until END comes. The stock peers beside this class do the same.
  */
 final class OurPeer {
 
-  private OurPeer() {
-  }
+  private OurPeer() {}
 
   public static void main(String[] arguments) throws Exception {
     try (Lcm lcm = Lcm.open(LcmUrl.of(arguments[0]), LcmOptions.standard(Thread.ofPlatform().daemon().factory()))) {
@@ -71,7 +70,8 @@ final class OurPeer {
       before = received.get();
       LockSupport.parkNanos(1_500_000_000);
     }
-    System.out.println("received " + received + " bad " + bad + " missing " + (lcm.statistics().lost() + lcm.statistics().incomplete()));
+    System.out.println("received " + received + " bad " + bad + " missing "
+        + (lcm.statistics().lost() + lcm.statistics().incomplete()));
     System.out.println(lcm.state() + " " + lcm.statistics());
   }
 

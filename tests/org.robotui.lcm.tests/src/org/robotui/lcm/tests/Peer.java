@@ -27,7 +27,8 @@ final class Peer implements AutoCloseable {
   }
 
   private void read() {
-    try (BufferedReader in = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+    try (BufferedReader in =
+        new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
       in.lines().forEach(lines::add);
     } catch (IOException | java.io.UncheckedIOException e) {
       lines.add("(output ended: " + e.getMessage() + ")");

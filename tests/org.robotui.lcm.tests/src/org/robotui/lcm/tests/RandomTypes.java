@@ -8,7 +8,8 @@ final class RandomTypes {
 
   static final int COUNT = 12;
 
-  private static final List<String> BUILTIN = List.of("int8_t", "int16_t", "int32_t", "int64_t", "byte", "float", "double", "boolean", "string");
+  private static final List<String> BUILTIN =
+      List.of("int8_t", "int16_t", "int32_t", "int64_t", "byte", "float", "double", "boolean", "string");
 
   private final Random random;
   private final StringBuilder text = new StringBuilder("package wild;\n");
@@ -26,11 +27,13 @@ final class RandomTypes {
   }
 
   private void struct(int type) {
-    text.append("struct type_").append(type).append(" { int").append(8 << random.nextInt(4)).append("_t n; int16_t size_2;");
+    text.append("struct type_").append(type).append(" { int").append(8 << random.nextInt(4))
+        .append("_t n; int16_t size_2;");
     for (int member = random.nextInt(6); member >= 0; member--) {
       String name = " member_" + member + (random.nextBoolean() ? "_x" : "");
       if (random.nextInt(3) > 0) {
-        text.append(' ').append(BUILTIN.get(random.nextInt(BUILTIN.size()))).append(name).append(dimensions(random.nextInt(4)));
+        text.append(' ').append(BUILTIN.get(random.nextInt(BUILTIN.size()))).append(name)
+            .append(dimensions(random.nextInt(4)));
       } else if (type > 0 && random.nextInt(4) > 0) {
         text.append(" type_").append(random.nextInt(type)).append(name).append(dimensions(random.nextInt(3)));
       } else {

@@ -58,7 +58,8 @@ class ActionTest {
     node = world.node("client");
     MessageRegistry registry = new MessageRegistry(new LocalDefinitions(List.of(definitions()), List.of()));
     ActionType type = ((SchemaLookup.Found<ActionType>) ActionType.find("actionlib/TestAction", registry)).schema();
-    client = ActionClient.open(node, GraphName.of("/count"), type, registry, ActionOptions.standard(Thread.ofPlatform().daemon().factory()));
+    client = ActionClient.open(node, GraphName.of("/count"), type, registry,
+        ActionOptions.standard(Thread.ofPlatform().daemon().factory()));
   }
 
   private Path definitions() throws Exception {
@@ -114,7 +115,8 @@ class ActionTest {
   void aGoalSucceedsWithFeedbackAndResult() throws Exception {
     expect(send(5), GoalEnd.SUCCEEDED, "counted", 5);
     assertEquals(List.of(0.0, 1.0, 2.0, 3.0, 4.0), feedback);
-    assertTrue(phases.containsAll(List.of(GoalPhase.ACTIVE, GoalPhase.WAITING_FOR_RESULT, GoalPhase.DONE)), phases.toString());
+    assertTrue(phases.containsAll(List.of(GoalPhase.ACTIVE, GoalPhase.WAITING_FOR_RESULT, GoalPhase.DONE)),
+        phases.toString());
     expect(send(1), GoalEnd.SUCCEEDED, "counted", 1);
     assertEquals(2, server.lines().stream().filter(line -> line.startsWith("goal ")).count());
   }

@@ -17,14 +17,13 @@ import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 /** A process with one of our nodes, to be killed by a test: MASTER FOLDER. */
 final class DoomedNode {
 
-  private DoomedNode() {
-  }
+  private DoomedNode() {}
 
   public static void main(String[] arguments) throws Exception {
     NodeOptions options = NodeOptions.standard(Thread.ofPlatform().factory()).withRecords(Path.of(arguments[1]));
     RosNode node = RosNode.open(RosEnvironment.of(URI.create(arguments[0])), GraphName.of("doomed"), options);
     node.publisher("/chatter", RecordCodec.of(StdString.class), PublisherOptions.standard());
-    node.subscriber("/chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> { });
+    node.subscriber("/chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> {});
     node.serviceServer("~switch", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(true, ""));
     if (!node.awaitRegistered(Duration.ofSeconds(20))) {
       throw new IllegalStateException("not registered");

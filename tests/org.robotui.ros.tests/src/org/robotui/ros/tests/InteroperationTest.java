@@ -51,8 +51,8 @@ class InteroperationTest {
   void weHearRospyAndRoscppPublishersOfOneTopic() throws Exception {
     Set<String> heard = ConcurrentHashMap.newKeySet();
     RosNode node = world.node("listener");
-    node.subscriber("chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) ->
-        heard.add(reception.callerId() + " said " + text.data().replaceAll("\\d+", "n")));
+    node.subscriber("chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (text, reception) -> heard.add(reception.callerId() + " said " + text.data().replaceAll("\\d+", "n")));
     world.python("talker.py", "pythonist", "/chatter");
     world.roscpp("talker", "cplusplus", "/chatter");
     Eventually.await(() -> "both talkers, heard " + heard,
@@ -63,7 +63,8 @@ class InteroperationTest {
   void weHearTopicsWhoseNamesRosOnlyWarnsOf() throws Exception {
     Set<String> heard = ConcurrentHashMap.newKeySet();
     world.python("talker.py", "pythonist", "/front-left/chatter");
-    world.node("listener").subscriber("/front-left/chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+    world.node("listener").subscriber("/front-left/chatter", RecordCodec.of(StdString.class),
+        SubscriberOptions.standard(),
         (text, reception) -> heard.add(reception.callerId()));
     Eventually.await("the talker", () -> heard.contains("/pythonist"));
   }
@@ -72,10 +73,11 @@ class InteroperationTest {
   void weGetLatchedMessagesOfRospy() throws Exception {
     List<String> heard = new CopyOnWriteArrayList<>();
     world.python("latcher.py", "latcher", "/map", "the map");
-    world.node("listener").subscriber("map", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> {
-      assertTrue(reception.latched());
-      heard.add(text.data());
-    });
+    world.node("listener").subscriber("map", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (text, reception) -> {
+          assertTrue(reception.latched());
+          heard.add(text.data());
+        });
     Eventually.await("the latched message", () -> heard.equals(List.of("the map")));
   }
 
@@ -83,7 +85,8 @@ class InteroperationTest {
   void rospyAndRoscppHearUs() throws Exception {
     Peer python = world.python("listener.py", "pythonist", "/chatter");
     Peer cplusplus = world.roscpp("listener", "cplusplus", "/chatter");
-    Publisher<StdString> publisher = world.node("talker").publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
+    Publisher<StdString> publisher =
+        world.node("talker").publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
     publisher.publish(new StdString("hello"));
     python.awaitLine("/talker hello");
     cplusplus.awaitLine("/talker hello");
@@ -108,11 +111,13 @@ class InteroperationTest {
       try (ServiceClient<SetBoolRequest, SetBoolResponse> client =
           node.serviceClient(service, StandardServices.SET_BOOL, persistent)) {
         Eventually.await(service, () -> client.call(new SetBoolRequest(true), TIME) instanceof Outcome.Done);
-        assertEquals(new Outcome.Done<>(new SetBoolResponse(true, "on by /caller")), client.call(new SetBoolRequest(true), TIME));
+        assertEquals(new Outcome.Done<>(new SetBoolResponse(true, "on by /caller")),
+            client.call(new SetBoolRequest(true), TIME));
         Outcome<SetBoolResponse> refused = client.call(new SetBoolRequest(false), TIME);
         assertTrue(refused instanceof Outcome.Refused, service + ": " + refused);
         assertTrue(service.contains("cpp") || refused.reason().contains("it stays on"), refused.reason());
-        assertEquals(new Outcome.Done<>(new SetBoolResponse(true, "on by /caller")), client.call(new SetBoolRequest(true), TIME));
+        assertEquals(new Outcome.Done<>(new SetBoolResponse(true, "on by /caller")),
+            client.call(new SetBoolRequest(true), TIME));
       }
     }
   }
@@ -127,7 +132,9 @@ class InteroperationTest {
         && node.probeService("/cpp_switch", TIME) instanceof Outcome.Done);
     assertEquals(new ServiceIdentity("std_srvs/SetBool", md5, "", "", "/pythonist"),
         node.probeService("/python_switch", TIME).toOptional().orElseThrow());
-    assertEquals(new ServiceIdentity("std_srvs/SetBool", md5, "std_srvs/SetBoolRequest", "std_srvs/SetBoolResponse", "/cplusplus"),
+    assertEquals(
+        new ServiceIdentity("std_srvs/SetBool", md5, "std_srvs/SetBoolRequest", "std_srvs/SetBoolResponse",
+            "/cplusplus"),
         node.probeService("/cpp_switch", TIME).toOptional().orElseThrow());
   }
 
@@ -142,7 +149,8 @@ class InteroperationTest {
     });
     assertTrue(node.awaitRegistered(TIME));
     Peer python = world.start("/usr/bin/python3", script("caller.py"), "pythonist", "/switch").awaitLine("done");
-    assertTrue(python.output().contains("answer True on by /pythonist\nanswer True on by /pythonist\n"), python.output());
+    assertTrue(python.output().contains("answer True on by /pythonist\nanswer True on by /pythonist\n"),
+        python.output());
     assertTrue(python.output().contains("it stays on"), python.output());
     Peer cplusplus = world.roscpp("caller", "cplusplus", "/switch").awaitLine("done");
     assertTrue(cplusplus.output().contains("answer on by /cplusplus\nanswer on by /cplusplus\n"), cplusplus.output());
@@ -158,9 +166,11 @@ class InteroperationTest {
     List<String> reasons = new CopyOnWriteArrayList<>();
     world.roscpp("talker", "cplusplus", "/chatter");
     world.node("listener", event -> reasons.add(event.toString())).subscriber("chatter",
-        RecordCodec.of(org.robotui.ros.msgs.std_msgs.StdFloat64.class), SubscriberOptions.standard(), (number, reception) -> { });
-    Eventually.await(() -> "a refusal among " + reasons, () -> reasons.stream().anyMatch(reason ->
-        reason.contains("Failed") && reason.contains("/chatter") && reason.contains("std_msgs/Float64") && reason.contains("std_msgs/String")));
+        RecordCodec.of(org.robotui.ros.msgs.std_msgs.StdFloat64.class), SubscriberOptions.standard(),
+        (number, reception) -> {});
+    Eventually.await(() -> "a refusal among " + reasons,
+        () -> reasons.stream().anyMatch(reason -> reason.contains("Failed") && reason.contains("/chatter")
+            && reason.contains("std_msgs/Float64") && reason.contains("std_msgs/String")));
   }
 
   @Test
@@ -174,7 +184,8 @@ class InteroperationTest {
     world.tool("rosparam", "set", "/limits/speed", "2");
     Eventually.await(() -> "a new value, heard " + heard, () -> heard.contains("/limits/speed Optional[Int[value=2]]"));
     world.tool("rosparam", "set", "/limits", "{speed: 3}");
-    Eventually.await(() -> "a value set by its namespace, heard " + heard, () -> heard.contains("/limits/speed Optional[Int[value=3]]"));
+    Eventually.await(() -> "a value set by its namespace, heard " + heard,
+        () -> heard.contains("/limits/speed Optional[Int[value=3]]"));
     world.tool("rosparam", "delete", "/limits/speed");
     Eventually.await(() -> "the deletion, heard " + heard, () -> heard.contains("/limits/speed Optional.empty"));
     assertEquals(new Outcome.Done<>(false), node.parameters().has("/limits/speed"));

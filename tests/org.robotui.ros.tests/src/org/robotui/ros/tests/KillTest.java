@@ -46,8 +46,9 @@ class KillTest {
   }
 
   private Peer doomed() throws Exception {
-    String classPath = Stream.of(DoomedNode.class, RosNode.class, Outcome.class, LoggerFactory.class).flatMap(KillTest::places)
-        .map(Path::toString).distinct().collect(Collectors.joining(File.pathSeparator));
+    String classPath =
+        Stream.of(DoomedNode.class, RosNode.class, Outcome.class, LoggerFactory.class).flatMap(KillTest::places)
+            .map(Path::toString).distinct().collect(Collectors.joining(File.pathSeparator));
     return world.start(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath,
         DoomedNode.class.getName(), world.masterUri().toString(), records.toString()).awaitLine("ready");
   }
@@ -72,7 +73,8 @@ class KillTest {
     assertFalse(world.tool("rosnode", "list").contains("/doomed"));
     assertFalse(world.tool("rosservice", "list").contains("/doomed"));
     String chatter = world.tool("rostopic", "info", "/chatter");
-    assertTrue(chatter.contains("* /pythonist") && !chatter.contains("doomed") && chatter.contains("Subscribers: None"), chatter);
+    assertTrue(chatter.contains("* /pythonist") && !chatter.contains("doomed") && chatter.contains("Subscribers: None"),
+        chatter);
     assertEquals(List.of(), talker.lines().stream().filter(line -> line.contains("Traceback")).toList());
   }
 

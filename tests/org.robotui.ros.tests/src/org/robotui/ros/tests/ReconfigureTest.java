@@ -62,25 +62,31 @@ class ReconfigureTest {
     assertEquals(new Outcome.Done<>(List.of("/tunable")), ReconfigureServers.list(node.master()));
     ConfigParameter size = parameter("int_enum_");
     assertEquals("An enum to set the size.", size.choicesDescription());
-    assertEquals(List.of("Small", "Medium", "Large", "ExtraLarge"), size.choices().stream().map(ConfigChoice::name).toList());
+    assertEquals(List.of("Small", "Medium", "Large", "ExtraLarge"),
+        size.choices().stream().map(ConfigChoice::name).toList());
     assertEquals(new ConfigChoice("Large", new ConfigValue.Whole(2), "A large value"), size.choices().get(2));
     assertEquals(Optional.of(new ConfigValue.Real(-2.0)), parameter("double_").min());
     assertEquals(Optional.empty(), parameter("double_no_minmax").max());
     assertEquals(ConfigKind.FLAG, parameter("bool_").kind());
     assertEquals(ConfigKind.TEXT, parameter("str_").kind());
-    ConfigGroup inner = client.description().orElseThrow().groups().stream().filter(group -> group.name().equals("GROUP2")).findFirst().orElseThrow();
+    ConfigGroup inner = client.description().orElseThrow().groups().stream()
+        .filter(group -> group.name().equals("GROUP2")).findFirst().orElseThrow();
     assertEquals("collapse", inner.type());
-    assertEquals(List.of("group2_double", "group2_string"), inner.parameters().stream().map(ConfigParameter::name).limit(2).toList());
+    assertEquals(List.of("group2_double", "group2_string"),
+        inner.parameters().stream().map(ConfigParameter::name).limit(2).toList());
   }
 
   @Test
   void parametersOfEachKindAreSetAndOthersStay() {
-    Outcome<ConfigValues> outcome = client.set(Map.of("int_", 4, "int_enum_", 2, "str_", "grüße", "bool_", true, "double_", 2.5), TIME);
-    Map<String, ConfigValue> values = outcome.toOptional().orElseThrow(() -> new AssertionError(outcome.reason())).values();
+    Outcome<ConfigValues> outcome =
+        client.set(Map.of("int_", 4, "int_enum_", 2, "str_", "grüße", "bool_", true, "double_", 2.5), TIME);
+    Map<String, ConfigValue> values =
+        outcome.toOptional().orElseThrow(() -> new AssertionError(outcome.reason())).values();
     assertEquals(new ConfigValue.Text("grüße"), values.get("str_"));
     assertEquals(new ConfigValue.Text("test string"), values.get("group2_string"));
     server.awaitLine("changed 4 2 'grüße' True 2.5");
-    Eventually.await("the update", () -> client.values().orElseThrow().values().get("int_").equals(new ConfigValue.Whole(4)));
+    Eventually.await("the update",
+        () -> client.values().orElseThrow().values().get("int_").equals(new ConfigValue.Whole(4)));
   }
 
   @Test
@@ -92,6 +98,7 @@ class ReconfigureTest {
   @Test
   void changesOfOthersAreHeard() throws Exception {
     server.tell("int_ -3");
-    Eventually.await("the update", () -> client.values().orElseThrow().values().get("int_").equals(new ConfigValue.Whole(-3)));
+    Eventually.await("the update",
+        () -> client.values().orElseThrow().values().get("int_").equals(new ConfigValue.Whole(-3)));
   }
 }

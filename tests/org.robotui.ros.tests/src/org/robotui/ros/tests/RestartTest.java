@@ -47,7 +47,8 @@ class RestartTest {
 
   private RosNode listen() throws Exception {
     RosNode node = world.node("listener", events::add);
-    node.subscriber("chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> heard.incrementAndGet());
+    node.subscriber("chatter", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (text, reception) -> heard.incrementAndGet());
     return node;
   }
 
@@ -57,9 +58,10 @@ class RestartTest {
   }
 
   private void awaitSilence() {
-    Eventually.await("a failed link", () -> events.stream().anyMatch(event ->
-        event.kind() == LinkEvent.Kind.SUBSCRIPTION && event.state() instanceof LinkState.Failed failed
-            && failed.reason().contains("/chatter") && failed.reason().contains("/pythonist")));
+    Eventually.await("a failed link",
+        () -> events.stream().anyMatch(
+            event -> event.kind() == LinkEvent.Kind.SUBSCRIPTION && event.state() instanceof LinkState.Failed failed
+                && failed.reason().contains("/chatter") && failed.reason().contains("/pythonist")));
   }
 
   @Test
@@ -89,8 +91,8 @@ class RestartTest {
     world.python("talker.py", "pythonist", "/chatter");
     awaitMoreMessages("at first");
     master.kill();
-    Eventually.await("the loss of the master", () -> events.stream().anyMatch(event ->
-        event.kind() == LinkEvent.Kind.MASTER && event.state() instanceof LinkState.Failed));
+    Eventually.await("the loss of the master", () -> events.stream()
+        .anyMatch(event -> event.kind() == LinkEvent.Kind.MASTER && event.state() instanceof LinkState.Failed));
     awaitMoreMessages("without a master");
     world.rosmaster();
     Eventually.await("the new master knows us", () -> node.master().systemState().toOptional()
@@ -130,7 +132,8 @@ class RestartTest {
   @Test
   void ourPublisherRegistersAgainAtANewMaster() throws Exception {
     Peer master = world.rosmaster();
-    Publisher<StdString> publisher = world.node("talker", events::add).publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
+    Publisher<StdString> publisher = world.node("talker", events::add).publisher("chatter",
+        RecordCodec.of(StdString.class), PublisherOptions.latched());
     publisher.publish(new StdString("the map"));
     world.python("listener.py", "early", "/chatter").awaitLine("the map");
     master.kill();
@@ -141,13 +144,17 @@ class RestartTest {
   @Test
   void ourServiceAndItsCallersSurviveANewMaster() throws Exception {
     Peer master = world.rosmaster();
-    world.node("server").serviceServer("switch", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(true, caller));
+    world.node("server").serviceServer("switch", StandardServices.SET_BOOL,
+        (request, caller) -> new SetBoolResponse(true, caller));
     RosNode caller = world.node("caller");
-    try (ServiceClient<SetBoolRequest, SetBoolResponse> client = caller.serviceClient("switch", StandardServices.SET_BOOL, false)) {
+    try (ServiceClient<SetBoolRequest, SetBoolResponse> client =
+        caller.serviceClient("switch", StandardServices.SET_BOOL, false)) {
       Eventually.await("an answer", () -> client.call(new SetBoolRequest(true), TIME) instanceof Outcome.Done);
       master.kill();
       Outcome<SetBoolResponse> without = client.call(new SetBoolRequest(true), TIME);
-      assertTrue(without instanceof Outcome.Failed && without.reason().contains("/switch") && without.reason().contains("master"),
+      assertTrue(
+          without instanceof Outcome.Failed && without.reason().contains("/switch")
+              && without.reason().contains("master"),
           without.toString());
       world.rosmaster();
       Eventually.await("an answer again", () -> client.call(new SetBoolRequest(true), TIME) instanceof Outcome.Done);
@@ -159,7 +166,8 @@ class RestartTest {
     world.rosmaster();
     Peer server = world.python("server.py", "pythonist", "/switch");
     RosNode caller = world.node("caller");
-    try (ServiceClient<SetBoolRequest, SetBoolResponse> client = caller.serviceClient("switch", StandardServices.SET_BOOL, true)) {
+    try (ServiceClient<SetBoolRequest, SetBoolResponse> client =
+        caller.serviceClient("switch", StandardServices.SET_BOOL, true)) {
       Eventually.await("an answer", () -> client.call(new SetBoolRequest(true), TIME) instanceof Outcome.Done);
       server.kill();
       Eventually.await("no answer", () -> client.call(new SetBoolRequest(true), TIME) instanceof Outcome.Failed);
@@ -171,7 +179,8 @@ class RestartTest {
   @Test
   void rospyKeepsHearingUsWhenOurMasterComesAgain() throws Exception {
     org.robotui.ros.master.RosMaster master = world.ourMaster();
-    Publisher<StdString> publisher = world.node("talker").publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
+    Publisher<StdString> publisher =
+        world.node("talker").publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.latched());
     publisher.publish(new StdString("one"));
     Peer listener = world.python("listener.py", "pythonist", "/chatter").awaitLine("one");
     master.close();

@@ -38,7 +38,8 @@ final class RosWorld implements AutoCloseable {
   /** Below the ports that the system hands out by itself: until a slow peer binds it, nobody else gets it by chance. */
   private static int freePort() throws IOException {
     for (int attempt = 0; attempt < 100; attempt++) {
-      try (ServerSocket free = new ServerSocket(ThreadLocalRandom.current().nextInt(15_000, 32_000), 1, InetAddress.getLoopbackAddress())) {
+      try (ServerSocket free =
+          new ServerSocket(ThreadLocalRandom.current().nextInt(15_000, 32_000), 1, InetAddress.getLoopbackAddress())) {
         return free.getLocalPort();
       } catch (BindException e) {
         continue; // in use
@@ -91,7 +92,8 @@ final class RosWorld implements AutoCloseable {
   Peer roscpp(String role, String node, String name) throws IOException, InterruptedException {
     Path binary = folder.resolve("peer");
     if (!Files.exists(binary)) {
-      String compile = "g++ -O1 -o '" + binary + "' '" + resource("peer.cpp") + "' $(pkg-config --cflags --libs roscpp std_msgs std_srvs)";
+      String compile = "g++ -O1 -o '" + binary + "' '" + resource("peer.cpp")
+          + "' $(pkg-config --cflags --libs roscpp std_msgs std_srvs)";
       String output = start("sh", "-c", compile).finish();
       if (!Files.exists(binary)) {
         throw new AssertionError("the roscpp peer does not compile:\n" + output);

@@ -40,8 +40,10 @@ class StockToolsTest {
     world = new RosWorld();
     world.ourMaster();
     robot = world.node("robot");
-    Publisher<StdString> publisher = robot.publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.standard());
-    robot.serviceServer("~switch", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(request.data(), "by us"));
+    Publisher<StdString> publisher =
+        robot.publisher("chatter", RecordCodec.of(StdString.class), PublisherOptions.standard());
+    robot.serviceServer("~switch", StandardServices.SET_BOOL,
+        (request, caller) -> new SetBoolResponse(request.data(), "by us"));
     timer = Executors.newSingleThreadScheduledExecutor();
     timer.scheduleAtFixedRate(() -> publisher.publish(new StdString("tick")), 0, 50, TimeUnit.MILLISECONDS);
     assertTrue(robot.awaitRegistered(Duration.ofSeconds(10)));
@@ -63,7 +65,8 @@ class StockToolsTest {
 
   @Test
   void rostopicListsTellsAndEchoes() throws Exception {
-    expect(world.tool("rostopic", "list", "-v"), "/chatter [std_msgs/String] 1 publisher", "/rosout [rosgraph_msgs/Log] 1 subscriber");
+    expect(world.tool("rostopic", "list", "-v"), "/chatter [std_msgs/String] 1 publisher",
+        "/rosout [rosgraph_msgs/Log] 1 subscriber");
     expect(world.tool("rostopic", "type", "/chatter"), "std_msgs/String");
     expect(world.tool("rostopic", "info", "/chatter"), "Type: std_msgs/String", "* /robot (" + robot.uri() + ")");
     expect(world.tool("rostopic", "echo", "-n", "2", "/chatter"), "data: \"tick\"");
@@ -78,7 +81,8 @@ class StockToolsTest {
   @Test
   void rostopicPublishesToUs() throws Exception {
     List<String> heard = new CopyOnWriteArrayList<>();
-    robot.subscriber("command", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> heard.add(text.data()));
+    robot.subscriber("command", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (text, reception) -> heard.add(text.data()));
     world.start("rostopic", "pub", "-r", "10", "/command", "std_msgs/String", "data: go");
     Eventually.await("the command", () -> heard.contains("go"));
   }
@@ -111,7 +115,8 @@ class StockToolsTest {
     expect(world.tool("rosnode", "list"), "/robot", "/rosout");
     expect(world.tool("rosnode", "ping", "-c", "2", "/robot"), "xmlrpc reply from " + robot.uri());
     Peer echo = world.start("rostopic", "echo", "/chatter").awaitLine("tick");
-    expect(world.tool("rosnode", "info", "/robot"), "* /chatter [std_msgs/String]", "* /robot/switch", "transport: TCPROS",
+    expect(world.tool("rosnode", "info", "/robot"), "* /chatter [std_msgs/String]", "* /robot/switch",
+        "transport: TCPROS",
         "direction: outbound", "Pid: " + ProcessHandle.current().pid());
     echo.kill();
   }
@@ -122,7 +127,8 @@ class StockToolsTest {
     try (RosLog log = RosLog.open(robot)) {
       Eventually.await("the entry; rostopic printed " + echo.output(), () -> {
         log.write(RosLog.Level.WARN, "motors", "too hot");
-        return echo.output().contains("msg: \"too hot\"") && echo.output().contains("level: 4") && echo.output().contains("name: \"/robot\"");
+        return echo.output().contains("msg: \"too hot\"") && echo.output().contains("level: 4")
+            && echo.output().contains("name: \"/robot\"");
       });
     }
   }
@@ -130,8 +136,9 @@ class StockToolsTest {
   @Test
   void statisticsOfLinksAreToldAsRospyReadsThem() throws Exception {
     Peer echo = world.start("rostopic", "echo", "/chatter").awaitLine("tick");
-    String script = "import xmlrpc.client, sys; code, text, (pub, sub, srv) = xmlrpc.client.ServerProxy(sys.argv[1]).getBusStats('/me');"
-        + " print(code, [(t, n > 0, [(b > 0, m > 0, up) for i, b, m, up in links]) for t, n, links in pub])";
+    String script =
+        "import xmlrpc.client, sys; code, text, (pub, sub, srv) = xmlrpc.client.ServerProxy(sys.argv[1]).getBusStats('/me');"
+            + " print(code, [(t, n > 0, [(b > 0, m > 0, up) for i, b, m, up in links]) for t, n, links in pub])";
     expect(world.tool("/usr/bin/python3", "-c", script, robot.uri()), "1 [('/chatter', True, [(True, True, True)])]");
     echo.kill();
   }
@@ -166,7 +173,8 @@ class StockToolsTest {
     record.finish();
     expect(world.tool("rosbag", "info", bag.toString()), "/chatter", "std_msgs/String");
     Set<String> heard = ConcurrentHashMap.newKeySet();
-    robot.subscriber("replay", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, reception) -> heard.add(text.data()));
+    robot.subscriber("replay", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (text, reception) -> heard.add(text.data()));
     Peer play = world.start("rosbag", "play", "--delay=1", bag.toString(), "/chatter:=/replay");
     Eventually.await(() -> "the recorded message; rosbag printed " + play.output(), () -> heard.equals(Set.of("tick")));
   }

@@ -27,7 +27,8 @@ final class BadView implements UicType {
   private static final Schema SCHEMA = Schema.of(
       Setting.of("in", new ValueType.Text(), "nowhere", "In which method."),
       Setting.of("does", new ValueType.Text(), "nothing", "What."),
-      Setting.of("once", new ValueType.Text(), "", "The system property whose being set it waits for; it does not wait when empty."));
+      Setting.of("once", new ValueType.Text(), "",
+          "The system property whose being set it waits for; it does not wait when empty."));
 
   @Override
   public Descriptor descriptor() {

@@ -18,8 +18,7 @@ import org.eclipse.ui.IWorkbenchWindow;
 final class Driver {
   private static final int LOOK_MILLIS = 20;
 
-  private Driver() {
-  }
+  private Driver() {}
 
   /**
    * Runs the loop of the display until something holds; fails when it never does.
@@ -72,7 +71,9 @@ final class Driver {
     }
   }
 
-  /** Ends the sleep of the display again and again: what is waited for may happen on another thread, without an event. */
+  /**
+   * Ends the sleep of the display again and again: what is waited for may happen on another thread, without an event.
+   */
   private static Runnable waking(Display display) {
     return new Runnable() {
       @Override
@@ -82,7 +83,10 @@ final class Driver {
     };
   }
 
-  /** As the loop of the workbench does: what a listener throws is given to the advisor, here through the handler that knows it. */
+  /**
+   * As the loop of the workbench does: what a listener throws is given to the advisor, here through the handler that
+   * knows it.
+   */
   private static void pump(Display display) {
     try {
       if (!display.readAndDispatch()) {

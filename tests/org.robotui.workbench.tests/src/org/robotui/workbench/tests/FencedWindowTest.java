@@ -33,7 +33,10 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.RuicState;
 import org.robotui.workbench.tests.healthy.HealthyView;
 
-/** A view of a bundle that misbehaves on the display thread of the real workbench, beside a healthy one. Runs on that thread. */
+/**
+ * A view of a bundle that misbehaves on the display thread of the real workbench, beside a healthy one. Runs on that
+ * thread.
+ */
 class FencedWindowTest {
   private static final Duration PATIENCE = Duration.ofSeconds(40);
   private static final String GATE = "org.robotui.tests.badwindow.gate";
@@ -114,7 +117,8 @@ class FencedWindowTest {
   private void assertTheOthersGoOn() {
     int ticks = joystick.ticks().get();
     until(() -> joystick.ticks().get() > ticks + 20, "the other goes on");
-    until(() -> healthy.controls().stream().anyMatch(c -> !c.isDisposed() && c.isVisible()), "the other view is still shown");
+    until(() -> healthy.controls().stream().anyMatch(c -> !c.isDisposed() && c.isVisible()),
+        "the other view is still shown");
     assertEquals(RuicState.SELECTED, status("good").state());
   }
 
@@ -190,7 +194,8 @@ class FencedWindowTest {
     int ticks = joystick.ticks().get();
     openTheGate();
     awaitAnswer();
-    assertTrue(joystick.ticks().get() > ticks + 100, "workers went on meanwhile, with " + (joystick.ticks().get() - ticks));
+    assertTrue(joystick.ticks().get() > ticks + 100,
+        "workers went on meanwhile, with " + (joystick.ticks().get() - ticks));
     until(rover::isMoving, "it moves again");
 
     assertTrue(rover.longestStandNanos() > 10_000_000_000L, "it stood still, for " + rover.longestStandNanos());
@@ -211,7 +216,8 @@ class FencedWindowTest {
   }
 
   private ComponentStatus status(String id) {
-    return host.ruics().getFirst().snapshot().components().stream().filter(c -> c.id().equals(id)).findFirst().orElseThrow();
+    return host.ruics().getFirst().snapshot().components().stream().filter(c -> c.id().equals(id)).findFirst()
+        .orElseThrow();
   }
 
   private static IWorkbenchWindow window() {
@@ -223,7 +229,8 @@ class FencedWindowTest {
   }
 
   private void until(BooleanSupplier condition, String what) {
-    Driver.until(PATIENCE, condition, () -> what + "; there is " + host.ruics().stream().map(Ruic::snapshot).toList() + alerts);
+    Driver.until(PATIENCE, condition,
+        () -> what + "; there is " + host.ruics().stream().map(Ruic::snapshot).toList() + alerts);
   }
 
   private static <S> S service(Class<S> type) {

@@ -86,7 +86,8 @@ class WorkbenchTest {
     assertEquals(2, widgets("ViewStack").size());
     Control left = VIEW.controls().get(VIEW.controls().size() - 2);
     Control right = VIEW.controls().getLast();
-    until(() -> Math.abs((double) left.getSize().x / right.getSize().x - 3) < 0.2, "the views have three parts and one part of the room");
+    until(() -> Math.abs((double) left.getSize().x / right.getSize().x - 3) < 0.2,
+        "the views have three parts and one part of the room");
   }
 
   @Test
@@ -186,7 +187,10 @@ class WorkbenchTest {
     until(() -> host.ruics().stream().anyMatch(r -> r.name().equals(name)), "the robot is there");
   }
 
-  /** Presses its row until core and the window have both taken it up: what the window shows at first may be the one of before. */
+  /**
+   * Presses its row until core and the window have both taken it up: what the window shows at first may be the one of
+   * before.
+   */
   private void select(String name) {
     until(() -> {
       boolean shown = robot().snapshot().state() == RuicState.SELECTED && widgets("ViewStack").size() == 2

@@ -25,8 +25,8 @@ import org.robotui.data.command.Motion;
 import org.robotui.data.command.MotionLimits;
 
 /**
- * Decides who may command one robot, and stops what must not go on. Deciding never blocks: sending is done by the senders of
- * the robot's interfaces. What depends on time happens in {@link #step}, which a thread of its own calls.
+ * Decides who may command one robot, and stops what must not go on. Deciding never blocks: sending is done by the
+ * senders of the robot's interfaces. What depends on time happens in {@link #step}, which a thread of its own calls.
  */
 public final class Arbiter implements Authority {
   private static final Duration LONGEST = Duration.ofHours(1);
@@ -41,7 +41,10 @@ public final class Arbiter implements Authority {
   private Optional<Principal> holder = Optional.empty();
   private Optional<Principal> stopper = Optional.empty();
   private Optional<LatchedStop> latched = Optional.empty();
-  /** Motion ports on which something was driven from here: their stop is ours to bring about, also when they were made anew. */
+  /**
+   * Motion ports on which something was driven from here: their stop is ours to bring about, also when they were made
+   * anew.
+   */
   private final Set<SourceId> driven = new HashSet<>();
 
   /**
@@ -184,7 +187,8 @@ public final class Arbiter implements Authority {
   }
 
   /**
-   * Stops what we move on these ports, before they close; they take no command after it. What we do not move is not touched.
+   * Stops what we move on these ports, before they close; they take no command after it. What we do not move is not
+   * touched.
    *
    * @return the ports on which something moved
    */
@@ -210,7 +214,7 @@ public final class Arbiter implements Authority {
   public synchronized long step() {
     long now = clock.nanos();
     long next = latched.map(l -> l.step(now, motionPorts(), streams())).orElse(Long.MAX_VALUE);
-    for (Iterator<Drive> all = drives.values().iterator(); all.hasNext(); ) {
+    for (Iterator<Drive> all = drives.values().iterator(); all.hasNext();) {
       Drive drive = all.next();
       if (drive.isMoving() && mustEnd(drive, now)) {
         end(drive, now);
@@ -317,7 +321,8 @@ public final class Arbiter implements Authority {
       moved = drives.values().stream().filter(Drive::isMoving).map(d -> d.target().id().toString()).sorted().toList();
     }
     stop(by);
-    String what = moved.isEmpty() ? "nothing was driven from here" : "what was driven from here: " + String.join(", ", moved);
+    String what =
+        moved.isEmpty() ? "nothing was driven from here" : "what was driven from here: " + String.join(", ", moved);
     return robot + " is stopped (" + before.map(b -> "it was already, by " + b.label()).orElse(what) + ")";
   }
 

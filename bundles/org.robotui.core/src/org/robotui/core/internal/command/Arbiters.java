@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The arbiters of all robots. The same robot in two RUICs has one arbiter; it is remembered when no RUIC has the robot any
- * more, so that a stop stays latched over a restart. Its thread lives only while a RUIC has the robot.
+ * The arbiters of all robots. The same robot in two RUICs has one arbiter; it is remembered when no RUIC has the robot
+ * any more, so that a stop stays latched over a restart. Its thread lives only while a RUIC has the robot.
  */
 public final class Arbiters implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Arbiters.class);

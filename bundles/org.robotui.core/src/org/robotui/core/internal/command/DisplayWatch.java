@@ -44,7 +44,10 @@ public final class DisplayWatch {
     return last.map(b -> Math.max(0, clock.nanos() - b.nanos())).orElse(0L);
   }
 
-  /** The longest silence that has ended since the last call: who looks now and then misses how long it was. For one caller. */
+  /**
+   * The longest silence that has ended since the last call: who looks now and then misses how long it was. For one
+   * caller.
+   */
   public long takeLongestSilenceNanos() {
     return longest.getAndSet(0);
   }

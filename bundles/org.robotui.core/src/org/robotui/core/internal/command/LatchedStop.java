@@ -8,8 +8,8 @@ import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.port.StreamSource;
 
 /**
- * A stop that stays: says zero to each motion port once, and again where that is called for. Ports on which we drove are told over a reconnection, and until
- * they take it; the others have to report motion. Guarded by its arbiter.
+ * A stop that stays: says zero to each motion port once, and again where that is called for. Ports on which we drove
+ * are told over a reconnection, and until they take it; the others have to report motion. Guarded by its arbiter.
  */
 final class LatchedStop {
   private static final long LOOK_NANOS = 100_000_000L;

@@ -8,8 +8,8 @@ import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
 
 /**
- * What one command port still has to send: a stop before all else, then the newest motion, then other commands in order. The
- * port makes it, and only its sender touches it, under the lock of the sender.
+ * What one command port still has to send: a stop before all else, then the newest motion, then other commands in
+ * order. The port makes it, and only its sender touches it, under the lock of the sender.
  */
 final class Outbox<T extends Data> {
   /** What a command is for. */
@@ -79,10 +79,14 @@ final class Outbox<T extends Data> {
     return others.size() < WAITING && others.add(pending);
   }
 
-  /** Puts a stop first; the motion that waited is never sent. A latched stop that waits is not replaced by the mere end of a motion. */
+  /**
+   * Puts a stop first; the motion that waited is never sent. A latched stop that waits is not replaced by the mere end
+   * of a motion.
+   */
   void stop(Pending<T> zero) {
     motion = Optional.empty();
-    stop = Optional.of(stop.filter(s -> zero.purpose() == Purpose.COMMAND && s.generation() == zero.generation()).orElse(zero));
+    stop = Optional
+        .of(stop.filter(s -> zero.purpose() == Purpose.COMMAND && s.generation() == zero.generation()).orElse(zero));
   }
 
   void clear() {

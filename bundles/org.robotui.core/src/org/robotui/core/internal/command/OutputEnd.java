@@ -62,7 +62,8 @@ public final class OutputEnd<T extends Data> implements Output<T> {
     Targets<T> now = targets;
     return now.all().stream().filter(t -> t.id().equals(target)).findFirst()
         .map(t -> t.arbiter().send(this, principal, t, command, validFor))
-        .orElseGet(() -> new CommandOutcome.Refused(CommandOutcome.Why.NOT_CONNECTED, target + " is not connected; " + now.reason()));
+        .orElseGet(() -> new CommandOutcome.Refused(CommandOutcome.Why.NOT_CONNECTED,
+            target + " is not connected; " + now.reason()));
   }
 
   @Override

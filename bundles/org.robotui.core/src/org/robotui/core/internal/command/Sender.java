@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The thread that sends the commands of one robot interface, so that one that hangs neither delays the arbiter nor the stop
- * of others. A port that hangs is fenced, and a new thread goes on with the others.
+ * The thread that sends the commands of one robot interface, so that one that hangs neither delays the arbiter nor the
+ * stop of others. A port that hangs is fenced, and a new thread goes on with the others.
  */
 public final class Sender implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Sender.class);
@@ -89,7 +89,9 @@ public final class Sender implements AutoCloseable {
     }
   }
 
-  /** Where there is no memory even for this, it is tried again: nobody else sends the stop, which the arbiter repeats. */
+  /**
+   * Where there is no memory even for this, it is tried again: nobody else sends the stop, which the arbiter repeats.
+   */
   private boolean sendNext() {
     try {
       Optional<Outbox<?>> next = next();

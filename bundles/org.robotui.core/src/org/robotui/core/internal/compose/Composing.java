@@ -51,7 +51,8 @@ public final class Composing implements Composition {
     this.wanted = wanted;
     this.services = services;
     this.began = services.clock().nanos();
-    ComponentConfig config = new ComponentConfig(wanted.id(), wanted.type(), wanted.title(), wanted.robot().isBlank() ? UNNAMED : wanted.robot(),
+    ComponentConfig config = new ComponentConfig(wanted.id(), wanted.type(), wanted.title(),
+        wanted.robot().isBlank() ? UNNAMED : wanted.robot(),
         services.check().written(wanted.settings()), "", 0, 0);
     this.robot = new LoneInterface(config, "new", services);
     this.drafting = new Drafting(configs, services.registry(), wanted,
@@ -71,7 +72,8 @@ public final class Composing implements Composition {
     List<ViewFit> views = ViewFits.of(uics(), haves, known ? new Supplier(wanted.id(), true, "") : supplier);
     List<PortStatus> ports = known ? haves.stream().map(Composing::offered).toList()
         : up ? robot.offers().stream().map(o -> o.status(services.clock())).toList() : List.of();
-    return new CompositionState(stage, sentence(stage, failure, haves.size()), robot.link(), ports, views, RuicFits.of(ruics(), views));
+    return new CompositionState(stage, sentence(stage, failure, haves.size()), robot.link(), ports, views,
+        RuicFits.of(ruics(), views));
   }
 
   private Stage stage(boolean failed, boolean up, boolean known, boolean settled) {
@@ -90,7 +92,8 @@ public final class Composing implements Composition {
       case FAILED -> failure.orElse("it cannot be started");
       case CONNECTING -> "connecting" + reason();
       case LOOKING -> ports + " ports so far; still looking for more";
-      case FOUND -> ports == 0 ? "connected, but the robot offers nothing; start its programs" : "connected; " + ports + " ports";
+      case FOUND -> ports == 0 ? "connected, but the robot offers nothing; start its programs"
+          : "connected; " + ports + " ports";
       case KNOWN -> "what this type always offers is known, so you can go on; the robot is not reached" + reason();
       case UNREACHED -> "not reached" + reason()
           + ". Start the robot's software, check address and port, and connect again; without it nobody knows what it offers";
@@ -103,7 +106,8 @@ public final class Composing implements Composition {
   }
 
   private static PortStatus offered(Have have) {
-    return new PortStatus(have.id(), have.port().kind(), have.port().typeName(), false, 0, 0, Double.NaN, false, 0, "", "");
+    return new PortStatus(have.id(), have.port().kind(), have.port().typeName(), false, 0, 0, Double.NaN, false, 0, "",
+        "");
   }
 
   private List<UicType> uics() {

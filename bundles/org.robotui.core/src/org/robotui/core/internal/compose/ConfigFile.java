@@ -23,7 +23,8 @@ record ConfigFile(Path path) {
     Path folder = folder();
     String name = Optional.ofNullable(path.getFileName()).map(Path::toString).orElse("");
     if (!name.endsWith(".yaml") && !name.endsWith(".yml")) {
-      return Optional.of("a configuration's name ends with .yaml; write " + (name.isEmpty() ? "robot" : name) + ".yaml");
+      return Optional
+          .of("a configuration's name ends with .yaml; write " + (name.isEmpty() ? "robot" : name) + ".yaml");
     }
     if (!Files.isDirectory(folder)) {
       return Optional.of("there is no folder " + folder + "; make it, or choose another one");

@@ -48,23 +48,27 @@ final class Drafting {
 
   CompositionText text(RuicDraft draft) {
     Optional<Refused> wrong = wrongName(draft.name()).map(why -> new Refused(Field.NAME, why))
-        .or(() -> draft.views().isEmpty() ? Optional.of(new Refused(Field.VIEWS, "choose at least one view")) : Optional.empty());
+        .or(() -> draft.views().isEmpty() ? Optional.of(new Refused(Field.VIEWS, "choose at least one view"))
+            : Optional.empty());
     Optional<RuicType> type = types.ruic(draft.ruic());
     if (wrong.isPresent()) {
       return wrong.get();
     }
     if (type.isEmpty()) {
-      return new Refused(Field.VIEWS, "no RUIC type '" + draft.ruic() + "' is installed; there are " + String.join(", ", types.ruicIds()));
+      return new Refused(Field.VIEWS,
+          "no RUIC type '" + draft.ruic() + "' is installed; there are " + String.join(", ", types.ruicIds()));
     }
     ConfigFile file = new ConfigFile(draft.file());
-    return file.obstacle().<CompositionText>map(why -> new Refused(Field.FILE, why)).orElseGet(() -> text(draft, type.get(), file));
+    return file.obstacle().<CompositionText>map(why -> new Refused(Field.FILE, why))
+        .orElseGet(() -> text(draft, type.get(), file));
   }
 
   private CompositionText text(RuicDraft draft, RuicType type, ConfigFile file) {
     Schema schema = types.rfic(robot.type()).map(t -> t.schema()).orElse(Schema.EMPTY);
     List<String> lines = new RuicText(draft, type, robot, schema).lines();
     try {
-      return file.isThere() ? added(draft, lines, file.read()) : checked(draft, Insertion.alone(lines), Optional.empty());
+      return file.isThere() ? added(draft, lines, file.read())
+          : checked(draft, Insertion.alone(lines), Optional.empty());
     } catch (IOException e) {
       return new Refused(Field.FILE, e.getMessage());
     }
@@ -77,10 +81,12 @@ final class Drafting {
       return new Refused(Field.FILE, "the file has an error, which comes first: " + error.get());
     }
     if (former.ruics().stream().anyMatch(r -> r.name().equals(draft.name()))) {
-      return new Refused(Field.NAME, "there is a '" + draft.name() + "' in " + draft.file().getFileName() + " already; choose another name");
+      return new Refused(Field.NAME,
+          "there is a '" + draft.name() + "' in " + draft.file().getFileName() + " already; choose another name");
     }
     return Insertion.into(before, lines).map(insertion -> checked(draft, insertion, Optional.of(former)))
-        .orElseGet(() -> new Refused(Field.FILE, draft.file() + ":" + Insertion.sectionLine(before) + ": 'ruics' stands in braces there, to which nothing can be"
+        .orElseGet(() -> new Refused(Field.FILE, draft.file() + ":" + Insertion.sectionLine(before)
+            + ": 'ruics' stands in braces there, to which nothing can be"
             + " added; write each robot UI in lines of its own below 'ruics:', without the braces, or choose a new file"));
   }
 
@@ -94,7 +100,8 @@ final class Drafting {
     List<String> before = former.stream().flatMap(f -> f.ruics().stream()).map(RuicConfig::name).toList();
     List<String> others = now.ruics().stream().map(RuicConfig::name).filter(n -> !n.equals(draft.name())).toList();
     if (!others.equals(before) || now.ruics().size() != before.size() + 1) {
-      return new Refused(Field.FILE, "nothing can be added to this file without changing what it says; choose a new file");
+      return new Refused(Field.FILE,
+          "nothing can be added to this file without changing what it says; choose a new file");
     }
     return new Text(draft.file(), insertion.whole(), insertion.added(), insertion.line(), former.isEmpty());
   }
@@ -110,7 +117,8 @@ final class Drafting {
     if (!name.equals(name.strip()) || name.length() > LONGEST || NO_NAME.matcher(name).find()) {
       return Optional.of("a name has at most " + LONGEST + " characters, no blanks at its ends, and none of / $ { }");
     }
-    return running.get().contains(name) ? Optional.of("a robot UI '" + name + "' runs already; choose another name") : Optional.empty();
+    return running.get().contains(name) ? Optional.of("a robot UI '" + name + "' runs already; choose another name")
+        : Optional.empty();
   }
 
   CompositionText write(RuicDraft draft, Text shown) {

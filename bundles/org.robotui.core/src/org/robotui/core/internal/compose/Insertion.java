@@ -7,7 +7,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Adds a RUIC to the text of a configuration and leaves every character of it as it is, but for empty braces in place of the RUICs.
+ * Adds a RUIC to the text of a configuration and leaves every character of it as it is, but for empty braces in place
+ * of the RUICs.
  *
  * @param whole the new text
  * @param added what is new in it, with whole lines
@@ -15,7 +16,8 @@ import java.util.stream.Collectors;
  */
 record Insertion(String whole, String added, int line) {
   private static final String SECTION = "ruics:";
-  private static final String HEAD = "# Written by New Robot UI from what the robot offered; docs/configuration.md explains every word.";
+  private static final String HEAD =
+      "# Written by New Robot UI from what the robot offered; docs/configuration.md explains every word.";
   private static final Pattern EMPTY = Pattern.compile("\\{\\s*}");
   private static final int USUAL_INDENT = 2;
 
@@ -43,7 +45,8 @@ record Insertion(String whole, String added, int line) {
     }
     int after = next(lines, section + 1);
     List<String> body = lines.subList(section + 1, after);
-    if (body.stream().filter(Insertion::isContent).findFirst().filter(l -> l.stripLeading().startsWith("{")).isPresent()) {
+    if (body.stream().filter(Insertion::isContent).findFirst().filter(l -> l.stripLeading().startsWith("{"))
+        .isPresent()) {
       return Optional.empty();
     }
     int indent = body.stream().filter(Insertion::isContent).findFirst().map(Insertion::indent).orElse(USUAL_INDENT);
@@ -99,7 +102,10 @@ record Insertion(String whole, String added, int line) {
     return at;
   }
 
-  /** Behind the last line before another one that says something; comments at the left belong to what follows, indented ones do not. */
+  /**
+   * Behind the last line before another one that says something; comments at the left belong to what follows, indented
+   * ones do not.
+   */
   private static int contentEnd(List<String> lines, int before) {
     int at = before;
     while (at > 0 && !isContent(lines.get(at - 1)) && (indent(lines.get(at - 1)) == 0 || lines.get(at - 1).isBlank())) {

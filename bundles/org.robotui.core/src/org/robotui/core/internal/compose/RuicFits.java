@@ -20,7 +20,8 @@ final class RuicFits {
 
   /** The best first. A type that needs settings is left out: nobody has been asked for them. */
   static List<RuicFit> of(List<RuicType> types, List<ViewFit> views) {
-    return types.stream().filter(t -> t.schema().settings().stream().noneMatch(Setting::required)).map(t -> of(t, views))
+    return types.stream().filter(t -> t.schema().settings().stream().noneMatch(Setting::required))
+        .map(t -> of(t, views))
         .sorted(Comparator.comparingDouble(RuicFit::score).reversed().thenComparing(RuicFit::label)).toList();
   }
 
@@ -29,7 +30,8 @@ final class RuicFits {
     Set<String> fitting = new HashSet<>();
     views.stream().filter(ViewFit::fits).map(ViewFit::type).forEach(fitting::add);
     long hits = brought.stream().filter(fitting::contains).count();
-    // High where a type brings most of what fits, and little else; a single view that fits is not the best, nor is everything.
+    // High where a type brings most of what fits, and little else; a single view that fits is not the best, nor is
+    // everything.
     double score = brought.isEmpty() || fitting.isEmpty() ? 0 : 2.0 * hits / (brought.size() + fitting.size());
     long empty = brought.size() - hits;
     String reason = "brings " + hits + " of the " + fitting.size() + " views that fit"

@@ -30,8 +30,10 @@ record RuicText(RuicDraft draft, RuicType type, InterfaceConfig robot, Schema sc
   /** The lines, the name without indentation. */
   List<String> lines() {
     List<String> brought = RuicFits.layout(type).views();
-    Optional<Setting> single = brought.size() == 1 && draft.views().size() == 1 ? viewSetting(brought.getFirst()) : Optional.empty();
-    List<String> lines = new ArrayList<>(List.of(YamlWords.text(draft.name()) + ":", "  type: " + YamlWords.text(type.id())));
+    Optional<Setting> single =
+        brought.size() == 1 && draft.views().size() == 1 ? viewSetting(brought.getFirst()) : Optional.empty();
+    List<String> lines =
+        new ArrayList<>(List.of(YamlWords.text(draft.name()) + ":", "  type: " + YamlWords.text(type.id())));
     lines.add("  rfics:");
     lines.addAll(rfic());
     if (single.isPresent()) {
@@ -41,7 +43,8 @@ record RuicText(RuicDraft draft, RuicType type, InterfaceConfig robot, Schema sc
     }
     if (!draft.connections().isEmpty()) {
       lines.add("  connect:");
-      draft.connections().forEach((port, peer) -> lines.add("    " + YamlWords.text(port.toString()) + ": " + YamlWords.text(peer.toString())));
+      draft.connections().forEach(
+          (port, peer) -> lines.add("    " + YamlWords.text(port.toString()) + ": " + YamlWords.text(peer.toString())));
     }
     return lines;
   }
@@ -53,7 +56,8 @@ record RuicText(RuicDraft draft, RuicType type, InterfaceConfig robot, Schema sc
 
   /** The setting by which a type takes the one view that it brings. */
   private Optional<Setting> viewSetting(String brought) {
-    return type.schema().settings().stream().filter(s -> s.type() instanceof ValueType.Text && s.fallback().filter(brought::equals).isPresent())
+    return type.schema().settings().stream()
+        .filter(s -> s.type() instanceof ValueType.Text && s.fallback().filter(brought::equals).isPresent())
         .findFirst();
   }
 

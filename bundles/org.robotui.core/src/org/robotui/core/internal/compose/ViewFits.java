@@ -21,7 +21,10 @@ import org.robotui.core.internal.match.Matcher;
 import org.robotui.core.internal.match.Supplier;
 import org.robotui.core.internal.match.Want;
 
-/** Says of types of views how well they fit what a robot offers. A pure function: the same matcher as for a RUIC that runs. */
+/**
+ * Says of types of views how well they fit what a robot offers. A pure function: the same matcher as for a RUIC that
+ * runs.
+ */
 final class ViewFits {
   private static final int NAMED = 3;
 
@@ -37,12 +40,15 @@ final class ViewFits {
     List<Port> ports = type.ports();
     List<Want> wants = ports.stream().map(p -> new Want(new SourceId(type.id(), p.name()), p)).toList();
     List<Match> matches = Matcher.match(wants, haves, List.of(supplier), Map.of());
-    List<Match> needed = IntStream.range(0, ports.size()).filter(i -> isNeeded(ports.get(i))).mapToObj(matches::get).toList();
+    List<Match> needed =
+        IntStream.range(0, ports.size()).filter(i -> isNeeded(ports.get(i))).mapToObj(matches::get).toList();
     Fit fit = fit(ports.isEmpty(), needed, matches);
     return new ViewFit(type.id(), type.label(), type.help(), fit, reason(fit, needed, matches), matches);
   }
 
-  /** Without these the view has nothing to show: what it declares as one, and the browsers and calls by which it looks. */
+  /**
+   * Without these the view has nothing to show: what it declares as one, and the browsers and calls by which it looks.
+   */
   private static boolean isNeeded(Port port) {
     boolean asks = port.kind() == PortKind.BROWSE || port.kind() == PortKind.CALL;
     return port.arity() == Arity.ONE || asks && port.arity() != Arity.OPTIONAL;
@@ -71,7 +77,8 @@ final class ViewFits {
       case CONNECTED -> all.isEmpty() ? "needs no port of the robot" : connected(all);
       case AMBIGUOUS -> all.stream().filter(is(MatchState.AMBIGUOUS))
           .map(m -> m.port().port() + ": " + m.candidates().size() + " ports fit").collect(Collectors.joining("; "));
-      case PENDING, MISSING -> (needed.isEmpty() ? all : needed).stream().filter(m -> !isThere(m)).findFirst().map(Match::reason).orElse("");
+      case PENDING, MISSING -> (needed.isEmpty() ? all : needed).stream().filter(m -> !isThere(m)).findFirst()
+          .map(Match::reason).orElse("");
     };
   }
 

@@ -9,7 +9,8 @@ import org.robotui.api.config.ValueType;
 /** Writes values as YAML, in one line, such that they are read as what they are. */
 final class YamlWords {
   /** What is safe without quotes, also within braces and brackets. */
-  private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./~][A-Za-z0-9_./@%+=*~:-]*(?: [A-Za-z0-9_./@%+=~-]+)*");
+  private static final Pattern PLAIN =
+      Pattern.compile("[A-Za-z0-9_./~][A-Za-z0-9_./@%+=*~:-]*(?: [A-Za-z0-9_./@%+=~-]+)*");
   private static final Pattern NUMBER = Pattern.compile("[-+]?(\\.[0-9]+|[0-9][0-9_]*(\\.[0-9]*)?)([eE][-+]?[0-9]+)?");
   private static final Pattern RESERVED = Pattern.compile("(?i)~|null|true|false|yes|no|on|off|none|y|n");
 
@@ -17,7 +18,8 @@ final class YamlWords {
 
   /** A text, such as a name or a port. */
   static String text(String text) {
-    boolean plain = PLAIN.matcher(text).matches() && !text.endsWith(":") && !text.contains(": ") && !RESERVED.matcher(text).matches()
+    boolean plain = PLAIN.matcher(text).matches() && !text.endsWith(":") && !text.contains(": ")
+        && !RESERVED.matcher(text).matches()
         && !NUMBER.matcher(text).matches();
     return plain ? text : quoted(text);
   }
@@ -26,7 +28,8 @@ final class YamlWords {
   static String value(Object value, ValueType type) {
     return switch (value) {
       case List<?> list -> list.stream().map(v -> value(v, element(type))).collect(Collectors.joining(", ", "[", "]"));
-      case Map<?, ?> map -> map.entrySet().stream().map(e -> text(e.getKey().toString()) + ": " + value(e.getValue(), member(type, e.getKey().toString())))
+      case Map<?, ?> map -> map.entrySet().stream()
+          .map(e -> text(e.getKey().toString()) + ": " + value(e.getValue(), member(type, e.getKey().toString())))
           .collect(Collectors.joining(", ", "{", "}"));
       case String text -> takesText(type) || !NUMBER.matcher(text).matches() ? text(text) : text;
       default -> value.toString();
@@ -59,7 +62,8 @@ final class YamlWords {
       case ValueType.Section section -> section.schema().find(name).map(s -> s.type()).orElse(type);
       case ValueType.WithPlace placed -> member(placed.value(), name);
       case ValueType.AnyOf any -> any.alternatives().stream()
-          .filter(t -> t instanceof ValueType.MapOf || t instanceof ValueType.Section).findFirst().map(t -> member(t, name)).orElse(type);
+          .filter(t -> t instanceof ValueType.MapOf || t instanceof ValueType.Section).findFirst()
+          .map(t -> member(t, name)).orElse(type);
       default -> type;
     };
   }

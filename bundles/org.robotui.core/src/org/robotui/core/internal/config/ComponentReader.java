@@ -47,7 +47,8 @@ final class ComponentReader {
       String type = text(section, "type").orElse(brought.views().mayHave(entry.key()) ? "" : entry.key());
       YamlValue.Section own = section.without(List.of("type", "title"));
       // That a product lacks a view which the robot UI brings along is no mistake of the file.
-      Optional<String> judged = type.isEmpty() ? brought.typeOf(entry.key()).filter(t -> types.uic(t).isPresent()) : Optional.of(type);
+      Optional<String> judged =
+          type.isEmpty() ? brought.typeOf(entry.key()).filter(t -> types.uic(t).isPresent()) : Optional.of(type);
       judged.ifPresent(t -> check(types.uic(t), t, "view", types.uicIds(), section, own));
       return component(entry, type, text(section, "title").orElse(""), "", own);
     });
@@ -90,7 +91,9 @@ final class ComponentReader {
   private static List<Problem> faults(ComponentType type, Settings settings, Place at) {
     try {
       return type.faults(settings).stream()
-          .map(f -> (f.file().isEmpty() ? at : new Place(f.file(), f.line(), f.column(), at.robot())).error(f.message())).toList();
+          .map(
+              f -> (f.file().isEmpty() ? at : new Place(f.file(), f.line(), f.column(), at.robot())).error(f.message()))
+          .toList();
     } catch (RuntimeException | LinkageError e) {
       return List.of(at.error("'" + type.id() + "' cannot judge these settings: " + e));
     }

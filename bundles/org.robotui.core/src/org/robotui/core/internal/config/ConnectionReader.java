@@ -48,7 +48,8 @@ final class ConnectionReader {
     }
     String component = text.substring(0, dot);
     if (!components.mayHave(component)) {
-      problems.add(place.error("there is no " + what + " '" + component + "'" + NearestWord.hint(component, components.ids())));
+      problems.add(
+          place.error("there is no " + what + " '" + component + "'" + NearestWord.hint(component, components.ids())));
       return Optional.empty();
     }
     return Optional.of(new SourceId(component, text.substring(dot + 1)));

@@ -57,8 +57,9 @@ final class ForNames {
     int last = Integer.parseInt(range.group(4));
     boolean same = range.group(3).isEmpty() || range.group(3).equals(prefix);
     if (!same || last < first || last - first >= MOST) {
-      wrong(place, "'" + range.group() + "' is no range: write the same name with a smaller and a larger number, at most "
-          + MOST + " of them, such as " + prefix + "1.." + prefix + "50");
+      wrong(place,
+          "'" + range.group() + "' is no range: write the same name with a smaller and a larger number, at most "
+              + MOST + " of them, such as " + prefix + "1.." + prefix + "50");
       return;
     }
     int width = range.group(2).startsWith("0") ? range.group(2).length() : 1;

@@ -59,7 +59,8 @@ final class FramesReader {
     if (cut > 0 && cut < written.length() - 1) {
       return Optional.of(new FrameId(written.substring(0, cut), written.substring(cut + 1)));
     }
-    section.get(key).ifPresent(v -> problems.add(v.place().error("'" + written + "' is no frame; write robot/frame, for example Natalie/map")));
+    section.get(key).ifPresent(v -> problems
+        .add(v.place().error("'" + written + "' is no frame; write robot/frame, for example Natalie/map")));
     return Optional.empty();
   }
 }

@@ -7,8 +7,8 @@ import org.robotui.api.host.Problem;
 import org.robotui.api.layout.Layout;
 
 /**
- * Reads a layout: the id of a view, {@code tabs: [ids]}, or {@code row:} or {@code column:} with a list of layouts, each
- * with an optional {@code weight}. A view with a weight is {@code {view: id, weight: 2}}.
+ * Reads a layout: the id of a view, {@code tabs: [ids]}, or {@code row:} or {@code column:} with a list of layouts,
+ * each with an optional {@code weight}. A view with a weight is {@code {view: id, weight: 2}}.
  */
 final class LayoutReader {
   private static final List<String> KINDS = List.of("view", "tabs", "row", "column");
@@ -39,8 +39,8 @@ final class LayoutReader {
 
   private Optional<String> viewId(YamlValue value) {
     Optional<String> id = Shape.text(value, "a view", problems);
-    id.filter(i -> !views.mayHave(i)).ifPresent(i ->
-        problems.add(value.place().error("there is no view '" + i + "'" + NearestWord.hint(i, views.ids()))));
+    id.filter(i -> !views.mayHave(i)).ifPresent(
+        i -> problems.add(value.place().error("there is no view '" + i + "'" + NearestWord.hint(i, views.ids()))));
     return id.filter(views::mayHave);
   }
 
@@ -86,7 +86,8 @@ final class LayoutReader {
 
   private void named(YamlValue value, String what) {
     if (Shape.items(value).isEmpty()) {
-      problems.add(value.place().error(what + " names no view; write at least one, for example [" + views.any().orElse("map") + "]"));
+      problems.add(value.place()
+          .error(what + " names no view; write at least one, for example [" + views.any().orElse("map") + "]"));
     }
   }
 

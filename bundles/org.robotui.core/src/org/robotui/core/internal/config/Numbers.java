@@ -13,7 +13,8 @@ final class Numbers {
 
   /** A finite number. */
   static Optional<Double> decimal(String text) {
-    return DECIMAL.matcher(text).matches() ? Optional.of(Double.valueOf(text)).filter(Double::isFinite) : Optional.empty();
+    return DECIMAL.matcher(text).matches() ? Optional.of(Double.valueOf(text)).filter(Double::isFinite)
+        : Optional.empty();
   }
 
   /** A whole number of 64 bits. */

@@ -46,7 +46,8 @@ final class Repeated {
     if (same.size() == 1 || behind(first.message()).isEmpty()) {
       return same;
     }
-    String message = first.message().substring(0, first.message().length() - 1) + " and " + (same.size() - 1) + " more)";
+    String message =
+        first.message().substring(0, first.message().length() - 1) + " and " + (same.size() - 1) + " more)";
     return List.of(new Problem(kind.file(), kind.line(), kind.column(), first.severity(), message));
   }
 }

@@ -19,7 +19,8 @@ import org.robotui.data.geometry.FrameTransform;
 
 /** Reads one RUIC. */
 final class RuicReader {
-  private static final List<String> OWN = List.of("type", "start", "rfics", "frames", "without", "uics", "connect", "layout", "safety");
+  private static final List<String> OWN =
+      List.of("type", "start", "rfics", "frames", "without", "uics", "connect", "layout", "safety");
 
   private static final String AT_ONCE = "at_once";
   private static final String SHOWN = "when_shown";
@@ -59,7 +60,8 @@ final class RuicReader {
     List<FrameTransform> frames = section.get("frames").map(new FramesReader(problems)::read).orElse(List.of());
     boolean startsShown = section.get("start").map(this::startsShown).orElse(false);
     Place at = entry.place();
-    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, without, uics, connections, layout, safety, frames, startsShown);
+    return new RuicConfig(name, at.file(), at.line(), at.column(), type, raw, rfics, without, uics, connections, layout,
+        safety, frames, startsShown);
   }
 
   private List<String> without(YamlValue value, Known ofType) {
@@ -68,7 +70,8 @@ final class RuicReader {
       Shape.text(item, "'without'", "the id of a view of the type", problems).ifPresent(id -> {
         left.add(id);
         if (!ofType.mayHave(id)) {
-          problems.add(item.place().error("the type brings no view '" + id + "' that could be left out" + NearestWord.hint(id, ofType.ids())));
+          problems.add(item.place().error(
+              "the type brings no view '" + id + "' that could be left out" + NearestWord.hint(id, ofType.ids())));
         }
       });
     }
@@ -137,16 +140,19 @@ final class RuicReader {
   private void uniqueIds(List<ComponentConfig> rfics, List<ComponentConfig> uics) {
     Set<String> taken = Set.copyOf(ids(rfics));
     uics.stream().filter(u -> taken.contains(u.id())).forEach(u -> problems.add(
-        new Place(u.file(), u.line(), u.column()).error("'" + u.id() + "' names a robot interface already; choose another")));
+        new Place(u.file(), u.line(), u.column())
+            .error("'" + u.id() + "' names a robot interface already; choose another")));
   }
 
   private void needed(YamlValue.Entry entry, String type, List<ComponentConfig> rfics, Set<String> views) {
     if (rfics.isEmpty()) {
-      problems.add(entry.place().error("'" + entry.key() + "' has no robot interface; write rfics: {base: {type: ros}}"));
+      problems
+          .add(entry.place().error("'" + entry.key() + "' has no robot interface; write rfics: {base: {type: ros}}"));
     }
     if (type.isEmpty() && views.isEmpty()) {
       problems.add(entry.place().error(
-          "'" + entry.key() + "' has nothing to show; write type: " + String.join(" or ", types.ruicIds()) + ", or uics:"));
+          "'" + entry.key() + "' has nothing to show; write type: " + String.join(" or ", types.ruicIds())
+              + ", or uics:"));
     }
   }
 

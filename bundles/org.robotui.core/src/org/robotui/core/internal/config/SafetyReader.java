@@ -53,7 +53,8 @@ final class SafetyReader {
 
   Map<String, SafetyConfig> read(YamlValue.Section section, List<ComponentConfig> rfics) {
     Map<String, SafetyConfig> read = new LinkedHashMap<>();
-    Shape.onlyKeys(section, rfics.stream().map(ComponentConfig::robot).distinct().toList(), "is no robot of this RUIC", problems);
+    Shape.onlyKeys(section, rfics.stream().map(ComponentConfig::robot).distinct().toList(), "is no robot of this RUIC",
+        problems);
     for (YamlValue.Entry entry : section.entries()) {
       Shape.section(entry.value(), "the safety of '" + entry.key() + "'", problems)
           .ifPresent(s -> read.put(entry.key(), safety(entry, new ValueReader(problems).settings(s, SAFETY), rfics)));
@@ -87,12 +88,14 @@ final class SafetyReader {
       List<String> ids = own.stream().map(ComponentConfig::id).toList();
       boolean foreign = rfics.stream().anyMatch(c -> c.id().equals(id));
       problems.add(at.error((foreign ? "the robot interface '" + id + "' does not speak to '" + robot + "'"
-          : "there is no robot interface '" + id + "'") + ", so the stop of '" + robot + "' would not call it" + NearestWord.hint(id, ids)));
+          : "there is no robot interface '" + id + "'") + ", so the stop of '" + robot + "' would not call it"
+          + NearestWord.hint(id, ids)));
       return Optional.empty();
     }
     Placed port = settings.placed("port");
     types.rfic(callee.get().type()).ifPresent(type -> hasPort(type, port, at));
-    return Optional.of(new StopCall(new SourceId(id, port.value().toString()), new ServiceRequest(settings.text("service"), Map.of())));
+    return Optional.of(new StopCall(new SourceId(id, port.value().toString()),
+        new ServiceRequest(settings.text("service"), Map.of())));
   }
 
   /** A type that has ports for services has no others; one that has none may still offer some while it runs. */
@@ -101,8 +104,9 @@ final class SafetyReader {
     Place place = port.file().isEmpty() ? at : Place.of(port, at.robot());
     String name = port.value().toString();
     if (known.isEmpty()) {
-      problems.add(place.warning("no robot interface of the type '" + type.id() + "' is known to call services: unless it offers the port '"
-          + name + "' while it runs, the stop does not reach the robot this way"));
+      problems.add(place.warning(
+          "no robot interface of the type '" + type.id() + "' is known to call services: unless it offers the port '"
+              + name + "' while it runs, the stop does not reach the robot this way"));
     } else if (!known.contains(name)) {
       problems.add(place.error("robot interfaces of the type '" + type.id() + "' have no port '" + name
           + "' that calls services, so the stop would not reach the robot" + NearestWord.hint(name, known)));

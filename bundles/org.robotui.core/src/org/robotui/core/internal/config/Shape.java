@@ -28,7 +28,8 @@ final class Shape {
   }
 
   static Optional<String> text(YamlValue value, String what, String expected, List<Problem> problems) {
-    return value instanceof YamlValue.Scalar s && !s.isEmpty() ? Optional.of(s.text()) : wrong(value, what, expected, problems);
+    return value instanceof YamlValue.Scalar s && !s.isEmpty() ? Optional.of(s.text())
+        : wrong(value, what, expected, problems);
   }
 
   /** A share of the room, in relation to those beside it. */
@@ -52,7 +53,8 @@ final class Shape {
   static void onlyKeys(YamlValue.Section section, Collection<String> keys, String where, List<Problem> problems) {
     section.entries().stream()
         .filter(e -> !keys.contains(e.key()))
-        .forEach(e -> problems.add(e.place().error("unknown word '" + e.key() + "' " + where + NearestWord.hint(e.key(), keys))));
+        .forEach(e -> problems
+            .add(e.place().error("unknown word '" + e.key() + "' " + where + NearestWord.hint(e.key(), keys))));
   }
 
   private static <T> Optional<T> wrong(YamlValue value, String what, String expected, List<Problem> problems) {

@@ -70,7 +70,8 @@ final class ValueReader {
     }
     String text = scalar.get().text();
     Optional<String> fault = type.fault(text);
-    fault.ifPresent(f -> problems.add(value.place().error(mismatch(value, type, name) + (f.isEmpty() ? "" : "; " + f))));
+    fault
+        .ifPresent(f -> problems.add(value.place().error(mismatch(value, type, name) + (f.isEmpty() ? "" : "; " + f))));
     return fault.isEmpty() ? Optional.of(text) : Optional.empty();
   }
 
@@ -117,7 +118,8 @@ final class ValueReader {
       return wrong(value, type, name);
     }
     Map<String, Object> read = new LinkedHashMap<>();
-    section.entries().forEach(e -> read(e.value(), type.value(), name + "." + e.key()).ifPresent(v -> read.put(e.key(), v)));
+    section.entries()
+        .forEach(e -> read(e.value(), type.value(), name + "." + e.key()).ifPresent(v -> read.put(e.key(), v)));
     return Optional.of(java.util.Collections.unmodifiableMap(read));
   }
 

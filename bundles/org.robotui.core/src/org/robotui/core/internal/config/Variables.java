@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 import org.robotui.api.host.Problem;
 
 /**
- * Replaces {@code ${NAME}} and {@code ${NAME:-fallback}} by environment variables; within a template {@code ${robot}} and
- * {@code ${number}} by those for whom it is formed.
+ * Replaces {@code ${NAME}} and {@code ${NAME:-fallback}} by environment variables; within a template {@code ${robot}}
+ * and {@code ${number}} by those for whom it is formed.
  */
 final class Variables {
   private static final Pattern VARIABLE = Pattern.compile("\\$\\{([A-Za-z_][A-Za-z0-9_]*)(?::-([^}]*))?}");
@@ -37,7 +37,8 @@ final class Variables {
 
   private static String missing(String name, Place place, List<Problem> problems) {
     if (TEMPLATE.contains(name)) {
-      problems.add(place.error("${" + name + "} stands for a name only in a section that says 'for:', such as  for: r1..r50"));
+      problems.add(
+          place.error("${" + name + "} stands for a name only in a section that says 'for:', such as  for: r1..r50"));
       return "";
     }
     problems.add(

@@ -42,7 +42,8 @@ final class WindowsReader {
       case YamlValue.Scalar s -> ruic(s).map(name -> new WindowConfig(file, name, 1));
       case YamlValue.Section s -> section(s);
       case YamlValue.Items i -> {
-        problems.add(i.place().error("a window shows one RUIC: write its name, or {show: name, weight: 2}, not a list"));
+        problems
+            .add(i.place().error("a window shows one RUIC: write its name, or {show: name, weight: 2}, not a list"));
         yield Optional.empty();
       }
     };
@@ -61,11 +62,11 @@ final class WindowsReader {
 
   private Optional<String> ruic(YamlValue value) {
     Optional<String> name = Shape.text(value, "a window", "the name of a RUIC, such as " + example(), problems);
-    name.filter(n -> !ruics.contains(n)).ifPresent(n ->
-        problems.add(value.place().error("there is no RUIC '" + n + "' for a window" + NearestWord.hint(n, ruics))));
+    name.filter(n -> !ruics.contains(n)).ifPresent(n -> problems
+        .add(value.place().error("there is no RUIC '" + n + "' for a window" + NearestWord.hint(n, ruics))));
     Optional<String> known = name.filter(ruics::contains);
-    known.filter(n -> !shown.add(n)).ifPresent(n ->
-        problems.add(value.place().error("'" + n + "' has a window already; a RUIC is shown in one at a time")));
+    known.filter(n -> !shown.add(n)).ifPresent(
+        n -> problems.add(value.place().error("'" + n + "' has a window already; a RUIC is shown in one at a time")));
     return known;
   }
 }

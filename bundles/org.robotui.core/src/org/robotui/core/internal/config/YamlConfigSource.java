@@ -34,7 +34,8 @@ public final class YamlConfigSource implements ConfigSource {
   @Override
   public ConfigResult read(Path file, TypeLookup types) {
     List<Problem> problems = new ArrayList<>();
-    return text(file, problems).map(text -> read(file, text, types)).orElseGet(() -> new ConfigResult(problems, List.of(), List.of()));
+    return text(file, problems).map(text -> read(file, text, types))
+        .orElseGet(() -> new ConfigResult(problems, List.of(), List.of()));
   }
 
   @Override
@@ -43,13 +44,16 @@ public final class YamlConfigSource implements ConfigSource {
     List<RuicConfig> ruics = new ArrayList<>();
     List<WindowConfig> windows = new ArrayList<>();
     try {
-      YamlFile.parse(file.toString(), text, variables, problems).flatMap(root -> Shape.section(root, "a configuration", problems))
+      YamlFile.parse(file.toString(), text, variables, problems)
+          .flatMap(root -> Shape.section(root, "a configuration", problems))
           .ifPresent(root -> {
             readRuics(root, types, problems, ruics);
             root.get("windows").ifPresent(v -> windows.addAll(new WindowsReader(file, names(root), problems).read(v)));
           });
     } catch (Mistakes.TooMany e) {
-      return new ConfigResult(Stream.concat(Stream.of(whole(file, "the file has " + e.getMessage())), problems.stream()).toList(), List.of(), List.of());
+      return new ConfigResult(
+          Stream.concat(Stream.of(whole(file, "the file has " + e.getMessage())), problems.stream()).toList(),
+          List.of(), List.of());
     }
     boolean spoilt = problems.stream().anyMatch(YamlConfigSource::spoilsAll);
     return new ConfigResult(Repeated.merged(problems), spoilt ? List.of() : ruics, spoilt ? List.of() : windows);
@@ -64,7 +68,8 @@ public final class YamlConfigSource implements ConfigSource {
     try {
       return Optional.of(Configuration.read(file));
     } catch (IOException e) {
-      problems.add(whole(file, Files.exists(file) ? "the file " + e.getMessage() : "there is no such file" + neighbours(file)));
+      problems.add(
+          whole(file, Files.exists(file) ? "the file " + e.getMessage() : "there is no such file" + neighbours(file)));
       return Optional.empty();
     }
   }
@@ -83,7 +88,8 @@ public final class YamlConfigSource implements ConfigSource {
     }
   }
 
-  private static void readRuics(YamlValue.Section root, TypeLookup types, List<Problem> problems, List<RuicConfig> ruics) {
+  private static void readRuics(YamlValue.Section root, TypeLookup types, List<Problem> problems,
+      List<RuicConfig> ruics) {
     Shape.onlyKeys(root, KEYS, "at the top of a configuration", problems);
     Optional<YamlValue.Section> written = Shape.required(root, "ruics", "names with a section each", problems)
         .flatMap(v -> Shape.section(v, "'ruics'", problems));
@@ -92,11 +98,13 @@ public final class YamlConfigSource implements ConfigSource {
 
   /** Also of those that have errors. */
   private static List<String> names(YamlValue.Section root) {
-    return root.get("ruics").stream().flatMap(v -> v instanceof YamlValue.Section s ? s.entries().stream() : Stream.empty())
+    return root.get("ruics").stream()
+        .flatMap(v -> v instanceof YamlValue.Section s ? s.entries().stream() : Stream.empty())
         .map(YamlValue.Entry::key).toList();
   }
 
-  private static void readRuic(YamlValue.Entry entry, TypeLookup types, List<Problem> problems, List<RuicConfig> ruics) {
+  private static void readRuic(YamlValue.Entry entry, TypeLookup types, List<Problem> problems,
+      List<RuicConfig> ruics) {
     List<Problem> own = new Mistakes();
     Optional<RuicConfig> ruic = new RuicReader(types, own).read(entry);
     problems.addAll(own);

@@ -24,8 +24,8 @@ import org.yaml.snakeyaml.nodes.SequenceNode;
 import org.yaml.snakeyaml.reader.ReaderException;
 
 /**
- * Parses one YAML text into values with places. A section or an element of a list that says {@code for:} is a template, in whose place
- * stands what is formed of it. No tag constructs anything; depth and size are bounded.
+ * Parses one YAML text into values with places. A section or an element of a list that says {@code for:} is a template,
+ * in whose place stands what is formed of it. No tag constructs anything; depth and size are bounded.
  */
 final class YamlFile {
   private static final int MAX_DEPTH = 40;
@@ -55,7 +55,8 @@ final class YamlFile {
   private Optional<YamlValue> parse(String text) {
     try {
       Optional<Node> root = Optional.ofNullable(new Yaml(limits()).compose(new StringReader(text)));
-      return root.map(node -> value(node, 0, Formed.NONE)).or(() -> Optional.of(new YamlValue.Section(List.of(), new Place(file, 1, 1))));
+      return root.map(node -> value(node, 0, Formed.NONE))
+          .or(() -> Optional.of(new YamlValue.Section(List.of(), new Place(file, 1, 1))));
     } catch (MarkedYAMLException e) {
       Place at = Optional.ofNullable(e.getProblemMark()).map(this::place).orElse(new Place(file, 1, 1));
       problems.add(at.error("this is no YAML: " + Printable.of(String.valueOf(e.getProblem()))));
@@ -92,7 +93,8 @@ final class YamlFile {
   private String text(ScalarNode node, Formed formed) {
     Place place = place(node, formed);
     if (node.getValue().length() > TextRule.LONGEST) {
-      problems.add(place.error("a text of " + node.getValue().length() + " characters is too long; write at most " + TextRule.LONGEST));
+      problems.add(place.error(
+          "a text of " + node.getValue().length() + " characters is too long; write at most " + TextRule.LONGEST));
       return Printable.beginning(node.getValue(), SHOWN);
     }
     String text = variables.replaceIn(node.getValue(), formed.words(), place, problems);
@@ -146,7 +148,8 @@ final class YamlFile {
     }
     MappingNode template = (MappingNode) node;
     List<NodeTuple> rest = template.getValue().stream().filter(t -> t != names.get()).toList();
-    Node body = new MappingNode(template.getTag(), true, rest, template.getStartMark(), template.getEndMark(), template.getFlowStyle());
+    Node body = new MappingNode(template.getTag(), true, rest, template.getStartMark(), template.getEndMark(),
+        template.getFlowStyle());
     ForNames who = new ForNames(problems);
     Node written = names.get().getValueNode();
     List<Node> each = written instanceof SequenceNode s ? s.getValue() : List.of(written);

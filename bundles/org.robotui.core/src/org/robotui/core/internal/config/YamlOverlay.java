@@ -50,7 +50,7 @@ public final class YamlOverlay implements OverlayFile {
     switch (value) {
       case Map<?, ?> map -> map.values().forEach(v -> bounded(v, depth + 1));
       case List<?> list -> list.forEach(v -> bounded(v, depth + 1));
-      case null, default -> { }
+      case null, default -> {}
     }
   }
 
@@ -64,7 +64,7 @@ public final class YamlOverlay implements OverlayFile {
       Files.writeString(fresh, yaml().dump(root));
       Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     } finally {
-      Files.deleteIfExists(fresh);        // where the disk is full
+      Files.deleteIfExists(fresh); // where the disk is full
     }
   }
 
@@ -78,7 +78,8 @@ public final class YamlOverlay implements OverlayFile {
   private static Map<String, Object> written(Overlay overlay) {
     Map<String, String> connections = new TreeMap<>();
     overlay.connections().forEach((port, peer) -> connections.put(port.toString(), peer.toString()));
-    Map<String, Object> written = new TreeMap<>(Map.of("settings", new TreeMap<>(overlay.settings()), "connect", connections));
+    Map<String, Object> written =
+        new TreeMap<>(Map.of("settings", new TreeMap<>(overlay.settings()), "connect", connections));
     if (!overlay.interfaces().isEmpty()) {
       Map<String, Object> interfaces = new TreeMap<>();
       overlay.interfaces().forEach((id, chosen) -> interfaces.put(id, written(chosen)));
@@ -100,14 +101,16 @@ public final class YamlOverlay implements OverlayFile {
     Map<String, Map<String, Object>> settings = new LinkedHashMap<>();
     map(value.getOrDefault("settings", Map.of())).forEach((view, values) -> settings.put(view, asKept(map(values))));
     Map<SourceId, SourceId> connections = new LinkedHashMap<>();
-    map(value.getOrDefault("connect", Map.of())).forEach((port, peer) -> connections.put(port(port), port(peer.toString())));
+    map(value.getOrDefault("connect", Map.of()))
+        .forEach((port, peer) -> connections.put(port(port), port(peer.toString())));
     Map<String, ChosenInterface> interfaces = new LinkedHashMap<>();
     map(value.getOrDefault("rfics", Map.of())).forEach((id, chosen) -> interfaces.put(id, chosen(map(chosen))));
     return new Overlay(settings, connections, interfaces);
   }
 
   private static ChosenInterface chosen(Map<String, Object> value) {
-    return new ChosenInterface(text(value, "type"), text(value, "robot"), asKept(map(value.getOrDefault("settings", Map.of()))),
+    return new ChosenInterface(text(value, "type"), text(value, "robot"),
+        asKept(map(value.getOrDefault("settings", Map.of()))),
         text(value, "instead_of"));
   }
 

@@ -10,8 +10,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A foreign browser: what it throws is told to the view that asks as a failed answer with its origin, so that nobody takes the
- * view for the one that failed.
+ * A foreign browser: what it throws is told to the view that asks as a failed answer with its origin, so that nobody
+ * takes the view for the one that failed.
  *
  * @param browser the foreign one
  * @param origin names bundle and class

@@ -7,7 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A foreign handler of calls: what it throws fails the call at once, with its origin, instead of leaving it to its time-out.
+ * A foreign handler of calls: what it throws fails the call at once, with its origin, instead of leaving it to its
+ * time-out.
  *
  * @param <Q> requests
  * @param <R> replies

@@ -7,8 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A foreign sink that only ever answers: what it throws is a refusal that names its origin, so that the sender's thread lives
- * on and can still send a stop.
+ * A foreign sink that only ever answers: what it throws is a refusal that names its origin, so that the sender's thread
+ * lives on and can still send a stop.
  *
  * @param <T> the commands
  * @param sink the foreign one

@@ -13,7 +13,8 @@ public final class Thrown {
     String described = described(thrown);
     String text = described.length() > LONGEST ? described.substring(0, LONGEST) + "..." : described;
     // The thread that finds no memory left need not be the one that took it.
-    return thrown instanceof OutOfMemoryError ? text + ", which another may have used up" + howToGetMore(text) + "," : text;
+    return thrown instanceof OutOfMemoryError ? text + ", which another may have used up" + howToGetMore(text) + ","
+        : text;
   }
 
   /** Threads and memory beside the heap have other bounds. */
@@ -33,7 +34,10 @@ public final class Thrown {
     }
   }
 
-  /** Logs it with its stack, whatever happens: the threads that do so must go on even where there is no memory for a line. */
+  /**
+   * Logs it with its stack, whatever happens: the threads that do so must go on even where there is no memory for a
+   * line.
+   */
   public static void log(Logger log, String message, Throwable thrown) {
     try {
       log.error("{}: {}", message, text(thrown), loggable(thrown));

@@ -77,7 +77,9 @@ final class Checker {
         .flatMap(c -> ports(rfic(c)).map(p -> new Have(new SourceId(c.id(), p.name()), p))).toList();
     List<Supplier> suppliers = ruic.rfics().stream()
         .map(c -> new Supplier(c.id(), false, rfic(c).isPresent()
-            ? "will say what it has when it runs" : parts.registry().missingRfic(c.type()))).toList();
+            ? "will say what it has when it runs"
+            : parts.registry().missingRfic(c.type())))
+        .toList();
     return Matcher.match(wants, haves, suppliers, Wiring.choices(ruic, Map.of()));
   }
 

@@ -15,9 +15,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Looks again and again whether files have changed. Asking is used, not being notified: that also works on network drives, and for editors
- * that put a new file in the place of the old one. A change is told when the file was the same on two looks, so that it is not read while
- * it is being written.
+ * Looks again and again whether files have changed. Asking is used, not being notified: that also works on network
+ * drives, and for editors that put a new file in the place of the old one. A change is told when the file was the same
+ * on two looks, so that it is not read while it is being written.
  */
 final class ConfigWatch {
   /** Two looks, and the time to read, are less than two seconds. */

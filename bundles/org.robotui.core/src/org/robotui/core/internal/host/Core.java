@@ -137,8 +137,10 @@ public final class Core implements Host {
       return more.size() == before ? List.of(new ConfigChange.Step.Added(config.name())) : List.of();
     });
     events.ruicsChanged();
-    ConfigChange all = new ConfigChange(file, Stream.concat(change.problems().stream(), more.stream()).toList(), change.steps());
-    LOG.info("read {} with {} problems; robot UIs: {}", file, all.problems().size(), ruics.stream().map(RuicRuntime::name).toList());
+    ConfigChange all =
+        new ConfigChange(file, Stream.concat(change.problems().stream(), more.stream()).toList(), change.steps());
+    LOG.info("read {} with {} problems; robot UIs: {}", file, all.problems().size(),
+        ruics.stream().map(RuicRuntime::name).toList());
     all.problems().forEach(problem -> LOG.info("{}", problem));
     return all;
   }
@@ -179,7 +181,8 @@ public final class Core implements Host {
 
   @Override
   public Optional<String> wrong(Setting setting, Object value) {
-    return parts.check().value(setting, value) instanceof CheckedValue.Wrong w ? Optional.of(w.message()) : Optional.empty();
+    return parts.check().value(setting, value) instanceof CheckedValue.Wrong w ? Optional.of(w.message())
+        : Optional.empty();
   }
 
   @Override

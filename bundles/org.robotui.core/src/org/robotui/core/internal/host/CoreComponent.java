@@ -56,10 +56,14 @@ public final class CoreComponent implements Host {
   @Activate
   public CoreComponent(BundleContext context) {
     StateFolder state = StateFolder.of(System.getProperties(), System.getenv());
-    LOG.info("RobotUI {}, Java {} ({}), {} {} on {}, {} processors, {} MB for Java, state in {}", context.getBundle().getVersion(),
-        System.getProperty("java.version"), System.getProperty("java.home"), System.getProperty("os.name"), System.getProperty("os.version"),
-        System.getProperty("os.arch"), Runtime.getRuntime().availableProcessors(), Runtime.getRuntime().maxMemory() >> 20, state.path());
-    core = new Core(new CoreParts(registry, new YamlConfigSource(System.getenv()), new SchemaCheck(), new YamlOverlay(), state, new OsgiBundleNames(context), NanoClock.SYSTEM,
+    LOG.info("RobotUI {}, Java {} ({}), {} {} on {}, {} processors, {} MB for Java, state in {}",
+        context.getBundle().getVersion(),
+        System.getProperty("java.version"), System.getProperty("java.home"), System.getProperty("os.name"),
+        System.getProperty("os.version"),
+        System.getProperty("os.arch"), Runtime.getRuntime().availableProcessors(),
+        Runtime.getRuntime().maxMemory() >> 20, state.path());
+    core = new Core(new CoreParts(registry, new YamlConfigSource(System.getenv()), new SchemaCheck(), new YamlOverlay(),
+        state, new OsgiBundleNames(context), NanoClock.SYSTEM,
         WallClock.SYSTEM));
   }
 
@@ -100,7 +104,8 @@ public final class CoreComponent implements Host {
     try {
       removal.get(REMOVAL_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
     } catch (TimeoutException | ExecutionException e) {
-      LOG.warn("What the type of {} made has not ended while its bundle {} goes", type.getClass().getName(), bundle(type), e);
+      LOG.warn("What the type of {} made has not ended while its bundle {} goes", type.getClass().getName(),
+          bundle(type), e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -16,8 +16,9 @@ import org.osgi.framework.wiring.BundleWiring;
 import org.robotui.core.internal.watch.BundleNames;
 
 /**
- * Finds the bundle of a class: by its name, as bundles are named after their root package, else by its class file. Looking for a file
- * in all bundles takes long, and who asks may be the one that stops robots: so each class is looked for once, until bundles come or go.
+ * Finds the bundle of a class: by its name, as bundles are named after their root package, else by its class file.
+ * Looking for a file in all bundles takes long, and who asks may be the one that stops robots: so each class is looked
+ * for once, until bundles come or go.
  */
 final class OsgiBundleNames implements BundleNames {
   private static final List<String> PLATFORM = List.of("java.", "javax.", "jdk.", "sun.", "com.sun.");
@@ -73,7 +74,8 @@ final class OsgiBundleNames implements BundleNames {
   }
 
   private static Stream<String> packages(Bundle bundle) {
-    return Optional.ofNullable(bundle.adapt(BundleWiring.class)).map(w -> w.getRequiredWires(null)).stream().flatMap(List::stream)
+    return Optional.ofNullable(bundle.adapt(BundleWiring.class)).map(w -> w.getRequiredWires(null)).stream()
+        .flatMap(List::stream)
         .map(wire -> wire.getProvider().getBundle()).map(Bundle::getSymbolicName);
   }
 

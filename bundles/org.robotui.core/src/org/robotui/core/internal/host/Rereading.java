@@ -28,7 +28,8 @@ final class Rereading {
 
   /** Forgets which RUICs a file had: those that do not run are started. */
   synchronized void forgetEnded(Path file) {
-    known.computeIfPresent(file, (f, names) -> names.stream().filter(n -> running.apply(n).filter(r -> r.isOf(file.toString())).isPresent()).collect(Collectors.toSet()));
+    known.computeIfPresent(file, (f, names) -> names.stream()
+        .filter(n -> running.apply(n).filter(r -> r.isOf(file.toString())).isPresent()).collect(Collectors.toSet()));
   }
 
   /**
@@ -41,11 +42,13 @@ final class Rereading {
     List<Step> steps = new ArrayList<>();
     for (RuicConfig ruic : result.ruics()) {
       Optional<RuicRuntime> runs = running.apply(ruic.name()).filter(r -> r.isOf(ruic.file()));
-      steps.addAll(runs.map(r -> r.fileChanged(ruic)).orElseGet(() -> before.contains(ruic.name()) ? List.of() : add.apply(ruic)));
+      steps.addAll(runs.map(r -> r.fileChanged(ruic))
+          .orElseGet(() -> before.contains(ruic.name()) ? List.of() : add.apply(ruic)));
     }
     Set<String> now = names(result);
     if (result.problems().isEmpty()) {
-      before.stream().filter(n -> !now.contains(n) && running.apply(n).filter(r -> r.isOf(file.toString())).isPresent()).sorted().forEach(n -> steps.add(new Step.Gone(n)));
+      before.stream().filter(n -> !now.contains(n) && running.apply(n).filter(r -> r.isOf(file.toString())).isPresent())
+          .sorted().forEach(n -> steps.add(new Step.Gone(n)));
     }
     Set<String> all = new HashSet<>(now);
     all.addAll(result.problems().isEmpty() ? Set.of() : before);

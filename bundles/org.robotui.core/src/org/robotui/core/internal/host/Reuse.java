@@ -20,7 +20,10 @@ import org.robotui.core.internal.life.Plan;
 import org.robotui.core.internal.life.Registry;
 import org.robotui.core.internal.watch.BundleNames;
 
-/** Counts which bundles are used by which RUICs: those of their component types, and all of ours that these are wired to. */
+/**
+ * Counts which bundles are used by which RUICs: those of their component types, and all of ours that these are wired
+ * to.
+ */
 final class Reuse {
   private static final String OURS = "org.robotui.";
   private static final String ENTITY = "org.robotui.entity.";
@@ -45,8 +48,10 @@ final class Reuse {
     ruics.add(ruic.name());
     Set<String> own = new TreeSet<>();
     plan.type().ifPresent(t -> note(Kind.RUIC, t, own));
-    ruic.rfics().stream().map(ComponentConfig::type).flatMap(id -> registry.rfic(id).stream()).forEach(t -> note(Kind.RFIC, t, own));
-    plan.uics().stream().map(ComponentConfig::type).flatMap(id -> registry.uic(id).stream()).forEach(t -> note(Kind.UIC, t, own));
+    ruic.rfics().stream().map(ComponentConfig::type).flatMap(id -> registry.rfic(id).stream())
+        .forEach(t -> note(Kind.RFIC, t, own));
+    plan.uics().stream().map(ComponentConfig::type).flatMap(id -> registry.uic(id).stream())
+        .forEach(t -> note(Kind.UIC, t, own));
     withAllBelow(own).forEach(b -> users.computeIfAbsent(b, k -> new ArrayList<>()).add(ruic.name()));
   }
 
@@ -61,7 +66,8 @@ final class Reuse {
     Set<String> all = new TreeSet<>(own);
     Deque<String> open = new ArrayDeque<>(own);
     while (!open.isEmpty()) {
-      bundles.usedBy(open.pop()).stream().filter(b -> b.startsWith(OURS) && !CORE.contains(b) && all.add(b)).forEach(open::push);
+      bundles.usedBy(open.pop()).stream().filter(b -> b.startsWith(OURS) && !CORE.contains(b) && all.add(b))
+          .forEach(open::push);
     }
     return all;
   }
@@ -74,7 +80,8 @@ final class Reuse {
 
   private Row row(String bundle, List<String> by) {
     Known what = Optional.ofNullable(known.get(bundle)).orElseGet(() -> new Known(
-        bundle.startsWith(ENTITY) ? Kind.ENTITY : Kind.BASE, bundle.substring(bundle.startsWith(ENTITY) ? ENTITY.length() : OURS.length())));
+        bundle.startsWith(ENTITY) ? Kind.ENTITY : Kind.BASE,
+        bundle.substring(bundle.startsWith(ENTITY) ? ENTITY.length() : OURS.length())));
     return new Row(what.kind(), bundle, what.name(), by);
   }
 }

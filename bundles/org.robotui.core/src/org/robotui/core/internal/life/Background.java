@@ -11,7 +11,10 @@ import org.robotui.core.internal.fence.Thrown;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Runs tasks of one component that may block, one after the other. Its thread comes with the first task and goes when it is idle. */
+/**
+ * Runs tasks of one component that may block, one after the other. Its thread comes with the first task and goes when
+ * it is idle.
+ */
 final class Background implements Executor, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Background.class);
   private static final int WAITING = 1000;
@@ -32,7 +35,8 @@ final class Background implements Executor, AutoCloseable {
   Background(String name, ThreadFactory threads, Consumer<String> failed) {
     this.name = name;
     this.failed = failed;
-    this.worker = new ThreadPoolExecutor(1, 1, IDLE_SECONDS, TimeUnit.SECONDS, new LinkedBlockingQueue<>(WAITING), threads);
+    this.worker =
+        new ThreadPoolExecutor(1, 1, IDLE_SECONDS, TimeUnit.SECONDS, new LinkedBlockingQueue<>(WAITING), threads);
     worker.allowCoreThreadTimeOut(true);
   }
 

@@ -30,6 +30,8 @@ interface ComponentHome {
     ended.forEach(i -> services().registry().bundle(i.type()).ifPresent(bundle -> firsts.putIfAbsent(bundle, i)));
     Map<String, List<String>> found = Strays.of(firsts.keySet(), services().bundles());
     return firsts.entrySet().stream().filter(first -> found.containsKey(first.getKey()))
-        .map(first -> first.getValue().left("left threads that no factory made: " + String.join(", ", found.get(first.getKey())))).toList();
+        .map(first -> first.getValue()
+            .left("left threads that no factory made: " + String.join(", ", found.get(first.getKey()))))
+        .toList();
   }
 }

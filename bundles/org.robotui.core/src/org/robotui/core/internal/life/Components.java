@@ -44,11 +44,14 @@ final class Components {
     return rfics.stream().filter(s -> s.id().equals(id)).findFirst();
   }
 
-  /** Ends all: views first, so that nobody commands any more; robot interfaces at the same time. Returns what is left. */
+  /**
+   * Ends all: views first, so that nobody commands any more; robot interfaces at the same time. Returns what is left.
+   */
   List<String> close(Duration limit) throws InterruptedException {
     List<UicSlot> views = uics;
     List<RficSlot> interfaces = rfics;
-    List<Instance> ending = Stream.concat(views.stream(), interfaces.stream()).<Instance>flatMap(s -> s.instance().stream()).toList();
+    List<Instance> ending =
+        Stream.concat(views.stream(), interfaces.stream()).<Instance>flatMap(s -> s.instance().stream()).toList();
     long end = System.nanoTime() + limit.toNanos();
     Duration half = limit.dividedBy(2);
     List<String> left = new ArrayList<>(closeAll(views, half));

@@ -11,9 +11,9 @@ import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.RuicConfig;
 
 /**
- * Puts one robot interface in the place of another while everything else goes on. On the worker of the RUIC. The order is what keeps it
- * safe: the robot is stopped and nobody holds it before the old interface ends, the views are disconnected before the reset, and the new
- * interface starts after it, so that no view mixes the values of both.
+ * Puts one robot interface in the place of another while everything else goes on. On the worker of the RUIC. The order
+ * is what keeps it safe: the robot is stopped and nobody holds it before the old interface ends, the views are
+ * disconnected before the reset, and the new interface starts after it, so that no view mixes the values of both.
  */
 final class Exchanger {
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
@@ -24,7 +24,8 @@ final class Exchanger {
   private final RuicRobots robots;
   private final Wiring wiring;
 
-  Exchanger(RuicParts ruic, AtomicReference<RuicConfig> config, Components components, RuicRobots robots, Wiring wiring) {
+  Exchanger(RuicParts ruic, AtomicReference<RuicConfig> config, Components components, RuicRobots robots,
+      Wiring wiring) {
     this.ruic = ruic;
     this.config = config;
     this.components = components;
@@ -48,7 +49,8 @@ final class Exchanger {
       end(fresh);
       start(before);
       wiring.rematch();
-      return new ExchangeOutcome.WentBack(next.id() + " as " + next.type() + " " + reason + "; it is " + before.type() + " again");
+      return new ExchangeOutcome.WentBack(
+          next.id() + " as " + next.type() + " " + reason + "; it is " + before.type() + " again");
     }
     connections.forEach(ruic.overlay()::connect);
     wiring.rematch();
@@ -62,7 +64,8 @@ final class Exchanger {
     slot.close(CLOSE_LIMIT).ifPresent(left -> ruic.services().events().alert(ruic.config().name(), left));
     wiring.rematch();
     ruic.frames().reset();
-    components.rfics().forEach(other -> other.instance().filter(i -> other != slot).ifPresent(RficInstance::sayFixedFramesAgain));
+    components.rfics()
+        .forEach(other -> other.instance().filter(i -> other != slot).ifPresent(RficInstance::sayFixedFramesAgain));
     ruic.clock().reset();
   }
 

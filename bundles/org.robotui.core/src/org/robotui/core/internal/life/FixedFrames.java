@@ -8,7 +8,10 @@ import org.robotui.data.FrameId;
 import org.robotui.data.geometry.FrameTransform;
 import org.robotui.data.geometry.TransformSet;
 
-/** The transforms of one robot interface that hold for all times, to be said again when frames were forgotten. Safe for all threads. */
+/**
+ * The transforms of one robot interface that hold for all times, to be said again when frames were forgotten. Safe for
+ * all threads.
+ */
 final class FixedFrames {
   /** No robot has so many. */
   private static final int MOST = 10_000;

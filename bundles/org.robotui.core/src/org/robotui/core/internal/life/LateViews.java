@@ -10,8 +10,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Ends views that took too long to answer, and starts them again after a pause: on a machine that is starved, they did nothing wrong. Never while the
- * thread of the one before has not ended, so that a view that really hangs holds one thread, and not one more with each try. On the worker of the RUIC.
+ * Ends views that took too long to answer, and starts them again after a pause: on a machine that is starved, they did
+ * nothing wrong. Never while the thread of the one before has not ended, so that a view that really hangs holds one
+ * thread, and not one more with each try. On the worker of the RUIC.
  */
 final class LateViews {
   private static final Logger LOG = LoggerFactory.getLogger(LateViews.class);
@@ -38,7 +39,8 @@ final class LateViews {
 
   /** An instance took too long; true where it still runs. */
   boolean late(UicInstance instance, Duration limit) {
-    Optional<UicSlot> slot = components.shown().stream().filter(s -> s.instance().filter(i -> i == instance).isPresent()).findFirst();
+    Optional<UicSlot> slot =
+        components.shown().stream().filter(s -> s.instance().filter(i -> i == instance).isPresent()).findFirst();
     slot.ifPresent(s -> {
       LOG.warn("{} did not return from tick within {} s ({})", s.id(), limit.toSeconds(), instance.origin());
       plan(s, instance, named(s) + " took longer than " + limit.toSeconds() + " s to answer");
@@ -49,7 +51,8 @@ final class LateViews {
   private void plan(UicSlot slot, UicInstance instance, String what) {
     Optional<Duration> pause = slot.revival().next(services.clock().nanos());
     String next = pause.map(p -> "; it is started again in " + p.toSeconds() + " s.")
-        .orElse(", " + Revival.PAUSES.size() + " times in a row; it is not started again by itself" + bundle(instance) + ".");
+        .orElse(", " + Revival.PAUSES.size() + " times in a row; it is not started again by itself" + bundle(instance)
+            + ".");
     slot.endLate(what + next);
     Health failed = slot.health();
     pause.ifPresent(p -> later(p, () -> again(slot, instance, failed)));
@@ -84,6 +87,7 @@ final class LateViews {
   private static String named(UicSlot slot) {
     String title = slot.title();
     boolean plain = slot.config().title().isEmpty() && title.length() > 1 && Character.isLowerCase(title.charAt(1));
-    return plain ? "The " + title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1) : "The view '" + title + "'";
+    return plain ? "The " + title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1)
+        : "The view '" + title + "'";
   }
 }

@@ -14,8 +14,8 @@ import org.robotui.core.internal.time.RuicClock;
 import org.robotui.core.internal.time.RuicFrames;
 
 /**
- * A robot interface that runs to be looked at: with a clock and frames of its own, nobody hears of its failures, and nothing is wired to it.
- * Safe for all threads.
+ * A robot interface that runs to be looked at: with a clock and frames of its own, nobody hears of its failures, and
+ * nothing is wired to it. Safe for all threads.
  */
 public final class LoneInterface implements AutoCloseable {
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
@@ -35,8 +35,9 @@ public final class LoneInterface implements AutoCloseable {
   public LoneInterface(ComponentConfig wanted, String ruic, Services services) {
     this.wanted = wanted;
     this.services = services;
-    RuicClock clock = new RuicClock(services.clock(), services.wall(), () -> { });
-    this.slot = new RficSlot(wanted, new Home(ruic, services.with(new Quiet()), clock, new RuicFrames(List.of()), new Untold()));
+    RuicClock clock = new RuicClock(services.clock(), services.wall(), () -> {});
+    this.slot = new RficSlot(wanted,
+        new Home(ruic, services.with(new Quiet()), clock, new RuicFrames(List.of()), new Untold()));
     this.worker = new SerialWorker("trial-" + ruic + "." + wanted.id());
     worker.execute(slot::start);
   }
@@ -73,7 +74,8 @@ public final class LoneInterface implements AutoCloseable {
 
   /** Why it cannot run, or has failed. */
   public Optional<String> failure() {
-    return wrongSettings().or(() -> Optional.of(slot.health()).filter(Health::isFailed).map(h -> slot.id() + " " + h.reason()));
+    return wrongSettings()
+        .or(() -> Optional.of(slot.health()).filter(Health::isFailed).map(h -> slot.id() + " " + h.reason()));
   }
 
   private Optional<String> wrongSettings() {
@@ -98,7 +100,7 @@ public final class LoneInterface implements AutoCloseable {
 
   @Override
   public void close() {
-    closeThen(() -> { });
+    closeThen(() -> {});
   }
 
   /** What it runs in. */

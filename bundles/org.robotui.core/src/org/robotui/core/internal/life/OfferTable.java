@@ -58,7 +58,8 @@ final class OfferTable implements Offers {
   @Override
   public <T extends Data> Publication<T> stream(StreamPort<T> port, Demand demand) {
     StreamSource<T> source = add(new StreamSource<>(
-        id(port.name()), port, parts.link(), parts.clock(), new FencedDemand(demand), parts.background(), this::remove));
+        id(port.name()), port, parts.link(), parts.clock(), new FencedDemand(demand), parts.background(),
+        this::remove));
     return measures(port.dataType()) ? new StampedStream<>(source, parts.stamps()) : source;
   }
 
@@ -77,7 +78,8 @@ final class OfferTable implements Offers {
   @Override
   public <Q, R> Offer call(CallPort<Q, R> port, CallHandler<Q, R> handler) {
     return add(new CallTarget<>(
-        id(port.name()), port, new FencedHandler<>(handler, parts.origin()), port.guarded() ? parts.tasks() : parts.calls(), this::obstacle,
+        id(port.name()), port, new FencedHandler<>(handler, parts.origin()),
+        port.guarded() ? parts.tasks() : parts.calls(), this::obstacle,
         parts.timer(), parts.clock(), this::remove));
   }
 
@@ -102,7 +104,8 @@ final class OfferTable implements Offers {
       return offered; // an instance that was given up still runs somewhere; nobody listens to it
     }
     if (offers.putIfAbsent(key, offered) instanceof Offered) {
-      throw new IllegalStateException(parts.component() + " offers the " + key.kind() + " '" + key.name() + "' already");
+      throw new IllegalStateException(
+          parts.component() + " offers the " + key.kind() + " '" + key.name() + "' already");
     }
     changed();
     return offered;
@@ -124,7 +127,10 @@ final class OfferTable implements Offers {
     return new Key(offered.port().kind(), offered.port().name());
   }
 
-  /** All offers, sorted by kind and name. There may be thousands, and it is asked for many times a second: they are sorted once. */
+  /**
+   * All offers, sorted by kind and name. There may be thousands, and it is asked for many times a second: they are
+   * sorted once.
+   */
   List<Offered> list() {
     Sorted known = sorted;
     long now = changes.get();

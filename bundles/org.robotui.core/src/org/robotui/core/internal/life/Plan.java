@@ -52,7 +52,8 @@ public record Plan(Optional<RuicType> type, List<ComponentConfig> uics, Layout l
 
   private static Plan made(RuicConfig config, RuicType type, Settings settings, SettingsCheck check) {
     Map<String, ComponentConfig> uics = new LinkedHashMap<>();
-    type.uics(settings).stream().filter(spec -> !config.without().contains(spec.id())).forEach(spec -> uics.put(spec.id(), brought(spec, config, check)));
+    type.uics(settings).stream().filter(spec -> !config.without().contains(spec.id()))
+        .forEach(spec -> uics.put(spec.id(), brought(spec, config, check)));
     for (ComponentConfig written : config.uics()) {
       uics.merge(written.id(), written, (spec, own) -> own.type().isEmpty() ? own.withType(spec.type()) : own);
     }

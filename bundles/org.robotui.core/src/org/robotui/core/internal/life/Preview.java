@@ -41,7 +41,8 @@ final class Preview {
   /** What is asked of the matcher. */
   private record Question(List<Want> wants, List<Have> haves, List<Supplier> suppliers) {
     Map<SourceId, Match> match(Map<SourceId, Choice> choices) {
-      return Matcher.match(wants, haves, suppliers, choices).stream().collect(Collectors.toMap(Match::port, m -> m, (a, b) -> a));
+      return Matcher.match(wants, haves, suppliers, choices).stream()
+          .collect(Collectors.toMap(Match::port, m -> m, (a, b) -> a));
     }
   }
 
@@ -52,7 +53,8 @@ final class Preview {
   ExchangePreview of(Map<SourceId, SourceId> picked, Optional<String> failure) {
     Question question = question();
     List<Match> now = wiring.matches();
-    List<Match> then = Matcher.match(question.wants(), question.haves(), question.suppliers(), effective(question, picked));
+    List<Match> then =
+        Matcher.match(question.wants(), question.haves(), question.suppliers(), effective(question, picked));
     List<Port> offered = question.haves().stream().filter(h -> isTried(h.id())).map(Have::port).toList();
     List<Want> uncovered = Exchange.uncovered(question.wants(), now, trial.id(), offered);
     List<String> missing = uncovered.stream().map(Exchange::sentence).toList();
@@ -63,7 +65,8 @@ final class Preview {
   Map<SourceId, SourceId> chosen(Map<SourceId, SourceId> picked) {
     Question question = question();
     Map<SourceId, SourceId> all = new HashMap<>();
-    replacements(question).forEach((port, choice) -> choice.peers().stream().findFirst().ifPresent(peer -> all.put(port, peer)));
+    replacements(question)
+        .forEach((port, choice) -> choice.peers().stream().findFirst().ifPresent(peer -> all.put(port, peer)));
     all.putAll(picked);
     return all;
   }
@@ -82,7 +85,10 @@ final class Preview {
     return choices;
   }
 
-  /** Names differ from framework to framework: where a named port is not there, what the file names, or the only one that fits, is. */
+  /**
+   * Names differ from framework to framework: where a named port is not there, what the file names, or the only one
+   * that fits, is.
+   */
   private Map<SourceId, Choice> replacements(Question question) {
     Map<SourceId, Choice> named = wiring.choices();
     Map<SourceId, Match> byName = question.match(named);
@@ -91,8 +97,10 @@ final class Preview {
     Map<SourceId, Choice> found = new HashMap<>();
     named.forEach((port, choice) -> {
       if (!choice.peers().isEmpty() && choice.peers().stream().allMatch(this::isTried) && !connects(byName.get(port))) {
-        Stream.of(byFile.get(port), byType.get(port)).filter(Preview::connects).filter(m -> !m.peers().isEmpty()).findFirst()
-            .ifPresent(m -> found.put(port, new Choice(m.peers(), "the exchange, as " + choice.peers().getFirst() + " is not there")));
+        Stream.of(byFile.get(port), byType.get(port)).filter(Preview::connects).filter(m -> !m.peers().isEmpty())
+            .findFirst()
+            .ifPresent(m -> found.put(port,
+                new Choice(m.peers(), "the exchange, as " + choice.peers().getFirst() + " is not there")));
       }
     });
     return found;
@@ -109,10 +117,13 @@ final class Preview {
   private List<Line> lines(List<Match> now, List<Match> then, List<Want> uncovered) {
     List<Line> lines = new ArrayList<>();
     for (Match after : then) {
-      Match before = now.stream().filter(m -> m.port().equals(after.port()) && m.kind() == after.kind()).findFirst().orElse(after);
+      Match before =
+          now.stream().filter(m -> m.port().equals(after.port()) && m.kind() == after.kind()).findFirst().orElse(after);
       boolean used = before.peers().stream().anyMatch(this::isTried);
-      boolean concerned = used || Stream.concat(after.peers().stream(), after.candidates().stream()).anyMatch(this::isTried);
-      boolean lost = used && uncovered.stream().anyMatch(w -> w.id().equals(after.port()) && w.port().kind() == after.kind());
+      boolean concerned =
+          used || Stream.concat(after.peers().stream(), after.candidates().stream()).anyMatch(this::isTried);
+      boolean lost =
+          used && uncovered.stream().anyMatch(w -> w.id().equals(after.port()) && w.port().kind() == after.kind());
       lines.add(new Line(before, withChosen(before, after), concerned, lost));
     }
     return lines;
@@ -132,12 +143,13 @@ final class Preview {
         there.isEmpty() ? MatchState.PENDING : after.state(), there, after.candidates(), reason);
   }
 
-  private ExchangePreview verdict(Optional<String> failure, List<String> missing, List<Line> lines, List<String> notes) {
+  private ExchangePreview verdict(Optional<String> failure, List<String> missing, List<Line> lines,
+      List<String> notes) {
     Supplier supplier = trial.supplier();
     boolean up = trial.instance().filter(i -> i.linkNow().isUp()).isPresent();
     Verdict verdict = failure.isPresent() ? Verdict.FAILED
         : !up || !missing.isEmpty() && !supplier.settled() ? Verdict.PENDING
-        : missing.isEmpty() ? Verdict.READY : Verdict.INCOMPLETE;
+            : missing.isEmpty() ? Verdict.READY : Verdict.INCOMPLETE;
     String sentence = switch (verdict) {
       case FAILED -> failure.orElseThrow();
       case PENDING -> trial.id() + " " + supplier.status();
@@ -151,9 +163,11 @@ final class Preview {
     List<String> notes = new ArrayList<>();
     ruic.config().safety(trial.config().robot()).stopCall().map(stop -> stop.port())
         .filter(port -> isTried(port) && question.haves().stream().noneMatch(h -> h.id().equals(port)))
-        .ifPresent(port -> notes.add("the stop call " + port + " is not there: a stop will send zero to all motion ports, and no more"));
+        .ifPresent(port -> notes
+            .add("the stop call " + port + " is not there: a stop will send zero to all motion ports, and no more"));
     components.rfic(trial.id()).map(s -> s.config().robot()).filter(robot -> !robot.equals(trial.config().robot()))
-        .ifPresent(robot -> notes.add("safety and frames will be those of " + trial.config().robot() + ", no more of " + robot));
+        .ifPresent(robot -> notes
+            .add("safety and frames will be those of " + trial.config().robot() + ", no more of " + robot));
     return notes;
   }
 }

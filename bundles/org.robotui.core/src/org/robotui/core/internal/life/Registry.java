@@ -86,7 +86,8 @@ public final class Registry implements TypeLookup {
   public List<Installed> installed() {
     List<Installed> all = new ArrayList<>();
     rfics.ids().forEach(id -> rfic(id).ifPresent(t -> all.add(installed(Kind.RFIC, t, Optional.empty(), List.of()))));
-    uics.ids().forEach(id -> uic(id).ifPresent(t -> all.add(installed(Kind.UIC, t, Optional.of(t.surface()), List.of()))));
+    uics.ids()
+        .forEach(id -> uic(id).ifPresent(t -> all.add(installed(Kind.UIC, t, Optional.of(t.surface()), List.of()))));
     ruics.ids().forEach(id -> ruic(id).ifPresent(t -> all.add(installed(Kind.RUIC, t, Optional.empty(), views(t)))));
     return List.copyOf(all);
   }

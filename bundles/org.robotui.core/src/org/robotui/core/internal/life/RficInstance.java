@@ -71,8 +71,9 @@ final class RficInstance implements RficContext, Instance {
     this.background = new Background(name, threads, what -> alert(config.id() + " " + what));
     this.stamps = new StampWatch(services.clock(), new TimeNotices(config.id(), () -> ruic.clock().jumpedBack(clock),
         what -> services.events().alert(ruic.ruicName(), what)));
-    this.offers = new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, tasks, services.timer(), background,
-        services.clock(), stamps, ruic.wake()::rematch, this::origin));
+    this.offers =
+        new OfferTable(new RficParts(config.id(), link, arbiter, sender, calls, tasks, services.timer(), background,
+            services.clock(), stamps, ruic.wake()::rematch, this::origin));
   }
 
   @Override
@@ -85,7 +86,8 @@ final class RficInstance implements RficContext, Instance {
 
   private void died(Thread thread, Throwable error) {
     Thrown.log(LOG, thread.getName() + " ended", error);
-    ruic.wake().failed(this, "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
+    ruic.wake().failed(this,
+        "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
   }
 
   private void check(long now) {
@@ -146,7 +148,8 @@ final class RficInstance implements RficContext, Instance {
   private Optional<String> leftAfter(String hung) throws InterruptedException {
     boolean clean = hung.isEmpty() && threads.awaitNone(GRACE);
     String left = clean ? "" : threads.endAll(GRACE);
-    return hung.isEmpty() && left.isEmpty() ? Optional.empty() : Optional.of(left(hung.isEmpty() ? "has ended" + left : hung + left));
+    return hung.isEmpty() && left.isEmpty() ? Optional.empty()
+        : Optional.of(left(hung.isEmpty() ? "has ended" + left : hung + left));
   }
 
   @Override

@@ -72,11 +72,14 @@ final class RuicAlerts implements AlertBoard {
     });
   }
 
-  /** No more are listed than can be muted, so those that nobody sees go first: what is listed stays muted as it says. */
+  /**
+   * No more are listed than can be muted, so those that nobody sees go first: what is listed stays muted as it says.
+   */
   private void keepRoom() {
     if (muted.size() >= MOST) {
       Comparator<Map.Entry<AlertId, Instant>> order = Comparator.comparing(entry -> alerts.containsKey(entry.getKey()));
-      muted.entrySet().stream().min(order.thenComparing(Map.Entry::getValue)).map(Map.Entry::getKey).ifPresent(this::letBeHeard);
+      muted.entrySet().stream().min(order.thenComparing(Map.Entry::getValue)).map(Map.Entry::getKey)
+          .ifPresent(this::letBeHeard);
     }
   }
 
@@ -107,7 +110,8 @@ final class RuicAlerts implements AlertBoard {
   private synchronized void raise(AlertId id, String condition, String source, String value) {
     Alert before = alerts.get(id);
     if (before != null && before.lasting()) {
-      alerts.put(id, new Alert(id, condition, source, value, before.since(), before.times(), true, before.acknowledged(), Optional.empty()));
+      alerts.put(id, new Alert(id, condition, source, value, before.since(), before.times(), true,
+          before.acknowledged(), Optional.empty()));
     } else {
       int times = before == null ? 1 : before.times() + 1;
       alerts.put(id, new Alert(id, condition, source, value, now(), times, true, false, Optional.empty()));
@@ -117,7 +121,8 @@ final class RuicAlerts implements AlertBoard {
 
   private void dropOldest() {
     if (alerts.size() > MOST) {
-      alerts.values().stream().min(Comparator.comparing(Alert::lasting).thenComparing(Alert::since)).map(Alert::id).ifPresent(alerts::remove);
+      alerts.values().stream().min(Comparator.comparing(Alert::lasting).thenComparing(Alert::since)).map(Alert::id)
+          .ifPresent(alerts::remove);
     }
   }
 
@@ -137,7 +142,8 @@ final class RuicAlerts implements AlertBoard {
   }
 
   private static Alert state(Alert a, boolean lasting, boolean acknowledged) {
-    return new Alert(a.id(), a.condition(), a.source(), a.value(), a.since(), a.times(), lasting, acknowledged, Optional.empty());
+    return new Alert(a.id(), a.condition(), a.source(), a.value(), a.since(), a.times(), lasting, acknowledged,
+        Optional.empty());
   }
 
   /** The alerts of one view. */

@@ -46,7 +46,8 @@ record RuicDiff(Written written, RuicConfig before, RuicConfig after) {
     add(words, "type", before.type().equals(after.type()) && values(before).equals(values(after)));
     add(words, "rfics", ids(before.rfics()).equals(ids(after.rfics())));
     add(words, "without", before.without().equals(after.without()));
-    add(words, "uics", before.uics().stream().map(written::show).toList().equals(after.uics().stream().map(written::show).toList()));
+    add(words, "uics",
+        before.uics().stream().map(written::show).toList().equals(after.uics().stream().map(written::show).toList()));
     add(words, "layout", before.layout().equals(after.layout()));
     add(words, "frames", before.frames().equals(after.frames()));
     return words;

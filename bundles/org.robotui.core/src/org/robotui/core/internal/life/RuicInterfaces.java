@@ -30,7 +30,8 @@ final class RuicInterfaces {
    * @param config as it runs
    * @param file as it is written
    */
-  RuicInterfaces(RuicParts ruic, AtomicReference<RuicConfig> config, AtomicReference<RuicConfig> file, Components components,
+  RuicInterfaces(RuicParts ruic, AtomicReference<RuicConfig> config, AtomicReference<RuicConfig> file,
+      Components components,
       RuicRobots robots, Wiring wiring) {
     this.ruic = ruic;
     this.written = new Written(ruic.services().check());
@@ -47,12 +48,14 @@ final class RuicInterfaces {
 
   /** As in the file, where it runs otherwise. */
   Optional<InterfaceConfig> inFile(String id) {
-    return file.get().rfic(id).filter(c -> config.get().rfic(id).filter(now -> !written.same(now, c)).isPresent()).map(written::show);
+    return file.get().rfic(id).filter(c -> config.get().rfic(id).filter(now -> !written.same(now, c)).isPresent())
+        .map(written::show);
   }
 
   /** Tries one; {@code exchange} has {@link #exchange} called on the worker. */
   Exchange trial(
-      InterfaceConfig wanted, BiFunction<ComponentConfig, Map<SourceId, SourceId>, CompletionStage<ExchangeOutcome>> exchange) {
+      InterfaceConfig wanted,
+      BiFunction<ComponentConfig, Map<SourceId, SourceId>, CompletionStage<ExchangeOutcome>> exchange) {
     ComponentConfig at = config.get().rfic(wanted.id()).orElseThrow(
         () -> new IllegalArgumentException(config.get().name() + " has no robot interface '" + wanted.id() + "'"));
     return new Trial(ruic, components, wiring, written.place(wanted, at), exchange);

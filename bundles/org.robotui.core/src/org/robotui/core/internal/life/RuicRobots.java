@@ -120,7 +120,7 @@ final class RuicRobots {
 
     private void tell(CallOutcome<ServiceReply> outcome) {
       switch (outcome) {
-        case CallOutcome.Replied<ServiceReply> r -> { }
+        case CallOutcome.Replied<ServiceReply> r -> {}
         case CallOutcome.Failed<ServiceReply> f -> alert("the stop call of " + robot + " failed: " + f.reason());
         case CallOutcome.TimedOut<ServiceReply> t -> alert("the stop call of " + robot + " was not answered");
         case CallOutcome.Cancelled<ServiceReply> c -> alert("the stop call of " + robot + " was cancelled");

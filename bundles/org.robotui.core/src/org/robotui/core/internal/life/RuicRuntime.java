@@ -72,7 +72,8 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     this.clock = new RuicClock(services.clock(), services.wall(), frames::clear);
     this.alerts = new RuicAlerts(services.wall());
     TrackedThreads threads = new TrackedThreads(config.name(), (t, e) -> LOG.error("{} ended", t.getName(), e));
-    RuicParts parts = new RuicParts(this.config::get, this, services, worker.serial(), threads, clock, frames, alerts, overlay, this);
+    RuicParts parts =
+        new RuicParts(this.config::get, this, services, worker.serial(), threads, clock, frames, alerts, overlay, this);
     this.components = new Components(parts);
     this.showings = new Showings(services, components);
     this.robots = new RuicRobots(this.config::get, services, components);
@@ -123,7 +124,7 @@ public final class RuicRuntime implements Ruic, RuicParts.Wake {
     return worker.ask(() -> {
       takeUpTypes();
       return true;
-    }, true).thenAccept(taken -> { });
+    }, true).thenAccept(taken -> {});
   }
 
   private void takeUpTypes() {

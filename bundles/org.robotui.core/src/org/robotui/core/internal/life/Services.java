@@ -45,7 +45,8 @@ public record Services(
     Supplier<Stage> stage) {
   /** The same, reporting to somebody else. */
   Services with(Events others) {
-    return new Services(registry, check, arbiters, others, watch, timer, clock, wall, stateFolder, ruics, bundles, stage);
+    return new Services(registry, check, arbiters, others, watch, timer, clock, wall, stateFolder, ruics, bundles,
+        stage);
   }
 
   /**

@@ -17,7 +17,9 @@ import org.robotui.core.internal.port.StreamSource;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Finds the views of one RUIC that can show what a user points at, by what their types declare. Safe for all threads. */
+/**
+ * Finds the views of one RUIC that can show what a user points at, by what their types declare. Safe for all threads.
+ */
 final class Showings {
   private static final Logger LOG = LoggerFactory.getLogger(Showings.class);
   private static final Comparator<ShowChoice> ORDER = Comparator.comparing((ShowChoice c) -> !c.possible())
@@ -65,7 +67,9 @@ final class Showings {
     List<ShowChoice> views = new ArrayList<>();
     running().filter(slot -> slot.config().type().equals(type.id()))
         .forEach(slot -> views.add(new ShowChoice(slot.id(), slot.title(), showing, misfit.orElse(""))));
-    return views.isEmpty() ? Stream.of(new ShowChoice("", type.label(), showing, misfit.orElse("no such view in this UI"))) : views.stream();
+    return views.isEmpty()
+        ? Stream.of(new ShowChoice("", type.label(), showing, misfit.orElse("no such view in this UI")))
+        : views.stream();
   }
 
   private Optional<String> misfit(Showing showing, Subject subject) {
@@ -80,7 +84,8 @@ final class Showings {
   }
 
   private Stream<UicSlot> running() {
-    return components.shown().stream().filter(slot -> slot.uic().isPresent() && slot.health().state() != RuicState.FAILED);
+    return components.shown().stream()
+        .filter(slot -> slot.uic().isPresent() && slot.health().state() != RuicState.FAILED);
   }
 
   private Optional<StreamSource<?>> stream(SourceId port) {

@@ -12,7 +12,9 @@ import org.robotui.core.internal.fence.Thrown;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The place of one component in a RUIC, with or without an instance. Changed on the RUIC's worker only, read by all. */
+/**
+ * The place of one component in a RUIC, with or without an instance. Changed on the RUIC's worker only, read by all.
+ */
 abstract class Slot<T extends ComponentType, I extends Instance> {
   private static final Logger LOG = LoggerFactory.getLogger(Slot.class);
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(2);
@@ -48,7 +50,8 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
       startOf(found);
     } catch (RuntimeException | Error e) { // what a type says of itself is foreign code, too
       Thrown.log(LOG, config.id() + " could not be started", e);
-      giveUp("threw " + Thrown.text(e) + " when it was started (" + ruic.services().registry().origin(found, found) + ")");
+      giveUp(
+          "threw " + Thrown.text(e) + " when it was started (" + ruic.services().registry().origin(found, found) + ")");
     }
   }
 
@@ -108,7 +111,10 @@ abstract class Slot<T extends ComponentType, I extends Instance> {
     return left.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", left));
   }
 
-  /** The same for one of several that end together: what they leave that is known to nobody is looked for once they all have. */
+  /**
+   * The same for one of several that end together: what they leave that is known to nobody is looked for once they all
+   * have.
+   */
   final Optional<String> end(Duration limit) {
     Optional<I> ending = instance;
     instance = Optional.empty();

@@ -16,9 +16,13 @@ import org.robotui.core.internal.time.NanoClock;
 
 /** Puts together how a RUIC is doing. */
 final class Snapshots {
-  /** By kind and name, without making a text of each: there may be thousands, which come sorted but where there are several interfaces. */
+  /**
+   * By kind and name, without making a text of each: there may be thousands, which come sorted but where there are
+   * several interfaces.
+   */
   private static final Comparator<PortStatus> ORDER =
-      Comparator.comparing(PortStatus::kind).thenComparing(p -> p.port().component()).thenComparing(p -> p.port().port());
+      Comparator.comparing(PortStatus::kind).thenComparing(p -> p.port().component())
+          .thenComparing(p -> p.port().port());
 
   /** A port to which a view is connected. */
   private record Wired(PortKind kind, SourceId port) {}
@@ -40,8 +44,9 @@ final class Snapshots {
   /** A port is wanted where something taps it or a view is connected. */
   private static PortStatus wanted(PortStatus p, Set<Wired> wired) {
     boolean connected = !p.wanted() && wired.contains(new Wired(p.kind(), p.port()));
-    return !connected ? p : new PortStatus(p.port(), p.kind(), p.typeName(), true, p.count(),
-        p.rateHz(), p.ageSeconds(), p.stale(), p.dropped(), p.problem(), p.value());
+    return !connected ? p
+        : new PortStatus(p.port(), p.kind(), p.typeName(), true, p.count(),
+            p.rateHz(), p.ageSeconds(), p.stale(), p.dropped(), p.problem(), p.value());
   }
 
   private static LinkState link(Components components) {

@@ -12,9 +12,9 @@ import java.util.stream.Stream;
 import org.robotui.core.internal.watch.BundleNames;
 
 /**
- * Finds threads that components started by themselves instead of taking them from their factory. A thread inherits the group of
- * the one that starts it; one that was started on the display thread is known by the code it runs. Looks at all threads of the
- * machine, which all wait for: only for the end of components, and once for all that end together.
+ * Finds threads that components started by themselves instead of taking them from their factory. A thread inherits the
+ * group of the one that starts it; one that was started on the display thread is known by the code it runs. Looks at
+ * all threads of the machine, which all wait for: only for the end of components, and once for all that end together.
  */
 final class Strays {
   /** Threads that everybody shares, whoever happened to need them first. */

@@ -5,8 +5,9 @@ import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 
 /**
- * Tells a tick that hangs from one that a busy machine lets wait: the first waits for something each time one looks, or has had the processor for as long
- * as a tick may take. One that could run and is not let, or reads from a slow disk, has five times its limit. For the thread that looks.
+ * Tells a tick that hangs from one that a busy machine lets wait: the first waits for something each time one looks, or
+ * has had the processor for as long as a tick may take. One that could run and is not let, or reads from a slow disk,
+ * has five times its limit. For the thread that looks.
  */
 final class TickDoubt {
   private static final int MOST_LIMITS = 5;
@@ -36,7 +37,8 @@ final class TickDoubt {
       waits = 0;
     }
     waits = thread.getState() == Thread.State.RUNNABLE ? 0 : waits + 1;
-    return waits >= LOOKS || processorNanos() - busyNanos > limit.toNanos() || taken.compareTo(limit.multipliedBy(MOST_LIMITS)) > 0;
+    return waits >= LOOKS || processorNanos() - busyNanos > limit.toNanos()
+        || taken.compareTo(limit.multipliedBy(MOST_LIMITS)) > 0;
   }
 
   /** Of its whole life; without an answer, which not every virtual machine has, only the longest time counts. */

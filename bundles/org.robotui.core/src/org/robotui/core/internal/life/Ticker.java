@@ -122,7 +122,8 @@ final class Ticker implements Watched, AutoCloseable {
   public void check(long now) {
     Duration most = limit; // before the time: the limit of a tick that has just ended is never the shorter one
     long since = tickSince;
-    if (since != NOT_TICKING && now - since > most.toNanos() && doubt.hangs(since, Duration.ofNanos(now - since), most)) {
+    if (since != NOT_TICKING && now - since > most.toNanos()
+        && doubt.hangs(since, Duration.ofNanos(now - since), most)) {
       giveUp(() -> ended.late(most));
       thread.interrupt();
     }

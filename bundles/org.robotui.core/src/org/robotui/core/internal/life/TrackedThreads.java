@@ -10,7 +10,8 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Makes the threads of one component and knows which of them live, and which others they started, so that no leak stays unseen.
+ * Makes the threads of one component and knows which of them live, and which others they started, so that no leak stays
+ * unseen.
  */
 public final class TrackedThreads implements ThreadFactory {
   private static final long POLL_MILLIS = 5;
@@ -33,7 +34,8 @@ public final class TrackedThreads implements ThreadFactory {
 
   @Override
   public Thread newThread(Runnable work) {
-    Thread thread = Thread.ofPlatform().group(group).daemon().name(name + "-" + count.incrementAndGet()).unstarted(work);
+    Thread thread =
+        Thread.ofPlatform().group(group).daemon().name(name + "-" + count.incrementAndGet()).unstarted(work);
     threads.removeIf(t -> t.getState() == Thread.State.TERMINATED);
     threads.add(thread);
     return thread;

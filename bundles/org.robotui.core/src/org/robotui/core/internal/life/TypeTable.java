@@ -16,7 +16,9 @@ final class TypeTable<T extends ComponentType> {
 
   private record Entry<T>(T type, String id, String bundle) {}
 
-  /** A type that may have gone. Compared by identity: what types say of their equality is foreign code, and may change. */
+  /**
+   * A type that may have gone. Compared by identity: what types say of their equality is foreign code, and may change.
+   */
   private record Known(WeakReference<ComponentType> type, String bundle) {}
 
   private final List<Entry<T>> entries = new ArrayList<>();
@@ -25,8 +27,8 @@ final class TypeTable<T extends ComponentType> {
 
   synchronized void add(T type, String bundle) {
     String id = type.id();
-    entries.stream().filter(e -> e.id().equals(id)).findFirst().ifPresent(first ->
-        LOG.warn("The type '{}' of bundle {} is not used: bundle {} has brought it already", id, bundle, first.bundle()));
+    entries.stream().filter(e -> e.id().equals(id)).findFirst().ifPresent(first -> LOG
+        .warn("The type '{}' of bundle {} is not used: bundle {} has brought it already", id, bundle, first.bundle()));
     entries.add(new Entry<>(type, id, bundle));
     bundles.put(id, bundle);
     known.removeIf(k -> k.type().refersTo(null));

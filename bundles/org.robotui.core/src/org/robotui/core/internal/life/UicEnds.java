@@ -114,7 +114,8 @@ final class UicEnds {
 
   /** The sources that a stream port of the view takes from now. */
   List<SourceId> sources(Match match) {
-    return Optional.ofNullable(inputs.get(new Key(match.kind(), match.port().port()))).map(InputEnd::sources).orElse(List.of());
+    return Optional.ofNullable(inputs.get(new Key(match.kind(), match.port().port()))).map(InputEnd::sources)
+        .orElse(List.of());
   }
 
   /** Disconnects all; what the view moved is stopped. */

@@ -70,7 +70,8 @@ final class UicInstance implements UicContext, Instance {
 
   private void died(Thread thread, Throwable error) {
     Thrown.log(LOG, thread.getName() + " ended", error);
-    ruic.wake().failed(this, "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
+    ruic.wake().failed(this,
+        "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
   }
 
   /** Creates the instance and gives it its ticker, at rest. */
@@ -148,7 +149,8 @@ final class UicInstance implements UicContext, Instance {
     Optional<String> problem = idle ? closeInstance(limit.dividedBy(2)) : Optional.of("hangs in tick");
     ruic.alerts().forget(config.id());
     String left = threads.endAll(GRACE);
-    return problem.isPresent() || !left.isEmpty() ? Optional.of(left(problem.orElse("has ended") + left)) : Optional.empty();
+    return problem.isPresent() || !left.isEmpty() ? Optional.of(left(problem.orElse("has ended") + left))
+        : Optional.empty();
   }
 
   private Optional<String> closeInstance(Duration limit) throws InterruptedException {

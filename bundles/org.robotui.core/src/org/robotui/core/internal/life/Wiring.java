@@ -106,7 +106,9 @@ public final class Wiring {
   }
 
   private Match withChosen(Match match) {
-    return leavesTheChoice(match) ? ends(match.port().component()).map(e -> withPeers(match, e.sources(match))).orElse(match) : match;
+    return leavesTheChoice(match)
+        ? ends(match.port().component()).map(e -> withPeers(match, e.sources(match))).orElse(match)
+        : match;
   }
 
   /** Whether all that fits is connected, and the view chooses among it. */

@@ -22,7 +22,8 @@ record Written(SettingsCheck check) {
 
   /** As if it stood in the place of another one. */
   ComponentConfig place(InterfaceConfig wanted, ComponentConfig at) {
-    return new ComponentConfig(at.id(), wanted.type(), wanted.title(), wanted.robot().isBlank() ? at.robot() : wanted.robot(),
+    return new ComponentConfig(at.id(), wanted.type(), wanted.title(),
+        wanted.robot().isBlank() ? at.robot() : wanted.robot(),
         check.written(wanted.settings()), at.file(), at.line(), at.column());
   }
 

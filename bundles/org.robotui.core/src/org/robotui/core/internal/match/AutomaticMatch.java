@@ -41,8 +41,9 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
 
   private Match ambiguous(List<Have> fitting, List<Have> best) {
     String list = fitting.stream().map(h -> h.id().toString()).collect(Collectors.joining(", "));
-    return Matches.ambiguous(want, ids(fitting), MatchSentences.need(want) + "; " + fitting.size() + " are of this type: " + list
-        + ". Write under 'connect':  " + want.id() + ": " + best.getFirst().id());
+    return Matches.ambiguous(want, ids(fitting),
+        MatchSentences.need(want) + "; " + fitting.size() + " are of this type: " + list
+            + ". Write under 'connect':  " + want.id() + ": " + best.getFirst().id());
   }
 
   private Match none() {
@@ -61,7 +62,8 @@ record AutomaticMatch(Want want, List<Have> haves, List<Supplier> suppliers) {
 
   /** Names the remedy first: what else the robot accepts helps only who looks for a wrong type. */
   private String unheard(String offers) {
-    return "no program of the robot subscribes to it: start the one that does, and it connects by itself (" + offers + ")";
+    return "no program of the robot subscribes to it: start the one that does, and it connects by itself (" + offers
+        + ")";
   }
 
   private static List<SourceId> ids(List<Have> haves) {

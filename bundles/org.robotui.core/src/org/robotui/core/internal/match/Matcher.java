@@ -37,8 +37,8 @@ public final class Matcher {
   }
 
   /**
-   * A view of several robots has a port for all of them beside that for one. What that one leaves open is then no question: the port for all
-   * takes each of them. Of one robot that offers several it stays a question.
+   * A view of several robots has a port for all of them beside that for one. What that one leaves open is then no
+   * question: the port for all takes each of them. Of one robot that offers several it stays a question.
    */
   private static Match covered(Match match, List<Match> all) {
     boolean several = match.state() == MatchState.AMBIGUOUS && match.arity() == Arity.OPTIONAL
@@ -48,7 +48,8 @@ public final class Matcher {
   }
 
   private static boolean covers(Match other, Match match) {
-    return other.port().component().equals(match.port().component()) && other.kind() == match.kind() && other.arity() == Arity.MANY
+    return other.port().component().equals(match.port().component()) && other.kind() == match.kind()
+        && other.arity() == Arity.MANY
         && other.typeName().equals(match.typeName()) && other.peers().containsAll(match.candidates());
   }
 

@@ -29,8 +29,10 @@ final class Matches {
   /** Of a port for one robot beside a port for all of them. */
   static Match covered(Match match, Match all) {
     SourceId first = match.candidates().getFirst();
-    return new Match(match.port(), match.kind(), match.typeName(), match.arity(), MatchState.REFUSED, List.of(), match.candidates(),
-        "not needed: '" + all.port().port() + "' takes all " + match.candidates().size() + " ports of its type, and the view sends to those that are selected. "
+    return new Match(match.port(), match.kind(), match.typeName(), match.arity(), MatchState.REFUSED, List.of(),
+        match.candidates(),
+        "not needed: '" + all.port().port() + "' takes all " + match.candidates().size()
+            + " ports of its type, and the view sends to those that are selected. "
             + "For one alone write under 'connect':  " + match.port() + ": " + first);
   }
 

@@ -19,8 +19,9 @@ record NamedMatch(Want want, Choice choice, List<Have> haves, List<Supplier> sup
       return Matches.without(want, MatchState.REFUSED, "left unconnected by " + choice.by());
     }
     if (choice.peers().size() > 1 && want.port().arity() != Arity.MANY) {
-      return Matches.without(want, MatchState.REFUSED, MatchSentences.need(want) + ", one connection only; " + choice.by()
-          + " names " + choice.peers().size());
+      return Matches.without(want, MatchState.REFUSED,
+          MatchSentences.need(want) + ", one connection only; " + choice.by()
+              + " names " + choice.peers().size());
     }
     return result(choice.peers().stream().map(this::peer).toList());
   }
@@ -50,8 +51,9 @@ record NamedMatch(Want want, Choice choice, List<Have> haves, List<Supplier> sup
   private Peer typed(Have have) {
     return Legal.connection(want.port(), have.port())
         ? new Peer(have.id(), MatchState.CONNECTED, "")
-        : new Peer(have.id(), MatchState.REFUSED, MatchSentences.need(want) + "; " + have.id() + ", named by " + choice.by()
-            + ", is " + have.port().typeName());
+        : new Peer(have.id(), MatchState.REFUSED,
+            MatchSentences.need(want) + "; " + have.id() + ", named by " + choice.by()
+                + ", is " + have.port().typeName());
   }
 
   private Peer absent(SourceId id) {

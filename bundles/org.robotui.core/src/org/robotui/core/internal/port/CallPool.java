@@ -8,7 +8,10 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** The workers that handle the calls to one robot interface: few, with a bounded queue, so that a hanging robot costs little. */
+/**
+ * The workers that handle the calls to one robot interface: few, with a bounded queue, so that a hanging robot costs
+ * little.
+ */
 public final class CallPool implements AutoCloseable {
   private static final int WORKERS = 4;
   private static final int WAITING = 32;

@@ -102,7 +102,8 @@ public final class CallTarget<Q, R> implements Offered {
   @Override
   public PortStatus status(NanoClock moment) {
     return new PortStatus(
-        id, port.kind(), port.typeName(), false, rate.count(), rate.rateHz(moment.nanos()), Double.NaN, false, 0, problem, "");
+        id, port.kind(), port.typeName(), false, rate.count(), rate.rateHz(moment.nanos()), Double.NaN, false, 0,
+        problem, "");
   }
 
   @Override

@@ -13,8 +13,8 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.record.DynamicRecord;
 
 /**
- * A view's end of a call port. The view is told of progress and outcomes on a thread of its own, one after the other: one that
- * blocks then holds up neither the robot interface nor the time-outs of others.
+ * A view's end of a call port. The view is told of progress and outcomes on a thread of its own, one after the other:
+ * one that blocks then holds up neither the robot interface nor the time-outs of others.
  */
 public final class CallerEnd<Q, R> implements Caller<Q, R> {
   private record Targets<Q, R>(List<CallTarget<Q, R>> all, String reason) {}

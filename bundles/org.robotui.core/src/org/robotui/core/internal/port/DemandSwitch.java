@@ -4,7 +4,10 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.api.port.Demand;
 
-/** Counts consumers and tells a producer when the first comes and the last goes, on a serial executor that outlives what is thrown at it. */
+/**
+ * Counts consumers and tells a producer when the first comes and the last goes, on a serial executor that outlives what
+ * is thrown at it.
+ */
 final class DemandSwitch {
   private final Demand demand;
   private final Executor serial;

@@ -9,7 +9,10 @@ import java.util.function.Consumer;
 import org.robotui.api.port.Envelope;
 import org.robotui.data.Data;
 
-/** Each one counts: a queue, bounded in number and in the size of the messages, that drops the oldest, and counts what it drops. */
+/**
+ * Each one counts: a queue, bounded in number and in the size of the messages, that drops the oldest, and counts what
+ * it drops.
+ */
 final class EventMailbox<T extends Data> implements Mailbox<T> {
   static final int CAPACITY = 1024;
   static final long BYTES = 32L << 20;

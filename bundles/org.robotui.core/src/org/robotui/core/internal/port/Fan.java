@@ -16,9 +16,9 @@ import org.robotui.data.Late;
 import org.robotui.data.Stamp;
 
 /**
- * Hands the values of one source to any number of consumers, and remembers the newest. A consumer of samples reads what is remembered; one of
- * events has a mailbox from the moment on at which it joins, and one of keyed values from its first draining on. Publishing is lock-free; consumers
- * come and go while it goes on.
+ * Hands the values of one source to any number of consumers, and remembers the newest. A consumer of samples reads what
+ * is remembered; one of events has a mailbox from the moment on at which it joins, and one of keyed values from its
+ * first draining on. Publishing is lock-free; consumers come and go while it goes on.
  */
 public final class Fan<T extends Data> {
   private final SourceId source;

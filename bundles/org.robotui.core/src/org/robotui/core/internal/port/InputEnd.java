@@ -16,14 +16,20 @@ import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.time.NanoClock;
 import org.robotui.data.Data;
 
-/** A view's end of a stream. Matching changes its sources while it is used, and so does the view's choice where it has one. */
+/**
+ * A view's end of a stream. Matching changes its sources while it is used, and so does the view's choice where it has
+ * one.
+ */
 public final class InputEnd<T extends Data> implements Input<T> {
   private record Line<T extends Data>(StreamSource<T> source, Tap<T> tap) {}
 
   /** Views ask for each of their sources, several times a tick: fifty robots would be looked through fifty times. */
-  private record Lines<T extends Data>(List<Line<T>> all, Map<SourceId, Line<T>> byId, List<Candidate> candidates, String reason) {
+  private record Lines<T extends Data>(List<Line<T>> all, Map<SourceId, Line<T>> byId, List<Candidate> candidates,
+      String reason) {
     static <T extends Data> Lines<T> of(List<Line<T>> all, List<Candidate> candidates, String reason) {
-      return new Lines<>(List.copyOf(all), all.stream().collect(Collectors.toMap(l -> l.source().id(), l -> l, (first, second) -> first)), candidates, reason);
+      return new Lines<>(List.copyOf(all),
+          all.stream().collect(Collectors.toMap(l -> l.source().id(), l -> l, (first, second) -> first)), candidates,
+          reason);
     }
   }
 
@@ -88,7 +94,8 @@ public final class InputEnd<T extends Data> implements Input<T> {
 
   private static String nothing(Lines<?> now) {
     int fitting = now.candidates().size();
-    return fitting == 0 ? now.reason() : "nothing is chosen; " + fitting + (fitting == 1 ? " stream fits" : " streams fit");
+    return fitting == 0 ? now.reason()
+        : "nothing is chosen; " + fitting + (fitting == 1 ? " stream fits" : " streams fit");
   }
 
   private InputState state(Line<T> line) {
@@ -148,9 +155,11 @@ public final class InputEnd<T extends Data> implements Input<T> {
   public synchronized void recall() {
     Lines<T> now = lines;
     List<Line<T>> again = now.all().stream().filter(l -> l.source().holds()).toList();
-    lines = Lines.of(now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake)) : l).toList(),
+    lines = Lines.of(
+        now.all().stream().map(l -> again.contains(l) ? new Line<>(l.source(), l.source().join(intake)) : l).toList(),
         now.candidates(), now.reason());
-    again.forEach(l -> l.source().leave(l.tap())); // after the new ones have joined, so that the robot is not asked to stop
+    again.forEach(l -> l.source().leave(l.tap())); // after the new ones have joined, so that the robot is not asked to
+                                                   // stop
   }
 
   @Override

@@ -12,14 +12,20 @@ final class MailboxReader<T extends Data> implements TapReader<T> {
   private boolean open;
   private boolean closed;
 
-  /** Opens the mailbox at the first draining: for a view that only looks at the newest value, which never drains, no publication merges anything. */
+  /**
+   * Opens the mailbox at the first draining: for a view that only looks at the newest value, which never drains, no
+   * publication merges anything.
+   */
   MailboxReader(Fan<T> fan, Mailbox<T> mailbox, long since) {
     this.fan = fan;
     this.mailbox = mailbox;
     this.since = since;
   }
 
-  /** Opens it at once, as each value counts. A queue is filled before it is opened: it would give twice what is published meanwhile. */
+  /**
+   * Opens it at once, as each value counts. A queue is filled before it is opened: it would give twice what is
+   * published meanwhile.
+   */
   static <T extends Data> MailboxReader<T> opened(Fan<T> fan, Mailbox<T> mailbox, long since) {
     MailboxReader<T> reader = new MailboxReader<>(fan, mailbox, since);
     reader.takeLast();

@@ -6,8 +6,8 @@ import org.robotui.data.Data;
 import org.robotui.data.Keyed;
 
 /**
- * Values of one source merged by key, and how many keys were given up because there were too many. What is no keyed value is
- * replaced by the newer one.
+ * Values of one source merged by key, and how many keys were given up because there were too many. What is no keyed
+ * value is replaced by the newer one.
  */
 record Merged<T extends Data>(Envelope<T> envelope, long dropped) {
   /** The first, or merged with what is held; the held one may be absent (null, as atomic references hold it). */
@@ -35,6 +35,7 @@ record Merged<T extends Data>(Envelope<T> envelope, long dropped) {
 
   /** The raw bytes of one message are not those of the merged value. */
   private static <T extends Data> Envelope<T> of(Envelope<T> newer, T value) {
-    return new Envelope<>(value, newer.source(), newer.sequence(), newer.stamp(), newer.receivedNanos(), Optional.empty());
+    return new Envelope<>(value, newer.source(), newer.sequence(), newer.stamp(), newer.receivedNanos(),
+        Optional.empty());
   }
 }

@@ -15,7 +15,8 @@ public interface Offered extends Offer {
   Port port();
 
   /**
-   * How it is doing. The time is taken after the newest value: one that comes meanwhile would be from after that moment.
+   * How it is doing. The time is taken after the newest value: one that comes meanwhile would be from after that
+   * moment.
    *
    * @param clock monotonic
    */

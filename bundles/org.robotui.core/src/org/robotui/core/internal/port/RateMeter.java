@@ -5,8 +5,9 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicLongArray;
 
 /**
- * Measures how often something happens. Marking is lock-free and allocates nothing. Fast streams are counted in slots of
- * 100 ms over five seconds, so that bursts do not matter; for slow ones the intervals between the last values say more.
+ * Measures how often something happens. Marking is lock-free and allocates nothing. Fast streams are counted in slots
+ * of 100 ms over five seconds, so that bursts do not matter; for slow ones the intervals between the last values say
+ * more.
  */
 public final class RateMeter {
   private static final double SECONDS = 1e-9;

@@ -35,8 +35,8 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
   private volatile Runnable interrupt = () -> {};
 
   /**
-   * A call that was not started yet; {@code ending} is told how it ends before its caller is. A call that is cancelled is given the
-   * grace to say how the robot took it.
+   * A call that was not started yet; {@code ending} is told how it ends before its caller is. A call that is cancelled
+   * is given the grace to say how the robot took it.
    */
   RunningCall(Q request, long deadline, Progress progress, ScheduledExecutorService timer, Duration grace,
       Consumer<CallOutcome<R>> ending) {
@@ -51,7 +51,8 @@ final class RunningCall<Q, R> implements Call<R>, CallHandler.Invocation<Q> {
   void start(CallHandler<Q, R> handler, Function<Runnable, Future<?>> pool, Duration timeout) {
     try {
       Future<?> work = pool.apply(() -> run(handler));
-      Future<?> alarm = timer.schedule(() -> end(new CallOutcome.TimedOut<>()), timeout.toNanos(), TimeUnit.NANOSECONDS);
+      Future<?> alarm =
+          timer.schedule(() -> end(new CallOutcome.TimedOut<>()), timeout.toNanos(), TimeUnit.NANOSECONDS);
       interrupt = () -> work.cancel(true);
       outcome.whenComplete((result, error) -> {
         work.cancel(true);

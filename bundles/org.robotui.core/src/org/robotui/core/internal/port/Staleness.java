@@ -13,8 +13,9 @@ final class Staleness {
   private Staleness() {}
 
   /**
-   * Why a value is stale, or nothing where it is not. One that is kept for late comers holds until the next, unless they come as often as measurements
-   * do. A record of which only one came may be an event as well as a measurement: it has no rhythm yet that could be missed.
+   * Why a value is stale, or nothing where it is not. One that is kept for late comers holds until the next, unless
+   * they come as often as measurements do. A record of which only one came may be an event as well as a measurement: it
+   * has no rhythm yet that could be missed.
    */
   static Optional<String> of(DataType type, boolean kept, double ageSeconds, double periodSeconds, Link link) {
     if (!link.isUp()) {
@@ -23,7 +24,8 @@ final class Staleness {
     double limit = Math.max(AT_LEAST_SECONDS, PERIODS * periodSeconds);
     boolean event = type.type() == DynamicRecord.class && periodSeconds == 0;
     boolean holds = event || kept && (periodSeconds == 0 || periodSeconds >= AT_LEAST_SECONDS);
-    return type.expires() && !holds && ageSeconds > limit ? Optional.of(sentence(ageSeconds, periodSeconds)) : Optional.empty();
+    return type.expires() && !holds && ageSeconds > limit ? Optional.of(sentence(ageSeconds, periodSeconds))
+        : Optional.empty();
   }
 
   private static String sentence(double age, double period) {

@@ -21,7 +21,10 @@ import org.robotui.data.Stamp;
 
 /** A stream that a robot interface offers. */
 public final class StreamSource<T extends Data> implements Publication<T>, Offered {
-  /** How long a loss is told of after values came again, so that a stream of which some are refused is not taken for a sound one. */
+  /**
+   * How long a loss is told of after values came again, so that a stream of which some are refused is not taken for a
+   * sound one.
+   */
   private static final long TOLD_NANOS = 5_000_000_000L;
   private static final double SECONDS = 1e-9;
 
@@ -52,7 +55,8 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   /** Made by the table of offers. */
   public StreamSource(
-      SourceId id, StreamPort<T> port, Link link, NanoClock clock, Demand demand, Executor serial, Withdrawal withdrawal) {
+      SourceId id, StreamPort<T> port, Link link, NanoClock clock, Demand demand, Executor serial,
+      Withdrawal withdrawal) {
     this.id = id;
     this.port = port;
     this.type = port.dataType();
@@ -67,7 +71,8 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   public void publish(T value, Optional<Stamp> stamp, long receivedNanos, Optional<RawMessage> raw) {
     if (!closed.get()) {
       failure = Failure.NONE;
-      newestLoss.filter(loss -> !loss.healed()).ifPresent(loss -> newestLoss = Optional.of(new Loss(loss.reason(), loss.nanos(), true)));
+      newestLoss.filter(loss -> !loss.healed())
+          .ifPresent(loss -> newestLoss = Optional.of(new Loss(loss.reason(), loss.nanos(), true)));
       fan.publish(value, stamp, receivedNanos, raw);
     }
   }
@@ -127,7 +132,8 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
       return lost(age, why.reason(), why.since(), now);
     }
     return refused().<InputState>map(reason -> InputState.Stale.refused(age, id + ": " + reason))
-        .or(() -> stale(age).map(late -> link.isUp() ? new InputState.Stale(age, id + ": " + late) : lost(age, late, link.since(), now)))
+        .or(() -> stale(age).map(
+            late -> link.isUp() ? new InputState.Stale(age, id + ": " + late) : lost(age, late, link.since(), now)))
         .orElseGet(() -> new InputState.Live(fan.rate().rateHz(now), age));
   }
 
@@ -141,7 +147,8 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
 
   /** Why the newest value is not the newest that was sent, while the link is up. */
   private Optional<String> refused() {
-    return newestLoss.filter(loss -> link.isUp() && !loss.healed()).map(loss -> "the newest message was refused; " + loss.reason());
+    return newestLoss.filter(loss -> link.isUp() && !loss.healed())
+        .map(loss -> "the newest message was refused; " + loss.reason());
   }
 
   private InputState nothing() {
@@ -182,7 +189,9 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     Failure why = failure;
     String problem = !why.isNone() ? why.reason() : told(now).or(() -> stale).orElse("");
     String value = last.map(e -> ValueText.of(e.value())).orElse("");
-    return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now), age,
-        stale.isPresent() && refused().isEmpty() || !why.isNone() && last.isPresent(), lost.get() + fan.dropped(), problem, value);
+    return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now),
+        age,
+        stale.isPresent() && refused().isEmpty() || !why.isNone() && last.isPresent(), lost.get() + fan.dropped(),
+        problem, value);
   }
 }

@@ -52,9 +52,10 @@ public final class ValueText {
     return switch (value) {
       case LaserScan scan -> scan.ranges().size() + " beams" + nearest(scan);
       case RangeReadings readings -> readings.readings().size() + " ranges" + nearest(readings);
-      case Bumpers bumpers -> bumpers.bumpers().size() + " bumpers, " + (bumpers.pressed() == 0 ? "free" : bumpers.pressed() + " pressed");
-      case RawImage image ->
-          image.width() + "x" + image.height() + " " + image.encoding().name().toLowerCase(Locale.ROOT);
+      case Bumpers bumpers -> bumpers.bumpers().size() + " bumpers, "
+          + (bumpers.pressed() == 0 ? "free" : bumpers.pressed() + " pressed");
+      case RawImage image -> image.width() + "x" + image.height() + " "
+          + image.encoding().name().toLowerCase(Locale.ROOT);
       case CompressedImage image -> image.format() + ", " + size(image.data().size());
       case CameraInfo info -> info.width() + "x" + info.height() + " " + info.distortionModel();
       case PointCloud cloud -> cloud.size() + " points";
@@ -67,7 +68,8 @@ public final class ValueText {
       case GpsFix fix -> gps(fix);
       case Imu imu -> imu(imu);
       case Diagnostics diagnostics -> diagnostics(diagnostics);
-      case NavigationStatus status -> status.state().name().toLowerCase(Locale.ROOT) + (status.text().isEmpty() ? "" : ": " + status.text());
+      case NavigationStatus status -> status.state().name().toLowerCase(Locale.ROOT)
+          + (status.text().isEmpty() ? "" : ": " + status.text());
       case LogEntry entry -> entry.severity() + " " + entry.origin() + ": " + entry.message();
       case Pose pose -> planar(pose.pose());
       case Twist twist -> format("%.2f m/s %.2f rad/s", twist.linear().x(), twist.angular().z());
@@ -126,8 +128,9 @@ public final class ValueText {
   private static String diagnostics(Diagnostics diagnostics) {
     List<Diagnostics.Item> bad =
         diagnostics.items().stream().filter(i -> i.level() != Diagnostics.Level.OK).toList();
-    return diagnostics.items().size() + " items" + (bad.isEmpty() ? ", all ok" : ", " + bad.size() + " not ok: "
-        + bad.getFirst().name() + " " + bad.getFirst().message());
+    return diagnostics.items().size() + " items" + (bad.isEmpty() ? ", all ok"
+        : ", " + bad.size() + " not ok: "
+            + bad.getFirst().name() + " " + bad.getFirst().message());
   }
 
   private static String size(int bytes) {

@@ -21,8 +21,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a process would leave behind if it ended now: stops that are latched, and a display that hangs. It stands in a file as long as that is so, for the
- * next start to tell. Any thread may call; files are written on the executor, never by the caller.
+ * What a process would leave behind if it ended now: stops that are latched, and a display that hangs. It stands in a
+ * file as long as that is so, for the next start to tell. Any thread may call; files are written on the executor, never
+ * by the caller.
  */
 public final class StopRecord {
   private static final Logger LOG = LoggerFactory.getLogger(StopRecord.class);
@@ -123,8 +124,9 @@ public final class StopRecord {
         return Optional.empty();
       }
       Files.delete(left);
-      return Optional.of("an earlier RobotUI (process " + pid + ") ended like this, and no stop of it is latched any more: "
-          + String.join("; ", all.subList(1, all.size())));
+      return Optional
+          .of("an earlier RobotUI (process " + pid + ") ended like this, and no stop of it is latched any more: "
+              + String.join("; ", all.subList(1, all.size())));
     } catch (IOException e) {
       LOG.warn("{} cannot be read", left, e);
       return Optional.empty();
@@ -133,7 +135,8 @@ public final class StopRecord {
 
   /** Numbers of processes come again: it is the same one only if it began at the same time. */
   private static boolean lives(String pid, String started) {
-    return pid.matches("\\d{1,9}") && ProcessHandle.of(Long.parseLong(pid)).filter(p -> started(p).equals(started)).isPresent();
+    return pid.matches("\\d{1,9}")
+        && ProcessHandle.of(Long.parseLong(pid)).filter(p -> started(p).equals(started)).isPresent();
   }
 
   private static String started(ProcessHandle process) {

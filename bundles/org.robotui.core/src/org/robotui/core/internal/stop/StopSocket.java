@@ -20,8 +20,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where {@code ./robotui stop} reaches this process: a socket in the file system that only its user can open. It has threads of its own, so that it needs
- * neither a window nor anything else that may hang. Who says {@code stop} is answered with a line for each robot, and {@code done} at the end.
+ * Where {@code ./robotui stop} reaches this process: a socket in the file system that only its user can open. It has
+ * threads of its own, so that it needs neither a window nor anything else that may hang. Who says {@code stop} is
+ * answered with a line for each robot, and {@code done} at the end.
  */
 public final class StopSocket implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(StopSocket.class);
@@ -77,7 +78,8 @@ public final class StopSocket implements AutoCloseable {
 
   private void serve(SocketChannel client) {
     try (client) {
-      BufferedReader in = new BufferedReader(new InputStreamReader(Channels.newInputStream(client), StandardCharsets.UTF_8));
+      BufferedReader in =
+          new BufferedReader(new InputStreamReader(Channels.newInputStream(client), StandardCharsets.UTF_8));
       if (line(in).equals("stop")) {
         OutputStream out = Channels.newOutputStream(client);
         out.write((String.join("\n", stop.get()) + "\ndone\n").getBytes(StandardCharsets.UTF_8));

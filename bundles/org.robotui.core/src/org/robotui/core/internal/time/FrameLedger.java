@@ -17,8 +17,8 @@ import org.robotui.data.geometry.FrameTransform;
 import org.robotui.geometry.FrameEdge;
 
 /**
- * Who said where frames are, how often, and what was refused. As many frames as the buffer holds, a few words on each. Safe for all
- * threads.
+ * Who said where frames are, how often, and what was refused. As many frames as the buffer holds, a few words on each.
+ * Safe for all threads.
  */
 final class FrameLedger {
   private static final int MOST_REFUSALS = 20;
@@ -64,7 +64,8 @@ final class FrameLedger {
     ClockKind clock = said.map(FrameVoices::clock).orElse(ClockKind.ROBOT);
     return new FrameLink(edge.parent(), edge.child(), edge.isStatic(),
         edge.isStatic() ? Optional.empty() : Optional.of(new Stamp(edge.newestNanos(), clock)),
-        (edge.newestNanos() - edge.oldestNanos()) * NANO, edge.samples(), edge.authority(), said.map(FrameVoices::lastNanos).orElse(now),
+        (edge.newestNanos() - edge.oldestNanos()) * NANO, edge.samples(), edge.authority(),
+        said.map(FrameVoices::lastNanos).orElse(now),
         edge.isStatic() ? 0 : said.map(v -> v.rateHz(now)).orElse(0.0),
         said.map(v -> v.rivals(edge.parent(), edge.authority(), now)).orElse(List.of()));
   }
@@ -73,7 +74,8 @@ final class FrameLedger {
   List<FrameRefusal> refusals() {
     synchronized (refusals) {
       List<FrameRefusal> all = new ArrayList<>();
-      refusals.forEach((key, count) -> all.add(new FrameRefusal(key.reason(), key.authority(), count.count(), count.lastNanos())));
+      refusals.forEach(
+          (key, count) -> all.add(new FrameRefusal(key.reason(), key.authority(), count.count(), count.lastNanos())));
       return all.stream().sorted(Comparator.comparingLong(FrameRefusal::receivedNanos).reversed()).toList();
     }
   }

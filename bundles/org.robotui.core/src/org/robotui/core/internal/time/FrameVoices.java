@@ -63,8 +63,8 @@ final class FrameVoices {
   }
 
   /**
-   * Who else says it. One who fell silent before the present one began was its predecessor, no rival; what is said for all times is said
-   * once, and contradicts where it names another parent.
+   * Who else says it. One who fell silent before the present one began was its predecessor, no rival; what is said for
+   * all times is said once, and contradicts where it names another parent.
    */
   synchronized List<Rival> rivals(FrameId parent, String authority, long now) {
     Rival own = new Rival(authority, parent);

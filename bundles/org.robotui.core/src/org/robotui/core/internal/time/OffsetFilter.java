@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.OptionalLong;
 
 /**
- * Estimates a clock offset from one-way messages. Each observation is offset plus delay, and delays are never negative, so
- * the minimum over a window is the offset plus the shortest delay.
+ * Estimates a clock offset from one-way messages. Each observation is offset plus delay, and delays are never negative,
+ * so the minimum over a window is the offset plus the shortest delay.
  */
 final class OffsetFilter {
   private static final int BUCKETS = 12;
@@ -27,8 +27,8 @@ final class OffsetFilter {
   }
 
   /**
-   * The minimum over the last minute. Where that minute was silent, the last one known stays: a robot's clock does not change
-   * because it says nothing.
+   * The minimum over the last minute. Where that minute was silent, the last one known stays: a robot's clock does not
+   * change because it says nothing.
    */
   synchronized OptionalLong minimum(long nowNanos) {
     long newest = Arrays.stream(ids).max().orElse(Long.MIN_VALUE);

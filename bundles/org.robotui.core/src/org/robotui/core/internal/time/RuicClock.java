@@ -13,8 +13,8 @@ import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 
 /**
- * The clock of one RUIC: the simulated time of its first robot interface that has one, else this machine's time moved by the
- * offset of the first that is known, else this machine's time.
+ * The clock of one RUIC: the simulated time of its first robot interface that has one, else this machine's time moved
+ * by the offset of the first that is known, else this machine's time.
  */
 public final class RuicClock implements RobotClock {
   private final NanoClock clock;

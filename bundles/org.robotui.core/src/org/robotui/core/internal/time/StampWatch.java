@@ -12,9 +12,10 @@ import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 
 /**
- * Notices that the time of a robot jumped back although nobody said so: a recording that begins anew without a simulated clock, a clock that was set.
- * Where the stamps of all that is heard fall, it is certain; where others go on, somebody has to judge. Simulated time is told by its clock and is
- * not looked at. Safe for all threads; while nothing is suspicious, nobody waits for a lock.
+ * Notices that the time of a robot jumped back although nobody said so: a recording that begins anew without a
+ * simulated clock, a clock that was set. Where the stamps of all that is heard fall, it is certain; where others go on,
+ * somebody has to judge. Simulated time is told by its clock and is not looked at. Safe for all threads; while nothing
+ * is suspicious, nobody waits for a lock.
  */
 public final class StampWatch {
   /** Several senders of one stream are never quite in step; that is no fall. */
@@ -131,7 +132,8 @@ public final class StampWatch {
     if (!longEnough && !(allWentAlong && now - since >= AT_LEAST_NANOS)) {
       return Optional.empty();
     }
-    double seconds = speakers.values().stream().filter(s -> s.fallen).mapToLong(s -> s.before - s.last).max().orElse(0) * SECONDS;
+    double seconds =
+        speakers.values().stream().filter(s -> s.fallen).mapToLong(s -> s.before - s.last).max().orElse(0) * SECONDS;
     doubtedSince = NONE;
     if (goingOn.isEmpty()) {
       speakers.clear(); // who has been silent so far will begin anew as well
@@ -139,11 +141,13 @@ public final class StampWatch {
       return Optional.of(new Finding.Back(seconds));
     }
     speakers.values().forEach(s -> s.fallen = false);
-    return told.addAll(fallen) ? Optional.of(new Finding.Disagreement(few(fallen), few(goingOn), seconds)) : Optional.empty();
+    return told.addAll(fallen) ? Optional.of(new Finding.Disagreement(few(fallen), few(goingOn), seconds))
+        : Optional.empty();
   }
 
   private List<String> names(Predicate<Speaker> wanted) {
-    return speakers.entrySet().stream().filter(e -> wanted.test(e.getValue())).map(e -> e.getKey().toString()).sorted().toList();
+    return speakers.entrySet().stream().filter(e -> wanted.test(e.getValue())).map(e -> e.getKey().toString()).sorted()
+        .toList();
   }
 
   private static List<String> few(List<String> names) {

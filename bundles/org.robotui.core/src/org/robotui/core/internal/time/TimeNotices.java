@@ -7,7 +7,10 @@ import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Acts where the stamps of one robot interface jumped back, and says so. A recording that is repeated says it once, and logs the rest. */
+/**
+ * Acts where the stamps of one robot interface jumped back, and says so. A recording that is repeated says it once, and
+ * logs the rest.
+ */
 public final class TimeNotices implements StampWatch.Ear {
   private static final Logger LOG = LoggerFactory.getLogger(TimeNotices.class);
   private static final double MINUTE = 60;
@@ -45,12 +48,14 @@ public final class TimeNotices implements StampWatch.Ear {
 
   @Override
   public void disagree(List<String> fallen, List<String> goingOn, double seconds) {
-    notice.accept("of " + component + " the stamps of " + and(fallen) + " jumped back by " + span(seconds) + " while those of " + and(goingOn)
+    notice.accept("of " + component + " the stamps of " + and(fallen) + " jumped back by " + span(seconds)
+        + " while those of " + and(goingOn)
         + " go on: what is drawn by them may lie in a wrong place. If a recording began anew, use 'Reset' of the map or the scene");
   }
 
   private static String and(List<String> names) {
-    return names.size() == 1 ? names.getFirst() : String.join(", ", names.subList(0, names.size() - 1)) + " and " + names.getLast();
+    return names.size() == 1 ? names.getFirst()
+        : String.join(", ", names.subList(0, names.size() - 1)) + " and " + names.getLast();
   }
 
   private static String span(double seconds) {
@@ -60,6 +65,7 @@ public final class TimeNotices implements StampWatch.Ear {
     if (seconds < 2 * HOUR) {
       return String.format(Locale.ROOT, "%.0f minutes", seconds / MINUTE);
     }
-    return seconds < 2 * DAY ? String.format(Locale.ROOT, "%.0f hours", seconds / HOUR) : String.format(Locale.ROOT, "%.0f days", seconds / DAY);
+    return seconds < 2 * DAY ? String.format(Locale.ROOT, "%.0f hours", seconds / HOUR)
+        : String.format(Locale.ROOT, "%.0f days", seconds / DAY);
   }
 }

@@ -17,14 +17,18 @@ record Blame(String bundle, String frame) {
       List.of("org.robotui.core", "org.robotui.workbench", "org.robotui.ui", "org.robotui.gl", "org.robotui.api",
           "org.robotui.data", "org.robotui.geometry", "org.eclipse.", "org.apache.", "java.");
 
-  /** The first bundle from the top that is no common caller; else the first of ours. Asks for no more names than it needs. */
+  /**
+   * The first bundle from the top that is no common caller; else the first of ours. Asks for no more names than it
+   * needs.
+   */
   static Optional<Blame> of(StackTraceElement[] stack, BundleNames names) {
     return all(stack, names).filter(Blame::canBeLeftOut).findFirst()
         .or(() -> all(stack, names).filter(b -> b.bundle().startsWith("org.robotui.")).findFirst());
   }
 
   private static Stream<Blame> all(StackTraceElement[] stack, BundleNames names) {
-    return Arrays.stream(stack).flatMap(f -> names.bundleOf(f.getClassName()).map(b -> new Blame(b, f.toString())).stream());
+    return Arrays.stream(stack)
+        .flatMap(f -> names.bundleOf(f.getClassName()).map(b -> new Blame(b, f.toString())).stream());
   }
 
   /** Whether RobotUI can run without the bundle: one that calls all views is needed, whatever it did. */

@@ -14,10 +14,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Looks for a display thread that hangs. It cannot be ended in Java; so, once per silence, the bundle that holds it up is named and
- * its stack is logged. A short silence is only told of where it has stopped something: a window that is being made, or a machine
- * that is busy, is no news to who looks at it. Only one that holds it up for so long that no busy machine explains it is
- * remembered, if it can be left out: the next start asks about it.
+ * Looks for a display thread that hangs. It cannot be ended in Java; so, once per silence, the bundle that holds it up
+ * is named and its stack is logged. A short silence is only told of where it has stopped something: a window that is
+ * being made, or a machine that is busy, is no news to who looks at it. Only one that holds it up for so long that no
+ * busy machine explains it is remembered, if it can be left out: the next start asks about it.
  */
 public final class DisplayWatchdog implements Watched {
   private static final Logger LOG = LoggerFactory.getLogger(DisplayWatchdog.class);
@@ -38,7 +38,8 @@ public final class DisplayWatchdog implements Watched {
 
     Silence with(boolean report, boolean remember, Optional<String> bundle) {
       List<String> all = Stream.concat(found.stream(), bundle.stream()).toList();
-      return new Silence(reported || report, remembered || remember, all.subList(Math.max(0, all.size() - LOOKS), all.size()));
+      return new Silence(reported || report, remembered || remember,
+          all.subList(Math.max(0, all.size() - LOOKS), all.size()));
     }
 
     /** The one that was found most often: a single look may find one that was just about to end. */
@@ -48,7 +49,10 @@ public final class DisplayWatchdog implements Watched {
     }
   }
 
-  /** What the display did at one moment. Telling of it takes time, in which it may go on: so all that is told is from one look. */
+  /**
+   * What the display did at one moment. Telling of it takes time, in which it may go on: so all that is told is from
+   * one look.
+   */
   private record Look(StackOf stack, Optional<Blame> blame) {}
 
   /**
@@ -99,7 +103,8 @@ public final class DisplayWatchdog implements Watched {
 
   private void over(boolean stopped, long nanos) {
     if (silence.reported()) {
-      notice.accept(String.format(Locale.ROOT, "the display answers again, after %.1f s%s", nanos * 1e-9, silence.culprit()));
+      notice.accept(
+          String.format(Locale.ROOT, "the display answers again, after %.1f s%s", nanos * 1e-9, silence.culprit()));
     } else if (stopped) {
       notice.accept("the display did not answer for a moment: what its windows moved was stopped");
     }
@@ -107,9 +112,11 @@ public final class DisplayWatchdog implements Watched {
   }
 
   private void report(Look look, long nanos, boolean stopped) {
-    String who = look.blame().map(b -> "bundle " + b.bundle() + " holds it up at " + b.frame()).orElse("no bundle is to blame");
+    String who =
+        look.blame().map(b -> "bundle " + b.bundle() + " holds it up at " + b.frame()).orElse("no bundle is to blame");
     String done = stopped ? "what its windows moved is stopped" : "its windows can move no robot until it does";
-    String message = String.format(Locale.ROOT, "the display has not answered for %.1f s; %s; %s", nanos * 1e-9, who, done);
+    String message =
+        String.format(Locale.ROOT, "the display has not answered for %.1f s; %s; %s", nanos * 1e-9, who, done);
     notice.accept(message);
     LOG.info("What the display does", look.stack());
   }

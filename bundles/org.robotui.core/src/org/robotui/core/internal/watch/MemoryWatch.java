@@ -11,14 +11,17 @@ import org.robotui.core.internal.fence.HeapBound;
 import org.robotui.core.internal.watch.Watch.Watched;
 
 /**
- * Looks how full the heap is even after a collection. Where it soon will not be enough, that is said. Where it is full, each thread may
- * fail or stand still at any time, also those that stop a robot: so all robots are stopped while that can still be done. Nobody can
- * say who took the memory.
+ * Looks how full the heap is even after a collection. Where it soon will not be enough, that is said. Where it is full,
+ * each thread may fail or stand still at any time, also those that stop a robot: so all robots are stopped while that
+ * can still be done. Nobody can say who took the memory.
  */
 public final class MemoryWatch implements Watched {
   private static final double FULL = 0.95;
   private static final double NEARLY_FULL = 0.8;
-  /** Below this there is room again. Between the two nothing is said: what wavers around one bound would be said for ever. */
+  /**
+   * Below this there is room again. Between the two nothing is said: what wavers around one bound would be said for
+   * ever.
+   */
   private static final double ROOMY = 0.7;
 
   private final Supplier<List<MemoryUsage>> afterCollection;
@@ -60,7 +63,8 @@ public final class MemoryWatch implements Watched {
     if (!holdsMoreThan(ROOMY, usages)) {
       warned = false;
     } else if (!warned && holdsMoreThan(NEARLY_FULL, usages)) {
-      alert.accept("RobotUI holds " + share(NEARLY_FULL, usages) + " MB of memory, and stops all robots when they are used up: " + remedy());
+      alert.accept("RobotUI holds " + share(NEARLY_FULL, usages)
+          + " MB of memory, and stops all robots when they are used up: " + remedy());
       warned = true;
     }
   }

@@ -9,8 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Remembers bundles that held the display up, one symbolic name a line, so that the next start can offer to leave them out.
- * The application reads and clears it.
+ * Remembers bundles that held the display up, one symbolic name a line, so that the next start can offer to leave them
+ * out. The application reads and clears it.
  */
 public final class SuspectFile {
   private static final Logger LOG = LoggerFactory.getLogger(SuspectFile.class);
@@ -30,7 +30,8 @@ public final class SuspectFile {
         Files.writeString(file, bundle + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
       }
     } catch (IOException e) {
-      LOG.warn("{} cannot be written, so that the next start will not know of bundle {}: {}", file, bundle, e.toString());
+      LOG.warn("{} cannot be written, so that the next start will not know of bundle {}: {}", file, bundle,
+          e.toString());
     }
   }
 

@@ -9,8 +9,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The thread that looks for what hangs, ten times a second. It only looks: what it calls must not block. Where it could not look itself for a while, as
- * the process was stopped or the machine slept, nobody else could do anything either: all have some time before it looks again.
+ * The thread that looks for what hangs, ten times a second. It only looks: what it calls must not block. Where it could
+ * not look itself for a while, as the process was stopped or the machine slept, nobody else could do anything either:
+ * all have some time before it looks again.
  */
 public final class Watch implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
@@ -68,7 +69,8 @@ public final class Watch implements AutoCloseable {
       if (now - patientUntil >= 0) {
         watched.forEach(w -> check(w, now));
       }
-    } catch (RuntimeException | Error e) { // going through the list needs memory as well: what is left is looked at next time
+    } catch (RuntimeException | Error e) { // going through the list needs memory as well: what is left is looked at
+                                           // next time
       Thrown.log(LOG, "Looking failed", e);
     }
   }

@@ -231,7 +231,6 @@ class ArbiterTest {
     assertFalse(robot.arbiter.drives(robot.velocity));
   }
 
-
   @Test
   void stopRefusesEverythingAlsoOfTheHolder() {
     drive();
@@ -249,10 +248,11 @@ class ArbiterTest {
   void stopReachesPortsThatCameLater() {
     robot.arbiter.stop(Samples.YOU);
     robot.pass(100);
-    robot.targets.add(robot.target(new CommandPort<>("arm_vel", VelocityCommand.class, Samples.VELOCITY.arity(), ""), c -> {
-      robot.alerts.add("arm " + c);
-      return new CommandSink.Sent.Out();
-    }));
+    robot.targets
+        .add(robot.target(new CommandPort<>("arm_vel", VelocityCommand.class, Samples.VELOCITY.arity(), ""), c -> {
+          robot.alerts.add("arm " + c);
+          return new CommandSink.Sent.Out();
+        }));
     robot.pass(100);
     assertEquals("arm " + VelocityCommand.ZERO, robot.alerts.getFirst());
   }
@@ -297,7 +297,8 @@ class ArbiterTest {
 
   @Test
   void refusalOfTheRobotIsShown() {
-    CommandTarget<VelocityCommand> deaf = robot.target(Samples.VELOCITY, c -> new CommandSink.Sent.Refused("motors are off"));
+    CommandTarget<VelocityCommand> deaf =
+        robot.target(Samples.VELOCITY, c -> new CommandSink.Sent.Refused("motors are off"));
     output.connect(List.of(deaf), "");
     robot.arbiter.take(Samples.YOU, false);
     output.send(Samples.forward(1), VALID);

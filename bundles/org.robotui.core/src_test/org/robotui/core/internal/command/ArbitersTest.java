@@ -85,10 +85,11 @@ class ArbitersTest {
     Link link = new Link(NanoClock.SYSTEM, () -> {});
     link.report(new LinkState.Connected("robot"));
     Sender sender = new Sender("base", Thread.ofPlatform().daemon().factory(), NanoClock.SYSTEM);
-    CommandTarget<VelocityCommand> target = new CommandTarget<>(new SourceId("base", "cmd_vel"), Samples.VELOCITY, c -> {
-      sent.add(c);
-      return new CommandSink.Sent.Out();
-    }, link, arbiters.of("hung"), sender, NanoClock.SYSTEM, o -> {});
+    CommandTarget<VelocityCommand> target =
+        new CommandTarget<>(new SourceId("base", "cmd_vel"), Samples.VELOCITY, c -> {
+          sent.add(c);
+          return new CommandSink.Sent.Out();
+        }, link, arbiters.of("hung"), sender, NanoClock.SYSTEM, o -> {});
     Ports ports = new Ports(List.of(target));
     arbiters.register("hung", ports);
     display.alive(); // and never again

@@ -30,18 +30,19 @@ class LatchedStopTest {
 
   /** A port that notes what it is asked to stop, and answers as told. */
   private CommandTarget<VelocityCommand> port(String name, Sent answer) {
-    CommandTarget<VelocityCommand> target = robot.target(new CommandPort<>(name, VelocityCommand.class, Arity.MANY, ""), new CommandSink<>() {
-      @Override
-      public Sent send(VelocityCommand command) {
-        return new Sent.Out();
-      }
+    CommandTarget<VelocityCommand> target =
+        robot.target(new CommandPort<>(name, VelocityCommand.class, Arity.MANY, ""), new CommandSink<>() {
+          @Override
+          public Sent send(VelocityCommand command) {
+            return new Sent.Out();
+          }
 
-      @Override
-      public Sent stop(VelocityCommand zero, boolean ours) {
-        asked.add(name + (ours ? " ours" : ""));
-        return answer;
-      }
-    });
+          @Override
+          public Sent stop(VelocityCommand zero, boolean ours) {
+            asked.add(name + (ours ? " ours" : ""));
+            return answer;
+          }
+        });
     robot.targets.add(target);
     return target;
   }

@@ -99,8 +99,11 @@ final class RobotBench implements RobotPorts, AutoCloseable {
 
   /** The robot says that it moves, or that it stands. */
   void report(double metresPerSecond) {
-    odometry.publish(new Odometry(new FrameId("pioneer", "odom"), new FrameId("pioneer", "base_link"), RigidTransform.IDENTITY, Doubles.EMPTY,
-        new Vector3(metresPerSecond, 0, 0), Vector3.ZERO, Doubles.EMPTY), Optional.empty(), clock.nanos(), Optional.empty());
+    odometry.publish(
+        new Odometry(new FrameId("pioneer", "odom"), new FrameId("pioneer", "base_link"), RigidTransform.IDENTITY,
+            Doubles.EMPTY,
+            new Vector3(metresPerSecond, 0, 0), Vector3.ZERO, Doubles.EMPTY),
+        Optional.empty(), clock.nanos(), Optional.empty());
   }
 
   @Override

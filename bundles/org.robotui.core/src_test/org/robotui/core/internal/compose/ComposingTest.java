@@ -48,11 +48,12 @@ import org.robotui.data.sensor.Battery;
 import org.robotui.data.sensor.LaserScan;
 
 class ComposingTest {
-  @TempDir Path folder;
+  @TempDir
+  Path folder;
   private CoreBench bench;
   private final FakeRobot robot = new FakeRobot("fake").onStart(c -> {
-    c.offers().stream(new StreamPort<>("laser:0", LaserScan.class, Arity.MANY, ""), wanted -> { });
-    c.offers().stream(new StreamPort<>("laser:1", LaserScan.class, Arity.MANY, ""), wanted -> { });
+    c.offers().stream(new StreamPort<>("laser:0", LaserScan.class, Arity.MANY, ""), wanted -> {});
+    c.offers().stream(new StreamPort<>("laser:1", LaserScan.class, Arity.MANY, ""), wanted -> {});
     c.link().report(new LinkState.Connected("here"));
   });
 
@@ -60,7 +61,8 @@ class ComposingTest {
   private record Type(String id, Layout layout) implements RuicType {
     @Override
     public Descriptor descriptor() {
-      Schema schema = layout instanceof Layout.View v ? Schema.of(Setting.of("view", new ValueType.Text(), v.uic(), "")) : Schema.EMPTY;
+      Schema schema = layout instanceof Layout.View v ? Schema.of(Setting.of("view", new ValueType.Text(), v.uic(), ""))
+          : Schema.EMPTY;
       return new Descriptor(id, id, "", schema, List.of());
     }
 
@@ -83,9 +85,11 @@ class ComposingTest {
     view(new FakeView("all", new StreamPort<>("all", LaserScan.class, Arity.MANY, "")));
     view(new FakeView("plot", new StreamPort<>("values", Data.class, Arity.MANY, "", Intake.CHOSEN)));
     view(new FakeView("power", new StreamPort<>("battery", Battery.class, Arity.MANY, "")));
-    view(new FakeView("topics", new BrowsePort("graph", Arity.MANY, ""), new StreamPort<>("any", LaserScan.class, Arity.MANY, "")));
+    view(new FakeView("topics", new BrowsePort("graph", Arity.MANY, ""),
+        new StreamPort<>("any", LaserScan.class, Arity.MANY, "")));
     view(new FakeView("frames"));
-    view(new FakeView("text", new StreamPort<>("all", Data.class, Arity.MANY, "")).on(org.robotui.api.UicType.Surface.TEXT));
+    view(new FakeView("text", new StreamPort<>("all", Data.class, Arity.MANY, ""))
+        .on(org.robotui.api.UicType.Surface.TEXT));
     bench.registry.add(new Type("rover", new Layout.Split(Layout.Direction.ROW,
         List.of(new Layout.Tabs(List.of("all", "plot", "topics")), new Layout.View("scan")), List.of(2.0, 1.0))), "b");
     bench.registry.add(new Type("single", new Layout.View("all")), "b");
@@ -131,10 +135,14 @@ class ComposingTest {
           "power", Fit.MISSING, "topics", Fit.MISSING), fits);
       assertEquals("all from laser:0 and laser:1", reason(composition, "all"));
       assertEquals("scan: 2 ports fit", reason(composition, "scan"));
-      assertTrue(reason(composition, "power").contains("power needs Battery on 'battery'; base offers LaserScan 'laser:0'"), reason(composition, "power"));
+      assertTrue(
+          reason(composition, "power").contains("power needs Battery on 'battery'; base offers LaserScan 'laser:0'"),
+          reason(composition, "power"));
       assertTrue(reason(composition, "topics").contains("base has no browser"), reason(composition, "topics"));
-      assertEquals(List.of("rover", "single", "other"), composition.state().ruics().stream().map(r -> r.type()).toList());
-      assertEquals("brings 3 of the 4 views that fit; 1 of its views would stay empty", composition.state().ruics().getFirst().reason());
+      assertEquals(List.of("rover", "single", "other"),
+          composition.state().ruics().stream().map(r -> r.type()).toList());
+      assertEquals("brings 3 of the 4 views that fit; 1 of its views would stay empty",
+          composition.state().ruics().getFirst().reason());
     }
   }
 
@@ -152,7 +160,8 @@ class ComposingTest {
       assertEquals(shown, composition.write(draft, shown));
     }
     assertEquals(List.of(), bench.core.load(folder.resolve("keira.yaml")));
-    Await.until("the connection", () -> bench.match("scan.scan").filter(m -> m.peers().equals(List.of(new SourceId("base", "laser:1")))).isPresent());
+    Await.until("the connection", () -> bench.match("scan.scan")
+        .filter(m -> m.peers().equals(List.of(new SourceId("base", "laser:1")))).isPresent());
     assertEquals(List.of("all", "plot", "scan"), bench.ruic().layout().views());
     assertEquals("007", bench.ruic().interfaces().getFirst().settings().get("peer"));
     assertEquals(2, robot.closed.get() + 1, "the one that was tried has ended");
@@ -162,24 +171,31 @@ class ComposingTest {
   void noMoreIsWrittenThanTheTypeDoesNotSayAlready() throws IOException {
     try (Composition composition = composition(Map.of())) {
       assertEquals("  Keira:\n    type: rover\n    rfics:\n      base: {type: fake}\n",
-          added(composition, draft("Keira", "rover", "a.yaml", "all", "plot", "topics", "scan")).replaceFirst("(?s).*ruics:\n", ""));
-      assertTrue(added(composition, draft("Keira", "single", "a.yaml", "scan")).contains("    type: single\n    view: scan\n"));
+          added(composition, draft("Keira", "rover", "a.yaml", "all", "plot", "topics", "scan"))
+              .replaceFirst("(?s).*ruics:\n", ""));
+      assertTrue(added(composition, draft("Keira", "single", "a.yaml", "scan"))
+          .contains("    type: single\n    view: scan\n"));
       String more = added(composition, draft("Keira", "rover", "a.yaml", "all", "scan", "frames"));
-      assertTrue(more.contains("    without: [plot, topics]\n    uics:\n      frames: {}\n    layout:\n      row:\n        - weight: 2\n          tabs: [all, frames]\n"
-          + "        - weight: 1\n          view: scan\n"), more);
+      assertTrue(more.contains(
+          "    without: [plot, topics]\n    uics:\n      frames: {}\n    layout:\n      row:\n        - weight: 2\n          tabs: [all, frames]\n"
+              + "        - weight: 1\n          view: scan\n"),
+          more);
     }
   }
 
   @Test
   void itIsAddedToAFileWhichStaysAsItWas() throws IOException {
-    Path file = Files.writeString(folder.resolve("team.yaml"), "# ours\nruics:\n  A: {type: single, rfics: {b: {type: fake}}}   # the first\n");
+    Path file = Files.writeString(folder.resolve("team.yaml"),
+        "# ours\nruics:\n  A: {type: single, rfics: {b: {type: fake}}}   # the first\n");
     try (Composition composition = composition(Map.of())) {
       RuicDraft draft = draft("Keira", "single", "team.yaml", "all");
       Text shown = assertInstanceOf(Text.class, composition.text(draft));
       assertFalse(shown.isNew());
       composition.write(draft, shown);
-      assertEquals("# ours\nruics:\n  A: {type: single, rfics: {b: {type: fake}}}   # the first\n  Keira:\n    type: single\n    rfics:\n"
-          + "      base: {type: fake}\n", Files.readString(file));
+      assertEquals(
+          "# ours\nruics:\n  A: {type: single, rfics: {b: {type: fake}}}   # the first\n  Keira:\n    type: single\n    rfics:\n"
+              + "      base: {type: fake}\n",
+          Files.readString(file));
       refused(composition.text(draft), Field.NAME, "there is a 'Keira' in team.yaml already");
       assertEquals(List.of("team.yaml"), files(), "nothing else is left in the folder");
     }
@@ -215,8 +231,10 @@ class ComposingTest {
       refused(composition.text(draft("K", "rovr", "a.yaml", "all")), Field.VIEWS, "there are other, rover, single");
       refused(composition.text(draft("K", "rover", "a.txt", "all")), Field.FILE, "ends with .yaml");
       refused(composition.text(draft("K", "rover", "no/a.yaml", "all")), Field.FILE, "there is no folder");
-      refused(composition.text(draft("K", "rover", "flow.yaml", "all")), Field.FILE, "flow.yaml:1: 'ruics' stands in braces");
-      refused(composition.text(draft("K", "rover", "broken.yaml", "all")), Field.FILE, "has an error, which comes first");
+      refused(composition.text(draft("K", "rover", "flow.yaml", "all")), Field.FILE,
+          "flow.yaml:1: 'ruics' stands in braces");
+      refused(composition.text(draft("K", "rover", "broken.yaml", "all")), Field.FILE,
+          "has an error, which comes first");
     }
   }
 
@@ -234,7 +252,8 @@ class ComposingTest {
       assertTrue(composition.state().usable());
       assertEquals(Fit.CONNECTED, composition.state().view("scan").orElseThrow().fit());
     }
-    try (Composition composition = bench.core.compose(new InterfaceConfig("base", "fake", "", "", Map.of("pear", "x")))) {
+    try (Composition composition =
+        bench.core.compose(new InterfaceConfig("base", "fake", "", "", Map.of("pear", "x")))) {
       Await.until("it has failed", () -> composition.state().stage() == Stage.FAILED);
       assertTrue(composition.state().sentence().contains("pear"), composition.state()::sentence);
     }

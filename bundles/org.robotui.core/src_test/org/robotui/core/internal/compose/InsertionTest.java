@@ -12,22 +12,26 @@ class InsertionTest {
   private static String into(String text) {
     Insertion insertion = Insertion.into(text, RUIC).orElseThrow();
     List<String> lines = insertion.whole().lines().toList();
-    assertEquals(insertion.added().lines().findFirst(), lines.stream().skip(insertion.line() - 1L).findFirst(), "the line of what is new");
+    assertEquals(insertion.added().lines().findFirst(), lines.stream().skip(insertion.line() - 1L).findFirst(),
+        "the line of what is new");
     String without = String.join("\n", lines.subList(0, insertion.line() - 1)) + "\n"
-        + String.join("\n", lines.subList(insertion.line() - 1 + (int) insertion.added().lines().count(), lines.size()));
+        + String.join("\n",
+            lines.subList(insertion.line() - 1 + (int) insertion.added().lines().count(), lines.size()));
     assertEquals(text.lines().toList(), without.stripTrailing().lines().toList(), "what was there");
     return insertion.whole();
   }
 
   @Test
   void itStandsBehindTheLastOneAndCommentsStayWhereTheyBelong() {
-    assertEquals("# head\nruics:   # all\n  A:\n    type: base\n    # of A\n  Keira:\n    type: base\n\n# of windows\nwindows: [A]\n",
+    assertEquals(
+        "# head\nruics:   # all\n  A:\n    type: base\n    # of A\n  Keira:\n    type: base\n\n# of windows\nwindows: [A]\n",
         into("# head\nruics:   # all\n  A:\n    type: base\n    # of A\n\n# of windows\nwindows: [A]\n"));
   }
 
   @Test
   void indentationAndEndsOfLinesAreThoseOfTheFile() {
-    assertEquals("ruics:\r\n    A: {type: base}\r\n    Keira:\r\n      type: base\r\n", into("ruics:\r\n    A: {type: base}\r\n"));
+    assertEquals("ruics:\r\n    A: {type: base}\r\n    Keira:\r\n      type: base\r\n",
+        into("ruics:\r\n    A: {type: base}\r\n"));
   }
 
   @Test
@@ -56,6 +60,7 @@ class InsertionTest {
     Insertion filled = Insertion.into("# head\nruics: {}   # none yet\nwindows: [Keira]\n", RUIC).orElseThrow();
     assertEquals("# head\nruics:   # none yet\n  Keira:\n    type: base\nwindows: [Keira]\n", filled.whole());
     assertEquals(3, filled.line());
-    assertEquals("ruics:\r\n  Keira:\r\n    type: base\r\n", Insertion.into("ruics: { }\r\n", RUIC).orElseThrow().whole());
+    assertEquals("ruics:\r\n  Keira:\r\n    type: base\r\n",
+        Insertion.into("ruics: { }\r\n", RUIC).orElseThrow().whole());
   }
 }

@@ -70,7 +70,8 @@ final class FakeTypes implements TypeLookup {
     @Override
     public List<SettingFault> faults(Settings settings) {
       return settings.has("folder") && settings.values().get("folder") instanceof Placed folder
-          ? List.of(folder.fault("no folder " + folder.resolve(folder.value().toString()))) : List.of();
+          ? List.of(folder.fault("no folder " + folder.resolve(folder.value().toString())))
+          : List.of();
     }
 
     @Override

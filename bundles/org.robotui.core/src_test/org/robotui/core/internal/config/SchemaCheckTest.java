@@ -11,7 +11,8 @@ import org.robotui.core.internal.config.model.CheckedValue;
 
 class SchemaCheckTest {
   private static final Setting PLAIN = Setting.optional("plain",
-      new ValueType.AnyOf(List.of(new ValueType.Flag(), new ValueType.Int(0, Long.MAX_VALUE), new ValueType.Text())), "A value of any kind.");
+      new ValueType.AnyOf(List.of(new ValueType.Flag(), new ValueType.Int(0, Long.MAX_VALUE), new ValueType.Text())),
+      "A value of any kind.");
 
   @Test
   void aTextStaysATextWhereNumbersMayStand() {
@@ -29,10 +30,12 @@ class SchemaCheckTest {
         throw new IllegalArgumentException("a blank separates words");
       }
     }));
-    Setting words = Setting.optional("words", new ValueType.AnyOf(List.of(word, new ValueType.ListOf(word))), "One word or some.");
+    Setting words =
+        Setting.optional("words", new ValueType.AnyOf(List.of(word, new ValueType.ListOf(word))), "One word or some.");
 
     assertEquals(new CheckedValue.Fits("go"), new SchemaCheck().value(words, "go"));
-    CheckedValue wrong = new CheckedValue.Wrong("'words' must be a word, such as go, not 'go on'; a blank separates words");
+    CheckedValue wrong =
+        new CheckedValue.Wrong("'words' must be a word, such as go, not 'go on'; a blank separates words");
     assertEquals(wrong, new SchemaCheck().value(words, "go on"));
     assertEquals(wrong, new SchemaCheck().value(words, List.of("go", "go on")));
   }

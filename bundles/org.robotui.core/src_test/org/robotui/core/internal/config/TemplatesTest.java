@@ -36,7 +36,8 @@ class TemplatesTest {
             base: {type: ros, master: "${robot}/${number}"}
       """;
 
-  @TempDir Path folder;
+  @TempDir
+  Path folder;
 
   @Test
   void aTemplateIsFormedForEachName() throws IOException {
@@ -86,7 +87,8 @@ class TemplatesTest {
   @Test
   void theNameOfATemplateMustDiffer() throws IOException {
     String same = ruic("for: r1..r3").replace("${robot}:\n", "fixed:\n");
-    assertEquals(List.of("2:3: 'fixed' stands here twice; write ${robot} or ${number} in the name of the template (for r2 and 1 more)"),
+    assertEquals(List.of(
+        "2:3: 'fixed' stands here twice; write ${robot} or ${number} in the name of the template (for r2 and 1 more)"),
         told(same));
   }
 
@@ -105,7 +107,8 @@ class TemplatesTest {
             rfics: {base: {type: ros, master: m}}
             uics: {plan: {type: map, for: 5}}
         """);
-    assertTrue(result.problems().getFirst().message().startsWith("unknown setting 'for'"), result.problems().toString());
+    assertTrue(result.problems().getFirst().message().startsWith("unknown setting 'for'"),
+        result.problems().toString());
   }
 
   @Test

@@ -40,7 +40,8 @@ class YamlConfigSourceTest {
             Natalie: {max_linear: 0.5, stop_call: {interface: ros, service: /stop}}
       """;
 
-  @TempDir Path folder;
+  @TempDir
+  Path folder;
 
   @Test
   void readsEverythingThatAConfigurationMaySay() throws IOException {
@@ -50,7 +51,8 @@ class YamlConfigSourceTest {
     assertEquals("Natalie", ruic.rfics().getFirst().robot());
     assertEquals(List.of("", "camera"), ruic.uics().stream().map(u -> u.type()).toList());
     assertEquals("Front", ruic.uics().get(1).title());
-    assertEquals(List.of(new SourceId("ros", "scan"), new SourceId("ros", "scan_rear")), ruic.connections().getFirst().peers());
+    assertEquals(List.of(new SourceId("ros", "scan"), new SourceId("ros", "scan_rear")),
+        ruic.connections().getFirst().peers());
     assertEquals(List.of(), ruic.connections().get(1).peers());
     assertEquals(0.5, ruic.safety("Natalie").limits().linear());
     assertEquals("/stop", ruic.safety("Natalie").stopCall().orElseThrow().request().service());
@@ -76,8 +78,10 @@ class YamlConfigSourceTest {
     assertProblem(GOOD.replace("title: Front", "titel: Front"), 8, 29, "unknown setting 'titel'");
     assertProblem(GOOD.replace("layout:", "layuot:"), 12, 5, "did you mean 'layout'?");
     assertProblem(GOOD.replace("view: map", "view: mpa"), 14, 18, "there is no view 'mpa'; did you mean 'map'?");
-    assertProblem(GOOD.replace("[ros.scan,", "[rso.scan,"), 10, 18, "there is no robot interface 'rso'; did you mean 'ros'?");
-    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 17, 29, "'max_linear' must be a number from 0 to 100 in m/s, not 'fast'");
+    assertProblem(GOOD.replace("[ros.scan,", "[rso.scan,"), 10, 18,
+        "there is no robot interface 'rso'; did you mean 'ros'?");
+    assertProblem(GOOD.replace("max_linear: 0.5", "max_linear: fast"), 17, 29,
+        "'max_linear' must be a number from 0 to 100 in m/s, not 'fast'");
     assertProblem(GOOD.replace("ruics:", "ruisc:"), 1, 1, "did you mean 'ruics'?");
     assertProblem(GOOD.replace("weight: 2", "weight: -2"), 14, 31, "'weight' must be a number from 0.01 to 1000");
     assertProblem(GOOD.replace("    Natalie: {max", "    Natalia: {max"), 17, 7, "did you mean 'Natalie'?");
@@ -88,7 +92,8 @@ class YamlConfigSourceTest {
     assertEquals(List.of(), read(GOOD).windows());
     assertEquals(List.of("Natalie 1.0"), windows("windows: Natalie\n" + GOOD));
     assertEquals(List.of("Keira 1.0", "Natalie 2.0"),
-        windows("windows: [Keira, {show: Natalie, weight: 2}]\n" + GOOD + "  Keira: {type: base, rfics: {b: {type: ros, master: x}}}\n"));
+        windows("windows: [Keira, {show: Natalie, weight: 2}]\n" + GOOD
+            + "  Keira: {type: base, rfics: {b: {type: ros, master: x}}}\n"));
   }
 
   private List<String> windows(String text) throws IOException {
@@ -99,10 +104,13 @@ class YamlConfigSourceTest {
 
   @Test
   void saysWhatIsWrongWithWindowsAndTheRobotsRunAllTheSame() throws IOException {
-    assertProblem("windows: [Natlie]\n" + GOOD, 1, 11, "there is no RUIC 'Natlie' for a window; did you mean 'Natalie'?");
+    assertProblem("windows: [Natlie]\n" + GOOD, 1, 11,
+        "there is no RUIC 'Natlie' for a window; did you mean 'Natalie'?");
     assertProblem("windows: [Natalie, Natalie]\n" + GOOD, 1, 20, "'Natalie' has a window already");
-    assertProblem("windows: [{weight: 2}]\n" + GOOD, 1, 11, "'show' is missing: the name of a RUIC, such as {show: Natalie, weight: 2}");
-    assertProblem("windows: [{show: Natalie, weight: -1}]\n" + GOOD, 1, 35, "'weight' must be a number from 0.01 to 1000, not '-1'");
+    assertProblem("windows: [{weight: 2}]\n" + GOOD, 1, 11,
+        "'show' is missing: the name of a RUIC, such as {show: Natalie, weight: 2}");
+    assertProblem("windows: [{show: Natalie, weight: -1}]\n" + GOOD, 1, 35,
+        "'weight' must be a number from 0.01 to 1000, not '-1'");
     assertProblem("windows: [{show: Natalie, wieght: 1}]\n" + GOOD, 1, 27, "did you mean 'weight'?");
     assertProblem("windows: [[Natalie]]\n" + GOOD, 1, 11, "not a list");
     assertProblem("windows:\n" + GOOD, 1, 9, "a window must be the name of a RUIC, such as Natalie, not nothing");
@@ -119,7 +127,8 @@ class YamlConfigSourceTest {
 
   @Test
   void whatATypeFindsFaultWithHasItsPlace() throws IOException {
-    assertProblem(GOOD.replace("master: ", "folder: maps, master: "), 5, GOOD.lines().toList().get(4).indexOf("master: ") + 9,
+    assertProblem(GOOD.replace("master: ", "folder: maps, master: "), 5,
+        GOOD.lines().toList().get(4).indexOf("master: ") + 9,
         "no folder " + folder.toAbsolutePath().resolve("maps"));
   }
 
@@ -177,7 +186,8 @@ class YamlConfigSourceTest {
   }
 
   private static String mutation(RandomGenerator random) {
-    String[] pieces = {"", ":", "{", "}", "[", "]", "- ", "\n", "&a ", "*a", "!!int ", "\t", "\"", "\u0000", "999999999999", "  "};
+    String[] pieces =
+        {"", ":", "{", "}", "[", "]", "- ", "\n", "&a ", "*a", "!!int ", "\t", "\"", "\u0000", "999999999999", "  "};
     return pieces[random.nextInt(pieces.length)];
   }
 

@@ -17,7 +17,8 @@ import org.robotui.core.internal.config.model.ChosenInterface;
 import org.robotui.core.internal.config.model.Overlay;
 
 class YamlOverlayTest {
-  @TempDir Path folder;
+  @TempDir
+  Path folder;
 
   @Test
   void readsWhatItWrote() throws IOException {
@@ -42,7 +43,8 @@ class YamlOverlayTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"a: &a {settings: {map: {x: *a}}}", "a: {settings: {map: &l [*l]}}", "a: {settings: {map: {x: &l [*l]}}}",
+  @ValueSource(strings = {"a: &a {settings: {map: {x: *a}}}", "a: {settings: {map: &l [*l]}}",
+      "a: {settings: {map: {x: &l [*l]}}}",
       "!!java.lang.Object {}", "a: [", "\0"})
   void refusesWhatWouldNeverEndOrIsNothing(String text) throws IOException {
     Path file = Files.writeString(folder.resolve("odd.yaml"), text);

@@ -136,7 +136,8 @@ class ConfigChangeTest {
   @Test
   void namedConnectionsAndSafetyAreTakenUpWhileItRuns() {
     Await.until("it is connected", () -> state() == MatchState.CONNECTED);
-    ConfigChange change = after(YAML.replace("map.scan: base.scan", "map.scan: none") + "    safety:\n      pioneer: {max_linear: 0.1}\n");
+    ConfigChange change = after(
+        YAML.replace("map.scan: base.scan", "map.scan: none") + "    safety:\n      pioneer: {max_linear: 0.1}\n");
     assertEquals(List.of(new Step.TakenUp("pioneer", "connect, safety")), change.steps());
     Await.until("it is left unconnected", () -> state() == MatchState.REFUSED);
     assertEquals(0.1, bench.core.ruics().getFirst().authorities().getFirst().limits().linear());

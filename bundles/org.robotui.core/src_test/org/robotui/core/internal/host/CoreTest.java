@@ -64,7 +64,7 @@ class CoreTest {
   private final AtomicReference<Publication<LaserScan>> scans = new AtomicReference<>();
   private final List<VelocityCommand> sent = new CopyOnWriteArrayList<>();
   private final FakeRobot robot = new FakeRobot("fake").onStart(this::offer);
-  private final FakeView map = new FakeView("map", Samples.SCAN).onTick(c -> c.input(Samples.SCAN).drain(e -> { }) > 0);
+  private final FakeView map = new FakeView("map", Samples.SCAN).onTick(c -> c.input(Samples.SCAN).drain(e -> {}) > 0);
   private final FakeView teleop = new FakeView("teleop", Samples.VELOCITY);
 
   @BeforeEach
@@ -187,7 +187,8 @@ class CoreTest {
     Files.move(own, own.resolveSibling("left-999999999.txt"));
     bench = new CoreBench(folder);
     bench.load(YAML);
-    Await.until("it is told", () -> bench.alerts.stream().anyMatch(a -> a.contains("process 999999999") && a.contains("was stopped by")));
+    Await.until("it is told",
+        () -> bench.alerts.stream().anyMatch(a -> a.contains("process 999999999") && a.contains("was stopped by")));
   }
 
   @Test
@@ -228,7 +229,8 @@ class CoreTest {
     bench.registry.remove(robot);
     bench.await("base", RuicState.FAILED);
     Await.until("the view says so", () -> bench.match("map.scan").orElseThrow().state() == MatchState.PENDING);
-    assertTrue(bench.match("map.scan").orElseThrow().reason().contains("install or start bundle org.robotui.rfic.fake"));
+    assertTrue(
+        bench.match("map.scan").orElseThrow().reason().contains("install or start bundle org.robotui.rfic.fake"));
     bench.registry.add(robot, "org.robotui.rfic.fake");
     Await.until("connected again", () -> bench.match("map.scan").orElseThrow().state() == MatchState.CONNECTED);
   }
@@ -252,7 +254,8 @@ class CoreTest {
     ruic.select("window");
     bench.await("map", RuicState.FAILED);
     String reason = bench.status("map").reason();
-    assertTrue(reason.contains("broken") && reason.contains("org.robotui.uic.map") && reason.contains("FakeView"), reason);
+    assertTrue(reason.contains("broken") && reason.contains("org.robotui.uic.map") && reason.contains("FakeView"),
+        reason);
     int ticks = teleop.ticks.get();
     Await.until("the other ticks", () -> teleop.ticks.get() > ticks + 2);
     map.onTick(c -> false);
@@ -276,7 +279,8 @@ class CoreTest {
     });
     Ruic ruic = running();
     ruic.select("window");
-    Await.until("it is told", () -> bench.alerts.contains("The fake view took longer than 2 s to answer; it is started again in 2 s."));
+    Await.until("it is told",
+        () -> bench.alerts.contains("The fake view took longer than 2 s to answer; it is started again in 2 s."));
     Await.until("its thread has ended", () -> CoreBench.threads("pioneer.map").isEmpty());
     bench.await("teleop", RuicState.SELECTED);
   }
@@ -312,7 +316,8 @@ class CoreTest {
     });
     Ruic ruic = running();
     ruic.select("window");
-    Await.until("it was looked at again", () -> bench.status("map").reason().startsWith("The fake view still does not answer"));
+    Await.until("it was looked at again",
+        () -> bench.status("map").reason().startsWith("The fake view still does not answer"));
     assertEquals(1, map.contexts.size());
     holds.set(false);
     bench.await("map", RuicState.SELECTED);
@@ -385,7 +390,8 @@ class CoreTest {
     ruic.select("window");
     assertEquals(RuicState.SHUT_DOWN, ruic.remove().toCompletableFuture().get());
     assertEquals(List.of(), bench.core.ruics());
-    Await.until("no thread is left", () -> CoreBench.threads("pioneer").isEmpty() && CoreBench.threads("ruic-").isEmpty()
-        && CoreBench.threads("arbiter-pioneer").isEmpty());
+    Await.until("no thread is left",
+        () -> CoreBench.threads("pioneer").isEmpty() && CoreBench.threads("ruic-").isEmpty()
+            && CoreBench.threads("arbiter-pioneer").isEmpty());
   }
 }

@@ -63,7 +63,8 @@ class ExchangeTest {
             teleop:
               type: teleop
       """;
-  private static final StreamPort<LaserScan> LASER = new StreamPort<>("laser:0", LaserScan.class, Samples.SCAN.arity(), "");
+  private static final StreamPort<LaserScan> LASER =
+      new StreamPort<>("laser:0", LaserScan.class, Samples.SCAN.arity(), "");
 
   @TempDir
   Path folder;
@@ -114,12 +115,14 @@ class ExchangeTest {
   private Ruic running() {
     assertEquals(List.of(), bench.load(YAML));
     Ruic ruic = bench.ruic();
-    Await.until("all is connected", () -> connected("map.scan", "base.scan") && connected("teleop.cmd_vel", "base.cmd_vel"));
+    Await.until("all is connected",
+        () -> connected("map.scan", "base.scan") && connected("teleop.cmd_vel", "base.cmd_vel"));
     return ruic;
   }
 
   private boolean connected(String port, String peer) {
-    return bench.match(port).filter(m -> m.state() == MatchState.CONNECTED && m.peers().toString().equals("[" + peer + "]")).isPresent();
+    return bench.match(port)
+        .filter(m -> m.state() == MatchState.CONNECTED && m.peers().toString().equals("[" + peer + "]")).isPresent();
   }
 
   private static InterfaceConfig as(String type) {
@@ -169,8 +172,10 @@ class ExchangeTest {
     assertEquals(Verdict.PENDING, exchange.preview().verdict(), "what is missing may still be found");
     ExchangePreview preview = decided(exchange);
     assertEquals(Verdict.INCOMPLETE, preview.verdict());
-    assertEquals(List.of("teleop sends VelocityCommand on 'cmd_vel'; the replacement has nothing that fits"), preview.missing());
-    assertEquals(List.of("teleop.cmd_vel"), preview.lines().stream().filter(Line::lost).map(l -> l.now().port().toString()).toList());
+    assertEquals(List.of("teleop sends VelocityCommand on 'cmd_vel'; the replacement has nothing that fits"),
+        preview.missing());
+    assertEquals(List.of("teleop.cmd_vel"),
+        preview.lines().stream().filter(Line::lost).map(l -> l.now().port().toString()).toList());
 
     ExchangeOutcome.Refused refused = assertInstanceOf(ExchangeOutcome.Refused.class, apply(exchange, false));
     assertTrue(refused.reason().contains("teleop sends VelocityCommand"), refused.reason());
@@ -237,8 +242,9 @@ class ExchangeTest {
     assertEquals(List.of(), bench.load(YAML.replace("    uics:", "      arm: {type: arm, robot: arm}\n    uics:")));
     Ruic ruic = bench.ruic();
     Await.until("it is connected", () -> connected("map.scan", "base.scan"));
-    arm.context().frames().add(new TransformSet(List.of(new FrameTransform(new FrameId("arm", "base"), new FrameId("arm", "plate"),
-        new Stamp(1, ClockKind.ROBOT), RigidTransform.IDENTITY, true))), "arm");
+    arm.context().frames()
+        .add(new TransformSet(List.of(new FrameTransform(new FrameId("arm", "base"), new FrameId("arm", "plate"),
+            new Stamp(1, ClockKind.ROBOT), RigidTransform.IDENTITY, true))), "arm");
     robot.context().frames().add(frame("old_laser"), "old");
     Exchange exchange = ruic.exchange(as("other"));
     decided(exchange);
@@ -264,7 +270,8 @@ class ExchangeTest {
       throw new IllegalStateException("the robot has gone");
     });
     ExchangeOutcome.WentBack back = assertInstanceOf(ExchangeOutcome.WentBack.class, apply(exchange, false));
-    assertTrue(back.reason().contains("the robot has gone") && back.reason().endsWith("it is fake again"), back.reason());
+    assertTrue(back.reason().contains("the robot has gone") && back.reason().endsWith("it is fake again"),
+        back.reason());
     assertTrue(connected("map.scan", "base.scan"));
     assertEquals("fake", ruic.interfaces().getFirst().type());
     assertEquals(Optional.empty(), ruic.written("base"));
@@ -275,14 +282,16 @@ class ExchangeTest {
     Ruic ruic = running();
     try (Exchange exchange = ruic.exchange(as("carmen"))) {
       assertEquals(Verdict.FAILED, decided(exchange).verdict());
-      assertTrue(exchange.preview().sentence().contains("type 'carmen' is not installed; installed are arm, fake, other"),
+      assertTrue(
+          exchange.preview().sentence().contains("type 'carmen' is not installed; installed are arm, fake, other"),
           exchange.preview().sentence());
     }
     InterfaceConfig slip = new InterfaceConfig("base", "other", "pioneer", "", Map.of("per", "second"));
     try (Exchange exchange = ruic.exchange(slip)) {
       assertTrue(decided(exchange).sentence().contains("did you mean 'peer'"), exchange.preview().sentence());
     }
-    assertThrows(IllegalArgumentException.class, () -> ruic.exchange(new InterfaceConfig("bse", "other", "", "", Map.of())));
+    assertThrows(IllegalArgumentException.class,
+        () -> ruic.exchange(new InterfaceConfig("bse", "other", "", "", Map.of())));
     assertFalse(bench.alerts.stream().anyMatch(a -> a.contains("carmen")), "a trial raises no alert: " + bench.alerts);
   }
 
@@ -290,7 +299,8 @@ class ExchangeTest {
   void aTrialThatIsClosedLeavesNothing() {
     Ruic ruic = running();
     ruic.exchange(as("other")).close();
-    Await.until("it has ended", () -> other.closed.get() == other.contexts.size() && CoreBench.threads("trial-").isEmpty());
+    Await.until("it has ended",
+        () -> other.closed.get() == other.contexts.size() && CoreBench.threads("trial-").isEmpty());
     assertTrue(connected("map.scan", "base.scan"));
   }
 

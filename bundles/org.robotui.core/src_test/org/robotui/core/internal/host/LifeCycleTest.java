@@ -246,7 +246,8 @@ class LifeCycleTest {
       new CountDownLatch(1).await();
       throw new IllegalStateException("never");
     }));
-    assertEquals(List.of(), bench.load(YAML.replace("map: {type: map}", "a: {type: blocking}\n      b: {type: other}")));
+    assertEquals(List.of(),
+        bench.load(YAML.replace("map: {type: map}", "a: {type: blocking}\n      b: {type: other}")));
     bench.await("b", RuicState.INITIALIZED);
     CountDownLatch blocks = new CountDownLatch(1);
     ask(blocking).thenAccept(outcome -> {

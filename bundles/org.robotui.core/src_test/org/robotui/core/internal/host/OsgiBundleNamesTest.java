@@ -26,15 +26,16 @@ class OsgiBundleNamesTest {
   }
 
   private static <T> T fake(Class<T> type, Map<String, Answer> answers) {
-    return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, (self, method, arguments) ->
-        answers.get(method.getName()).to(arguments == null ? "" : String.valueOf(arguments[0]))));
+    return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[]{type}, (self, method,
+        arguments) -> answers.get(method.getName()).to(arguments == null ? "" : String.valueOf(arguments[0]))));
   }
 
   private void install(long id, String name, String file) {
-    bundles.add(fake(Bundle.class, Map.of("getBundleId", any -> id, "getSymbolicName", any -> name, "getEntry", entry -> {
-      looked.add(entry);
-      return entry.equals(file) ? url() : null;
-    })));
+    bundles
+        .add(fake(Bundle.class, Map.of("getBundleId", any -> id, "getSymbolicName", any -> name, "getEntry", entry -> {
+          looked.add(entry);
+          return entry.equals(file) ? url() : null;
+        })));
   }
 
   private static Object url() {

@@ -56,7 +56,8 @@ class ReuseTest {
 
   private void add(String name, String framework, String... views) {
     List<ComponentConfig> uics = List.of(views).stream().map(this::component).toList();
-    reuse.add(new RuicConfig(name, "f", 1, 1, "", check.nothing(), List.of(component(framework)), List.of(), uics, List.of(), Optional.empty(),
+    reuse.add(new RuicConfig(name, "f", 1, 1, "", check.nothing(), List.of(component(framework)), List.of(), uics,
+        List.of(), Optional.empty(),
         Map.of(), List.of(), false), new Plan(Optional.empty(), uics, new Layout.Tabs(List.of())));
   }
 
@@ -86,7 +87,8 @@ class ReuseTest {
         + "| rfic | `org.robotui.rfic.ros` | x | x | 2 |\n"), markdown);
     assertTrue(markdown.endsWith("| Nat\\|alie | Keira, 2 | 3 | 2 | 0 |\n"), markdown);
     String csv = reuse.report().csv();
-    assertTrue(csv.startsWith("kind,bundle,name,\"Nat|alie\",\"Keira, 2\",used_by\nrfic,org.robotui.rfic.ros,Fake robot,1,1,2\n"), csv);
+    assertTrue(csv.startsWith(
+        "kind,bundle,name,\"Nat|alie\",\"Keira, 2\",used_by\nrfic,org.robotui.rfic.ros,Fake robot,1,1,2\n"), csv);
   }
 
   @Test

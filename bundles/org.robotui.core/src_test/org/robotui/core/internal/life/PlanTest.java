@@ -47,7 +47,8 @@ class PlanTest {
   }
 
   private RuicConfig config(String type, Optional<Layout> layout, ComponentConfig... uics) {
-    return new RuicConfig("r", "f.yaml", 1, 1, type, check.nothing(), List.of(), List.of(), List.of(uics), List.of(), layout,
+    return new RuicConfig("r", "f.yaml", 1, 1, type, check.nothing(), List.of(), List.of(), List.of(uics), List.of(),
+        layout,
         Map.of(), List.of(), false);
   }
 

@@ -26,7 +26,9 @@ class RuicAlertsTest {
     low("0.18");
     pass(5);
     low("0.17");
-    assertEquals(List.of(new Alert(LOW, "battery charge < 0.2", "battery.charge", "0.17", BEGIN, 1, true, false, Optional.empty())),
+    assertEquals(
+        List.of(
+            new Alert(LOW, "battery charge < 0.2", "battery.charge", "0.17", BEGIN, 1, true, false, Optional.empty())),
         board.alerts());
     assertTrue(source.isHeard("Battery low"));
   }

@@ -77,10 +77,14 @@ class ShowingsTest {
 
   @Test
   void whatCannotShowItSaysWhyAndComesLast() {
-    bench.registry.add(new FakeView("camera").shows(Showing.streams("image", "A picture", List.of(Image.class))), "bundle");
-    bench.registry.add(new FakeView("table").shows(Showing.streams("joints", "Joints", List.of(JointState.class))), "bundle");
+    bench.registry.add(new FakeView("camera").shows(Showing.streams("image", "A picture", List.of(Image.class))),
+        "bundle");
+    bench.registry.add(new FakeView("table").shows(Showing.streams("joints", "Joints", List.of(JointState.class))),
+        "bundle");
     Ruic ruic = start();
-    assertEquals(List.of("second Fake view ", "first Speeds ", " Fake view shows no JointState", " Fake view no such view in this UI"),
+    assertEquals(
+        List.of("second Fake view ", "first Speeds ", " Fake view shows no JointState",
+            " Fake view no such view in this UI"),
         texts(ruic.showChoices(SUBJECT)));
   }
 
@@ -88,7 +92,7 @@ class ShowingsTest {
   void aTypeIsTakenWhereItExtendsOneThatIsDeclared() {
     bench.registry.add(new FakeView("poses").shows(Showing.streams("pose", "Pose", List.of(Pose.class))), "bundle");
     Ruic ruic = start();
-    robot.context().offers().stream(new StreamPort<>("estimate", PoseEstimate.class, Arity.MANY, ""), on -> { });
+    robot.context().offers().stream(new StreamPort<>("estimate", PoseEstimate.class, Arity.MANY, ""), on -> {});
     assertEquals(1, ruic.showChoices(Subject.Stream.of(new SourceId("base", "estimate"))).stream()
         .filter(c -> c.obstacle().equals("no such view in this UI")).count());
   }
@@ -107,7 +111,9 @@ class ShowingsTest {
 
   @Test
   void viewsForOtherSurfacesAreNotOffered() {
-    bench.registry.add(new FakeView("text").on(Surface.TEXT).shows(Showing.streams("print", "Print", List.of(JointState.class))), "bundle");
+    bench.registry.add(
+        new FakeView("text").on(Surface.TEXT).shows(Showing.streams("print", "Print", List.of(JointState.class))),
+        "bundle");
     assertEquals(2, start().showChoices(SUBJECT).size());
   }
 
@@ -146,7 +152,7 @@ class ShowingsTest {
     Ruic ruic = bench.ruic();
     bench.await("first", RuicState.INITIALIZED);
     bench.await("second", RuicState.INITIALIZED);
-    published = robot.context().offers().stream(new StreamPort<>("joints", JointState.class, Arity.MANY, ""), on -> { });
+    published = robot.context().offers().stream(new StreamPort<>("joints", JointState.class, Arity.MANY, ""), on -> {});
     return ruic;
   }
 

@@ -77,7 +77,7 @@ class StraysTest {
 
   @Test
   void thoseThatAFactoryMadeAreKnown() {
-    TrackedThreads threads = new TrackedThreads("component", (thread, error) -> { });
+    TrackedThreads threads = new TrackedThreads("component", (thread, error) -> {});
     Thread thread = threads.newThread(new One(over));
     thread.start();
     awaitRunning(thread);

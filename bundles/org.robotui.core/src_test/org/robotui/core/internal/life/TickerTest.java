@@ -22,7 +22,7 @@ class TickerTest {
   private final List<String> failures = new CopyOnWriteArrayList<>();
   private final AtomicBoolean spins = new AtomicBoolean();
   private Thread thread;
-  private final Ticker ticker = new Ticker(new Slow(), 1000, this::made, () -> { }, new Ticker.End() {
+  private final Ticker ticker = new Ticker(new Slow(), 1000, this::made, () -> {}, new Ticker.End() {
     @Override
     public void threw(String reason) {
       failures.add(reason);

@@ -62,7 +62,8 @@ class MatcherTest {
   }
 
   private Match match(Port port) {
-    return Matcher.match(List.of(new Want(new SourceId("map", port.name()), port)), haves, suppliers, choices).getFirst();
+    return Matcher.match(List.of(new Want(new SourceId("map", port.name()), port)), haves, suppliers, choices)
+        .getFirst();
   }
 
   private static void assertConnected(Match match, String... peers) {
@@ -78,7 +79,8 @@ class MatcherTest {
 
   @Test
   void onlyCandidateIsConnectedWhateverItsName() {
-    assertConnected(offers("base.laser", LaserScan.class).offers("base.odom", Odometry.class).match(Samples.SCAN), "base.laser");
+    assertConnected(offers("base.laser", LaserScan.class).offers("base.odom", Odometry.class).match(Samples.SCAN),
+        "base.laser");
   }
 
   @Test
@@ -99,15 +101,17 @@ class MatcherTest {
     haves.clear();
     CommandPort<Twist> givesTwist = new CommandPort<>("cmd_vel", Twist.class, Arity.ONE, "");
     CommandPort<VelocityCommand> acceptsVelocity = new CommandPort<>("cmd_vel", VelocityCommand.class, Arity.ONE, "");
-    assertState(MatchState.REFUSED, "map sends Twist on 'cmd_vel'; no program of the robot subscribes to it: start the one that does, and it connects by itself"
-        + " (base accepts VelocityCommand 'cmd_vel')",
+    assertState(MatchState.REFUSED,
+        "map sends Twist on 'cmd_vel'; no program of the robot subscribes to it: start the one that does, and it connects by itself"
+            + " (base accepts VelocityCommand 'cmd_vel')",
         offers("base.cmd_vel", acceptsVelocity).match(givesTwist));
   }
 
   @Test
   void callsNeedRequestAndReply() {
     CallPort<Integer, Number> asks = new CallPort<>("call", Integer.class, Number.class, Arity.ONE, "");
-    assertConnected(offers("base.a", new CallPort<>("a", Number.class, Integer.class, Arity.ONE, "")).match(asks), "base.a");
+    assertConnected(offers("base.a", new CallPort<>("a", Number.class, Integer.class, Arity.ONE, "")).match(asks),
+        "base.a");
     haves.clear();
     assertState(MatchState.REFUSED, "base answers Integer -> Object 'b'",
         offers("base.b", new CallPort<>("b", Integer.class, Object.class, Arity.ONE, "")).match(asks));
@@ -119,7 +123,8 @@ class MatcherTest {
   private List<Match> matchOneAndAll() {
     Port one = new CommandPort<>("goal", Twist.class, Arity.OPTIONAL, "");
     Port all = new CommandPort<>("goals", Twist.class, Arity.MANY, "");
-    return Matcher.match(Stream.of(one, all).map(p -> new Want(new SourceId("map", p.name()), p)).toList(), haves, suppliers, choices);
+    return Matcher.match(Stream.of(one, all).map(p -> new Want(new SourceId("map", p.name()), p)).toList(), haves,
+        suppliers, choices);
   }
 
   @Test
@@ -247,7 +252,8 @@ class MatcherTest {
   @Test
   void namedRobotInterfaceThatDoesNotExistIsRefused() {
     named("map.scan", "bse.scan");
-    assertState(MatchState.REFUSED, "no robot interface 'bse', named by robot.yaml:12; there are: base", match(Samples.SCAN));
+    assertState(MatchState.REFUSED, "no robot interface 'bse', named by robot.yaml:12; there are: base",
+        match(Samples.SCAN));
   }
 
   @Test
@@ -304,7 +310,8 @@ class MatcherTest {
     assertTrue(match.reason().contains("chooses among 2"), match.reason());
   }
 
-  private static List<String> missing(List<Want> wants, List<Match> matches, String component, List<? extends Port> offered) {
+  private static List<String> missing(List<Want> wants, List<Match> matches, String component,
+      List<? extends Port> offered) {
     return Exchange.uncovered(wants, matches, component, offered).stream().map(Exchange::sentence).toList();
   }
 }

@@ -59,7 +59,8 @@ class ChosenInputTest {
     assertEquals(List.of(), demand);
     assertEquals(List.of(), input.sources());
     assertEquals(
-        List.of(new Input.Candidate(front.id(), "LaserScan"), new Input.Candidate(rear.id(), "LaserScan")), input.candidates());
+        List.of(new Input.Candidate(front.id(), "LaserScan"), new Input.Candidate(rear.id(), "LaserScan")),
+        input.candidates());
     assertTrue(assertInstanceOf(InputState.Unconnected.class, input.state()).explanation().contains("2 streams fit"));
     input.choose(Set.of(rear.id()));
     assertEquals(List.of("+rear"), demand);

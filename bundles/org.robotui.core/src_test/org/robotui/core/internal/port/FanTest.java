@@ -135,7 +135,8 @@ class FanTest {
     Tap<JointState> tap = fan.join();
     drain(tap);
     publish(fan, new JointState(List.of(joint("old", 1))));
-    publish(fan, new JointState(IntStream.range(0, Keyed.MOST_KEYS + 5).mapToObj(i -> joint("joint " + i, i)).toList()));
+    publish(fan,
+        new JointState(IntStream.range(0, Keyed.MOST_KEYS + 5).mapToObj(i -> joint("joint " + i, i)).toList()));
     assertEquals(Keyed.MOST_KEYS + 5, drain(tap).getFirst().joints().size());
     assertEquals(1, tap.dropped());
   }

@@ -133,7 +133,8 @@ class InputEndTest {
     connected();
     StreamSource<PoseEstimate> source = source("localize:0", PoseEstimate.class);
     for (int i = 0; i < 20; i++) {
-      publish(source, new PoseEstimate(new FrameId("r", "map"), RigidTransform.planar(i, 0, 0), Doubles.EMPTY)); // it drives
+      publish(source, new PoseEstimate(new FrameId("r", "map"), RigidTransform.planar(i, 0, 0), Doubles.EMPTY)); // it
+                                                                                                                 // drives
       clock.advanceMillis(200);
     }
     clock.advanceMillis(3_600_000);
@@ -210,7 +211,8 @@ class InputEndTest {
     assertTrue(front.status(clock).stale());
     assertEquals("nobody publishes /front any more", front.status(clock).problem());
     front.failed("");
-    assertTrue(assertInstanceOf(InputState.Stale.class, input.state()).lostSeconds().isEmpty(), "late, but it may come");
+    assertTrue(assertInstanceOf(InputState.Stale.class, input.state()).lostSeconds().isEmpty(),
+        "late, but it may come");
     link.report(new LinkState.Failed("robot: no route", Duration.ofSeconds(2)));
     clock.advanceMillis(3_000);
     assertEquals(3, assertInstanceOf(InputState.Stale.class, input.state()).lostSeconds().orElseThrow(), 1e-6);
@@ -223,16 +225,16 @@ class InputEndTest {
     InputEnd<GridMap> end = new InputEnd<>(Intake.MATCHED, clock);
     end.connect(List.of(source), "");
     publish(source, new GridMap(new FrameId("r", "map"), 1, 1, 1, RigidTransform.IDENTITY, Bytes.of((byte) 0)));
-    assertEquals(1, end.drain(e -> { }));
+    assertEquals(1, end.drain(e -> {}));
     end.recall();
     assertEquals(1, end.drain(e -> assertEquals(source.id(), e.source())));
-    assertEquals(0, end.drain(e -> { }));
+    assertEquals(0, end.drain(e -> {}));
     assertEquals(List.of(true), demand, "the robot is not asked to stop in between");
     input.connect(List.of(front, rear), "");
     publish(front, Samples.scan(1));
     rear.kept(true);
     publish(rear, Samples.scan(2));
-    input.drain(e -> { });
+    input.drain(e -> {});
     input.recall();
     List<SourceId> again = new ArrayList<>();
     input.drain(e -> again.add(e.source()));
@@ -259,7 +261,8 @@ class InputEndTest {
     assertTrue(((InputState.Stale) input.state()).refused());
     assertTrue(input.latest().isPresent(), "the last good value stays");
     clock.advanceMillis(3000);
-    assertTrue(explanation(InputState.Stale.class, input.state()).contains("rangeMax"), "the reason counts, not the age");
+    assertTrue(explanation(InputState.Stale.class, input.state()).contains("rangeMax"),
+        "the reason counts, not the age");
     assertFalse(front.status(clock).stale(), "it is its problem that is told");
     publish(front, Samples.scan(2));
     assertInstanceOf(InputState.Live.class, input.state());

@@ -48,7 +48,8 @@ class StopRecordTest {
     Path left = Files.move(own(), folder.resolve("left-999999999.txt"));
     List<String> told = record().takeLeft();
     assertEquals(1, told.size());
-    assertTrue(told.getFirst().contains("process 999999999") && told.getFirst().contains("Keira was stopped by You"), told.toString());
+    assertTrue(told.getFirst().contains("process 999999999") && told.getFirst().contains("Keira was stopped by You"),
+        told.toString());
     assertFalse(Files.exists(left));
     assertEquals(List.of(), record().takeLeft());
   }

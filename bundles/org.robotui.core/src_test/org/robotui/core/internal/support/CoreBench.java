@@ -43,7 +43,8 @@ public final class CoreBench implements AutoCloseable {
     this.folder = folder;
     core = new Core(new CoreParts(registry, new YamlConfigSource(Map.of()), new SchemaCheck(), new YamlOverlay(),
         new StateFolder(folder.resolve("state")),
-        name -> name.startsWith("org.robotui.core.internal.host.") ? Optional.of("org.robotui.uic.bad") : Optional.empty(),
+        name -> name.startsWith("org.robotui.core.internal.host.") ? Optional.of("org.robotui.uic.bad")
+            : Optional.empty(),
         NanoClock.SYSTEM, WallClock.SYSTEM));
     core.open(Surface.WINDOW, Samples.YOU);
     core.listen(new HostListener() {

@@ -76,6 +76,7 @@ public final class FakeRobot implements RficType {
 
   @Override
   public Descriptor descriptor() {
-    return new Descriptor(id, "Fake robot", "", Schema.of(Setting.of("peer", new ValueType.Text(), "nowhere", "")), ports);
+    return new Descriptor(id, "Fake robot", "", Schema.of(Setting.of("peer", new ValueType.Text(), "nowhere", "")),
+        ports);
   }
 }

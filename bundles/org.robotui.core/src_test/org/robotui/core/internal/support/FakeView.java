@@ -88,7 +88,8 @@ public class FakeView implements UicType {
   @Override
   public Descriptor descriptor() {
     return new Descriptor(id, "Fake view", "",
-        Schema.of(Setting.of("follow", new ValueType.Flag(), false, ""), Setting.of("zoom", new ValueType.Num(1, 100, ""), 10.0, "")),
+        Schema.of(Setting.of("follow", new ValueType.Flag(), false, ""),
+            Setting.of("zoom", new ValueType.Num(1, 100, ""), 10.0, "")),
         ports);
   }
 }

@@ -49,7 +49,8 @@ public final class Samples {
 
   /** An odometry at x. */
   public static Odometry odometry(double x) {
-    return new Odometry(new FrameId("r", "odom"), new FrameId("r", "base"), RigidTransform.planar(x, 0, 0), Doubles.EMPTY,
+    return new Odometry(new FrameId("r", "odom"), new FrameId("r", "base"), RigidTransform.planar(x, 0, 0),
+        Doubles.EMPTY,
         Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY);
   }
 

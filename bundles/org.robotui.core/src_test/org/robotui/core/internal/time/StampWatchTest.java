@@ -107,7 +107,7 @@ class StampWatchTest {
 
   @Test
   void simulatedTimeIsToldByItsClock() {
-    for (long stamp : new long[] {20_000, 0, 100, 5_000}) {
+    for (long stamp : new long[]{20_000, 0, 100, 5_000}) {
       watch.heard("scan", new Stamp(stamp * 1_000_000, ClockKind.SIMULATED));
       mono.advanceMillis(2_000);
     }

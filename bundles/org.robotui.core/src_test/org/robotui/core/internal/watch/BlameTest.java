@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 
 class BlameTest {
   private static final BundleNames NAMES = name -> Stream.of(
-          "org.robotui.workbench", "org.robotui.ui", "org.robotui.uic.map", "org.robotui.entity.gridmap", "org.eclipse.swt",
-          "com.example.view")
+      "org.robotui.workbench", "org.robotui.ui", "org.robotui.uic.map", "org.robotui.entity.gridmap", "org.eclipse.swt",
+      "com.example.view")
       .filter(b -> name.startsWith(b + ".")).findFirst();
 
   private static Optional<String> blamed(String... classes) {

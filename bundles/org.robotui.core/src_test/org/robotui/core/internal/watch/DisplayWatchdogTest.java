@@ -67,12 +67,15 @@ class DisplayWatchdogTest {
     clock.advanceMillis(210);
     display.stoppedSomething();
     silent(90);
-    assertTrue(alerts.getFirst().matches("the display has not answered for 0.3 s; bundle org.robotui.uic.map holds it up at .*; "
-        + "what its windows moved is stopped"), alerts.getFirst());
+    assertTrue(alerts.getFirst()
+        .matches("the display has not answered for 0.3 s; bundle org.robotui.uic.map holds it up at .*; "
+            + "what its windows moved is stopped"),
+        alerts.getFirst());
     display.alive();
     silent(10);
     silent(10);
-    assertEquals(List.of("the display answers again, after 0.3 s; bundle org.robotui.uic.map held it up"), alerts.subList(1, alerts.size()));
+    assertEquals(List.of("the display answers again, after 0.3 s; bundle org.robotui.uic.map held it up"),
+        alerts.subList(1, alerts.size()));
   }
 
   @Test

@@ -41,7 +41,8 @@ class MemoryWatchTest {
     use(MAX * 81 / 100);
     use(MAX * 75 / 100);
     use(MAX * 94 / 100);
-    assertEquals(List.of("RobotUI holds 81 of 100 MB of memory, and stops all robots when they are used up: " + REMEDY), happened);
+    assertEquals(List.of("RobotUI holds 81 of 100 MB of memory, and stops all robots when they are used up: " + REMEDY),
+        happened);
   }
 
   @Test
@@ -70,12 +71,13 @@ class MemoryWatchTest {
   @Test
   void itSaysSoLaterWhereItCouldNotAtOnce() {
     AtomicInteger failures = new AtomicInteger(2);
-    MemoryWatch starved = new MemoryWatch(() -> List.of(new MemoryUsage(0, MAX, MAX, MAX)), () -> happened.add("stop"), m -> {
-      if (failures.getAndDecrement() > 0) {
-        throw new OutOfMemoryError();
-      }
-      happened.add(m);
-    });
+    MemoryWatch starved =
+        new MemoryWatch(() -> List.of(new MemoryUsage(0, MAX, MAX, MAX)), () -> happened.add("stop"), m -> {
+          if (failures.getAndDecrement() > 0) {
+            throw new OutOfMemoryError();
+          }
+          happened.add(m);
+        });
     assertThrows(OutOfMemoryError.class, () -> starved.check(0));
     assertThrows(OutOfMemoryError.class, () -> starved.check(0));
     starved.check(0);

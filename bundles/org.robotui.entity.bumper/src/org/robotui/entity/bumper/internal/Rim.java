@@ -11,7 +11,10 @@ public final class Rim {
 
   private Rim() {}
 
-  /** Points from its right end to its left one, with the middle as origin; none where its place is not known. A bend is at most a full turn. */
+  /**
+   * Points from its right end to its left one, with the middle as origin; none where its place is not known. A bend is
+   * at most a full turn.
+   */
   public static List<Vector3> of(Bumper bumper) {
     if (!(bumper.length() > 0)) {
       return List.of();

@@ -4,8 +4,8 @@ import org.eclipse.swt.graphics.ImageData;
 import org.robotui.data.image.RawImage;
 
 /**
- * The colours behind a Bayer filter, bilinear: a colour that a pixel did not measure is the mean of those neighbours that
- * did. Beyond the edge the picture goes on mirrored, which keeps the colours of the filter.
+ * The colours behind a Bayer filter, bilinear: a colour that a pixel did not measure is the mean of those neighbours
+ * that did. Beyond the edge the picture goes on mirrored, which keeps the colours of the filter.
  */
 final class Bayer {
   private static final int SHOWN_BITS = 8;

@@ -19,7 +19,8 @@ final class Colors {
   private Colors() {}
 
   static PaletteData greys() {
-    return new PaletteData(IntStream.rangeClosed(0, BRIGHTEST).mapToObj(level -> new RGB(level, level, level)).toArray(RGB[]::new));
+    return new PaletteData(
+        IntStream.rangeClosed(0, BRIGHTEST).mapToObj(level -> new RGB(level, level, level)).toArray(RGB[]::new));
   }
 
   static PaletteData bgr() {
@@ -36,7 +37,8 @@ final class Colors {
     if (raw.encoding().channels() == 1) {
       return new ImageData(raw.width(), raw.height(), GREY_DEPTH, greys(), 1, target);
     }
-    return new ImageData(raw.width(), raw.height(), Raster.DEPTH, redFirst(raw.encoding()) ? Raster.RGB : BGR, 1, target);
+    return new ImageData(raw.width(), raw.height(), Raster.DEPTH, redFirst(raw.encoding()) ? Raster.RGB : BGR, 1,
+        target);
   }
 
   /** Unsigned numbers of 8 or 16 bits, three or four a pixel. */
@@ -68,7 +70,8 @@ final class Colors {
     for (int y = 0; y < raw.height(); y++) {
       samples.real(y, row);
       for (int at = 0; at < row.length; at += channels) {
-        raster.put(level((row[at + 2] - low) * factor), level((row[at + 1] - low) * factor), level((row[at] - low) * factor));
+        raster.put(level((row[at + 2] - low) * factor), level((row[at + 1] - low) * factor),
+            level((row[at] - low) * factor));
       }
     }
     return raster.data();

@@ -11,8 +11,8 @@ import org.robotui.data.image.PixelEncoding;
 import org.robotui.data.image.RawImage;
 
 /**
- * Depth as compressed by ROS: a number of 32 bits and two of floating point, and after them a PNG or RVL of 16 bits. Depth in
- * metres was quantised by its inverse: {@code depth = a / (number - b)}, and 0 says that nothing was measured.
+ * Depth as compressed by ROS: a number of 32 bits and two of floating point, and after them a PNG or RVL of 16 bits.
+ * Depth in metres was quantised by its inverse: {@code depth = a / (number - b)}, and 0 says that nothing was measured.
  */
 final class CompressedDepth {
   private static final int HEADER = 12;

@@ -69,8 +69,9 @@ public final class CompressedPictures {
     BufferedImage pixels = file.pixels();
     byte[] bytes = ((DataBufferByte) pixels.getRaster().getDataBuffer()).getData();
     PixelEncoding encoding = format.oneChannel(PixelEncoding.MONO8);
-    RawImage raw = new RawImage(image.frame(), pixels.getWidth(), pixels.getHeight(), encoding, false, pixels.getWidth(),
-        Bytes.wrap(bytes, 0, bytes.length));
+    RawImage raw =
+        new RawImage(image.frame(), pixels.getWidth(), pixels.getHeight(), encoding, false, pixels.getWidth(),
+            Bytes.wrap(bytes, 0, bytes.length));
     String name = encoding == PixelEncoding.MONO8 ? file.format() : encoding.rosName() + " " + file.format();
     return named(RawPictures.decode(raw, rendering, levels), name);
   }

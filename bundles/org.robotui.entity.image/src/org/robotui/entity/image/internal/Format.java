@@ -4,7 +4,8 @@ import java.util.Optional;
 import org.robotui.data.image.PixelEncoding;
 
 /**
- * What the format of a compressed picture of ROS says, for example {@code 16UC1; compressedDepth png} or plainly {@code jpeg}.
+ * What the format of a compressed picture of ROS says, for example {@code 16UC1; compressedDepth png} or plainly
+ * {@code jpeg}.
  *
  * @param source the encoding before it was compressed, where that is named
  * @param depth whether it comes with the header of compressed depth

@@ -6,8 +6,8 @@ import org.robotui.data.image.PixelEncoding;
 import org.robotui.entity.image.Span;
 
 /**
- * The range of numbers that colours span, held from picture to picture: it widens at once and narrows slowly, so that colours
- * neither flicker nor saturate. For one thread at a time.
+ * The range of numbers that colours span, held from picture to picture: it widens at once and narrows slowly, so that
+ * colours neither flicker nor saturate. For one thread at a time.
  */
 public final class Levels {
   private static final double LOW = 0.01;

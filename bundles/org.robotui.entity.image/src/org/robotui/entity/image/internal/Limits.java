@@ -21,7 +21,8 @@ public final class Limits {
       return Optional.of("the picture is empty (" + width + "\u00d7" + height + ")");
     }
     boolean fits = width <= LONGEST_EDGE && height <= LONGEST_EDGE && (long) width * height <= MOST_PIXELS;
-    return fits ? Optional.empty() : Optional.of("the picture is too large (" + width + "\u00d7" + height + "); at most "
-        + LONGEST_EDGE + " pixels an edge and " + (MOST_PIXELS >> 20) + " million in all are shown");
+    return fits ? Optional.empty()
+        : Optional.of("the picture is too large (" + width + "\u00d7" + height + "); at most "
+            + LONGEST_EDGE + " pixels an edge and " + (MOST_PIXELS >> 20) + " million in all are shown");
   }
 }

@@ -43,7 +43,8 @@ final class Measured {
     Span span = rendering.range().orElse(new Span(sent.low() * quantity.scale(), sent.high() * quantity.scale()));
     Optional<RawImage> numbers = raw.encoding().channels() == 1 ? Optional.of(raw) : Optional.empty();
     return new Picture(pixels(sent), raw.encoding().rosName(), new RawValues(raw, quantity),
-        Optional.of(new Legend(map, rendering.reversed(), span, rendering.range().isEmpty(), gaps(), quantity.unit())), numbers);
+        Optional.of(new Legend(map, rendering.reversed(), span, rendering.range().isEmpty(), gaps(), quantity.unit())),
+        numbers);
   }
 
   private boolean gaps() {

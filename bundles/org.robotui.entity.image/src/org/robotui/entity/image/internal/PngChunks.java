@@ -21,7 +21,8 @@ final class PngChunks {
     while (bytes.remaining() >= OVERHEAD) {
       int length = bytes.getInt();
       if (length < 0 || length > bytes.remaining() - 2 * Integer.BYTES) {
-        throw new IOException("a part of " + Integer.toUnsignedString(length) + " bytes where " + bytes.remaining() + " are left");
+        throw new IOException(
+            "a part of " + Integer.toUnsignedString(length) + " bytes where " + bytes.remaining() + " are left");
       }
       if (bytes.getInt() == END) {
         return;

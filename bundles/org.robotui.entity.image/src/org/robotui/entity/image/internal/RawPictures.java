@@ -23,11 +23,12 @@ public final class RawPictures {
     return switch (raw.encoding()) {
       case RGB8, BGR8, U8C3, MONO8, U8C1 -> picture(raw, Colors.packed(raw));
       case RGBA8, BGRA8, U8C4, RGB16, BGR16, RGBA16, BGRA16, U16C3, U16C4 -> picture(raw, Colors.whole(raw, levels));
-      case BAYER_RGGB8, BAYER_BGGR8, BAYER_GBRG8, BAYER_GRBG8, BAYER_RGGB16, BAYER_BGGR16, BAYER_GBRG16, BAYER_GRBG16 ->
-          picture(raw, Bayer.decode(raw, levels));
+      case BAYER_RGGB8, BAYER_BGGR8, BAYER_GBRG8, BAYER_GRBG8, BAYER_RGGB16, BAYER_BGGR16, BAYER_GBRG16,
+          BAYER_GRBG16 -> picture(raw, Bayer.decode(raw, levels));
       case UYVY, YUYV -> picture(raw, Yuv.decode(raw));
       default -> raw.encoding().channels() > 2
-          ? picture(raw, Colors.ranged(raw, levels)) : Measured.decode(raw, rendering, levels);
+          ? picture(raw, Colors.ranged(raw, levels))
+          : Measured.decode(raw, rendering, levels);
     };
   }
 

@@ -56,7 +56,8 @@ record RawValues(RawImage raw, Quantity quantity) implements Picture.PixelText {
   private static String number(double value, PixelEncoding.Sample form) {
     return switch (form) {
       case F32, F64 -> Double.isFinite(value)
-          ? String.format(Locale.ROOT, "%.5g", value).replace('-', '\u2212') : Double.isNaN(value) ? "NaN" : Figures.fixed(value, 0);
+          ? String.format(Locale.ROOT, "%.5g", value).replace('-', '\u2212')
+          : Double.isNaN(value) ? "NaN" : Figures.fixed(value, 0);
       default -> Figures.fixed(value, 0);
     };
   }

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * Depth as runs of zeros and of differences (RVL): numbers of three bits a nibble with a bit that says whether more follow,
- * the nibbles from the upper end of little endian words of 32 bits.
+ * Depth as runs of zeros and of differences (RVL): numbers of three bits a nibble with a bit that says whether more
+ * follow, the nibbles from the upper end of little endian words of 32 bits.
  */
 final class Rvl {
   private static final int MORE = 8;

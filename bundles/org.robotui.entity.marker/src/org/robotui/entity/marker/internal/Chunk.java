@@ -13,8 +13,8 @@ import org.robotui.gl.shape.Properties;
 import org.robotui.gl.shape.Rgba;
 
 /**
- * Up to some hundred solids of one form that are drawn at once. Few enough that a marker which changes often has not many others made anew
- * with it, many enough that ten thousand are a handful of parts.
+ * Up to some hundred solids of one form that are drawn at once. Few enough that a marker which changes often has not
+ * many others made anew with it, many enough that ten thousand are a handful of parts.
  */
 final class Chunk {
   static final int MOST = 512;
@@ -93,6 +93,7 @@ final class Chunk {
   }
 
   private static Properties described(List<Marker> markers, int element) {
-    return element >= 0 && element < markers.size() ? MarkerText.of(markers.get(element), element) : Properties.of("Marker");
+    return element >= 0 && element < markers.size() ? MarkerText.of(markers.get(element), element)
+        : Properties.of("Marker");
   }
 }

@@ -19,7 +19,10 @@ import org.robotui.gl.shape.Rgba;
 import org.robotui.gl.shape.Shape;
 import org.robotui.gl.shape.TriangleMesh;
 
-/** The shapes of a control: those that the robot gives it, or, so that it can be gripped, the usual ones for its mode. Made once for each control. */
+/**
+ * The shapes of a control: those that the robot gives it, or, so that it can be gripped, the usual ones for its mode.
+ * Made once for each control.
+ */
 final class ControlLook {
   private static final double INNER = 0.5;
   private static final double OUTER = 0.62;
@@ -80,7 +83,8 @@ final class ControlLook {
     Vector3 axis = turn.rotate(new Vector3(1, 0, 0));
     float least = 0.25f;
     float share = 1 - least;
-    return new Rgba(least + share * (float) Math.abs(axis.x()), least + share * (float) Math.abs(axis.y()), least + share * (float) Math.abs(axis.z()), 1);
+    return new Rgba(least + share * (float) Math.abs(axis.x()), least + share * (float) Math.abs(axis.y()),
+        least + share * (float) Math.abs(axis.z()), 1);
   }
 
   private static Shape arrows(double scale) {
@@ -101,7 +105,7 @@ final class ControlLook {
     IntBuffer corners = IntBuffer.allocate(6 * AROUND);
     for (int i = 0; i < AROUND; i++) {
       double angle = 2 * Math.PI * i / AROUND;
-      for (double radius : new double[] {INNER * scale, OUTER * scale}) {
+      for (double radius : new double[]{INNER * scale, OUTER * scale}) {
         xyz.put(0).put((float) (radius * Math.cos(angle))).put((float) (radius * Math.sin(angle)));
       }
       int next = 2 * ((i + 1) % AROUND);

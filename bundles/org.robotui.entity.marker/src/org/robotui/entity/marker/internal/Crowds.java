@@ -25,7 +25,8 @@ final class Crowds {
   private Crowds() {}
 
   static Vector3 point(Marker marker, int index) {
-    return new Vector3(marker.points().get(3 * index), marker.points().get(3 * index + 1), marker.points().get(3 * index + 2));
+    return new Vector3(marker.points().get(3 * index), marker.points().get(3 * index + 1),
+        marker.points().get(3 * index + 2));
   }
 
   /** A colour a point, where the marker has them. */
@@ -42,11 +43,14 @@ final class Crowds {
     return of(marker.points().size() / 3 > MANY_SPHERES ? Meshes.coarseSphere() : Meshes.sphere(), marker, at);
   }
 
-  /** A point that is not finite stays in the list, where nothing is drawn of it, so that elements keep their numbers. */
+  /**
+   * A point that is not finite stays in the list, where nothing is drawn of it, so that elements keep their numbers.
+   */
   static MarkerShapes of(TriangleMesh mesh, Marker marker, RigidTransform at) {
     int all = marker.points().size() / 3;
     int count = Math.min(all, MOST);
-    FloatBuffer placings = ByteBuffer.allocateDirect(4 * Instances.PLACING * count).order(ByteOrder.nativeOrder()).asFloatBuffer();
+    FloatBuffer placings =
+        ByteBuffer.allocateDirect(4 * Instances.PLACING * count).order(ByteOrder.nativeOrder()).asFloatBuffer();
     Vector3 scale = marker.scale();
     for (int i = 0; i < count; i++) {
       Vector3 p = point(marker, i);
@@ -79,7 +83,8 @@ final class Crowds {
     for (int i = 0; i < count; i++) {
       corners.put(i, i);
     }
-    TriangleMesh mesh = new TriangleMesh(xyz, Optional.empty(), Optional.empty(), colors(marker), corners, Box3.around(xyz));
+    TriangleMesh mesh =
+        new TriangleMesh(xyz, Optional.empty(), Optional.empty(), colors(marker), corners, Box3.around(xyz));
     return zero(MarkerShapes.of(mesh, at, Material.lit(paint(marker))), marker.scale());
   }
 

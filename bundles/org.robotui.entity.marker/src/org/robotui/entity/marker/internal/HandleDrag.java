@@ -7,7 +7,10 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Ray;
 
-/** How a body moves that is gripped at a point and dragged under a ray, all in the fixed frame. Not safe for several threads. */
+/**
+ * How a body moves that is gripped at a point and dragged under a ray, all in the fixed frame. Not safe for several
+ * threads.
+ */
 final class HandleDrag {
   /** Below this angle between a ray and a plane, where they meet is too uncertain. */
   private static final double GRAZING = 0.02;

@@ -72,7 +72,8 @@ final class Held {
   /** Whether another is drawn by the very same shape. */
   boolean looksLike(Marker other) {
     Marker m = marker;
-    return m.type() == other.type() && m.pose().equals(other.pose()) && m.scale().equals(other.scale()) && m.color().equals(other.color())
+    return m.type() == other.type() && m.pose().equals(other.pose()) && m.scale().equals(other.scale())
+        && m.color().equals(other.color())
         && m.points().equals(other.points()) && m.colors().equals(other.colors()) && m.text().equals(other.text())
         && m.mesh().equals(other.mesh()) && m.embeddedMaterials() == other.embeddedMaterials();
   }

@@ -74,7 +74,8 @@ final class InteractiveDisplay implements Display {
 
   private void take(SourceId source, InteractiveMarkerSet set) {
     if (set.all()) {
-      markers.keySet().removeIf(id -> id.source().equals(source) && set.entries().stream().noneMatch(e -> e.name().equals(id.name())));
+      markers.keySet().removeIf(
+          id -> id.source().equals(source) && set.entries().stream().noneMatch(e -> e.name().equals(id.name())));
     }
     for (InteractiveMarkerSet.Entry entry : set.entries()) {
       Id id = new Id(source, entry.name());
@@ -129,13 +130,15 @@ final class InteractiveDisplay implements Display {
       for (int p = 0; p < pieces.size(); p++) {
         Key key = new Key(id, c, p);
         ControlLook.Piece piece = pieces.get(p);
-        Optional<RigidTransform> at = piece.frame().isEmpty() ? Optional.of(base) : tick.places().at(piece.frame().get(), Optional.empty()).found();
+        Optional<RigidTransform> at = piece.frame().isEmpty() ? Optional.of(base)
+            : tick.places().at(piece.frame().get(), Optional.empty()).found();
         at.ifPresent(a -> parts.add(part(key, movable, control, piece, a, Recent.paleness(tick))));
       }
     }
   }
 
-  private static Part part(Key key, Movable movable, Control control, ControlLook.Piece piece, RigidTransform base, float pale) {
+  private static Part part(Key key, Movable movable, Control control, ControlLook.Piece piece, RigidTransform base,
+      float pale) {
     boolean handled = control.mode() != InteractiveMarker.Mode.NONE || !movable.marker().menu().isEmpty();
     String title = movable.marker().name() + (control.description().isEmpty() ? "" : ": " + control.description());
     return new Part(key, piece.shape(), base.times(piece.at()), piece.material().paled(pale), Describer.of(title),
@@ -144,10 +147,13 @@ final class InteractiveDisplay implements Display {
 
   private Part label(Id id, Movable movable, RigidTransform frame) {
     String text = movable.marker().description();
-    Label label = Optional.ofNullable(labels.get(id)).filter(l -> l.text().equals(text)).orElseGet(() -> new Label(text, LETTERS, PointSet.Unit.PIXELS));
+    Label label = Optional.ofNullable(labels.get(id)).filter(l -> l.text().equals(text))
+        .orElseGet(() -> new Label(text, LETTERS, PointSet.Unit.PIXELS));
     labels.put(id, label);
-    Vector3 above = frame.apply(movable.pose().translation()).plus(new Vector3(0, 0, ABOVE * Math.max(0, movable.marker().scale())));
-    return new Part(new Key(id, -1, 0), label, new RigidTransform(above, Quaternion.IDENTITY), Material.flat(LETTERING), Describer.of(text));
+    Vector3 above = frame.apply(movable.pose().translation())
+        .plus(new Vector3(0, 0, ABOVE * Math.max(0, movable.marker().scale())));
+    return new Part(new Key(id, -1, 0), label, new RigidTransform(above, Quaternion.IDENTITY), Material.flat(LETTERING),
+        Describer.of(text));
   }
 
   private DisplayStatus status(DisplayTick tick, List<String> missing) {
@@ -158,10 +164,13 @@ final class InteractiveDisplay implements Display {
     if (!missing.isEmpty()) {
       return new DisplayStatus.NoFrame(missing.getFirst());
     }
-    Optional<String> flawed = markers.values().stream().filter(Movable::flawed).findFirst().map(m -> "the pose of " + m.marker().name() + " is not finite");
-    Optional<String> trouble = Optional.of(refusal).filter(r -> !r.isEmpty()).map(r -> "not told to the robot: " + r).or(() -> flawed);
+    Optional<String> flawed = markers.values().stream().filter(Movable::flawed).findFirst()
+        .map(m -> "the pose of " + m.marker().name() + " is not finite");
+    Optional<String> trouble =
+        Optional.of(refusal).filter(r -> !r.isEmpty()).map(r -> "not told to the robot: " + r).or(() -> flawed);
     if (dropped > 0) {
-      trouble = trouble.or(() -> Optional.of("there are more than " + MOST + " interactive markers; the others are left out"));
+      trouble = trouble
+          .or(() -> Optional.of("there are more than " + MOST + " interactive markers; the others are left out"));
     }
     int count = markers.size();
     return trouble.<DisplayStatus>map(DisplayStatus.Partly::new)

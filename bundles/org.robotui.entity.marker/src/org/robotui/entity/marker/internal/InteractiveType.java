@@ -16,7 +16,8 @@ import org.robotui.gl.display.DisplayType;
 public final class InteractiveType implements DisplayType {
   static final String DESCRIPTIONS = "descriptions";
   static final Schema SCHEMA =
-      Schema.of(Setting.of(DESCRIPTIONS, new ValueType.Flag(), true, "Whether what a marker says of itself is written above it."));
+      Schema.of(Setting.of(DESCRIPTIONS, new ValueType.Flag(), true,
+          "Whether what a marker says of itself is written above it."));
 
   @Override
   public String id() {

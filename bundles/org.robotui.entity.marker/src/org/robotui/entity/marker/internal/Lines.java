@@ -23,7 +23,8 @@ final class Lines {
   static MarkerShapes of(Marker marker, RigidTransform at, boolean pairs) {
     int points = marker.points().size() / 3;
     if (points < 2 || pairs && points % 2 != 0) {
-      return MarkerShapes.nothing(pairs ? "a list of lines needs pairs of points, this one has " + points : "a line needs two points, this one has " + points);
+      return MarkerShapes.nothing(pairs ? "a list of lines needs pairs of points, this one has " + points
+          : "a line needs two points, this one has " + points);
     }
     if (marker.scale().x() <= 0) {
       return MarkerShapes.nothing("the width of its lines, scale x, must be more than 0");
@@ -34,7 +35,8 @@ final class Lines {
   private static MarkerShapes thin(Marker marker, RigidTransform at, boolean pairs) {
     FloatBuffer xyz = marker.points().buffer();
     LineSet.Kind kind = pairs ? LineSet.Kind.SEGMENTS : LineSet.Kind.STRIP;
-    return MarkerShapes.of(new LineSet(xyz, Crowds.colors(marker), kind, PIXELS, Box3.around(xyz)), at, Material.flat(Crowds.paint(marker)));
+    return MarkerShapes.of(new LineSet(xyz, Crowds.colors(marker), kind, PIXELS, Box3.around(xyz)), at,
+        Material.flat(Crowds.paint(marker)));
   }
 
   /** A bar each, coloured by its first point. */
@@ -47,7 +49,8 @@ final class Lines {
       Vector3 span = Crowds.point(marker, i + 1).minus(from);
       double length = span.norm();
       if (length > 0 && Double.isFinite(length)) {
-        RigidTransform middle = new RigidTransform(from.plus(span.times(0.5)), Turns.between(new Vector3(1, 0, 0), span.times(1 / length)));
+        RigidTransform middle =
+            new RigidTransform(from.plus(span.times(0.5)), Turns.between(new Vector3(1, 0, 0), span.times(1 / length)));
         bars.add(middle, new Vector3(length, width, width), color(marker, i));
       }
     }
@@ -56,7 +59,8 @@ final class Lines {
 
   private static Rgba color(Marker marker, int index) {
     Bytes c = marker.colors();
-    return c.size() == 0 ? Looks.color(marker) : new Rgba(part(c, 4 * index), part(c, 4 * index + 1), part(c, 4 * index + 2), part(c, 4 * index + 3));
+    return c.size() == 0 ? Looks.color(marker)
+        : new Rgba(part(c, 4 * index), part(c, 4 * index + 1), part(c, 4 * index + 2), part(c, 4 * index + 3));
   }
 
   private static float part(Bytes colors, int index) {

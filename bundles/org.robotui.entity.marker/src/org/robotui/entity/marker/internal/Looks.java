@@ -34,9 +34,11 @@ final class Looks {
       return MarkerShapes.nothing("its scale is not finite");
     }
     boolean none = length < 1e-9;
-    RigidTransform at = new RigidTransform(pose.translation(), none ? Quaternion.IDENTITY : pose.rotation().normalized());
+    RigidTransform at =
+        new RigidTransform(pose.translation(), none ? Quaternion.IDENTITY : pose.rotation().normalized());
     MarkerShapes look = shape(marker, at);
-    return none ? look.but(UNTURNED) : !ownColors(marker) && color(marker).alpha() == 0 ? look.but("its alpha is 0: it is invisible") : look;
+    return none ? look.but(UNTURNED)
+        : !ownColors(marker) && color(marker).alpha() == 0 ? look.but("its alpha is 0: it is invisible") : look;
   }
 
   private static boolean ownColors(Marker marker) {
@@ -93,15 +95,21 @@ final class Looks {
   private static MarkerShapes between(Vector3 from, Vector3 to, double length, Vector3 scale) {
     Vector3 along = to.minus(from).times(1 / length);
     double head = scale.z() > 0 ? Math.min(scale.z(), length) : HEAD * length;
-    RigidTransform shaft = new RigidTransform(from.plus(along.times((length - head) / 2)), Turns.between(new Vector3(0, 0, 1), along));
+    RigidTransform shaft =
+        new RigidTransform(from.plus(along.times((length - head) / 2)), Turns.between(new Vector3(0, 0, 1), along));
     RigidTransform tip = new RigidTransform(to, Turns.between(new Vector3(1, 0, 0), along.times(-1)));
-    MarkerShapes look = new MarkerShapes(List.of(new MarkerShapes.Piece(Form.CYLINDER, shaft, new Vector3(scale.x(), scale.x(), length - head)),
-        new MarkerShapes.Piece(Form.CONE, tip, new Vector3(head, scale.y(), scale.y()))), Optional.empty(), Optional.empty(), "");
-    return scale.x() == 0 || scale.y() == 0 ? look.but("the diameters of its shaft and head, scale x and y, must not be 0") : look;
+    MarkerShapes look = new MarkerShapes(
+        List.of(new MarkerShapes.Piece(Form.CYLINDER, shaft, new Vector3(scale.x(), scale.x(), length - head)),
+            new MarkerShapes.Piece(Form.CONE, tip, new Vector3(head, scale.y(), scale.y()))),
+        Optional.empty(), Optional.empty(), "");
+    return scale.x() == 0 || scale.y() == 0
+        ? look.but("the diameters of its shaft and head, scale x and y, must not be 0")
+        : look;
   }
 
   private static Vector3 point(Marker marker, int index) {
-    return new Vector3(marker.points().get(3 * index), marker.points().get(3 * index + 1), marker.points().get(3 * index + 2));
+    return new Vector3(marker.points().get(3 * index), marker.points().get(3 * index + 1),
+        marker.points().get(3 * index + 2));
   }
 
   private static MarkerShapes mesh(Marker marker, RigidTransform at) {
@@ -114,7 +122,8 @@ final class Looks {
     if (marker.scale().x() <= 0) {
       return MarkerShapes.nothing("the width of its points, scale x, must be more than 0");
     }
-    PointSet set = PointSet.of(marker.points().buffer(), Crowds.colors(marker), (float) marker.scale().x(), PointSet.Unit.METRES);
+    PointSet set =
+        PointSet.of(marker.points().buffer(), Crowds.colors(marker), (float) marker.scale().x(), PointSet.Unit.METRES);
     return MarkerShapes.of(set, at, Material.flat(Crowds.paint(marker)));
   }
 
@@ -125,6 +134,7 @@ final class Looks {
     if (marker.text().isBlank()) {
       return MarkerShapes.nothing("its text is empty");
     }
-    return MarkerShapes.of(new Label(marker.text(), (float) marker.scale().z(), PointSet.Unit.METRES), at, Material.flat(color(marker)));
+    return MarkerShapes.of(new Label(marker.text(), (float) marker.scale().z(), PointSet.Unit.METRES), at,
+        Material.flat(color(marker)));
   }
 }

@@ -47,13 +47,15 @@ final class MarkerStore {
     }
     for (MarkerSet.Entry entry : set.entries()) {
       Held.Id id = new Held.Id(source, entry.key());
-      entry.marker().ifPresentOrElse(marker -> put(id, marker), () -> Optional.ofNullable(markers.get(id)).ifPresent(this::remove));
+      entry.marker().ifPresentOrElse(marker -> put(id, marker),
+          () -> Optional.ofNullable(markers.get(id)).ifPresent(this::remove));
     }
   }
 
   private void put(Held.Id id, Marker marker) {
     Held before = markers.get(id);
-    if (before != null && before.looksLike(marker) && before.marker().frame().equals(marker.frame()) && before.marker().locked() == marker.locked()) {
+    if (before != null && before.looksLike(marker) && before.marker().frame().equals(marker.frame())
+        && before.marker().locked() == marker.locked()) {
       before.renew(marker);
       before.at(Optional.empty()); // where it is shown is looked up again; where that is the same, nothing is made anew
       return;
@@ -115,7 +117,9 @@ final class MarkerStore {
       counts = found;
       long flawed = markers.values().stream().filter(h -> !h.look().flaw().isEmpty()).count();
       flaws = markers.values().stream().filter(h -> !h.look().flaw().isEmpty()).findFirst()
-          .map(h -> "marker " + h.id().key() + ": " + h.look().flaw() + (flawed > 1 ? "; " + (flawed - 1) + " more with flaws" : "")).orElse("");
+          .map(h -> "marker " + h.id().key() + ": " + h.look().flaw()
+              + (flawed > 1 ? "; " + (flawed - 1) + " more with flaws" : ""))
+          .orElse("");
       changed = false;
     }
   }

@@ -22,7 +22,8 @@ final class MarkerText {
     entries.add(new Entry("Position", vector(m.pose().translation()) + " m"));
     entries.add(new Entry("Scale", vector(m.scale())));
     Color c = m.color();
-    entries.add(new Entry("Colour", String.format(Locale.ROOT, "%.2f %.2f %.2f, alpha %.2f", c.red(), c.green(), c.blue(), c.alpha())));
+    entries.add(new Entry("Colour",
+        String.format(Locale.ROOT, "%.2f %.2f %.2f, alpha %.2f", c.red(), c.green(), c.blue(), c.alpha())));
     if (m.lifetimeNanos() > 0) {
       entries.add(new Entry("Lifetime", String.format(Locale.ROOT, "%.1f s", m.lifetimeNanos() * 1e-9)));
     }

@@ -54,8 +54,10 @@ final class MarkersDisplay implements Display {
     double opacity = settings.number(MarkersType.OPACITY) * fresh;
     List<Part> parts = new ArrayList<>();
     for (Chunk chunk : store.chunks().all()) {
-      Optional<RigidTransform> at = visible.shows(chunk.group().namespace()) ? spots.at(chunk.group().spot()) : Optional.empty();
-      at.ifPresent(place -> parts.add(new Part(chunk.key(), chunk.instances(), place, Material.lit(Rgba.WHITE.withAlpha(opacity)), chunk.describer())));
+      Optional<RigidTransform> at =
+          visible.shows(chunk.group().namespace()) ? spots.at(chunk.group().spot()) : Optional.empty();
+      at.ifPresent(place -> parts.add(new Part(chunk.key(), chunk.instances(), place,
+          Material.lit(Rgba.WHITE.withAlpha(opacity)), chunk.describer())));
     }
     for (Held held : store.markers()) {
       if (held.look().own().isPresent() && visible.shows(held.id().key().namespace())) {
@@ -71,14 +73,16 @@ final class MarkersDisplay implements Display {
 
   private static Part part(Held held, MarkerShapes.Own own, RigidTransform place, double opacity) {
     Material m = own.material();
-    Material paint = opacity >= 1 ? m : new Material(m.color().withAlpha(m.color().alpha() * opacity), m.lit(), m.texture(), m.depth());
+    Material paint = opacity >= 1 ? m
+        : new Material(m.color().withAlpha(m.color().alpha() * opacity), m.lit(), m.texture(), m.depth());
     return new Part(held.id(), own.shape(), place.times(own.at()), paint, held.describer());
   }
 
   private DisplayStatus status(DisplayTick tick, Optional<String> missing) {
     if (store.markers().isEmpty()) {
       boolean live = tick.state() instanceof InputState.Live;
-      return new DisplayStatus.NoData(live ? "no markers now: none came, or all were taken away" : tick.state().explanation());
+      return new DisplayStatus.NoData(
+          live ? "no markers now: none came, or all were taken away" : tick.state().explanation());
     }
     if (missing.isPresent()) {
       return new DisplayStatus.NoFrame(missing.get());
@@ -87,14 +91,16 @@ final class MarkersDisplay implements Display {
       return new DisplayStatus.Partly("there are more than " + MarkerStore.MOST + " markers; the others are left out");
     }
     String wrong = store.flaws().isEmpty() ? meshes.problem() : store.flaws();
-    return wrong.isEmpty() ? new DisplayStatus.Shown(summary(tick.settings()) + meshes.progress()) : new DisplayStatus.Partly(wrong);
+    return wrong.isEmpty() ? new DisplayStatus.Shown(summary(tick.settings()) + meshes.progress())
+        : new DisplayStatus.Partly(wrong);
   }
 
   private String summary(Settings settings) {
     Visible visible = new Visible(settings);
     Map<String, Integer> counts = store.counts();
     String named = counts.entrySet().stream().limit(MOST_NAMED)
-        .map(e -> (e.getKey().isEmpty() ? "unnamed" : e.getKey()) + " " + e.getValue() + (visible.shows(e.getKey()) ? "" : " (hidden)"))
+        .map(e -> (e.getKey().isEmpty() ? "unnamed" : e.getKey()) + " " + e.getValue()
+            + (visible.shows(e.getKey()) ? "" : " (hidden)"))
         .collect(Collectors.joining(", "));
     String more = counts.size() > MOST_NAMED ? " and " + (counts.size() - MOST_NAMED) + " more namespaces" : "";
     int all = store.markers().size();

@@ -16,7 +16,9 @@ final class Menus {
 
   /** Entries that are each other's parents are left out: nothing leads to them. */
   private static List<Choice> below(List<MenuEntry> entries, int parent, int depth) {
-    return depth > DEEPEST ? List.of() : entries.stream().filter(e -> e.parent() == parent && e.id() != parent).map(e -> choice(entries, e, depth)).toList();
+    return depth > DEEPEST ? List.of()
+        : entries.stream().filter(e -> e.parent() == parent && e.id() != parent).map(e -> choice(entries, e, depth))
+            .toList();
   }
 
   /** A tick is written into the title, as there is no other way in the messages. */

@@ -90,7 +90,8 @@ final class MeshParts {
   private void show(Held held, List<Surface> surfaces, RigidTransform at, double opacity, List<Part> parts) {
     Made shapes = made.get(held.id());
     if (shapes == null || shapes.held() != held) {
-      shapes = new Made(held, surfaces.stream().map(s -> new Placings(1).add(RigidTransform.IDENTITY, held.marker().scale()).of(s.mesh())).toList());
+      shapes = new Made(held, surfaces.stream()
+          .map(s -> new Placings(1).add(RigidTransform.IDENTITY, held.marker().scale()).of(s.mesh())).toList());
       made.put(held.id(), shapes);
     }
     for (int i = 0; i < surfaces.size(); i++) {
@@ -107,10 +108,12 @@ final class MeshParts {
     if (!marker.embeddedMaterials()) {
       return tint;
     }
-    Rgba own = surface.texture().isPresent() ? Rgba.WHITE.withAlpha(surface.color().map(Rgba::alpha).orElse(1f)) : surface.color().orElse(PLAIN);
+    Rgba own = surface.texture().isPresent() ? Rgba.WHITE.withAlpha(surface.color().map(Rgba::alpha).orElse(1f))
+        : surface.color().orElse(PLAIN);
     boolean none = marker.color().equals(new Color(0, 0, 0, 0));
     return none ? own
-        : new Rgba(own.red() * tint.red(), own.green() * tint.green(), own.blue() * tint.blue(), own.alpha() * tint.alpha());
+        : new Rgba(own.red() * tint.red(), own.green() * tint.green(), own.blue() * tint.blue(),
+            own.alpha() * tint.alpha());
   }
 
   /** Which mesh cannot be shown, or not as it should be, and why; empty where all can. */

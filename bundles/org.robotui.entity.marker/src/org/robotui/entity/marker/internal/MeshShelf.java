@@ -21,8 +21,8 @@ import org.robotui.urdf.pack.PackageFile;
 import org.robotui.urdf.pack.PackageFolders;
 
 /**
- * Meshes by their addresses, read once each and in the background. Holds {@link #MOST} meshes and {@link #MOST_BYTES} bytes at most.
- * Safe for all threads.
+ * Meshes by their addresses, read once each and in the background. Holds {@link #MOST} meshes and {@link #MOST_BYTES}
+ * bytes at most. Safe for all threads.
  */
 final class MeshShelf {
   static final int MOST = 256;
@@ -66,7 +66,10 @@ final class MeshShelf {
     }
   }
 
-  /** Answers at once; a mesh that is asked for the first time is read in the background, and the scene woken when that is done. */
+  /**
+   * Answers at once; a mesh that is asked for the first time is read in the background, and the scene woken when that
+   * is done.
+   */
   State of(String uri, PackageFolders folders) {
     State known = meshes.get(uri);
     if (known != null) {
@@ -103,7 +106,8 @@ final class MeshShelf {
       MeshRead read = MeshReader.read(uri, file.bytes(), name -> beside(folders, file, name));
       return switch (read) {
         case MeshRead.Refused refused -> new State.Failed(uri + ": " + refused.why());
-        case MeshRead.Ok ok -> kept(uri, surfaces(ok), ok.warnings().stream().findFirst().map(words -> uri + ": " + words).orElse(""));
+        case MeshRead.Ok ok -> kept(uri, surfaces(ok),
+            ok.warnings().stream().findFirst().map(words -> uri + ": " + words).orElse(""));
       };
     } catch (IOException e) {
       return new State.Failed(uri + " cannot be read: " + e.getMessage());
@@ -131,8 +135,10 @@ final class MeshShelf {
 
   private static List<Surface> surfaces(MeshRead.Ok read) {
     Map<String, Texture> textures = new HashMap<>();
-    read.pictures().forEach((name, picture) -> textures.put(name, new Texture(picture.width(), picture.height(), picture.rgba(), true, true)));
-    return read.mesh().parts().stream().map(part -> surface(read.mesh(), part, part.texture().map(textures::get))).toList();
+    read.pictures().forEach((name, picture) -> textures.put(name,
+        new Texture(picture.width(), picture.height(), picture.rgba(), true, true)));
+    return read.mesh().parts().stream().map(part -> surface(read.mesh(), part, part.texture().map(textures::get)))
+        .toList();
   }
 
   private static Surface surface(Mesh mesh, Mesh.Part part, Optional<Texture> texture) {

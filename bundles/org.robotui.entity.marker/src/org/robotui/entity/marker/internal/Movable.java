@@ -16,8 +16,8 @@ import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Ray;
 
 /**
- * An interactive marker as it is shown. While a user drags it, it is where the user has it and the server hears of that; what the
- * server says meanwhile counts when the user lets go. Only on the worker thread of the scene.
+ * An interactive marker as it is shown. While a user drags it, it is where the user has it and the server hears of
+ * that; what the server says meanwhile counts when the user lets go. Only on the worker thread of the scene.
  */
 final class Movable {
   private static final long SIGN_OF_LIFE = TimeUnit.MILLISECONDS.toNanos(250);
@@ -47,7 +47,8 @@ final class Movable {
   }
 
   private static Control nothing() {
-    return new Control("", "", InteractiveMarker.Mode.NONE, Orientation.INHERIT, Quaternion.IDENTITY, false, List.of(), false);
+    return new Control("", "", InteractiveMarker.Mode.NONE, Orientation.INHERIT, Quaternion.IDENTITY, false, List.of(),
+        false);
   }
 
   InteractiveMarker marker() {
@@ -94,7 +95,8 @@ final class Movable {
   private void look() {
     looks = marker.controls().stream().map(c -> ControlLook.of(c, marker.scale())).toList();
     Map<String, ControlHandle> kept = new HashMap<>();
-    marker.controls().forEach(c -> kept.put(c.name(), Optional.ofNullable(handles.get(c.name())).orElseGet(() -> new ControlHandle(this, c.name()))));
+    marker.controls().forEach(c -> kept.put(c.name(),
+        Optional.ofNullable(handles.get(c.name())).orElseGet(() -> new ControlHandle(this, c.name()))));
     handles = kept;
   }
 
@@ -114,7 +116,8 @@ final class Movable {
 
   /** Where the parts of a control are in the frame of the marker: those that are fixed do not turn with it. */
   RigidTransform base(Control control) {
-    return control.orientation() == Orientation.FIXED ? new RigidTransform(pose.translation(), Quaternion.IDENTITY) : pose;
+    return control.orientation() == Orientation.FIXED ? new RigidTransform(pose.translation(), Quaternion.IDENTITY)
+        : pose;
   }
 
   void press(Control control, Ray ray, Vector3 place) {
@@ -124,7 +127,8 @@ final class Movable {
       told = false;
       moved = false;
       refused = false;
-      Vector3 axis = frame.rotation().times(base(control).rotation()).times(ControlLook.rotation(control)).rotate(new Vector3(1, 0, 0));
+      Vector3 axis = frame.rotation().times(base(control).rotation()).times(ControlLook.rotation(control))
+          .rotate(new Vector3(1, 0, 0));
       boolean faces = control.orientation() == Orientation.VIEW_FACING;
       grip = Optional.of(new HandleDrag(control.mode(), faces ? ray.direction() : axis, frame.times(pose), place, ray));
       say(Event.MOUSE_DOWN, 0);
@@ -163,7 +167,8 @@ final class Movable {
 
   private void say(Event event, int entry) {
     Optional<Vector3> point = grip.map(g -> touched);
-    refused |= !sender.send(new MarkerFeedback(marker.feedback(), client, marker.name(), gripped.name(), event, marker.frame(), marker.stamp(),
+    refused |= !sender.send(new MarkerFeedback(marker.feedback(), client, marker.name(), gripped.name(), event,
+        marker.frame(), marker.stamp(),
         pose, entry, point));
   }
 }

@@ -50,7 +50,8 @@ class InteractiveDisplayTest {
     @Override
     public CommandOutcome send(Data command) {
       sent.add((MarkerFeedback) command);
-      return refusal.<CommandOutcome>map(r -> new CommandOutcome.Refused(CommandOutcome.Why.NO_LEASE, r)).orElse(new CommandOutcome.Accepted());
+      return refusal.<CommandOutcome>map(r -> new CommandOutcome.Refused(CommandOutcome.Why.NO_LEASE, r))
+          .orElse(new CommandOutcome.Accepted());
     }
   });
 
@@ -59,12 +60,15 @@ class InteractiveDisplayTest {
   }
 
   private static InteractiveMarker marker(double x, Control... controls) {
-    return new InteractiveMarker("goal", "the goal", "/goals/feedback", Ticks.frame("map"), Optional.empty(), RigidTransform.planar(x, 0, 0), 1,
-        List.of(new MenuEntry(1, 0, "Drive"), new MenuEntry(2, 1, "[x] Slowly"), new MenuEntry(3, 1, "[ ] Fast")), List.of(controls));
+    return new InteractiveMarker("goal", "the goal", "/goals/feedback", Ticks.frame("map"), Optional.empty(),
+        RigidTransform.planar(x, 0, 0), 1,
+        List.of(new MenuEntry(1, 0, "Drive"), new MenuEntry(2, 1, "[x] Slowly"), new MenuEntry(3, 1, "[ ] Fast")),
+        List.of(controls));
   }
 
   private DisplayResult says(InteractiveMarker marker) {
-    return display.update(scene.of(new InteractiveMarkerSet(false, List.of(new InteractiveMarkerSet.Entry("goal", Optional.of(marker))))));
+    return display.update(scene
+        .of(new InteractiveMarkerSet(false, List.of(new InteractiveMarkerSet.Entry("goal", Optional.of(marker))))));
   }
 
   private static Handle handle(DisplayResult result) {
@@ -153,7 +157,8 @@ class InteractiveDisplayTest {
 
   @Test
   void aMovedMarkerKeepsItsShapesAndItsHandle() {
-    InteractiveMarker marker = marker(1, control(Mode.MOVE_PLANE, List.of(Sample.of(0, Marker.Type.CUBE).frame("", false).made(0))));
+    InteractiveMarker marker =
+        marker(1, control(Mode.MOVE_PLANE, List.of(Sample.of(0, Marker.Type.CUBE).frame("", false).made(0))));
     Part before = says(marker).parts().getFirst();
     Part after = says(marker.at(marker.frame(), Optional.empty(), RigidTransform.planar(5, 0, 0))).parts().getFirst();
     assertSame(before.shape(), after.shape());
@@ -174,7 +179,8 @@ class InteractiveDisplayTest {
   void itSaysWhatIsMissing() {
     assertInstanceOf(DisplayStatus.NoData.class, display.update(scene.of()).status());
     scene.frames.clear();
-    assertEquals(new DisplayStatus.NoFrame("no transform from map to map"), says(marker(1, control(Mode.BUTTON, List.of()))).status());
+    assertEquals(new DisplayStatus.NoFrame("no transform from map to map"),
+        says(marker(1, control(Mode.BUTTON, List.of()))).status());
     scene.frames.put("map", RigidTransform.IDENTITY);
     assertEquals(new DisplayStatus.Shown("1 interactive marker"), display.update(scene.of()).status());
     says(marker(Double.NaN, control(Mode.BUTTON, List.of())));

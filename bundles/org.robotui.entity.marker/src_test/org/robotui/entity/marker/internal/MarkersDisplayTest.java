@@ -94,7 +94,8 @@ class MarkersDisplayTest {
     DisplayResult again = show(cubes(10_000));
     shapes(first).forEach((key, shape) -> assertSame(shape, shapes(again).get(key), "the same markers said again"));
     DisplayResult changed = show(Sample.of(17, Type.CUBE).scale(2, 2, 2));
-    long others = shapes(changed).entrySet().stream().filter(e -> shapes(first).get(e.getKey()) != e.getValue()).count();
+    long others =
+        shapes(changed).entrySet().stream().filter(e -> shapes(first).get(e.getKey()) != e.getValue()).count();
     assertEquals(1, others, "only the shape with the changed marker is another");
     assertEquals(10_000, elements(changed));
   }
@@ -120,15 +121,18 @@ class MarkersDisplayTest {
     show(Sample.of(0, Type.CUBE).frame("base", true), Sample.of(0, Type.CUBE).in("still").frame("base", false));
     scene.frames.put("base", RigidTransform.planar(5, 0, 0));
     DisplayResult moved = display.update(scene.of());
-    assertEquals(List.of(1.0, 5.0), moved.parts().stream().map(p -> p.fixedFromShape().translation().x()).sorted().toList());
+    assertEquals(List.of(1.0, 5.0),
+        moved.parts().stream().map(p -> p.fixedFromShape().translation().x()).sorted().toList());
     scene.fixed = Ticks.frame("odom");
-    assertEquals(List.of(5.0, 5.0), display.update(scene.of()).parts().stream().map(p -> p.fixedFromShape().translation().x()).toList(),
+    assertEquals(List.of(5.0, 5.0),
+        display.update(scene.of()).parts().stream().map(p -> p.fixedFromShape().translation().x()).toList(),
         "in another fixed frame it is placed anew");
   }
 
   @Test
   void aFrameThatNobodyTellsOfIsNamedAndTheMarkerComesWithIt() {
-    DisplayResult lost = show(Sample.of(0, Type.CUBE).frame("arm", false), Sample.of(1, Type.POINTS).frame("arm", true).points(SIX));
+    DisplayResult lost =
+        show(Sample.of(0, Type.CUBE).frame("arm", false), Sample.of(1, Type.POINTS).frame("arm", true).points(SIX));
     assertEquals(new DisplayStatus.NoFrame("no transform from arm to map"), lost.status());
     assertEquals(0, lost.parts().size());
     scene.frames.put("arm", RigidTransform.IDENTITY);
@@ -147,7 +151,8 @@ class MarkersDisplayTest {
 
   @Test
   void namespacesAreChosen() {
-    show(Sample.of(0, Type.CUBE), Sample.of(1, Type.CUBE).in("people"), Sample.of(2, Type.TEXT).in("names").saying("x"));
+    show(Sample.of(0, Type.CUBE), Sample.of(1, Type.CUBE).in("people"),
+        Sample.of(2, Type.TEXT).in("names").saying("x"));
     scene.values.put(MarkersType.HIDDEN, List.of("people"));
     DisplayResult some = display.update(scene.of());
     assertEquals(2, some.parts().size());
@@ -245,9 +250,10 @@ class MarkersDisplayTest {
     Files.writeString(folder.resolve("p/a.obj"),
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n");
     Files.writeString(folder.resolve("p/a.mtl"), "newmtl m\nKd 0.1 0.2 0.3\nmap_Kd a.png\n");
-    ScenePictures.write(folder.resolve("p/a.png"), new SceneImage(2, 1, new int[] {0xff0000, 0x00ff00}));
+    ScenePictures.write(folder.resolve("p/a.png"), new SceneImage(2, 1, new int[]{0xff0000, 0x00ff00}));
     scene.values.put(MarkersType.PACKAGES, List.of(folder.toString()));
-    show(Sample.of(1, Type.MESH).mesh("package://p/a.obj").withMaterials(), Sample.of(2, Type.MESH).mesh("package://p/a.obj"));
+    show(Sample.of(1, Type.MESH).mesh("package://p/a.obj").withMaterials(),
+        Sample.of(2, Type.MESH).mesh("package://p/a.obj"));
     background.remove().run();
     List<Part> parts = display.update(scene.of()).parts();
     assertEquals(2, parts.getFirst().material().texture().orElseThrow().width());
@@ -274,7 +280,8 @@ class MarkersDisplayTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"file:///etc/passwd", "/etc/passwd", "package://p/../secret.stl", "package:///etc/passwd", "https://somewhere/a.stl"})
+  @ValueSource(strings = {"file:///etc/passwd", "/etc/passwd", "package://p/../secret.stl", "package:///etc/passwd",
+      "https://somewhere/a.stl"})
   void nothingIsReadOutsideOfPackages(String uri, @TempDir Path folder) throws IOException {
     Files.createDirectories(folder.resolve("p"));
     Files.writeString(folder.resolve("p/package.xml"), "<package><name>p</name></package>");

@@ -43,8 +43,10 @@ final class Ticks implements Places {
 
   DisplayTick tick(boolean reset, Data... arrived) {
     List<Envelope<? extends Data>> envelopes = Arrays.stream(arrived)
-        .<Envelope<? extends Data>>map(v -> new Envelope<>(v, SOURCE, 1, Optional.empty(), now, Optional.empty())).toList();
-    return new DisplayTick(envelopes, new InputState.Live(10, 0), this, new Settings(schema, values), Rgba.WHITE, now, reset);
+        .<Envelope<? extends Data>>map(v -> new Envelope<>(v, SOURCE, 1, Optional.empty(), now, Optional.empty()))
+        .toList();
+    return new DisplayTick(envelopes, new InputState.Live(10, 0), this, new Settings(schema, values), Rgba.WHITE, now,
+        reset);
   }
 
   @Override

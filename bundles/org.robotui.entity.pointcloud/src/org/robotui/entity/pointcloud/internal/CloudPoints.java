@@ -27,7 +27,8 @@ record CloudPoints(FloatBuffer xyz, Order order) {
       return Optional.empty();
     }
     Order order = Order.of(cloud, Math.min(most, MOST));
-    // On the heap, where the memory of clouds that are shown no more is free with the next collection, however many come a second.
+    // On the heap, where the memory of clouds that are shown no more is free with the next collection, however many
+    // come a second.
     float[] xyz = new float[3 * order.count()];
     PointField[] fields = {x.get(), y.get(), z.get()};
     ByteBuffer bytes = cloud.points().buffer(cloud.order());

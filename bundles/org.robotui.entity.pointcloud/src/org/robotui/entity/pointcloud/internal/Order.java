@@ -3,9 +3,10 @@ package org.robotui.entity.pointcloud.internal;
 import org.robotui.data.sensor.PointCloud;
 
 /**
- * The order in which points are copied: that of the cloud where all are, as memory is read many times faster so. Rows of a sensor, thinned to every
- * n-th point, make stripes; so where some are left out, a fixed step that has no divisor in common with their number walks through all of them,
- * about the golden ratio of the whole at a time: any beginning of that order, and every n-th of it, is spread evenly over the cloud.
+ * The order in which points are copied: that of the cloud where all are, as memory is read many times faster so. Rows
+ * of a sensor, thinned to every n-th point, make stripes; so where some are left out, a fixed step that has no divisor
+ * in common with their number walks through all of them, about the golden ratio of the whole at a time: any beginning
+ * of that order, and every n-th of it, is spread evenly over the cloud.
  *
  * @param total points of the cloud
  * @param count how many of them are taken
@@ -22,7 +23,8 @@ record Order(int total, int count, int step, int width, int pointStep, int rowSt
     long all = (long) cloud.width() * cloud.height();
     // More than that are points of no bytes, or bytes that overlap: nothing a sensor sends.
     int total = (int) Math.min(all, CloudPoints.MOST * 4L);
-    return new Order(total, (int) Math.min(total, most), total > most ? step(total) : 1, cloud.width(), cloud.pointStep(), cloud.rowStep());
+    return new Order(total, (int) Math.min(total, most), total > most ? step(total) : 1, cloud.width(),
+        cloud.pointStep(), cloud.rowStep());
   }
 
   /** Which point comes at a place of the order. */

@@ -13,7 +13,8 @@ final class Packed {
   private Packed() {}
 
   static Optional<PointField> in(PointCloud cloud) {
-    return Stream.of("rgb", "rgba").flatMap(name -> cloud.field(name).stream()).filter(f -> f.format().size() == Integer.BYTES).findFirst();
+    return Stream.of("rgb", "rgba").flatMap(name -> cloud.field(name).stream())
+        .filter(f -> f.format().size() == Integer.BYTES).findFirst();
   }
 
   static ByteBuffer colors(PointCloud cloud, PointField field, Order order) {

@@ -18,8 +18,9 @@ import org.robotui.gl.shape.Rgba;
 
 /** The newest cloud, or those of the last seconds: each a part of its own, so that what stays is not sent again. */
 final class PointCloudDisplay implements Display {
-  private final Recent<PointCloud, Prepared> recent = new Recent<>(PointCloud.class, Anchor.When.MEASURED, PointCloud::frame,
-      cloud -> (long) cloud.width() * cloud.height());
+  private final Recent<PointCloud, Prepared> recent =
+      new Recent<>(PointCloud.class, Anchor.When.MEASURED, PointCloud::frame,
+          cloud -> (long) cloud.width() * cloud.height());
 
   @Override
   public DisplayResult update(DisplayTick tick) {
@@ -39,11 +40,13 @@ final class PointCloudDisplay implements Display {
     recent.clear();
   }
 
-  private static Optional<Part> part(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, PointStyle look, double opacity, float pale) {
+  private static Optional<Part> part(Recent.Entry<PointCloud, Prepared> entry, RigidTransform place, PointStyle look,
+      double opacity, float pale) {
     Prepared prepared = prepare(entry, place, look);
     return prepared.shape().map(shape -> {
       Rgba color = shape.rgba().isPresent() ? Rgba.WHITE : look.flat();
-      return new Part(entry.slot(), shape, place, Material.flat(color.withAlpha(color.alpha() * opacity)).paled(pale), new PointText(entry.value(), prepared.order().orElseThrow()));
+      return new Part(entry.slot(), shape, place, Material.flat(color.withAlpha(color.alpha() * opacity)).paled(pale),
+          new PointText(entry.value(), prepared.order().orElseThrow()));
     });
   }
 
@@ -57,7 +60,8 @@ final class PointCloudDisplay implements Display {
     Optional<Prepared> newest = recent.newest().flatMap(e -> e.anchor().found().map(place -> prepare(e, place, look)));
     Optional<String> complaint = newest.flatMap(Prepared::complaint);
     long points = parts.stream().mapToLong(part -> part.shape().elements()).sum();
-    String words = String.format(Locale.ROOT, "%,d points", points) + (parts.size() > 1 ? " of " + parts.size() + " clouds" : "");
+    String words =
+        String.format(Locale.ROOT, "%,d points", points) + (parts.size() > 1 ? " of " + parts.size() + " clouds" : "");
     if (newest.filter(n -> n.shape().isEmpty()).isPresent()) {
       return new DisplayStatus.Unfit(complaint.orElse(""));
     }
@@ -65,7 +69,8 @@ final class PointCloudDisplay implements Display {
       return new DisplayStatus.Partly(words + "; " + complaint.get());
     }
     return newest.filter(Prepared::thinned).isPresent()
-        ? new DisplayStatus.Partly(words + ", an even part of " + recent.newest().map(e -> size(e.value())).orElse("") + "; most_points sets how many")
+        ? new DisplayStatus.Partly(words + ", an even part of " + recent.newest().map(e -> size(e.value())).orElse("")
+            + "; most_points sets how many")
         : new DisplayStatus.Shown(words);
   }
 

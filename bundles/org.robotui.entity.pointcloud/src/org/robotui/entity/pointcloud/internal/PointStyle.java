@@ -40,8 +40,10 @@ record PointStyle(
     PointSet.Style style,
     long most) {
   static PointStyle of(Settings s) {
-    return new PointStyle(s.text("color_by"), "xyz".indexOf(s.text("axis")), s.text("axis_frame").equals("fixed"), s.text("field"),
-        ColorRamp.named(s.text("colors")), s.flag("reverse"), limit(s, "min"), limit(s, "max"), ColorSetting.read(s, "color"),
+    return new PointStyle(s.text("color_by"), "xyz".indexOf(s.text("axis")), s.text("axis_frame").equals("fixed"),
+        s.text("field"),
+        ColorRamp.named(s.text("colors")), s.flag("reverse"), limit(s, "min"), limit(s, "max"),
+        ColorSetting.read(s, "color"),
         (float) s.number("size"), s.text("unit").equals("metres") ? PointSet.Unit.METRES : PointSet.Unit.PIXELS,
         s.text("style").equals("disc") ? PointSet.Style.DISC : PointSet.Style.SQUARE, s.integer("most_points"));
   }

@@ -39,20 +39,24 @@ record Prepared(Optional<PointSet> shape, Optional<Order> order, Optional<String
       case "field" -> {
         Optional<PointField> field = cloud.field(look.field());
         rgba = field.map(f -> Values.colors(Values.of(cloud, f, points.order()), look));
-        complaint = field.isPresent() ? complaint : Optional.of("no field " + look.field() + " to colour by; there are " + names(cloud));
+        complaint = field.isPresent() ? complaint
+            : Optional.of("no field " + look.field() + " to colour by; there are " + names(cloud));
       }
       case "rgb" -> {
         Optional<PointField> field = Packed.in(cloud);
         rgba = field.map(f -> Packed.colors(cloud, f, points.order()));
-        complaint = field.isPresent() ? complaint : Optional.of("no field rgb or rgba of four bytes; there are " + names(cloud));
+        complaint = field.isPresent() ? complaint
+            : Optional.of("no field rgb or rgba of four bytes; there are " + names(cloud));
       }
       default -> rgba = Optional.empty();
     }
-    PointSet shape = Sample.in(new PointSet(points.xyz(), rgba, look.size(), look.unit(), look.style(), Box3.around(points.xyz()), Optional.empty()));
+    PointSet shape = Sample.in(new PointSet(points.xyz(), rgba, look.size(), look.unit(), look.style(),
+        Box3.around(points.xyz()), Optional.empty()));
     return new Prepared(Optional.of(shape), Optional.of(points.order()), complaint);
   }
 
   private static String names(PointCloud cloud) {
-    return cloud.fields().isEmpty() ? "none" : String.join(", ", cloud.fields().stream().limit(20).map(PointField::name).toList());
+    return cloud.fields().isEmpty() ? "none"
+        : String.join(", ", cloud.fields().stream().limit(20).map(PointField::name).toList());
   }
 }

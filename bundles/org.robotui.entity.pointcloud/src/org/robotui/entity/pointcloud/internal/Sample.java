@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.robotui.gl.shape.PointSet;
 
 /**
- * An eighth of a large cloud, spread evenly, close together in memory: what a camera that moves sees. To pick it out of the whole for each picture
- * would take longer than drawing it.
+ * An eighth of a large cloud, spread evenly, close together in memory: what a camera that moves sees. To pick it out of
+ * the whole for each picture would take longer than drawing it.
  */
 final class Sample {
   /** Smaller clouds are drawn as a whole. */
@@ -39,6 +39,7 @@ final class Sample {
       }
       source = (int) (((long) source + step) % total);
     }
-    return new PointSet(FloatBuffer.wrap(xyz), all.rgba().map(c -> rgba.flip()), all.size(), all.unit(), all.style(), all.bounds(), Optional.empty());
+    return new PointSet(FloatBuffer.wrap(xyz), all.rgba().map(c -> rgba.flip()), all.size(), all.unit(), all.style(),
+        all.bounds(), Optional.empty());
   }
 }

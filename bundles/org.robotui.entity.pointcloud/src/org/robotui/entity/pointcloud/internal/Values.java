@@ -54,7 +54,8 @@ final class Values {
     ByteBuffer rgba = ByteBuffer.allocate(Integer.BYTES * values.length);
     for (int i = 0; i < values.length; i++) {
       float at = (values[i] - low) * scale;
-      rgba.putInt(Integer.BYTES * i, at != at ? NOTHING : table[Math.min(Math.max((int) at, 0), STEPS - 1)] << Byte.SIZE | OPAQUE);
+      rgba.putInt(Integer.BYTES * i,
+          at != at ? NOTHING : table[Math.min(Math.max((int) at, 0), STEPS - 1)] << Byte.SIZE | OPAQUE);
     }
     return rgba;
   }

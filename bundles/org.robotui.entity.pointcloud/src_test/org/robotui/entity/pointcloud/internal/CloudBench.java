@@ -19,10 +19,11 @@ final class CloudBench {
     ByteBuffer bytes = ByteBuffer.allocate(16 * POINTS).order(ByteOrder.LITTLE_ENDIAN);
     Random random = new Random(1);
     for (int i = 0; i < POINTS; i++) {
-      bytes.putFloat(random.nextFloat()).putFloat(random.nextFloat()).putFloat(random.nextFloat()).putFloat(random.nextFloat());
+      bytes.putFloat(random.nextFloat()).putFloat(random.nextFloat()).putFloat(random.nextFloat())
+          .putFloat(random.nextFloat());
     }
     PointCloud cloud = Clouds.plain(POINTS, bytes, "intensity");
-    for (String colorBy : new String[] {"flat", "field", "axis", "flat", "field", "axis"}) {
+    for (String colorBy : new String[]{"flat", "field", "axis", "flat", "field", "axis"}) {
       try (DisplayProbe probe = new DisplayProbe(new PointCloudType())) {
         probe.places().put("lidar", RigidTransform.planar(1, 2, 0.3));
         probe.set("color_by", colorBy);

@@ -30,8 +30,8 @@ class CloudPicturesTest {
   }
 
   /**
-   * A square of 2 m that rises along its own x from 0 to 1 m, which is y of the fixed frame: the fourth field counts its rows along its own
-   * y, or is a colour that gets red along x and green along y.
+   * A square of 2 m that rises along its own x from 0 to 1 m, which is y of the fixed frame: the fourth field counts
+   * its rows along its own y, or is a colour that gets red along x and green along y.
    */
   private static PointCloud slope(String fourth) {
     ByteBuffer bytes = ByteBuffer.allocate(16 * EDGE * EDGE).order(ByteOrder.LITTLE_ENDIAN);
@@ -49,7 +49,8 @@ class CloudPicturesTest {
   }
 
   private void show(String name, PointCloud cloud) {
-    PICTURES.assertLike(CloudPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(cloud), 1), EYE));
+    PICTURES.assertLike(CloudPicturesTest.class, name,
+        ScenePictures.request(ScenePictures.withAxes(probe.parts(cloud), 1), EYE));
     probe.close();
   }
 

@@ -27,8 +27,10 @@ final class Clouds {
 
   /** x, y, z and another float. */
   static PointCloud plain(int count, ByteBuffer bytes, String fourth) {
-    List<PointField> fields = List.of(field("x", 0, PointField.Format.FLOAT32), field("y", 4, PointField.Format.FLOAT32),
-        field("z", 8, PointField.Format.FLOAT32), field(fourth, 12, PointField.Format.FLOAT32));
-    return new PointCloud(FakePlaces.frame("lidar"), count, 1, fields, 16, 16 * count, bytes.order(), true, Bytes.wrap(bytes.array(), 0, 16 * count));
+    List<PointField> fields =
+        List.of(field("x", 0, PointField.Format.FLOAT32), field("y", 4, PointField.Format.FLOAT32),
+            field("z", 8, PointField.Format.FLOAT32), field(fourth, 12, PointField.Format.FLOAT32));
+    return new PointCloud(FakePlaces.frame("lidar"), count, 1, fields, 16, 16 * count, bytes.order(), true,
+        Bytes.wrap(bytes.array(), 0, 16 * count));
   }
 }

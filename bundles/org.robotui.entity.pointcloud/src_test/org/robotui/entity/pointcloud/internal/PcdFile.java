@@ -52,8 +52,9 @@ final class PcdFile {
       fields.add(Clouds.field(name, Float.BYTES * fields.size(), PointField.Format.FLOAT32));
     }
     int step = Float.BYTES * names.length;
-    return new PointCloud(FakePlaces.frame("lidar"), width, height, fields, step, step * width, points.order(), false, Bytes.wrap(points.array(), 0,
-        points.capacity()));
+    return new PointCloud(FakePlaces.frame("lidar"), width, height, fields, step, step * width, points.order(), false,
+        Bytes.wrap(points.array(), 0,
+            points.capacity()));
   }
 
   private static ByteBuffer text(ByteBuffer body) {
@@ -74,7 +75,9 @@ final class PcdFile {
     return out;
   }
 
-  /** LZF: a control byte below 32 is followed by that many literals and one; another repeats what lies some bytes back. */
+  /**
+   * LZF: a control byte below 32 is followed by that many literals and one; another repeats what lies some bytes back.
+   */
   private static ByteBuffer unpacked(ByteBuffer in) {
     int end = Integer.BYTES * 2 + in.getInt();
     ByteBuffer out = ByteBuffer.allocate(in.getInt()).order(ByteOrder.LITTLE_ENDIAN);

@@ -61,7 +61,7 @@ class PointCloudDisplayTest {
     probe.set("most_points", 10_000L);
     PointSet set = points(Clouds.line(20_000));
     assertEquals(10_000, set.elements());
-    for (int nth : new int[] {1, 2, 3, 7, 10, 16}) {
+    for (int nth : new int[]{1, 2, 3, 7, 10, 16}) {
       int[] tenths = new int[10];
       int taken = 0;
       for (int i = 0; i < 10_000 && taken < 600; i += nth, taken++) {
@@ -94,7 +94,8 @@ class PointCloudDisplayTest {
         }
       }
       PointCloud cloud = new PointCloud(FakePlaces.frame("lidar"), 1, 2, List.of(Clouds.field("x", 1, format),
-          Clouds.field("y", 1 + size, format), Clouds.field("z", 1 + 2 * size, format)), 30, 40, order, true, Bytes.of(bytes.array()));
+          Clouds.field("y", 1 + size, format), Clouds.field("z", 1 + 2 * size, format)), 30, 40, order, true,
+          Bytes.of(bytes.array()));
       PointSet set = points(cloud);
       assertEquals(2, set.elements());
       assertEquals(12, set.bounds().orElseThrow().high().z());
@@ -142,7 +143,8 @@ class PointCloudDisplayTest {
     probe.set("color_by", "field").set("field", "ring");
     DisplayResult result = probe.tick(Clouds.line(3));
     assertEquals(3, result.parts().getFirst().shape().elements());
-    assertTrue(result.status().words().contains("no field ring to colour by; there are x, y, z, intensity"), result.status().words());
+    assertTrue(result.status().words().contains("no field ring to colour by; there are x, y, z, intensity"),
+        result.status().words());
     assertTrue(probe.set("color_by", "rgb").tick().status() instanceof DisplayStatus.Partly);
   }
 
@@ -222,7 +224,8 @@ class PointCloudDisplayTest {
   void withoutAFrameTheMissingLinkIsNamed() {
     probe.places().fix("elsewhere");
     PointCloud cloud = Clouds.line(1);
-    PointCloud lost = new PointCloud(FakePlaces.frame("lost"), 1, 1, cloud.fields(), 16, 16, cloud.order(), true, cloud.points());
+    PointCloud lost =
+        new PointCloud(FakePlaces.frame("lost"), 1, 1, cloud.fields(), 16, 16, cloud.order(), true, cloud.points());
     DisplayResult result = probe.tick(lost);
     assertInstanceOf(DisplayStatus.NoFrame.class, result.status());
     assertTrue(result.status().words().contains("lost to elsewhere"));
@@ -263,8 +266,9 @@ class PointCloudDisplayTest {
   void allSettingsAreAppliedToAnyCloudWithoutAnError() {
     List<Integer> seen = new ArrayList<>();
     for (String colorBy : List.of("auto", "axis", "field", "rgb", "flat")) {
-      for (int count : new int[] {0, 1, 2, 3, 4, 5, 8, 13, 100}) {
-        seen.add(probe.set("color_by", colorBy).set("unit", "metres").set("style", "disc").parts(Clouds.line(count)).getFirst().shape().elements());
+      for (int count : new int[]{0, 1, 2, 3, 4, 5, 8, 13, 100}) {
+        seen.add(probe.set("color_by", colorBy).set("unit", "metres").set("style", "disc").parts(Clouds.line(count))
+            .getFirst().shape().elements());
       }
     }
     assertEquals(45, seen.size());

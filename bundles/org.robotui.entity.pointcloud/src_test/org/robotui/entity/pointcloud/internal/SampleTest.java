@@ -30,13 +30,14 @@ class SampleTest {
   @ValueSource(ints = {100_000, 131_072, 640 * 480, 999_983})
   void anyNthOfItIsSpreadOverTheWhole(int count) {
     PointSet sample = Sample.in(row(count)).sample().orElseThrow();
-    for (int every : new int[] {1, 3, 16, 64}) {
+    for (int every : new int[]{1, 3, 16, 64}) {
       int[] tenths = new int[10];
       for (int i = 0; i < sample.elements(); i += every) {
         tenths[(int) (sample.xyz().get(3 * i) * 10 / count)]++;
       }
       int fair = Math.ceilDiv(sample.elements(), every) / 10;
-      assertTrue(Arrays.stream(tenths).allMatch(t -> Math.abs(t - fair) <= 0.1 * fair + 2), every + ": " + Arrays.toString(tenths));
+      assertTrue(Arrays.stream(tenths).allMatch(t -> Math.abs(t - fair) <= 0.1 * fair + 2),
+          every + ": " + Arrays.toString(tenths));
     }
   }
 

@@ -26,8 +26,10 @@ class SharedCloudsTest {
   private record Known(int points, Vector3 low, Vector3 high) {}
 
   private static final Map<String, Known> KNOWN = Map.of(
-      "room_scan1.pcd", new Known(112586, new Vector3(-13.7998, -6.4928, -1.3517), new Vector3(15.4471, 7.9796, 1.7091)),
-      "region_growing_rgb_tutorial.pcd", new Known(640 * 480, new Vector3(-1.0721, -1.5806, 0.8430), new Vector3(1.8102, 0.4081, 3.8210)),
+      "room_scan1.pcd",
+      new Known(112586, new Vector3(-13.7998, -6.4928, -1.3517), new Vector3(15.4471, 7.9796, 1.7091)),
+      "region_growing_rgb_tutorial.pcd",
+      new Known(640 * 480, new Vector3(-1.0721, -1.5806, 0.8430), new Vector3(1.8102, 0.4081, 3.8210)),
       "lamppost.pcd", new Known(1771, new Vector3(-11.1719, -0.3750, -5.4480), new Vector3(-9.7656, 0.5938, 0.4670)));
 
   static List<Path> clouds() {

@@ -39,7 +39,10 @@ final class Course {
     return loaded.model().links().stream().filter(link -> moved.get(link.name()) > 0).toList();
   }
 
-  /** The link that most of the joints move; of several, the one farthest from the root: a tool rather than the wrist that carries it. */
+  /**
+   * The link that most of the joints move; of several, the one farthest from the root: a tool rather than the wrist
+   * that carries it.
+   */
   String tip() {
     String tip = loaded.model().root();
     Map<String, Integer> depths = new HashMap<>(Map.of(tip, 0));
@@ -81,7 +84,8 @@ final class Course {
   }
 
   private static boolean moves(Joint joint, RobotModel model, Set<String> planned) {
-    return joint.mimic().map(mimic -> model.joint(mimic.joint()).filter(leader -> moves(leader, model, planned)).isPresent())
+    return joint.mimic()
+        .map(mimic -> model.joint(mimic.joint()).filter(leader -> moves(leader, model, planned)).isPresent())
         .orElse(planned.contains(joint.name()));
   }
 }

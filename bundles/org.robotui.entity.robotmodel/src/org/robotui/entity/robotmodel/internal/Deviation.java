@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.robotui.urdf.Joint;
 
 /**
- * How far joints were from their plan at most, each from the place of the plan that is nearest to all of them. Time does not count, as plans
- * are executed later or more slowly than they say.
+ * How far joints were from their plan at most, each from the place of the plan that is nearest to all of them. Time
+ * does not count, as plans are executed later or more slowly than they say.
  */
 final class Deviation {
   private final Plan plan;
@@ -100,7 +100,8 @@ final class Deviation {
 
   /** A joint without an end is where it was after a whole turn. */
   private double turned(int joint, double difference) {
-    return plan.joints().get(joint).type() == Joint.Type.CONTINUOUS ? Math.IEEEremainder(difference, 2 * Math.PI) : difference;
+    return plan.joints().get(joint).type() == Joint.Type.CONTINUOUS ? Math.IEEEremainder(difference, 2 * Math.PI)
+        : difference;
   }
 
   private static double square(double[] away) {

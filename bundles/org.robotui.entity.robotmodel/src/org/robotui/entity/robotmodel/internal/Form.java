@@ -17,7 +17,8 @@ import org.robotui.gl.shape.TriangleMesh;
  * @param color the material of the shape
  * @param texture on the shape
  */
-record Form(Kind kind, int index, RigidTransform linkFromForm, TriangleMesh shape, TriangleMesh plain, Rgba color, Optional<Texture> texture) {
+record Form(Kind kind, int index, RigidTransform linkFromForm, TriangleMesh shape, TriangleMesh plain, Rgba color,
+    Optional<Texture> texture) {
   /** One without a texture. */
   Form(Kind kind, int index, RigidTransform linkFromForm, TriangleMesh shape, TriangleMesh plain, Rgba color) {
     this(kind, index, linkFromForm, shape, plain, color, Optional.empty());

@@ -9,7 +9,10 @@ import org.robotui.gl.shape.Material;
 import org.robotui.gl.shape.Part;
 import org.robotui.urdf.Link;
 
-/** Translucent figures of the links that a plan moves. Shapes are those of the model; places of the trail are computed once. */
+/**
+ * Translucent figures of the links that a plan moves. Shapes are those of the model; places of the trail are computed
+ * once.
+ */
 final class Ghost {
   /** The most figures of a trail. */
   static final int MOST_FIGURES = 50;
@@ -54,7 +57,8 @@ final class Ghost {
     }
   }
 
-  private void figure(int number, RigidTransform fixedFromRoot, Map<String, RigidTransform> places, Material material, List<Part> parts) {
+  private void figure(int number, RigidTransform fixedFromRoot, Map<String, RigidTransform> places, Material material,
+      List<Part> parts) {
     for (Link link : links) {
       RigidTransform place = fixedFromRoot.times(places.get(link.name()));
       for (Form form : course.loaded().forms().getOrDefault(link.name(), List.of())) {

@@ -31,14 +31,15 @@ record LinkDescriber(Loaded.Model loaded, Link link, Supplier<Map<String, Double
     }
     String unit = joint.type() == Joint.Type.PRISMATIC ? " m" : " rad";
     position(joint).ifPresent(position -> entries.add(new Properties.Entry("Position", number(position) + unit)));
-    joint.limits().filter(limits -> joint.type() != Joint.Type.CONTINUOUS).ifPresent(limits ->
-        entries.add(new Properties.Entry("Limits", number(limits.lower()) + " to " + number(limits.upper()) + unit)));
+    joint.limits().filter(limits -> joint.type() != Joint.Type.CONTINUOUS).ifPresent(limits -> entries
+        .add(new Properties.Entry("Limits", number(limits.lower()) + " to " + number(limits.upper()) + unit)));
     joint.mimic().ifPresent(mimic -> entries.add(new Properties.Entry("Follows", mimic.joint())));
   }
 
   private Optional<Double> position(Joint joint) {
     Map<String, Double> known = positions.get();
-    boolean told = known.containsKey(joint.name()) || joint.mimic().filter(mimic -> known.containsKey(mimic.joint())).isPresent();
+    boolean told =
+        known.containsKey(joint.name()) || joint.mimic().filter(mimic -> known.containsKey(mimic.joint())).isPresent();
     return told ? Optional.of(loaded.kinematics().position(joint, known)) : Optional.empty();
   }
 

@@ -31,10 +31,11 @@ record LinkPoses(Map<String, RigidTransform> fixedFromLinks, String missing) {
   }
 
   /**
-   * The root at its frame, the others as the joints say. Where no frame of the robot is known at all, the root stands in the middle of the
-   * fixed frame: a robot without transforms can still be looked at.
+   * The root at its frame, the others as the joints say. Where no frame of the robot is known at all, the root stands
+   * in the middle of the fixed frame: a robot without transforms can still be looked at.
    */
-  static LinkPoses byJoints(Loaded.Model loaded, String robot, String prefix, Places places, Map<String, Double> positions) {
+  static LinkPoses byJoints(Loaded.Model loaded, String robot, String prefix, Places places,
+      Map<String, Double> positions) {
     return switch (root(loaded.model(), robot, prefix, places)) {
       case Places.Place.Missing(String reason) -> new LinkPoses(Map.of(), reason);
       case Places.Place.At(RigidTransform root) -> {

@@ -19,7 +19,8 @@ sealed interface Loaded {
    * @param problems what is missing, each with what would help
    */
   record Model(
-      RobotModel model, Kinematics kinematics, Optional<SemanticModel> semantics, Map<String, List<Form>> forms, List<String> problems)
+      RobotModel model, Kinematics kinematics, Optional<SemanticModel> semantics, Map<String, List<Form>> forms,
+      List<String> problems)
       implements Loaded {}
 
   /**

@@ -47,8 +47,10 @@ final class ModelLoader {
 
   static Loaded load(LoadRequest request) {
     return switch (Urdf.parse(request.description().urdf())) {
-      case Parsed.Refused<RobotModel>(Problem problem) -> new Loaded.Broken(request.description().name() + ", " + problem);
-      case Parsed.Ok<RobotModel>(RobotModel model, List<Problem> warnings) -> new ModelLoader(request).load(model, warnings);
+      case Parsed.Refused<RobotModel>(Problem problem) -> new Loaded.Broken(
+          request.description().name() + ", " + problem);
+      case Parsed.Ok<RobotModel>(RobotModel model, List<Problem> warnings) -> new ModelLoader(request).load(model,
+          warnings);
     };
   }
 
@@ -59,7 +61,8 @@ final class ModelLoader {
         return new Loaded.Broken("the load was ended");
       }
       if (shapes.full()) {
-        problems.add("the meshes take more than " + (ModelShapes.MOST_BYTES >> 20) + " MB; the rest is left out. Coarser meshes would help");
+        problems.add("the meshes take more than " + (ModelShapes.MOST_BYTES >> 20)
+            + " MB; the rest is left out. Coarser meshes would help");
         break;
       }
       forms.put(link.name(), forms(link));
@@ -103,7 +106,8 @@ final class ModelLoader {
     Rgba painted = visual.surface().flatMap(Surface::color).map(ModelShapes::rgba).orElse(UNPAINTED);
     List<Form> forms = new ArrayList<>();
     for (Skin skin : shapes.skins(visual.geometry(), painted, visual.surface().flatMap(Surface::texture))) {
-      forms.add(new Form(Form.Kind.VISUAL, index + forms.size(), visual.linkFromForm(), skin.shape(), skin.plain(), skin.own() ? Rgba.WHITE : painted,
+      forms.add(new Form(Form.Kind.VISUAL, index + forms.size(), visual.linkFromForm(), skin.shape(), skin.plain(),
+          skin.own() ? Rgba.WHITE : painted,
           skin.texture()));
     }
     return forms;
@@ -115,7 +119,8 @@ final class ModelLoader {
     for (int i = 0; i < link.collisions().size(); i++) {
       Collision collision = link.collisions().get(i);
       boolean file = collision.geometry() instanceof Geometry.MeshFile;
-      Optional<TriangleMesh> shape = file && kind == Form.Kind.PLACEHOLDER ? Optional.empty() : shapes.plain(collision.geometry());
+      Optional<TriangleMesh> shape =
+          file && kind == Form.Kind.PLACEHOLDER ? Optional.empty() : shapes.plain(collision.geometry());
       int index = i;
       shape.ifPresent(s -> forms.add(new Form(kind, index, collision.linkFromForm(), s, s, color)));
     }

@@ -73,10 +73,12 @@ final class ModelParts {
       }
     }
     if (settings.flag(RobotModelType.AXES)) {
-      parts.add(new Part(new Key(link.name(), RobotModelType.AXES, 0), AXES, place, Material.lit(Rgba.WHITE), describer));
+      parts.add(
+          new Part(new Key(link.name(), RobotModelType.AXES, 0), AXES, place, Material.lit(Rgba.WHITE), describer));
     }
     if (settings.flag(RobotModelType.NAMES)) {
-      parts.add(new Part(new Key(link.name(), RobotModelType.NAMES, 0), labels.get(link.name()), place, Material.flat(robotOr(paint)).onTop(), describer));
+      parts.add(new Part(new Key(link.name(), RobotModelType.NAMES, 0), labels.get(link.name()), place,
+          Material.flat(robotOr(paint)).onTop(), describer));
     }
   }
 
@@ -95,7 +97,8 @@ final class ModelParts {
   /** How the forms of a link are coloured. */
   private record Paint(double opacity, boolean own, Rgba robotColor, boolean marked) {
     Paint(Settings settings, Rgba robotColor, boolean marked) {
-      this(settings.number(RobotModelType.OPACITY), settings.text(RobotModelType.COLOR).equals("own"), robotColor, marked);
+      this(settings.number(RobotModelType.OPACITY), settings.text(RobotModelType.COLOR).equals("own"), robotColor,
+          marked);
     }
 
     private boolean keeps(Form form) {

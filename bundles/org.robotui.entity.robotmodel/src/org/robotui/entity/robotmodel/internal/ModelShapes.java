@@ -49,7 +49,8 @@ final class ModelShapes {
   }
 
   /**
-   * As it looks by itself: with colours and pictures of its file, as RViz shows it; they go before the model's material.
+   * As it looks by itself: with colours and pictures of its file, as RViz shows it; they go before the model's
+   * material.
    *
    * @param geometry the form
    * @param otherwise colour of what the file leaves open
@@ -67,16 +68,23 @@ final class ModelShapes {
   }
 
   private List<Skin> skins(Looks looks) {
-    Optional<MeshFile> file = looks.geometry instanceof Geometry.MeshFile named ? meshes.mesh(named.uri()) : Optional.empty();
-    Optional<Texture> fallback = looks.texture.filter(uri -> file.flatMap(f -> f.mesh().uv()).isPresent()).flatMap(meshes::texture);
-    if (file.isPresent() && (fallback.isPresent() || !file.get().textures().isEmpty()) && looks.geometry instanceof Geometry.MeshFile named) {
+    Optional<MeshFile> file =
+        looks.geometry instanceof Geometry.MeshFile named ? meshes.mesh(named.uri()) : Optional.empty();
+    Optional<Texture> fallback =
+        looks.texture.filter(uri -> file.flatMap(f -> f.mesh().uv()).isPresent()).flatMap(meshes::texture);
+    if (file.isPresent() && (fallback.isPresent() || !file.get().textures().isEmpty())
+        && looks.geometry instanceof Geometry.MeshFile named) {
       List<Skin> cut = new Skins(file.get(), named.scale(), looks.otherwise, fallback).cut();
-      bytes += cut.stream().mapToLong(skin -> skin.shape().bytes() + skin.texture().map(t -> t.rgba().remaining()).orElse(0)).sum();
+      bytes += cut.stream()
+          .mapToLong(skin -> skin.shape().bytes() + skin.texture().map(t -> t.rgba().remaining()).orElse(0)).sum();
       return cut;
     }
-    Optional<Mesh> colors = file.map(MeshFile::mesh).filter(mesh -> mesh.parts().stream().anyMatch(part -> part.color().isPresent()));
-    return plain(looks.geometry).map(plain -> new Skin(colors.map(mesh -> colored(mesh, plain, looks.otherwise)).orElse(plain), plain,
-        Optional.empty(), colors.isPresent())).stream().toList();
+    Optional<Mesh> colors =
+        file.map(MeshFile::mesh).filter(mesh -> mesh.parts().stream().anyMatch(part -> part.color().isPresent()));
+    return plain(looks.geometry)
+        .map(plain -> new Skin(colors.map(mesh -> colored(mesh, plain, looks.otherwise)).orElse(plain), plain,
+            Optional.empty(), colors.isPresent()))
+        .stream().toList();
   }
 
   private TriangleMesh colored(Mesh mesh, TriangleMesh shape, Rgba otherwise) {
@@ -88,7 +96,8 @@ final class ModelShapes {
       }
     }
     bytes += rgba.remaining();
-    return new TriangleMesh(shape.xyz(), shape.normals(), Optional.empty(), Optional.of(rgba), shape.triangles(), shape.bounds());
+    return new TriangleMesh(shape.xyz(), shape.normals(), Optional.empty(), Optional.of(rgba), shape.triangles(),
+        shape.bounds());
   }
 
   static Rgba rgba(Color color) {
@@ -99,7 +108,8 @@ final class ModelShapes {
     return switch (geometry) {
       case Geometry.Box box -> Optional.of(Scaled.by(Meshes.cube(), box.size()));
       case Geometry.Sphere sphere -> Optional.of(round(Meshes.sphere(), 2 * sphere.radius(), 2 * sphere.radius()));
-      case Geometry.Cylinder cylinder -> Optional.of(round(Meshes.cylinder(), 2 * cylinder.radius(), cylinder.length()));
+      case Geometry.Cylinder cylinder -> Optional
+          .of(round(Meshes.cylinder(), 2 * cylinder.radius(), cylinder.length()));
       case Geometry.MeshFile file -> meshes.mesh(file.uri()).map(found -> surface(found.mesh(), file.scale()));
     };
   }
@@ -110,6 +120,7 @@ final class ModelShapes {
 
   private static TriangleMesh surface(Mesh mesh, Vector3 scale) {
     FloatBuffer xyz = Scaled.places(mesh.xyz(), scale);
-    return new TriangleMesh(xyz, Optional.of(Scaled.normals(mesh.normals(), scale)), Optional.empty(), Optional.empty(), mesh.triangles(), Box3.around(xyz));
+    return new TriangleMesh(xyz, Optional.of(Scaled.normals(mesh.normals(), scale)), Optional.empty(), Optional.empty(),
+        mesh.triangles(), Box3.around(xyz));
   }
 }

@@ -6,8 +6,8 @@ import java.util.Map;
 import org.osgi.service.component.annotations.Component;
 
 /**
- * Remembers the models that displays hold, so that a second display of a robot costs neither reading nor memory. One with problems is read
- * again, as its files may have been mended meanwhile. Safe for all threads.
+ * Remembers the models that displays hold, so that a second display of a robot costs neither reading nor memory. One
+ * with problems is read again, as its files may have been mended meanwhile. Safe for all threads.
  */
 @Component(service = ModelShelf.class)
 public final class ModelShelf {

@@ -9,8 +9,8 @@ import org.robotui.data.joint.RobotDescription;
 import org.robotui.gl.display.DisplayContext;
 
 /**
- * The model of a description, loaded in the background. Until another one is there, the last one stays. Worker thread of the scene, but for
- * the load.
+ * The model of a description, loaded in the background. Until another one is there, the last one stays. Worker thread
+ * of the scene, but for the load.
  */
 final class ModelSource implements AutoCloseable {
   private final DisplayContext context;
@@ -47,7 +47,8 @@ final class ModelSource implements AutoCloseable {
   /** Asks for what is not there yet; true where another answer came since the last call. */
   boolean update(boolean collision, Settings settings) {
     List<String> packages = settings.list(RobotModelType.PACKAGES).stream().map(Object::toString).toList();
-    description.map(d -> new LoadRequest(d, collision, packages)).filter(r -> !requested.equals(Optional.of(r))).ifPresent(this::load);
+    description.map(d -> new LoadRequest(d, collision, packages)).filter(r -> !requested.equals(Optional.of(r)))
+        .ifPresent(this::load);
     Answer answer = answered.getAndSet(null);
     if (answer == null || !requested.equals(Optional.of(answer.request))) {
       return false;

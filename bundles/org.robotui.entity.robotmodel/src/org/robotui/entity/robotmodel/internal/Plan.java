@@ -6,7 +6,10 @@ import java.util.List;
 import java.util.Map;
 import org.robotui.urdf.Joint;
 
-/** Where joints of a model shall be over time: finite numbers, times that never go back, one point at least. Not changed after it was made. */
+/**
+ * Where joints of a model shall be over time: finite numbers, times that never go back, one point at least. Not changed
+ * after it was made.
+ */
 final class Plan {
   private final List<Joint> joints;
   private final double[] seconds;
@@ -58,7 +61,10 @@ final class Plan {
     return between(point, point, 0);
   }
 
-  /** All joints at a time, on the straight way between the points around it; before the start and after the end they stand. */
+  /**
+   * All joints at a time, on the straight way between the points around it; before the start and after the end they
+   * stand.
+   */
   Map<String, Double> at(double time) {
     int found = Arrays.binarySearch(seconds, time);
     int next = found >= 0 ? found : -found - 1;

@@ -17,7 +17,10 @@ import org.robotui.gl.display.DisplayStatus;
 import org.robotui.urdf.Joint;
 import org.robotui.urdf.RobotModel;
 
-/** Checks a trajectory against a model. Of one with more points than are kept, every n-th and the last stay. One trajectory each. */
+/**
+ * Checks a trajectory against a model. Of one with more points than are kept, every n-th and the last stay. One
+ * trajectory each.
+ */
 final class PlanReader {
   /** The most points that are kept. */
   static final int MOST_POINTS = 10_000;
@@ -101,8 +104,10 @@ final class PlanReader {
     if (named.isEmpty()) {
       throw new Unfit("The trajectory names no joints.");
     }
-    named.stream().flatMap(name -> model.joint(name).stream()).filter(joint -> joint.type().single()).forEach(joints::add);
-    Optional<String> missing = named.stream().filter(name -> model.joint(name).filter(joint -> joint.type().single()).isEmpty()).findFirst();
+    named.stream().flatMap(name -> model.joint(name).stream()).filter(joint -> joint.type().single())
+        .forEach(joints::add);
+    Optional<String> missing =
+        named.stream().filter(name -> model.joint(name).filter(joint -> joint.type().single()).isEmpty()).findFirst();
     int lacking = named.size() - joints.size();
     String words = missing.map(name -> "the model '" + model.name() + "' has no movable joint '" + name + "'"
         + (lacking > 1 ? " (and " + (lacking - 1) + " more of the trajectory)" : "")).orElse("");
@@ -151,8 +156,9 @@ final class PlanReader {
       throw new Unfit("Point " + number + " of the trajectory has no positions.");
     }
     if (!(time > before) || !(time >= 0) || !Double.isFinite(time)) {
-      throw new Unfit("The times of the trajectory do not increase: point " + number + " is at " + time + " s, the one before at "
-          + Math.max(0, before) + " s.");
+      throw new Unfit(
+          "The times of the trajectory do not increase: point " + number + " is at " + time + " s, the one before at "
+              + Math.max(0, before) + " s.");
     }
     Doubles positions = point.positions();
     for (int i = 0; i < positions.size(); i++) {

@@ -86,16 +86,20 @@ final class Rehearsal {
     Rgba color = ColorSetting.read(settings, TrajectoryType.COLOR);
     double opacity = color.alpha() * settings.number(TrajectoryType.OPACITY);
     List<Part> parts = new ArrayList<>();
-    ghost.figure(fixedFromRoot, course.plan().at(moment(settings.text(TrajectoryType.REPEAT))), Material.lit(color.withAlpha(opacity)), parts);
+    ghost.figure(fixedFromRoot, course.plan().at(moment(settings.text(TrajectoryType.REPEAT))),
+        Material.lit(color.withAlpha(opacity)), parts);
     if (settings.integer(TrajectoryType.TRAIL) > 0) {
-      ghost.trail((int) settings.integer(TrajectoryType.TRAIL), fixedFromRoot, Material.lit(color.withAlpha(TRAIL * opacity)), parts);
+      ghost.trail((int) settings.integer(TrajectoryType.TRAIL), fixedFromRoot,
+          Material.lit(color.withAlpha(TRAIL * opacity)), parts);
     }
     if (settings.flag(TrajectoryType.PATH)) {
-      parts.add(new Part("path", line, fixedFromRoot, Material.flat(color), (element, place) -> describe("Planned path")));
+      parts.add(
+          new Part("path", line, fixedFromRoot, Material.flat(color), (element, place) -> describe("Planned path")));
     }
     if (settings.flag(TrajectoryType.EXECUTED) && trace.size() > 1) {
       parts.add(new Part("executed", trace.line(line.width()), fixedFromRoot,
-          Material.flat(ColorSetting.read(settings, TrajectoryType.EXECUTED_COLOR)), (element, place) -> describe("Executed path")));
+          Material.flat(ColorSetting.read(settings, TrajectoryType.EXECUTED_COLOR)),
+          (element, place) -> describe("Executed path")));
     }
     return parts;
   }

@@ -46,8 +46,8 @@ final class RobotModelDisplay implements Display {
       return DisplayResult.nothing(new DisplayStatus.NoData(
           "No description of a robot yet: in ROS it is the parameter robot_description."));
     }
-    return source.taken().map(answer -> shown(answer, tick)).orElseGet(() ->
-        DisplayResult.nothing(new DisplayStatus.NoData("The model and its meshes are being read.")));
+    return source.taken().map(answer -> shown(answer, tick))
+        .orElseGet(() -> DisplayResult.nothing(new DisplayStatus.NoData("The model and its meshes are being read.")));
   }
 
   private void arrived(Envelope<? extends Data> envelope) {
@@ -63,7 +63,8 @@ final class RobotModelDisplay implements Display {
 
   private void take(ModelSource.Answer answer) {
     positions = Map.of();
-    parts = answer.loaded() instanceof Loaded.Model model ? Optional.of(new ModelParts(model, () -> positions)) : Optional.empty();
+    parts = answer.loaded() instanceof Loaded.Model model ? Optional.of(new ModelParts(model, () -> positions))
+        : Optional.empty();
     move(answer);
   }
 
@@ -75,7 +76,8 @@ final class RobotModelDisplay implements Display {
 
   private DisplayResult shown(ModelSource.Answer answer, DisplayTick tick) {
     return switch (answer.loaded()) {
-      case Loaded.Broken broken -> DisplayResult.nothing(new DisplayStatus.Unfit("The model cannot be read: " + broken.why()));
+      case Loaded.Broken broken -> DisplayResult
+          .nothing(new DisplayStatus.Unfit("The model cannot be read: " + broken.why()));
       case Loaded.Model model -> shown(model, answer.robot(), tick);
     };
   }
@@ -115,18 +117,21 @@ final class RobotModelDisplay implements Display {
     String group = tick.settings().text(RobotModelType.GROUP);
     List<String> groups = parts.map(ModelParts::groups).orElse(List.of());
     if (!group.isEmpty() && !groups.contains(group)) {
-      return new DisplayStatus.Partly("There is no group '" + group + "': " + (groups.isEmpty() ? "the robot tells no SRDF" : "there are " + groups));
+      return new DisplayStatus.Partly("There is no group '" + group + "': "
+          + (groups.isEmpty() ? "the robot tells no SRDF" : "there are " + groups));
     }
     return byJoints ? jointStatus(model, tick) : words(model);
   }
 
   private DisplayStatus jointStatus(Loaded.Model model, DisplayTick tick) {
     if (jointsReceived.isEmpty()) {
-      return new DisplayStatus.Partly("No joint states yet: all joints are shown at 0. Choose a source of joint states, or poses: tf.");
+      return new DisplayStatus.Partly(
+          "No joint states yet: all joints are shown at 0. Choose a source of joint states, or poses: tf.");
     }
     double age = (tick.nowNanos() - jointsReceived.get()) * 1e-9;
     return age > OLD_SECONDS
-        ? new DisplayStatus.Partly(String.format(Locale.ROOT, "The newest joint states are %.0f s old: shown as last known.", age))
+        ? new DisplayStatus.Partly(
+            String.format(Locale.ROOT, "The newest joint states are %.0f s old: shown as last known.", age))
         : words(model);
   }
 

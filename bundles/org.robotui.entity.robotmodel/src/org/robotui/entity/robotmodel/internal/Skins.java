@@ -52,7 +52,8 @@ final class Skins {
   }
 
   private Look look(Mesh.Part part) {
-    return new Look(part.texture().filter(file.textures()::containsKey), part.color().isEmpty() && part.texture().isEmpty());
+    return new Look(part.texture().filter(file.textures()::containsKey),
+        part.color().isEmpty() && part.texture().isEmpty());
   }
 
   private Optional<Texture> texture(Look look) {
@@ -78,9 +79,11 @@ final class Skins {
       }
     }
     FloatBuffer scaled = Scaled.places(xyz.flip(), scale);
-    TriangleMesh plain = new TriangleMesh(scaled, Optional.of(Scaled.normals(normals.flip(), scale)), Optional.empty(), Optional.empty(),
-        triangles.flip(), Box3.around(scaled));
-    TriangleMesh shape = new TriangleMesh(plain.xyz(), plain.normals(), texture.map(t -> uv.flip()), Optional.of(rgba.flip()), plain.triangles(),
+    TriangleMesh plain =
+        new TriangleMesh(scaled, Optional.of(Scaled.normals(normals.flip(), scale)), Optional.empty(), Optional.empty(),
+            triangles.flip(), Box3.around(scaled));
+    TriangleMesh shape = new TriangleMesh(plain.xyz(), plain.normals(), texture.map(t -> uv.flip()),
+        Optional.of(rgba.flip()), plain.triangles(),
         plain.bounds());
     return new Skin(shape, plain, texture, true);
   }

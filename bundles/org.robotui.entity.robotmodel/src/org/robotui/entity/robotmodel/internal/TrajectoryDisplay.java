@@ -20,7 +20,10 @@ import org.robotui.gl.display.DisplayStatus;
 import org.robotui.gl.display.DisplayTick;
 import org.robotui.gl.display.Places;
 
-/** The newest trajectory of a robot. The model is loaded when the first one comes, and shared with other displays of the robot. */
+/**
+ * The newest trajectory of a robot. The model is loaded when the first one comes, and shared with other displays of the
+ * robot.
+ */
 final class TrajectoryDisplay implements Display {
   private static final double OLD_SECONDS = 5;
   private static final int MOST_JOINTS = 10_000;
@@ -57,7 +60,8 @@ final class TrajectoryDisplay implements Display {
     if (shown.isEmpty()) {
       shown = newest.flatMap(envelope -> source.taken().map(answer -> read((Trajectory) envelope.value(), answer)));
     }
-    return shown.map(now -> result(now, moved, tick)).orElseGet(() -> DisplayResult.nothing(new DisplayStatus.NoData(awaited(tick))));
+    return shown.map(now -> result(now, moved, tick))
+        .orElseGet(() -> DisplayResult.nothing(new DisplayStatus.NoData(awaited(tick))));
   }
 
   /** True where joints came. */
@@ -75,7 +79,7 @@ final class TrajectoryDisplay implements Display {
           newest = Optional.of(envelope);
           shown = Optional.empty();
         }
-        default -> { }
+        default -> {}
       }
     }
     return moved;
@@ -84,7 +88,8 @@ final class TrajectoryDisplay implements Display {
   private String awaited(DisplayTick tick) {
     if (newest.isEmpty()) {
       boolean quiet = tick.state() instanceof InputState.Live || tick.state() instanceof InputState.Stale;
-      return quiet ? "No trajectory yet: one is shown as soon as a planner or a program sends it." : tick.state().explanation();
+      return quiet ? "No trajectory yet: one is shown as soon as a planner or a program sends it."
+          : tick.state().explanation();
     }
     return source.described() ? "The model and its meshes are being read."
         : "A trajectory is there, but no description of its robot yet: in ROS it is the parameter robot_description.";
@@ -115,7 +120,8 @@ final class TrajectoryDisplay implements Display {
     Settings settings = tick.settings();
     double age = newest.map(envelope -> envelope.ageSeconds(tick.nowNanos())).orElse(0.0);
     if (settings.number(TrajectoryType.TIMEOUT) > 0 && age > settings.number(TrajectoryType.TIMEOUT)) {
-      return DisplayResult.nothing(new DisplayStatus.TooOld(String.format(Locale.ROOT, "The newest trajectory came %.0f s ago.", age)));
+      return DisplayResult
+          .nothing(new DisplayStatus.TooOld(String.format(Locale.ROOT, "The newest trajectory came %.0f s ago.", age)));
     }
     Rehearsal rehearsal = running.rehearsal();
     rehearsal.follow(link(running, settings), (float) settings.number(TrajectoryType.WIDTH));
@@ -123,9 +129,11 @@ final class TrajectoryDisplay implements Display {
     if (moved) {
       rehearsal.executed(positions(running.model()));
     }
-    return switch (LinkPoses.root(running.model().model(), running.answer().robot(), settings.text(RobotModelType.TF_PREFIX), tick.places())) {
+    return switch (LinkPoses.root(running.model().model(), running.answer().robot(),
+        settings.text(RobotModelType.TF_PREFIX), tick.places())) {
       case Places.Place.Missing(String reason) -> DisplayResult.nothing(new DisplayStatus.NoFrame(reason));
-      case Places.Place.At(RigidTransform root) -> new DisplayResult(rehearsal.parts(root, settings), status(running, tick), 0);
+      case Places.Place.At(RigidTransform root) -> new DisplayResult(rehearsal.parts(root, settings),
+          status(running, tick), 0);
     };
   }
 
@@ -142,18 +150,22 @@ final class TrajectoryDisplay implements Display {
       return new DisplayStatus.Partly("Shown in part: " + String.join("; ", plan.remarks()) + ".");
     }
     if (!wanted.isEmpty() && running.model().model().link(wanted).isEmpty()) {
-      return new DisplayStatus.Partly("The model '" + running.model().model().name() + "' has no link '" + wanted + "'.");
+      return new DisplayStatus.Partly(
+          "The model '" + running.model().model().name() + "' has no link '" + wanted + "'.");
     }
     if (age > OLD_SECONDS) {
-      return new DisplayStatus.Partly(String.format(Locale.ROOT, "The newest joint states are %.0f s old: nothing is compared.", age));
+      return new DisplayStatus.Partly(
+          String.format(Locale.ROOT, "The newest joint states are %.0f s old: nothing is compared.", age));
     }
-    return ColorSetting.complaint(tick.settings()).<DisplayStatus>map(DisplayStatus.Partly::new).orElseGet(() -> new DisplayStatus.Shown(words(running)));
+    return ColorSetting.complaint(tick.settings()).<DisplayStatus>map(DisplayStatus.Partly::new)
+        .orElseGet(() -> new DisplayStatus.Shown(words(running)));
   }
 
   private static String words(Shown.Running running) {
     Plan plan = running.rehearsal().plan();
     return String.format(Locale.ROOT, "%d points, %.1f s", plan.points(), plan.duration())
-        + running.rehearsal().deviation().farthest().map(away -> "; at most " + away.words() + " off (" + away.joint().name() + ")")
+        + running.rehearsal().deviation().farthest()
+            .map(away -> "; at most " + away.words() + " off (" + away.joint().name() + ")")
             .orElse("; no joint states to compare with");
   }
 

@@ -48,7 +48,8 @@ final class Arm {
 
   /** A quarter of a turn while it rises by half a metre, in some points during two seconds. */
   static JointTrajectory sweep(int points) {
-    return way(IntStream.range(0, points).mapToObj(i -> point(2.0 * i / (points - 1), Math.PI / 2 * i / (points - 1), 0.5 * i / (points - 1)))
+    return way(IntStream.range(0, points)
+        .mapToObj(i -> point(2.0 * i / (points - 1), Math.PI / 2 * i / (points - 1), 0.5 * i / (points - 1)))
         .toArray(JointTrajectory.Point[]::new));
   }
 }

@@ -50,7 +50,8 @@ final class Bench implements DisplayContext, Places {
   DisplayResult tick() {
     List<Envelope<? extends Data>> batch = List.copyOf(arrived);
     arrived.clear();
-    return display.update(new DisplayTick(batch, new InputState.Live(1, 0), this, settings.current(), ROBOT_COLOR, now, false));
+    return display
+        .update(new DisplayTick(batch, new InputState.Live(1, 0), this, settings.current(), ROBOT_COLOR, now, false));
   }
 
   /** Ticks until what was asked for is loaded and shown. */

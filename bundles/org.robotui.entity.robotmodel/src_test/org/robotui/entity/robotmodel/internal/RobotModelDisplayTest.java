@@ -35,7 +35,8 @@ class RobotModelDisplayTest {
       </robot>
       """;
   private static final String SRDF = "<robot name='mast'><group name='hand'><link name='arm'/></group></robot>";
-  private static final String STL = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+  private static final String STL =
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
 
   @TempDir
   private Path folder;
@@ -56,7 +57,8 @@ class RobotModelDisplayTest {
   }
 
   private static JointState lift(double position) {
-    return new JointState(List.of(new JointState.Joint("lift", position, Double.NaN, Double.NaN), new JointState.Joint("other", 1, 0, 0)));
+    return new JointState(List.of(new JointState.Joint("lift", position, Double.NaN, Double.NaN),
+        new JointState.Joint("other", 1, 0, 0)));
   }
 
   private static <T extends DisplayStatus> String words(Class<T> kind, DisplayResult result) {
@@ -73,7 +75,8 @@ class RobotModelDisplayTest {
   void standsWhereTransformsSayAndNamesTheMissingOne() {
     bench.frames.put("base", RigidTransform.planar(1, 2, 0));
     DisplayResult half = withMesh().settled();
-    assertTrue(words(DisplayStatus.Partly.class, half).contains("1 of 2 links have no place: there is no link to robby:arm"));
+    assertTrue(
+        words(DisplayStatus.Partly.class, half).contains("1 of 2 links have no place: there is no link to robby:arm"));
     assertEquals(new Vector3(1, 2, 0), Bench.part(half, "base").fixedFromShape().translation());
     bench.frames.put("arm", RigidTransform.planar(0, 5, 0));
     DisplayResult all = bench.tick();
@@ -122,15 +125,18 @@ class RobotModelDisplayTest {
   void readsNoMeshOutsideOfItsPackage() throws IOException {
     withMesh();
     Files.writeString(folder.resolve("secret.stl"), STL);
-    String urdf = "<robot name='r'><link name='a'><visual><geometry><mesh filename='package://mast/../secret.stl'/></geometry></visual></link></robot>";
-    DisplayResult result = bench.give(new RobotDescription(Bench.ROBOT, "p", urdf, "", List.of(folder.toString()))).give(lift(0)).settled();
+    String urdf =
+        "<robot name='r'><link name='a'><visual><geometry><mesh filename='package://mast/../secret.stl'/></geometry></visual></link></robot>";
+    DisplayResult result = bench.give(new RobotDescription(Bench.ROBOT, "p", urdf, "", List.of(folder.toString())))
+        .give(lift(0)).settled();
     assertTrue(words(DisplayStatus.Partly.class, result).contains("leads out of its package"));
     assertEquals(List.of(), result.parts());
   }
 
   @Test
   void saysWhereTheTextIsWrong() {
-    RobotDescription broken = new RobotDescription(Bench.ROBOT, "/robot_description", "<robot name='r'>\n<link/></robot>", "", List.of());
+    RobotDescription broken =
+        new RobotDescription(Bench.ROBOT, "/robot_description", "<robot name='r'>\n<link/></robot>", "", List.of());
     assertEquals("The model cannot be read: /robot_description, line 2: <link> has no name, write <link name=\"...\">",
         words(DisplayStatus.Unfit.class, bench.give(broken).settled()));
   }
@@ -144,7 +150,8 @@ class RobotModelDisplayTest {
     bench.settings.set(RobotModelType.AXES, true);
     DisplayResult result = withMesh().give(lift(0)).settled();
     assertEquals(List.of("AXES", "COLLISION", "INERTIA", "NAMES"), result.parts().stream()
-        .map(part -> part.key().toString().replaceAll(".*what=(\\w+).*", "$1").toUpperCase(Locale.ROOT)).distinct().sorted().collect(Collectors.toList()));
+        .map(part -> part.key().toString().replaceAll(".*what=(\\w+).*", "$1").toUpperCase(Locale.ROOT)).distinct()
+        .sorted().collect(Collectors.toList()));
     // moments of 1 with a mass of 6 are those of a cube with edges of 1
     assertEquals(0.5, Bench.part(result, "INERTIA").shape().bounds().orElseThrow().high().x(), 1e-6);
   }

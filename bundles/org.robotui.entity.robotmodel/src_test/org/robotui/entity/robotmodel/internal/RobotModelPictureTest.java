@@ -29,7 +29,8 @@ class RobotModelPictureTest {
   void aCraneWithAxes() {
     Bench bench = new Bench();
     bench.settings.set(RobotModelType.AXES, true);
-    JointState joints = new JointState(List.of(new JointState.Joint("swing", 0.6, 0, 0), new JointState.Joint("rope", 0.3, 0, 0)));
+    JointState joints =
+        new JointState(List.of(new JointState.Joint("swing", 0.6, 0, 0), new JointState.Joint("rope", 0.3, 0, 0)));
     try (ScenePictures pictures = new ScenePictures()) {
       pictures.assertLike(RobotModelPictureTest.class, "crane", ScenePictures.request(
           bench.give(new RobotDescription(Bench.ROBOT, "crane", CRANE, "", List.of())).give(joints).settled().parts(),

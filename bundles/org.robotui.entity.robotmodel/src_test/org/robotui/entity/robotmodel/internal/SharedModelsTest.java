@@ -24,8 +24,9 @@ import org.robotui.testkit.recorded.SharedData;
 @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)
 class SharedModelsTest {
   /** How many links there are, and what the one model lacks, as the page of the data says. */
-  private static final Map<String, String> SAID = Map.of("panda.urdf", "13 links", "panda_collision.urdf", "13 links", "husky.urdf", "15 links",
-      "coman.urdf", "the material 'dark_gray' is defined nowhere");
+  private static final Map<String, String> SAID =
+      Map.of("panda.urdf", "13 links", "panda_collision.urdf", "13 links", "husky.urdf", "15 links",
+          "coman.urdf", "the material 'dark_gray' is defined nowhere");
 
   static List<Path> models() {
     return SharedData.files("robots", ".urdf");
@@ -34,7 +35,8 @@ class SharedModelsTest {
   private static DisplayResult show(Path file, List<String> folders) throws IOException {
     Bench bench = new Bench();
     bench.settings.set(RobotModelType.COLLISION, true);
-    return bench.give(new RobotDescription(Bench.ROBOT, file.toString(), Files.readString(file), "", folders)).give(new JointState(List.of())).settled();
+    return bench.give(new RobotDescription(Bench.ROBOT, file.toString(), Files.readString(file), "", folders))
+        .give(new JointState(List.of())).settled();
   }
 
   @ParameterizedTest

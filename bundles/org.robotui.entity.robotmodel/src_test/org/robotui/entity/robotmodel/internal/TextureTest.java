@@ -65,7 +65,8 @@ class TextureTest {
     assertEquals(2, result.parts().size());
     assertEquals(1, textures(result).size());
     assertTrue(textures(result).getFirst().repeats());
-    Part sides = result.parts().stream().filter(part -> part.material().texture().isPresent()).findFirst().orElseThrow();
+    Part sides =
+        result.parts().stream().filter(part -> part.material().texture().isPresent()).findFirst().orElseThrow();
     TriangleMesh mesh = (TriangleMesh) sides.shape();
     assertEquals(8, mesh.elements());
     assertEquals(1f, mesh.uv().orElseThrow().get(1), "the bottom of the picture is its last row");
@@ -77,16 +78,19 @@ class TextureTest {
     bench.settings.set(RobotModelType.COLOR, "robot");
     DisplayResult result = shown();
     assertEquals(List.of(), textures(result));
-    assertEquals(List.of(Bench.ROBOT_COLOR), result.parts().stream().map(part -> part.material().color()).distinct().toList());
+    assertEquals(List.of(Bench.ROBOT_COLOR),
+        result.parts().stream().map(part -> part.material().color()).distinct().toList());
   }
 
   @Test
   void aMissingPictureLeavesTheColourAndAWord() {
     crate.mtl("none.png");
     DisplayResult missing = shown();
-    assertTrue(partly(missing).contains("its picture 'none.png' is not shown: there is no such file in its package"), partly(missing));
+    assertTrue(partly(missing).contains("its picture 'none.png' is not shown: there is no such file in its package"),
+        partly(missing));
     assertEquals(List.of(), textures(missing));
-    assertEquals(new Rgba(0.6f, 0.4f, 0.2f, 1).packed(), ((TriangleMesh) missing.parts().getFirst().shape()).rgba().orElseThrow().getInt(0));
+    assertEquals(new Rgba(0.6f, 0.4f, 0.2f, 1).packed(),
+        ((TriangleMesh) missing.parts().getFirst().shape()).rgba().orElseThrow().getInt(0));
   }
 
   @Test
@@ -98,7 +102,8 @@ class TextureTest {
   @Test
   void noPictureIsReadOutsideOfThePackage() throws IOException {
     Files.copy(folder.resolve("crate/textures/planks.png"), folder.resolve("secret.png"));
-    for (String outside : List.of("../../secret.png", folder.resolve("secret.png").toString(), "..\\..\\secret.png", "%2e%2e/%2e%2e/secret.png")) {
+    for (String outside : List.of("../../secret.png", folder.resolve("secret.png").toString(), "..\\..\\secret.png",
+        "%2e%2e/%2e%2e/secret.png")) {
       Bench other = new Bench();
       DisplayResult result = other.give(crate.mtl(outside).description()).give(new JointState(List.of())).settled();
       assertEquals(List.of(), textures(result), outside);

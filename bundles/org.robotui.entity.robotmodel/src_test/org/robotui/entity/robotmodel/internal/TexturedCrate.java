@@ -45,7 +45,8 @@ final class TexturedCrate {
 
   /** Says which picture the sides have. */
   TexturedCrate mtl(String picture) {
-    text("crate/meshes/crate.mtl", "newmtl planks\nKd 0.6 0.4 0.2\nmap_Kd " + picture + "\nnewmtl lid\nKd 0.2 0.5 0.8\n");
+    text("crate/meshes/crate.mtl",
+        "newmtl planks\nKd 0.6 0.4 0.2\nmap_Kd " + picture + "\nnewmtl lid\nKd 0.2 0.5 0.8\n");
     return this;
   }
 
@@ -59,7 +60,8 @@ final class TexturedCrate {
   }
 
   RobotDescription description() {
-    String urdf = "<robot name='crate'><link name='crate'><visual><geometry><mesh filename='package://crate/meshes/crate.obj'/></geometry></visual></link></robot>";
+    String urdf =
+        "<robot name='crate'><link name='crate'><visual><geometry><mesh filename='package://crate/meshes/crate.obj'/></geometry></visual></link></robot>";
     return new RobotDescription(Bench.ROBOT, "crate", urdf, "", List.of(folder.toString()));
   }
 
@@ -73,7 +75,10 @@ final class TexturedCrate {
     }
   }
 
-  /** Four planks upright, the first one red and the upper edge white, so that a picture that is mirrored or on its head is seen. */
+  /**
+   * Four planks upright, the first one red and the upper edge white, so that a picture that is mirrored or on its head
+   * is seen.
+   */
   private static SceneImage planks() {
     int[] rgb = new int[SIZE * SIZE];
     for (int y = 0; y < SIZE; y++) {

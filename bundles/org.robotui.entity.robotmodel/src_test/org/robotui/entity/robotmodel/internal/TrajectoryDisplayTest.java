@@ -62,8 +62,10 @@ class TrajectoryDisplayTest {
 
   @Test
   void saysWhatItWaitsFor() {
-    assertEquals("asking for base/plan", words(DisplayStatus.NoData.class, probe.state(new InputState.Waiting("asking for base/plan")).tick()));
-    assertTrue(words(DisplayStatus.NoData.class, probe.state(new InputState.Live(1, 0)).tick()).contains("No trajectory yet"));
+    assertEquals("asking for base/plan",
+        words(DisplayStatus.NoData.class, probe.state(new InputState.Waiting("asking for base/plan")).tick()));
+    assertTrue(
+        words(DisplayStatus.NoData.class, probe.state(new InputState.Live(1, 0)).tick()).contains("No trajectory yet"));
     assertTrue(words(DisplayStatus.NoData.class, probe.tick(Arm.sweep(3))).contains("robot_description"));
     assertInstanceOf(DisplayStatus.Shown.class, probe.tick(Arm.description()).status());
   }
@@ -106,9 +108,12 @@ class TrajectoryDisplayTest {
     assertEquals(0.75, way.xyz().get(0), 1e-6, "the tool lies behind the beam that the last joint moves");
     probe.set(TrajectoryType.LINK, "mast").set(TrajectoryType.TRAIL, 4L);
     DisplayResult other = probe.tick();
-    assertEquals(0, ((LineSet) find(other, "path").orElseThrow().shape()).xyz().get(0), 1e-6, "the mast turns where it stands");
-    assertEquals(List.of(1, 2, 3), other.parts().stream().map(Part::key).map(Object::toString).filter(key -> key.contains("link=tool"))
-        .map(key -> Integer.parseInt(key.replaceAll(".*figure=(\\d+).*", "$1"))).filter(figure -> figure > 0).toList());
+    assertEquals(0, ((LineSet) find(other, "path").orElseThrow().shape()).xyz().get(0), 1e-6,
+        "the mast turns where it stands");
+    assertEquals(List.of(1, 2, 3),
+        other.parts().stream().map(Part::key).map(Object::toString).filter(key -> key.contains("link=tool"))
+            .map(key -> Integer.parseInt(key.replaceAll(".*figure=(\\d+).*", "$1"))).filter(figure -> figure > 0)
+            .toList());
     probe.set(TrajectoryType.LINK, "finger");
     assertTrue(words(DisplayStatus.Partly.class, probe.tick()).contains("no link 'finger'"));
   }
@@ -126,8 +131,12 @@ class TrajectoryDisplayTest {
     assertTrue(words.matches("9 points, 2\\.0 s; at most 0\\.\\d{3} (m|rad) off \\((lift|turn)\\)"), words);
     Properties said = find(result, "executed").orElseThrow().describer().describe(0, Vector3.ZERO);
     assertEquals("Executed path of tool", said.title());
-    assertTrue(said.entries().stream().anyMatch(entry -> entry.name().equals("lift") && entry.value().endsWith(" m off")), said.toString());
-    assertTrue(said.entries().stream().anyMatch(entry -> entry.name().equals("turn") && entry.value().endsWith(" rad off")), said.toString());
+    assertTrue(
+        said.entries().stream().anyMatch(entry -> entry.name().equals("lift") && entry.value().endsWith(" m off")),
+        said.toString());
+    assertTrue(
+        said.entries().stream().anyMatch(entry -> entry.name().equals("turn") && entry.value().endsWith(" rad off")),
+        said.toString());
     assertTrue(find(give(Arm.sweep(9)), "executed").isEmpty(), "another plan begins anew");
   }
 
@@ -159,13 +168,18 @@ class TrajectoryDisplayTest {
   @Test
   void saysWhyNothingIsSeen() {
     assertTrue(words(DisplayStatus.NoData.class, give(Arm.way())).contains("no points"));
-    assertTrue(words(DisplayStatus.NoData.class, give(new DisplayedTrajectory("arm", List.of(), List.of()))).contains("no points"));
-    assertEquals("Nothing of the trajectory can be shown: the model 'arm' has no movable joint 'elbow' (and 1 more of the trajectory).",
-        words(DisplayStatus.Unfit.class, give(new JointTrajectory(List.of("elbow", "mount"), List.of(Arm.point(0, 1, 1))))));
-    assertTrue(words(DisplayStatus.Unfit.class, give(new JointTrajectory(List.of(), List.of(Arm.point(0))))).contains("names no joints"));
+    assertTrue(words(DisplayStatus.NoData.class, give(new DisplayedTrajectory("arm", List.of(), List.of())))
+        .contains("no points"));
+    assertEquals(
+        "Nothing of the trajectory can be shown: the model 'arm' has no movable joint 'elbow' (and 1 more of the trajectory).",
+        words(DisplayStatus.Unfit.class,
+            give(new JointTrajectory(List.of("elbow", "mount"), List.of(Arm.point(0, 1, 1))))));
+    assertTrue(words(DisplayStatus.Unfit.class, give(new JointTrajectory(List.of(), List.of(Arm.point(0)))))
+        .contains("names no joints"));
     assertEquals("The times of the trajectory do not increase: point 2 is at 0.5 s, the one before at 1.0 s.",
         words(DisplayStatus.Unfit.class, give(Arm.way(Arm.point(0, 0, 0), Arm.point(1, 0, 0), Arm.point(0.5, 0, 0)))));
-    assertTrue(words(DisplayStatus.Unfit.class, give(Arm.way(Arm.point(0, 0, 0), Arm.point(1)))).contains("Point 1 of the trajectory has no positions"));
+    assertTrue(words(DisplayStatus.Unfit.class, give(Arm.way(Arm.point(0, 0, 0), Arm.point(1))))
+        .contains("Point 1 of the trajectory has no positions"));
   }
 
   @Test
@@ -193,12 +207,16 @@ class TrajectoryDisplayTest {
 
   @Test
   void hostileNumbersAreRefused() {
-    for (double wrong : new double[] {Double.NaN, Double.POSITIVE_INFINITY}) {
+    for (double wrong : new double[]{Double.NaN, Double.POSITIVE_INFINITY}) {
       assertTrue(words(DisplayStatus.Unfit.class, give(Arm.way(Arm.point(0, wrong, 0)))).contains("no finite number"));
-      assertTrue(words(DisplayStatus.Unfit.class, give(Arm.way(Arm.point(0, 0, 0), Arm.point(wrong, 0, 0)))).contains("do not increase"));
+      assertTrue(words(DisplayStatus.Unfit.class, give(Arm.way(Arm.point(0, 0, 0), Arm.point(wrong, 0, 0))))
+          .contains("do not increase"));
     }
-    assertInstanceOf(DisplayStatus.Shown.class, give(new JointState(List.of(Arm.joint("turn", Double.NaN))), Arm.sweep(2)).status());
-    assertTrue(words(DisplayStatus.Unfit.class, give(new RobotDescription(FakePlaces.ROBOT, "p", "<robot/>", "", List.of()))).contains("cannot be read"));
+    assertInstanceOf(DisplayStatus.Shown.class,
+        give(new JointState(List.of(Arm.joint("turn", Double.NaN))), Arm.sweep(2)).status());
+    assertTrue(
+        words(DisplayStatus.Unfit.class, give(new RobotDescription(FakePlaces.ROBOT, "p", "<robot/>", "", List.of())))
+            .contains("cannot be read"));
   }
 
   @Test
@@ -220,8 +238,9 @@ class TrajectoryDisplayTest {
 
   @Test
   void whatTheModelLacksIsNamedAndTheRestIsShown() {
-    DisplayResult result = give(new JointTrajectory(List.of("lift", "grip"), List.of(new JointTrajectory.Point(0, Doubles.of(0.1, 9), Doubles.EMPTY,
-        Doubles.EMPTY, Doubles.EMPTY))));
+    DisplayResult result = give(new JointTrajectory(List.of("lift", "grip"),
+        List.of(new JointTrajectory.Point(0, Doubles.of(0.1, 9), Doubles.EMPTY,
+            Doubles.EMPTY, Doubles.EMPTY))));
     assertTrue(words(DisplayStatus.Partly.class, result).contains("no movable joint 'grip'"));
     near(new Vector3(1.75, 0, 0.6), place(result, "tool"));
   }

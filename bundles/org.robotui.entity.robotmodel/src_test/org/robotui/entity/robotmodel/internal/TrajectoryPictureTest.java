@@ -17,7 +17,8 @@ class TrajectoryPictureTest {
   @Test
   void aGhostWithItsTrailOverTheArm() {
     ModelShelf shelf = new ModelShelf();
-    try (DisplayProbe robot = new DisplayProbe(new RobotModelType(shelf)); DisplayProbe plan = new DisplayProbe(new TrajectoryType(shelf));
+    try (DisplayProbe robot = new DisplayProbe(new RobotModelType(shelf));
+        DisplayProbe plan = new DisplayProbe(new TrajectoryType(shelf));
         ScenePictures pictures = new ScenePictures()) {
       robot.places().put("base", RigidTransform.IDENTITY);
       plan.places().put("base", RigidTransform.IDENTITY);
@@ -28,8 +29,9 @@ class TrajectoryPictureTest {
       }
       robot.tick(Arm.description());
       List<Part> parts = new ArrayList<>();
-      robot.parts(Arm.at(0.6, 0.36)).forEach(part -> parts.add(new Part(List.of("robot", part.key()), part.shape(), part.fixedFromShape(), part.material(),
-          part.describer())));
+      robot.parts(Arm.at(0.6, 0.36)).forEach(
+          part -> parts.add(new Part(List.of("robot", part.key()), part.shape(), part.fixedFromShape(), part.material(),
+              part.describer())));
       parts.addAll(plan.parts());
       pictures.assertLike(TrajectoryPictureTest.class, "trajectory", ScenePictures.request(parts,
           ScenePictures.eye(new Vector3(2.1, -1, 1.6), new Vector3(0.2, 0.2, 0.5))));

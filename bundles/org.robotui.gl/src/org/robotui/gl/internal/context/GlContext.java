@@ -16,8 +16,10 @@ import org.slf4j.LoggerFactory;
 final class GlContext implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(GlContext.class);
   private static final String DISPLAY = "DISPLAY";
-  private static final String SESSION = "Start it in a desktop session (under Wayland with the package xwayland), or under xvfb-run.";
-  private static final String PACKAGES = "Install the packages libgl1 and libgl1-mesa-dri, which draw by the processor where there is no graphics card.";
+  private static final String SESSION =
+      "Start it in a desktop session (under Wayland with the package xwayland), or under xvfb-run.";
+  private static final String PACKAGES =
+      "Install the packages libgl1 and libgl1-mesa-dri, which draw by the processor where there is no graphics card.";
   /** The old functions beside the new ones: software draws points two to three times faster with them. */
   private static final String[] PROFILES = {GLProfile.GL4bc, GLProfile.GL3bc, GLProfile.GL4, GLProfile.GL3};
   private static final int TINY = 16;
@@ -79,8 +81,9 @@ final class GlContext implements AutoCloseable {
   }
 
   /**
-   * Has something run at the end of the virtual machine, before JOGL takes away the displays. Its own hook for that runs beside all others, so that
-   * contexts which are closed by another one come too late: it ends the connection of a picture in work, and prints what it found open.
+   * Has something run at the end of the virtual machine, before JOGL takes away the displays. Its own hook for that
+   * runs beside all others, so that contexts which are closed by another one come too late: it ends the connection of a
+   * picture in work, and prints what it found open.
    */
   static void beforeTheEnd(Runnable action) {
     NativeWindowFactory.addCustomShutdownHook(true, action);

@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The one thread that calls OpenGL, and its context. It starts with the first task. Where a task fails, the context is made anew and the task is
- * tried again; after some failures in a row there is no OpenGL for a while.
+ * The one thread that calls OpenGL, and its context. It starts with the first task. Where a task fails, the context is
+ * made anew and the task is tried again; after some failures in a row there is no OpenGL for a while.
  */
 public final class GlThread implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(GlThread.class);
@@ -23,7 +23,8 @@ public final class GlThread implements AutoCloseable {
   private static final long PAUSE = Duration.ofSeconds(5).toNanos();
   /** A signal ends the workbench within two seconds, and others need some of them. */
   private static final Duration LAST_PICTURE = Duration.ofSeconds(1);
-  private static final String DRIVER = "Update the driver of the graphics card, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw by the processor.";
+  private static final String DRIVER =
+      "Update the driver of the graphics card, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw by the processor.";
 
   private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
   private final Thread thread = daemon(this::work, "OpenGL");
@@ -61,8 +62,8 @@ public final class GlThread implements AutoCloseable {
   }
 
   /**
-   * Hands something over to those who wait for it, one after the other and in the order of these calls, on another thread; on this one where it is
-   * closed.
+   * Hands something over to those who wait for it, one after the other and in the order of these calls, on another
+   * thread; on this one where it is closed.
    *
    * @param answer must not throw
    */
@@ -101,10 +102,11 @@ public final class GlThread implements AutoCloseable {
   }
 
   private <T> T tried(Function<Gpu, T> work) throws NoOpenGl {
-    for (int attempt = 1; ; attempt++) {
+    for (int attempt = 1;; attempt++) {
       try {
         return work.apply(current());
-      } catch (RuntimeException | Error e) { // errors, too: whoever waits for a picture must be told, and the thread must live
+      } catch (RuntimeException | Error e) { // errors, too: whoever waits for a picture must be told, and the thread
+                                             // must live
         LOG.warn("OpenGL fails, its context is made anew", e);
         dropContext();
         if (attempt == TRIES) {

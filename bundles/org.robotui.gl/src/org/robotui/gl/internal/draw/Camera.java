@@ -46,18 +46,21 @@ public record Camera(
     return switch (eye.projection()) {
       case Projection.Perspective(double angle) -> {
         double f = 1 / Math.tan(angle / 2);
-        yield camera(request, eyeFromFixed, true, f * request.height() / 2, new double[] {
-          0, 0, (far + near) / depth, 1, -f / aspect, 0, 0, 0, 0, -f, 0, 0, 0, 0, -2 * far * near / depth, 0});
+        yield camera(request, eyeFromFixed, true, f * request.height() / 2, new double[]{
+            0, 0, (far + near) / depth, 1, -f / aspect, 0, 0, 0, 0, -f, 0, 0, 0, 0, -2 * far * near / depth, 0});
       }
-      case Projection.Parallel(double high) -> camera(request, eyeFromFixed, false, request.height() / high, new double[] {
-        0, 0, 2 / depth, 0, -2 / (high * aspect), 0, 0, 0, 0, -2 / high, 0, 0, 0, 0, -(far + near) / depth, 1});
+      case Projection.Parallel(double high) -> camera(request, eyeFromFixed, false, request.height() / high,
+          new double[]{
+              0, 0, 2 / depth, 0, -2 / (high * aspect), 0, 0, 0, 0, -2 / high, 0, 0, 0, 0, -(far + near) / depth, 1});
     };
   }
 
-  private static Camera camera(RenderRequest request, RigidTransform eyeFromFixed, boolean perspective, double reach, double[] columns) {
+  private static Camera camera(RenderRequest request, RigidTransform eyeFromFixed, boolean perspective, double reach,
+      double[] columns) {
     int width = request.width();
     int height = request.height();
-    return new Camera(eyeFromFixed, new Matrix(columns), width, height, width, height, request.scale(), perspective, reach);
+    return new Camera(eyeFromFixed, new Matrix(columns), width, height, width, height, request.scale(), perspective,
+        reach);
   }
 
   /**
@@ -74,7 +77,7 @@ public record Camera(
     double middleX = (2 * x + 1.0) / width - 1;
     double middleY = (2 * y + 1.0) / height - 1;
     Matrix closer = new Matrix(
-        new double[] {alongX, 0, 0, 0, 0, alongY, 0, 0, 0, 0, 1, 0, -middleX * alongX, -middleY * alongY, 0, 1});
+        new double[]{alongX, 0, 0, 0, 0, alongY, 0, 0, 0, 0, 1, 0, -middleX * alongX, -middleY * alongY, 0, 1});
     return new Camera(eyeFromFixed, closer.times(clipFromEye), width, height, side, side, scale, perspective, reach);
   }
 
@@ -95,7 +98,8 @@ public record Camera(
 
   private static Vector3 corner(Box3 box, int index) {
     return new Vector3(
-        ((index & 1) == 0 ? box.low() : box.high()).x(), ((index & 2) == 0 ? box.low() : box.high()).y(), ((index & 4) == 0 ? box.low() : box.high()).z());
+        ((index & 1) == 0 ? box.low() : box.high()).x(), ((index & 2) == 0 ? box.low() : box.high()).y(),
+        ((index & 4) == 0 ? box.low() : box.high()).z());
   }
 
   private static int sidesOutside(double[] clip) {

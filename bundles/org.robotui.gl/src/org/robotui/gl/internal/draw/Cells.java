@@ -7,8 +7,8 @@ import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.TriangleMesh;
 
 /**
- * The corners of a mesh by the cells of a grid in which they are. Which way they face does not matter: where corners of one place were drawn at two,
- * the surface would have cracks.
+ * The corners of a mesh by the cells of a grid in which they are. Which way they face does not matter: where corners of
+ * one place were drawn at two, the surface would have cracks.
  */
 final class Cells {
   private static final int CORNERS = 3;
@@ -48,8 +48,9 @@ final class Cells {
     for (int i = 0; i < mesh.elements(); i += stride) {
       int a = CORNERS * mesh.triangles().get(CORNERS * i);
       int b = CORNERS * mesh.triangles().get(CORNERS * i + 1);
-      double apart = Math.hypot(Math.hypot(mesh.xyz().get(a) - mesh.xyz().get(b), mesh.xyz().get(a + 1) - mesh.xyz().get(b + 1)),
-          mesh.xyz().get(a + 2) - mesh.xyz().get(b + 2));
+      double apart =
+          Math.hypot(Math.hypot(mesh.xyz().get(a) - mesh.xyz().get(b), mesh.xyz().get(a + 1) - mesh.xyz().get(b + 1)),
+              mesh.xyz().get(a + 2) - mesh.xyz().get(b + 2));
       if (Double.isFinite(apart)) {
         sum += apart;
         count++;
@@ -87,7 +88,8 @@ final class Cells {
 
   private long key(int index) {
     int at = CORNERS * index;
-    return along(xyz.get(at), low.x()) << 2 * AXIS_BITS | along(xyz.get(at + 1), low.y()) << AXIS_BITS | along(xyz.get(at + 2), low.z());
+    return along(xyz.get(at), low.x()) << 2 * AXIS_BITS | along(xyz.get(at + 1), low.y()) << AXIS_BITS
+        | along(xyz.get(at + 2), low.z());
   }
 
   private long along(float value, double from) {

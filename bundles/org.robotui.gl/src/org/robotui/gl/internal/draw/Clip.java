@@ -14,7 +14,8 @@ final class Clip {
     boolean inside = true;
     for (int corner = 0; corner < CORNERS && inside; corner++) {
       double[] at = clipFromShape.apply(new Vector3(
-          ((corner & 1) == 0 ? box.low() : box.high()).x(), ((corner & 2) == 0 ? box.low() : box.high()).y(), ((corner & 4) == 0 ? box.low() : box.high()).z()));
+          ((corner & 1) == 0 ? box.low() : box.high()).x(), ((corner & 2) == 0 ? box.low() : box.high()).y(),
+          ((corner & 4) == 0 ? box.low() : box.high()).z()));
       inside = at[3] > 0 && at[2] > -at[3] && at[2] < at[3];
     }
     return inside;

@@ -19,13 +19,13 @@ import org.robotui.gl.shape.Rgba;
  * @param id of the part where it is searched, from 1
  */
 public record DrawState(
-  Matrix eyeFromShape,
-  Matrix clipFromShape,
-  Rgba color,
-  boolean lit,
-  Optional<GpuTexture> texture,
-  boolean selected,
-  float pale,
-  double near,
-  double far,
-  int id) {}
+    Matrix eyeFromShape,
+    Matrix clipFromShape,
+    Rgba color,
+    boolean lit,
+    Optional<GpuTexture> texture,
+    boolean selected,
+    float pale,
+    double near,
+    double far,
+    int id) {}

@@ -53,7 +53,8 @@ final class DrawnPoints implements Drawn {
     array.bind();
     lay(every);
     GL3 gl = pass.gl();
-    Program program = pass.use(SHADER.with(Trait.METRES, points.unit() == Unit.METRES).with(Trait.DISC, points.style() == Style.DISC), look);
+    Program program = pass.use(
+        SHADER.with(Trait.METRES, points.unit() == Unit.METRES).with(Trait.DISC, points.style() == Style.DISC), look);
     size(pass, program);
     sprites(gl, points.style() == Style.DISC);
     int count = (points.elements() + every - 1) / every;

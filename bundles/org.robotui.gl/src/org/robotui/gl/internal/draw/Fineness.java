@@ -4,7 +4,8 @@ package org.robotui.gl.internal.draw;
  * How fine surfaces are drawn.
  *
  * @param pixels within which corners may be moved
- * @param openness share of open edges up to which a mesh is taken for the surface of a body, of which nobody sees what faces away
+ * @param openness share of open edges up to which a mesh is taken for the surface of a body, of which nobody sees what
+ * faces away
  */
 public record Fineness(double pixels, double openness) {
   /** As they are: where the graphics card draws, and where parts are searched. */

@@ -3,7 +3,10 @@ package org.robotui.gl.internal.draw;
 import java.nio.FloatBuffer;
 import org.robotui.gl.shape.TriangleMesh;
 
-/** Tells whether light is about the same all over each triangle of a mesh, so that it need not be computed for each pixel. */
+/**
+ * Tells whether light is about the same all over each triangle of a mesh, so that it need not be computed for each
+ * pixel.
+ */
 final class Flatness {
   private static final int CORNERS = 3;
   /** Of the angle between the directions of two corners: 15 degrees. */
@@ -26,6 +29,7 @@ final class Flatness {
   }
 
   private static double alike(FloatBuffer normals, int a, int b) {
-    return normals.get(a) * normals.get(b) + normals.get(a + 1) * normals.get(b + 1) + normals.get(a + 2) * normals.get(b + 2);
+    return normals.get(a) * normals.get(b) + normals.get(a + 1) * normals.get(b + 1)
+        + normals.get(a + 2) * normals.get(b + 2);
   }
 }

@@ -6,8 +6,8 @@ import java.util.List;
 import org.robotui.gl.shape.TriangleMesh;
 
 /**
- * A mesh in several finenesses over the same corners. In a coarser one, all corners within a cell of a grid are drawn at one of them: what is smaller
- * than a pixel costs software as much as what is seen.
+ * A mesh in several finenesses over the same corners. In a coarser one, all corners within a cell of a grid are drawn
+ * at one of them: what is smaller than a pixel costs software as much as what is seen.
  */
 final class Levels {
   private static final int CORNERS = 3;

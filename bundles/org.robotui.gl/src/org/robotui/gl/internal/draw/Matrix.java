@@ -5,7 +5,8 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 
 /**
- * A matrix of four columns of four. Double precision until it is sent, so that what lies far from the origin does not tremble.
+ * A matrix of four columns of four. Double precision until it is sent, so that what lies far from the origin does not
+ * tremble.
  *
  * @param columns sixteen numbers, column by column
  */
@@ -24,7 +25,8 @@ public record Matrix(double[] columns) {
     Vector3 y = turn.rotate(new Vector3(0, 1, 0));
     Vector3 z = turn.rotate(new Vector3(0, 0, 1));
     Vector3 t = transform.translation();
-    return new Matrix(new double[] {x.x(), x.y(), x.z(), 0, y.x(), y.y(), y.z(), 0, z.x(), z.y(), z.z(), 0, t.x(), t.y(), t.z(), 1});
+    return new Matrix(
+        new double[]{x.x(), x.y(), x.z(), 0, y.x(), y.y(), y.z(), 0, z.x(), z.y(), z.z(), 0, t.x(), t.y(), t.z(), 1});
   }
 
   /**
@@ -56,7 +58,8 @@ public record Matrix(double[] columns) {
   public double[] apply(Vector3 place) {
     double[] result = new double[SIDE];
     for (int row = 0; row < SIDE; row++) {
-      result[row] = columns[row] * place.x() + columns[SIDE + row] * place.y() + columns[2 * SIDE + row] * place.z() + columns[3 * SIDE + row];
+      result[row] = columns[row] * place.x() + columns[SIDE + row] * place.y() + columns[2 * SIDE + row] * place.z()
+          + columns[3 * SIDE + row];
     }
     return result;
   }

@@ -43,7 +43,8 @@ public final class Pass {
    * @param fineness of surfaces
    * @param givenUp whether the rest need not be drawn
    */
-  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every, Fineness fineness,
+  public Pass(Gpu gpu, Camera camera, Tools tools, Rgba background, Optional<Splats> splats, boolean picking, int every,
+      Fineness fineness,
       BooleanSupplier givenUp) {
     this.gpu = gpu;
     this.camera = camera;
@@ -111,7 +112,7 @@ public final class Pass {
   /** What is up, seen from the eye: x ahead, y to the left, z up. */
   float[] up() {
     Vector3 up = camera.eyeFromFixed().rotation().rotate(new Vector3(0, 0, 1));
-    return new float[] {(float) up.x(), (float) up.y(), (float) up.z()};
+    return new float[]{(float) up.x(), (float) up.y(), (float) up.z()};
   }
 
   /** Asked between pieces of what takes long. */

@@ -24,7 +24,8 @@ public final class Programs {
   }
 
   private Program compile(Shader shader) {
-    String head = shader.traits().stream().sorted().map(trait -> "#define " + trait + "\n").collect(Collectors.joining("", "#version 330 core\n", ""));
+    String head = shader.traits().stream().sorted().map(trait -> "#define " + trait + "\n")
+        .collect(Collectors.joining("", "#version 330 core\n", ""));
     return new Program(gpu, head + text(shader.name() + ".vert"), head + text(shader.name() + ".frag"));
   }
 

@@ -11,8 +11,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Levels of detail of a mesh that are made in the background, one an octave of distances: as many triangles as its shape needs, where {@link Levels} have
- * as many as its area has pixels. Used on the thread of OpenGL.
+ * Levels of detail of a mesh that are made in the background, one an octave of distances: as many triangles as its
+ * shape needs, where {@link Levels} have as many as its area has pixels. Used on the thread of OpenGL.
  */
 final class Reductions {
   private static final Logger LOG = LoggerFactory.getLogger(Reductions.class);
@@ -32,7 +32,8 @@ final class Reductions {
   Reductions(TriangleMesh mesh, Levels levels) {
     this.mesh = mesh;
     this.levels = levels;
-    finest = mesh.bounds().filter(box -> mesh.elements() >= FEW).map(box -> 2 * box.radius() / MOST_PIXELS).orElse(Double.POSITIVE_INFINITY);
+    finest = mesh.bounds().filter(box -> mesh.elements() >= FEW).map(box -> 2 * box.radius() / MOST_PIXELS)
+        .orElse(Double.POSITIVE_INFINITY);
   }
 
   /**

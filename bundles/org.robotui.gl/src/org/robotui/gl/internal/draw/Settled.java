@@ -11,7 +11,10 @@ import org.robotui.gl.internal.splat.Facets;
 import org.robotui.gl.internal.splat.Splats;
 import org.robotui.gl.shape.TriangleMesh;
 
-/** What is known of a mesh that has stayed the same for some pictures: coarser forms of it, and what of it may be left out. */
+/**
+ * What is known of a mesh that has stayed the same for some pictures: coarser forms of it, and what of it may be left
+ * out.
+ */
 final class Settled {
   private static final int CORNERS = 3;
   /** Pixels of a triangle, as a mean. What is larger is lit pixel by pixel by OpenGL, which is as quick with it. */
@@ -59,11 +62,13 @@ final class Settled {
   /** Paints it into splats, where its triangles are small and all of it is ahead of the eye; answers whether it did. */
   boolean paint(Pass pass, DrawState look, Splats splats) {
     Level level = now(pass, look);
-    if (isLarge(level, pass.metresPerPixel(look, mesh.bounds())) || mesh.bounds().filter(box -> Clip.holds(look.clipFromShape(), box)).isEmpty()) {
+    if (isLarge(level, pass.metresPerPixel(look, mesh.bounds()))
+        || mesh.bounds().filter(box -> Clip.holds(look.clipFromShape(), box)).isEmpty()) {
       return false;
     }
-    Optional<Facets> painted = reductions.within(pass.fineness().pixels() * pass.metresPerPixel(look, mesh.bounds()), pass.workers())
-        .or(() -> facets.computeIfAbsent(level, l -> Facets.of(mesh, indices(l))));
+    Optional<Facets> painted =
+        reductions.within(pass.fineness().pixels() * pass.metresPerPixel(look, mesh.bounds()), pass.workers())
+            .or(() -> facets.computeIfAbsent(level, l -> Facets.of(mesh, indices(l))));
     painted.ifPresent(some -> {
       new FacetPainter(splats, brush(pass, look), some).paint(pass.givenUp());
       pass.tally().triangles(some.count(), leftOut(pass, look, level));
@@ -86,7 +91,8 @@ final class Settled {
   }
 
   private FacetBrush brush(Pass pass, DrawState look) {
-    return new FacetBrush(look.clipFromShape().floats(), look.eyeFromShape().floats(), pass.up(), look.lit(), look.color(),
+    return new FacetBrush(look.clipFromShape().floats(), look.eyeFromShape().floats(), pass.up(), look.lit(),
+        look.color(),
         pass.glow(look), (float) look.near(), (float) look.far(), hidesBacks(pass));
   }
 }

@@ -5,7 +5,10 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 import org.robotui.gl.shape.TriangleMesh;
 
-/** Tells how nearly a mesh is the surface of a body: of such a one the triangles that face away are hidden by others, and need not be drawn. */
+/**
+ * Tells how nearly a mesh is the surface of a body: of such a one the triangles that face away are hidden by others,
+ * and need not be drawn.
+ */
 final class Solid {
   private static final int CORNERS = 3;
   /** Cells across a mesh in which corners count as one: fewer than a cell has bits for. */

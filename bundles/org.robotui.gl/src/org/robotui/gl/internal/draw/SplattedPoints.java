@@ -68,7 +68,8 @@ final class SplattedPoints implements Drawn {
     boolean metres = points.unit() == Unit.METRES;
     int pixels = metres ? 0 : Math.max(1, Math.round(points.size() * pass.camera().scale()));
     float reach = (float) (points.size() * pass.camera().reach());
-    return new Brush(look.clipFromShape().floats(), pixels, reach, points.style(), look.color(), pass.glow(look), (float) look.near(), (float) look.far(),
+    return new Brush(look.clipFromShape().floats(), pixels, reach, points.style(), look.color(), pass.glow(look),
+        (float) look.near(), (float) look.far(),
         look.id());
   }
 

@@ -95,7 +95,8 @@ final class Surface {
 
   /** Writes it into the splats of a picture, where the processor is quicker with it; answers whether it did. */
   boolean paint(Pass pass, DrawState look) {
-    boolean plain = !pass.picking() && !pass.fineness().isExact() && !translucent() && look.color().alpha() == 1 && !isTextured(look);
+    boolean plain = !pass.picking() && !pass.fineness().isExact() && !translucent() && look.color().alpha() == 1
+        && !isTextured(look);
     return plain && pass.splats().flatMap(splats -> settled.map(form -> form.paint(pass, look, splats))).orElse(false);
   }
 
@@ -111,7 +112,10 @@ final class Surface {
     return !pass.fineness().isExact() && mesh.elements() >= MANY;
   }
 
-  /** Not before it has stayed the same for some pictures: what is found out of a mesh that changes with each would cost more than it saves. */
+  /**
+   * Not before it has stayed the same for some pictures: what is found out of a mesh that changes with each would cost
+   * more than it saves.
+   */
   private void settle() {
     if (settled.isEmpty() && ++pictures >= SETTLED) {
       Settled form = new Settled(mesh);
@@ -151,7 +155,8 @@ final class Surface {
   }
 
   long bytes() {
-    return corners.bytes() + indices.bytes() + normals.map(GpuBuffer::bytes).orElse(0L) + uv.map(GpuBuffer::bytes).orElse(0L);
+    return corners.bytes() + indices.bytes() + normals.map(GpuBuffer::bytes).orElse(0L)
+        + uv.map(GpuBuffer::bytes).orElse(0L);
   }
 
   private void unsettle() {

@@ -7,8 +7,8 @@ import java.nio.ByteOrder;
 import org.robotui.gl.internal.gpu.Ledger.Kind;
 
 /**
- * One context of OpenGL while it lives, and the count of what it holds. Used on the thread of OpenGL alone. What was made by one is
- * forgotten with it: nothing is moved to another.
+ * One context of OpenGL while it lives, and the count of what it holds. Used on the thread of OpenGL alone. What was
+ * made by one is forgotten with it: nothing is moved to another.
  */
 public final class Gpu {
   /** Bytes of a piece. */

@@ -113,7 +113,7 @@ public final class GpuBuffer {
 
   /** Frees it. */
   public void delete() {
-    gpu.gl().glDeleteBuffers(1, new int[] {id}, 0);
+    gpu.gl().glDeleteBuffers(1, new int[]{id}, 0);
     gpu.ledger().freed(Kind.BUFFER);
     gpu.ledger().grew(-capacity);
     capacity = 0;

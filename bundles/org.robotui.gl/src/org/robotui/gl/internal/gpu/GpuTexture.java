@@ -38,7 +38,8 @@ public final class GpuTexture {
     long base = 4L * texture.width() * texture.height();
     GpuTexture made = new GpuTexture(gpu, texture.smooth() ? base + base / 3 : base, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE);
     made.send(GL.GL_RGBA8, texture.width(), texture.height(), direct(texture.rgba()));
-    made.filter(texture.smooth() ? GL.GL_LINEAR_MIPMAP_LINEAR : GL.GL_NEAREST, texture.smooth() ? GL.GL_LINEAR : GL.GL_NEAREST);
+    made.filter(texture.smooth() ? GL.GL_LINEAR_MIPMAP_LINEAR : GL.GL_NEAREST,
+        texture.smooth() ? GL.GL_LINEAR : GL.GL_NEAREST);
     if (texture.repeats()) {
       made.wrap(GL.GL_REPEAT);
     }
@@ -140,7 +141,7 @@ public final class GpuTexture {
 
   /** Frees it. */
   public void delete() {
-    gpu.gl().glDeleteTextures(1, new int[] {id}, 0);
+    gpu.gl().glDeleteTextures(1, new int[]{id}, 0);
     gpu.ledger().freed(Kind.TEXTURE);
     gpu.ledger().grew(-bytes);
   }

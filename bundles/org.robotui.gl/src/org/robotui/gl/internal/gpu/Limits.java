@@ -21,7 +21,8 @@ public record Limits(int picture, int texture, float lineWidth, int stride, bool
   private static final int SAFE_STRIDE = 2048;
 
   static Limits of(GL3 gl) {
-    int picture = Math.min(Math.min(asInt(gl, GL.GL_MAX_RENDERBUFFER_SIZE), asInt(gl, GL.GL_MAX_TEXTURE_SIZE)), asInt(gl, GL3.GL_MAX_VIEWPORT_DIMS));
+    int picture = Math.min(Math.min(asInt(gl, GL.GL_MAX_RENDERBUFFER_SIZE), asInt(gl, GL.GL_MAX_TEXTURE_SIZE)),
+        asInt(gl, GL3.GL_MAX_VIEWPORT_DIMS));
     String renderer = gl.glGetString(GL.GL_RENDERER).toLowerCase(Locale.ROOT);
     boolean software = PROCESSORS.stream().anyMatch(renderer::contains);
     return new Limits(picture, asInt(gl, GL.GL_MAX_TEXTURE_SIZE), lineWidth(gl), SAFE_STRIDE, software);

@@ -36,7 +36,7 @@ public final class Program {
 
   private int compile(int kind, String source) {
     int shader = gl.glCreateShader(kind);
-    gl.glShaderSource(shader, 1, new String[] {source}, new int[] {source.getBytes(StandardCharsets.UTF_8).length}, 0);
+    gl.glShaderSource(shader, 1, new String[]{source}, new int[]{source.getBytes(StandardCharsets.UTF_8).length}, 0);
     gl.glCompileShader(shader);
     int[] done = new int[1];
     gl.glGetShaderiv(shader, GL2ES2.GL_COMPILE_STATUS, done, 0);

@@ -61,8 +61,10 @@ public final class Target {
    */
   public static Target writable(Gpu gpu, int width, int height) {
     Target made = new Target(gpu, width, height, 0);
-    made.attach(GpuTexture.ofPixels(gpu, width, height, GL.GL_RGBA8, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV), GL.GL_COLOR_ATTACHMENT0);
-    made.attach(GpuTexture.ofPixels(gpu, width, height, GL3.GL_DEPTH_COMPONENT32F, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT),
+    made.attach(GpuTexture.ofPixels(gpu, width, height, GL.GL_RGBA8, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV),
+        GL.GL_COLOR_ATTACHMENT0);
+    made.attach(
+        GpuTexture.ofPixels(gpu, width, height, GL3.GL_DEPTH_COMPONENT32F, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT),
         GL.GL_DEPTH_ATTACHMENT);
     made.requireComplete();
     return made;
@@ -86,7 +88,8 @@ public final class Target {
   private void requireComplete() {
     int state = gpu.gl().glCheckFramebufferStatus(GL.GL_FRAMEBUFFER);
     if (state != GL.GL_FRAMEBUFFER_COMPLETE) {
-      throw new GpuFailure("OpenGL makes no picture of " + width + " x " + height + ": state 0x" + Integer.toHexString(state));
+      throw new GpuFailure(
+          "OpenGL makes no picture of " + width + " x " + height + ": state 0x" + Integer.toHexString(state));
     }
   }
 
@@ -152,10 +155,10 @@ public final class Target {
 
   /** Frees it. */
   public void delete() {
-    gpu.gl().glDeleteFramebuffers(1, new int[] {frame}, 0);
+    gpu.gl().glDeleteFramebuffers(1, new int[]{frame}, 0);
     gpu.ledger().freed(Kind.FRAMEBUFFER);
     for (int buffer : buffers) {
-      gpu.gl().glDeleteRenderbuffers(1, new int[] {buffer}, 0);
+      gpu.gl().glDeleteRenderbuffers(1, new int[]{buffer}, 0);
       gpu.ledger().freed(Kind.RENDERBUFFER);
     }
     textures.forEach(GpuTexture::delete);

@@ -99,7 +99,7 @@ public final class VertexArray {
 
   /** Frees it. */
   public void delete() {
-    gpu.gl().glDeleteVertexArrays(1, new int[] {id}, 0);
+    gpu.gl().glDeleteVertexArrays(1, new int[]{id}, 0);
     gpu.ledger().freed(Kind.VERTEX_ARRAY);
   }
 }

@@ -112,7 +112,8 @@ final class Canvas {
     Matrix eyeFromShape = Matrix.of(camera.eyeFromFixed().times(resident.part().fixedFromShape()));
     boolean selected = selection.contains(new Selected(resident.display(), resident.part().key()));
     return new DrawState(
-        eyeFromShape, camera.clipFromEye().times(eyeFromShape), resident.part().material().color(), resident.part().material().lit(),
+        eyeFromShape, camera.clipFromEye().times(eyeFromShape), resident.part().material().color(),
+        resident.part().material().lit(),
         resident.picture().map(Pool.Picture::texture), selected, resident.part().material().pale(), near, far, id);
   }
 

@@ -13,8 +13,8 @@ import org.robotui.gl.shape.PointSet.Unit;
 import org.robotui.gl.shape.TriangleMesh;
 
 /**
- * What is seen, in the order in which it is drawn: what is opaque from the front to the back, so that what is hidden is not computed; then
- * what is translucent from the back to the front.
+ * What is seen, in the order in which it is drawn: what is opaque from the front to the back, so that what is hidden is
+ * not computed; then what is translucent from the back to the front.
  *
  * @param opaque from the front
  * @param translucent from the back
@@ -26,10 +26,11 @@ record Order(List<Resident> opaque, List<Resident> translucent) {
     List<Seen> opaque = new ArrayList<>();
     List<Seen> translucent = new ArrayList<>();
     for (Resident resident : residents) {
-      resident.part().bounds().filter(box -> sees(camera, resident, box)).ifPresent(box ->
-          (resident.translucent() ? translucent : opaque).add(new Seen(resident, camera.depth(box.center()))));
+      resident.part().bounds().filter(box -> sees(camera, resident, box)).ifPresent(
+          box -> (resident.translucent() ? translucent : opaque).add(new Seen(resident, camera.depth(box.center()))));
     }
-    return new Order(sorted(opaque, Comparator.comparingDouble(Seen::depth)), sorted(translucent, Comparator.comparingDouble(Seen::depth).reversed()));
+    return new Order(sorted(opaque, Comparator.comparingDouble(Seen::depth)),
+        sorted(translucent, Comparator.comparingDouble(Seen::depth).reversed()));
   }
 
   private static List<Resident> sorted(List<Seen> seen, Comparator<Seen> by) {
@@ -57,6 +58,7 @@ record Order(List<Resident> opaque, List<Resident> translucent) {
   }
 
   private static long points(List<Resident> residents) {
-    return residents.stream().mapToLong(resident -> resident.part().shape() instanceof PointSet points ? points.elements() : 0).sum();
+    return residents.stream()
+        .mapToLong(resident -> resident.part().shape() instanceof PointSet points ? points.elements() : 0).sum();
   }
 }

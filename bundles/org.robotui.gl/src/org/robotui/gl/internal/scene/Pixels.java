@@ -22,8 +22,10 @@ final class Pixels {
 
   Pixels(Gpu gpu, int width, int height) {
     boolean software = gpu.limits().software();
-    plain = software ? Target.writable(gpu, width, height) : new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, 0);
-    smooth = software ? Optional.empty() : Optional.of(new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, SAMPLES));
+    plain =
+        software ? Target.writable(gpu, width, height) : new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, 0);
+    smooth =
+        software ? Optional.empty() : Optional.of(new Target(gpu, width, height, GL.GL_RGBA8, COLOR_BYTES, SAMPLES));
     splats = software ? Optional.of(new Splats(width, height, false)) : Optional.empty();
   }
 

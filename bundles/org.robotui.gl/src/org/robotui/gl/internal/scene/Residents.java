@@ -9,7 +9,10 @@ import org.robotui.gl.internal.gpu.Gpu;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Texture;
 
-/** What of a scene is on the graphics card: for each part one {@link Resident}, made, refilled and freed as requests say. */
+/**
+ * What of a scene is on the graphics card: for each part one {@link Resident}, made, refilled and freed as requests
+ * say.
+ */
 final class Residents {
   /** One part may not take more: indices and buffers of Java end there. */
   static final long MOST_BYTES = 1L << 30;
@@ -34,7 +37,8 @@ final class Residents {
     List<String> problems = new ArrayList<>();
     Map<Place, Resident> before = residents;
     residents = HashMap.newHashMap(before.size());
-    wanted.forEach((display, parts) -> parts.forEach(part -> follow(before, new Place(display, part.key()), part, problems)));
+    wanted.forEach(
+        (display, parts) -> parts.forEach(part -> follow(before, new Place(display, part.key()), part, problems)));
     before.values().forEach(Resident::release);
     return problems;
   }
@@ -70,7 +74,8 @@ final class Residents {
     if (texture.width() <= edge && texture.height() <= edge) {
       return false;
     }
-    problems.add("The texture of " + part.key() + " has " + texture.width() + " x " + texture.height() + " pixels; this graphics takes "
+    problems.add("The texture of " + part.key() + " has " + texture.width() + " x " + texture.height()
+        + " pixels; this graphics takes "
         + edge + " along an edge.");
     return true;
   }

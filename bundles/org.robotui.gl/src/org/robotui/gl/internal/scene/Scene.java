@@ -54,13 +54,15 @@ final class Scene {
     int most = gpu.limits().picture();
     if (request.width() > most || request.height() > most) {
       return new Rendered.Unavailable(
-          "This graphics makes no picture of " + request.width() + " x " + request.height() + ".", "Ask for " + most + " pixels along an edge at most.");
+          "This graphics makes no picture of " + request.width() + " x " + request.height() + ".",
+          "Ask for " + most + " pixels along an edge at most.");
     }
     List<String> problems = residents.follow(request.parts());
     Camera camera = Camera.of(request);
     Order order = Order.of(residents.all(), camera);
     Pixels target = fitting(request);
-    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false, every(order.points(), request.pointBudget()),
+    Pass pass = new Pass(gpu, camera, tools, request.background(), target.splats(), false,
+        every(order.points(), request.pointBudget()),
         fineness(order, request), givenUp);
     target.bind(request.background());
     Canvas canvas = new Canvas(gpu, pass, camera, request.selection());
@@ -102,7 +104,8 @@ final class Scene {
     Camera camera = whole.around(x, y, Picker.SIDE);
     Order order = Order.of(residents.all(), camera);
     Splats splats = new Splats(Picker.SIDE, Picker.SIDE, true);
-    Pass pass = new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1, Fineness.EXACT, () -> false);
+    Pass pass =
+        new Pass(gpu, camera, tools, request.background(), Optional.of(splats), true, 1, Fineness.EXACT, () -> false);
     Canvas canvas = new Canvas(gpu, pass, camera, List.of());
     Picker pixelsAround = new Picker(gpu);
     pixelsAround.begin();
@@ -115,7 +118,8 @@ final class Scene {
 
   private static Pick pick(RenderRequest request, Camera camera, Resident resident, Found hit, int x, int y) {
     double depth = resident.onTop() ? hit.depth() / Canvas.TOP : (hit.depth() - Canvas.TOP) / (1 - Canvas.TOP);
-    return new Pick(resident.display(), resident.part(), hit.element(), camera.place(x + hit.x(), y + hit.y(), depth, request.eye()));
+    return new Pick(resident.display(), resident.part(), hit.element(),
+        camera.place(x + hit.x(), y + hit.y(), depth, request.eye()));
   }
 
   private Fineness fineness(Order order, RenderRequest request) {
@@ -139,7 +143,8 @@ final class Scene {
   }
 
   private Figures figures(long start, Pass pass) {
-    return new Figures((System.nanoTime() - start) / NANOS, pass.tally().points(), pass.tally().pointsLeftOut(), pass.tally().triangles(), pass.tally().trianglesLeftOut(),
+    return new Figures((System.nanoTime() - start) / NANOS, pass.tally().points(), pass.tally().pointsLeftOut(),
+        pass.tally().triangles(), pass.tally().trianglesLeftOut(),
         residents.takeSent(), residents.bytes() + pixels.map(Pixels::bytes).orElse(0L));
   }
 

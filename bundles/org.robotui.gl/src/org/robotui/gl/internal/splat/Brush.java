@@ -16,7 +16,8 @@ import org.robotui.gl.shape.Rgba;
  * @param far depth of the farthest
  * @param part id of the part
  */
-public record Brush(float[] clipFromShape, int pixels, float reach, Style style, Rgba tint, Rgba glow, float near, float far, int part) {
+public record Brush(float[] clipFromShape, int pixels, float reach, Style style, Rgba tint, Rgba glow, float near,
+    float far, int part) {
   private static final int CHANNEL = 256;
   private static final int MOST = 255;
 

@@ -15,7 +15,8 @@ import org.robotui.gl.shape.Rgba;
  * @param far depth of the farthest
  * @param hideBacks whether triangles that face away are left out
  */
-public record FacetBrush(float[] clipFromShape, float[] eyeFromShape, float[] up, boolean lit, Rgba tint, Rgba glow, float near,
+public record FacetBrush(float[] clipFromShape, float[] eyeFromShape, float[] up, boolean lit, Rgba tint, Rgba glow,
+    float near,
     float far, boolean hideBacks) {
   /** How many shades a colour has. */
   static final int SHADES = 256;
@@ -30,7 +31,7 @@ public record FacetBrush(float[] clipFromShape, float[] eyeFromShape, float[] up
 
   private static float[] unit(float x, float y, float z) {
     float length = (float) Math.sqrt(x * x + y * y + z * z);
-    return new float[] {x / length, y / length, z / length};
+    return new float[]{x / length, y / length, z / length};
   }
 
   /** The shades of each colour of a palette, one after the other: red, green and blue of a pixel. */

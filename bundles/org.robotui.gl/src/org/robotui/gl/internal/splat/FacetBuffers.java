@@ -1,6 +1,9 @@
 package org.robotui.gl.internal.splat;
 
-/** Where the places of a mesh are in the picture, and how its directions are lit: memory that is used for one mesh after the other. */
+/**
+ * Where the places of a mesh are in the picture, and how its directions are lit: memory that is used for one mesh after
+ * the other.
+ */
 final class FacetBuffers {
   /** Numbers of a place. */
   static final int STRIDE = 3;
@@ -32,14 +35,17 @@ final class FacetBuffers {
     }
   }
 
-  /** Of each place the pixels from the left, the rows from the top, and the depth as OpenGL keeps it: what is needed together lies together. */
+  /**
+   * Of each place the pixels from the left, the rows from the top, and the depth as OpenGL keeps it: what is needed
+   * together lies together.
+   */
   float[] pixels() {
     return pixels;
   }
 
   /**
-   * Of each place the first column and row whose middles are not before it, cut at the edges of the picture. A triangle whose corners have one column,
-   * or one row, covers no middle of a pixel: of small ones that is the most.
+   * Of each place the first column and row whose middles are not before it, cut at the edges of the picture. A triangle
+   * whose corners have one column, or one row, covers no middle of a pixel: of small ones that is the most.
    */
   int[] cells() {
     return cells;

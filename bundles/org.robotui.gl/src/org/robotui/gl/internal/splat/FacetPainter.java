@@ -10,8 +10,8 @@ import static org.robotui.gl.internal.splat.Facets.CORNERS;
 import java.util.function.BooleanSupplier;
 
 /**
- * Paints the triangles of a mesh. Where OpenGL is software, triangles of a few pixels take ten times as long there. All places must lie between the near
- * and the far end of what is seen.
+ * Paints the triangles of a mesh. Where OpenGL is software, triangles of a few pixels take ten times as long there. All
+ * places must lie between the near and the far end of what is seen.
  */
 public final class FacetPainter {
   private static final int PIECE = 1 << 14;
@@ -82,7 +82,9 @@ public final class FacetPainter {
     return facing;
   }
 
-  /** Twice as many square pixels as it covers. Rows go down: what is counterclockwise to the eye has an area below 0. */
+  /**
+   * Twice as many square pixels as it covers. Rows go down: what is counterclockwise to the eye has an area below 0.
+   */
   private float area(int triangle) {
     int at = CORNERS * triangle;
     float[] p = buffers.pixels();
@@ -117,7 +119,10 @@ public final class FacetPainter {
     return Math.max(0, Math.min(p[a + DEPTH], Math.min(p[b + DEPTH], p[c + DEPTH])));
   }
 
-  /** Whether a depth lies behind all that is seen in some pixels, where these are few: then it is quicker to look than to compute the triangle. */
+  /**
+   * Whether a depth lies behind all that is seen in some pixels, where these are few: then it is quicker to look than
+   * to compute the triangle.
+   */
   private boolean isHidden(float nearest, int left, int top, int right, int bottom) {
     boolean hidden = (right - left) * (bottom - top) <= FEW;
     long cell = Splats.cell(nearest, 0);
@@ -130,7 +135,8 @@ public final class FacetPainter {
   }
 
   /** Fills the pixels whose middle lies in it: its three weights there are not negative. */
-  private void fill(int triangle, byte[] lights, int a, int b, int c, float perArea, int left, int top, int right, int bottom) {
+  private void fill(int triangle, byte[] lights, int a, int b, int c, float perArea, int left, int top, int right,
+      int bottom) {
     float[] p = buffers.pixels();
     float x = left + 0.5f;
     float y = top + 0.5f;

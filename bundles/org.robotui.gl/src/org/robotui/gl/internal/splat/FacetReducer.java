@@ -6,14 +6,18 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * Makes a mesh of fewer triangles that looks the same from as far as its tolerance is less than half a pixel: places are merged into neighbours as long as
- * the surface stays within the tolerance. Places and directions are those of the mesh, none is new; triangles of one colour stay together.
+ * Makes a mesh of fewer triangles that looks the same from as far as its tolerance is less than half a pixel: places
+ * are merged into neighbours as long as the surface stays within the tolerance. Places and directions are those of the
+ * mesh, none is new; triangles of one colour stay together.
  */
 final class FacetReducer {
   private static final int MOST_PASSES = 40;
   /** Passes that merge fewer of the places are not worth their time. */
   private static final double WORTH = 0.005;
-  /** How much a direction may change that light falls on, for the length of the edge that goes: 60 degrees within the tolerance, 15 within fifteen times of it. */
+  /**
+   * How much a direction may change that light falls on, for the length of the edge that goes: 60 degrees within the
+   * tolerance, 15 within fifteen times of it.
+   */
   private static final double BEND = 2;
 
   private final double tolerance;

@@ -4,7 +4,10 @@ import static org.robotui.gl.internal.splat.Facets.CORNERS;
 
 import java.util.Arrays;
 
-/** The triangles of a mesh while some of them are taken out. A corner is a third of a triangle: where it lies, and which way the surface faces there. */
+/**
+ * The triangles of a mesh while some of them are taken out. A corner is a third of a triangle: where it lies, and which
+ * way the surface faces there.
+ */
 final class FacetShape {
   /** Of a triangle's former direction: what turns further would fold the surface. */
   private static final double UPRIGHT = 0.3;
@@ -131,7 +134,8 @@ final class FacetShape {
     int left = 0;
     for (int triangle = 0; triangle < count; triangle++) {
       int at = CORNERS * triangle;
-      if (placesOf[at] != placesOf[at + 1] && placesOf[at + 1] != placesOf[at + 2] && placesOf[at + 2] != placesOf[at]) {
+      if (placesOf[at] != placesOf[at + 1] && placesOf[at + 1] != placesOf[at + 2]
+          && placesOf[at + 2] != placesOf[at]) {
         System.arraycopy(placesOf, at, placesOf, CORNERS * left, CORNERS);
         System.arraycopy(normalsOf, at, normalsOf, CORNERS * left, CORNERS);
         colorsOf[left] = colorsOf[triangle];
@@ -154,7 +158,8 @@ final class FacetShape {
       at[axis] = pick(from.places(axis), oldPlaces);
       along[axis] = pick(from.normals(axis), oldNormals);
     }
-    return new Facets(at, along, places, normals, Arrays.copyOf(colorsOf, count), Arrays.copyOf(outward, count), from.palette());
+    return new Facets(at, along, places, normals, Arrays.copyOf(colorsOf, count), Arrays.copyOf(outward, count),
+        from.palette());
   }
 
   /** Numbers what is used from 0 on, in the order of use; answers the old number of each. */
@@ -185,7 +190,7 @@ final class FacetShape {
   }
 
   private double[] at(int place) {
-    return new double[] {from.places(0)[place], from.places(1)[place], from.places(2)[place]};
+    return new double[]{from.places(0)[place], from.places(1)[place], from.places(2)[place]};
   }
 
   /** What stands upright on a triangle, as long as twice its area. */
@@ -194,11 +199,11 @@ final class FacetShape {
   }
 
   private static double[] minus(double[] a, double... b) {
-    return new double[] {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return new double[]{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
 
   private static double[] cross(double[] a, double... b) {
-    return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return new double[]{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
   private static double dot(double[] a, double... b) {

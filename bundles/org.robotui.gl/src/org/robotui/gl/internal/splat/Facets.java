@@ -6,8 +6,9 @@ import java.util.function.BooleanSupplier;
 import org.robotui.gl.shape.TriangleMesh;
 
 /**
- * Triangles of a mesh as the processor paints them: every place and every direction is kept once, so that it is computed once a picture, and a
- * triangle has one colour. Coordinates lie in arrays of their own, which the virtual machine computes several at a time.
+ * Triangles of a mesh as the processor paints them: every place and every direction is kept once, so that it is
+ * computed once a picture, and a triangle has one colour. Coordinates lie in arrays of their own, which the virtual
+ * machine computes several at a time.
  */
 public final class Facets {
   static final int CORNERS = 3;
@@ -20,7 +21,8 @@ public final class Facets {
   private final boolean[] outward;
   private final int[] palette;
 
-  Facets(float[][] places, float[][] normals, int[] placesOf, int[] normalsOf, byte[] colorsOf, boolean[] outward, int[] palette) {
+  Facets(float[][] places, float[][] normals, int[] placesOf, int[] normalsOf, byte[] colorsOf, boolean[] outward,
+      int[] palette) {
     this.places = places;
     this.normals = normals;
     this.placesOf = placesOf;

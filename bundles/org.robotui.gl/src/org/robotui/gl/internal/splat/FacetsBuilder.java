@@ -47,8 +47,9 @@ final class FacetsBuilder {
     if (colors.size() > MOST_COLORS) {
       return Optional.empty();
     }
-    return Optional.of(new Facets(placeFloats(), normalFloats(), Arrays.copyOf(placesOf, corners), Arrays.copyOf(normalsOf, corners),
-        Arrays.copyOf(colorsOf, corners / CORNERS), Arrays.copyOf(outward, corners / CORNERS), palette()));
+    return Optional.of(
+        new Facets(placeFloats(), normalFloats(), Arrays.copyOf(placesOf, corners), Arrays.copyOf(normalsOf, corners),
+            Arrays.copyOf(colorsOf, corners / CORNERS), Arrays.copyOf(outward, corners / CORNERS), palette()));
   }
 
   private void add(int a, int b, int c) {
@@ -56,7 +57,7 @@ final class FacetsBuilder {
       double[] own = across(a, b, c);
       colorsOf[corners / CORNERS] = (byte) color(a);
       outward[corners / CORNERS] = given.isEmpty() || along(own, a) + along(own, b) + along(own, c) >= 0;
-      for (int corner : new int[] {a, b, c}) {
+      for (int corner : new int[]{a, b, c}) {
         int at = CORNERS * corner;
         placesOf[corners] = places.number(bits(xyz.get(at)), bits(xyz.get(at + 1)), bits(xyz.get(at + 2)));
         normalsOf[corners] = given.isPresent() ? normal(given.get(), at) : normal(own[0], own[1], own[2]);
@@ -96,7 +97,8 @@ final class FacetsBuilder {
   }
 
   private int normal(double x, double y, double z) {
-    return normals.number((int) Math.round(x * NORMAL_STEPS), (int) Math.round(y * NORMAL_STEPS), (int) Math.round(z * NORMAL_STEPS));
+    return normals.number((int) Math.round(x * NORMAL_STEPS), (int) Math.round(y * NORMAL_STEPS),
+        (int) Math.round(z * NORMAL_STEPS));
   }
 
   /** What stands upright on a triangle, of unit length, towards where its corners are seen counterclockwise. */
@@ -107,7 +109,7 @@ final class FacetsBuilder {
     double y = u[2] * v[0] - u[0] * v[2];
     double z = u[0] * v[1] - u[1] * v[0];
     double length = Math.max(Double.MIN_NORMAL, Math.sqrt(x * x + y * y + z * z));
-    return new double[] {x / length, y / length, z / length};
+    return new double[]{x / length, y / length, z / length};
   }
 
   private double[] edge(int from, int to) {

@@ -1,8 +1,8 @@
 package org.robotui.gl.internal.splat;
 
 /**
- * Of each place of a mesh the sum of squared distances to planes (Garland and Heckbert's quadric error), weighted by the areas for which the planes
- * stand. Numbers of a place lie together.
+ * Of each place of a mesh the sum of squared distances to planes (Garland and Heckbert's quadric error), weighted by
+ * the areas for which the planes stand. Numbers of a place lie together.
  */
 final class Quadrics {
   private static final int NUMBERS = 11;
@@ -51,7 +51,8 @@ final class Quadrics {
   double error(int place, double x, double y, double z) {
     int at = NUMBERS * place;
     double squares = sums[at] * x * x + sums[at + 4] * y * y + sums[at + 7] * z * z
-        + 2 * (sums[at + 1] * x * y + sums[at + 2] * x * z + sums[at + 5] * y * z + sums[at + 3] * x + sums[at + 6] * y + sums[at + 8] * z)
+        + 2 * (sums[at + 1] * x * y + sums[at + 2] * x * z + sums[at + 5] * y * z + sums[at + 3] * x + sums[at + 6] * y
+            + sums[at + 8] * z)
         + sums[at + 9];
     return sums[at + WEIGHT] > 0 ? Math.sqrt(Math.max(0, squares) / sums[at + WEIGHT]) : 0;
   }

@@ -5,21 +5,27 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /**
- * Pixels with their depths, into which points and small triangles are written by the processor. Where OpenGL is software, that takes a tenth of the time
- * that they take there: most of it goes into what they do not need.
+ * Pixels with their depths, into which points and small triangles are written by the processor. Where OpenGL is
+ * software, that takes a tenth of the time that they take there: most of it goes into what they do not need.
  */
 public final class Splats {
   /** The depth where nothing is. */
   public static final float NOTHING = 1;
 
   private static final long VALUE = 0xffffffffL;
-  /** Pixels beyond the left and upper edge, as far as is looked at; a number small enough to leave a float its hundredths of pixels. */
+  /**
+   * Pixels beyond the left and upper edge, as far as is looked at; a number small enough to leave a float its
+   * hundredths of pixels.
+   */
   private static final int FAR = 4096;
 
   private final int width;
   private final int height;
   private final boolean picking;
-  /** Bits of the depth above those of the value. Depths are not negative: the smaller number is the nearer point, and its value comes with it. */
+  /**
+   * Bits of the depth above those of the value. Depths are not negative: the smaller number is the nearer point, and
+   * its value comes with it.
+   */
   private long[] cells = {};
   private int[] parts = {};
   private final FacetBuffers buffers = new FacetBuffers();
@@ -87,7 +93,10 @@ public final class Splats {
     return (long) Float.floatToRawIntBits(depth) << Integer.SIZE | value & VALUE;
   }
 
-  /** The first pixel whose middle is not before a place. Casting rounds towards 0, which is down for what is moved far enough. */
+  /**
+   * The first pixel whose middle is not before a place. Casting rounds towards 0, which is down for what is moved far
+   * enough.
+   */
   static int firstPixel(float place) {
     return (int) (Math.max(place, -FAR) + FAR + 0.5f) - FAR;
   }

@@ -6,8 +6,8 @@ import java.util.Map;
 import org.robotui.gl.internal.text.Strokes.Glyph;
 
 /**
- * The glyphs as one picture of distances: each pixel says how far the nearest line is, so that letters are sharp at every size and can have a
- * rim. Computed once a context, in some milliseconds.
+ * The glyphs as one picture of distances: each pixel says how far the nearest line is, so that letters are sharp at
+ * every size and can have a rim. Computed once a context, in some milliseconds.
  */
 final class Glyphs {
   /** Pixels of a cell, which holds one glyph. */

@@ -11,8 +11,8 @@ import org.robotui.gl.shape.Meshes;
 import org.robotui.gl.shape.TriangleMesh;
 
 class FlatnessTest {
-  private static final FloatBuffer CORNERS = FloatBuffer.wrap(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0});
-  private static final IntBuffer ONE = IntBuffer.wrap(new int[] {0, 1, 2});
+  private static final FloatBuffer CORNERS = FloatBuffer.wrap(new float[]{0, 0, 0, 1, 0, 0, 0, 1, 0});
+  private static final IntBuffer ONE = IntBuffer.wrap(new int[]{0, 1, 2});
 
   @Test
   void boxesAndWhatHasNoNormalsAreFlat() {
@@ -22,7 +22,7 @@ class FlatnessTest {
 
   @Test
   void aTriangleWhoseCornersFaceDifferentWaysIsNot() {
-    FloatBuffer normals = FloatBuffer.wrap(new float[] {0, 0, 1, 0, 0, 1, 0, 0.6f, 0.8f});
+    FloatBuffer normals = FloatBuffer.wrap(new float[]{0, 0, 1, 0, 0, 1, 0, 0.6f, 0.8f});
     assertFalse(Flatness.isFlat(TriangleMesh.of(CORNERS, Optional.of(normals), ONE)));
   }
 }

@@ -38,7 +38,8 @@ class LevelsTest {
       int a = 3 * all.get(i);
       int b = 3 * all.get(i + 1);
       int c = 3 * all.get(i + 2);
-      sum += ((at.get(b) - at.get(a)) * (at.get(c + 1) - at.get(a + 1)) - (at.get(c) - at.get(a)) * (at.get(b + 1) - at.get(a + 1))) / 2;
+      sum += ((at.get(b) - at.get(a)) * (at.get(c + 1) - at.get(a + 1))
+          - (at.get(c) - at.get(a)) * (at.get(b + 1) - at.get(a + 1))) / 2;
     }
     return sum;
   }

@@ -31,7 +31,7 @@ class ReductionsTest {
 
   /** Waits until all is done that was asked for before. */
   private void await() throws Exception {
-    background.submit(() -> { }).get(60, TimeUnit.SECONDS);
+    background.submit(() -> {}).get(60, TimeUnit.SECONDS);
   }
 
   private Facets made(double metres) throws Exception {

@@ -43,8 +43,8 @@ class SolidTest {
   void whatIsInsideOutOrFlatOrNoNumberIsNoBody() {
     assertEquals(1, Solid.openness(loose(Meshes.sphere(), 0, true)));
     assertEquals(1, Solid.openness(Meshes.quad()));
-    FloatBuffer nan = FloatBuffer.wrap(new float[] {Float.NaN, 0, 0, 0, Float.NaN, 0, 0, 0, 1});
-    assertEquals(1, Solid.openness(TriangleMesh.of(nan, Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2}))));
+    FloatBuffer nan = FloatBuffer.wrap(new float[]{Float.NaN, 0, 0, 0, Float.NaN, 0, 0, 0, 1});
+    assertEquals(1, Solid.openness(TriangleMesh.of(nan, Optional.empty(), IntBuffer.wrap(new int[]{0, 1, 2}))));
     assertEquals(1, Solid.openness(TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0))));
   }
 }

@@ -45,7 +45,8 @@ class EndTest {
   @Test
   void aSignalEndsOpenGlInOrderAndNothingIsPrinted() throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
-    ManagementFactory.getRuntimeMXBean().getInputArguments().stream().filter(a -> a.startsWith("-Dj") || a.startsWith("--enable")).forEach(command::add);
+    ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+        .filter(a -> a.startsWith("-Dj") || a.startsWith("--enable")).forEach(command::add);
     command.addAll(List.of("-Djava.awt.headless=true", "-cp", classPath(), Program.class.getName()));
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     try (BufferedReader words = process.inputReader(StandardCharsets.UTF_8)) {
@@ -64,7 +65,8 @@ class EndTest {
   /** The places of the classes it needs; the class path of a test runner is its own affair. */
   private static String classPath() {
     return Stream.of(EndTest.class, GlThread.class, GL.class, Platform.class, Vector3.class, Logger.class)
-        .map(type -> Path.of(URI.create(type.getProtectionDomain().getCodeSource().getLocation().toString())).toString())
+        .map(
+            type -> Path.of(URI.create(type.getProtectionDomain().getCodeSource().getLocation().toString())).toString())
         .distinct().collect(Collectors.joining(File.pathSeparator));
   }
 }

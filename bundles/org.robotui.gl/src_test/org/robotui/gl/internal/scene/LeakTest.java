@@ -57,17 +57,21 @@ class LeakTest {
   /** One of each shape, those of points also in the form that OpenGL draws where it is software. */
   private static Part[] parts() {
     Texture texture = new Texture(2, 2, ByteBuffer.allocate(16), true);
-    return new Part[] {
+    return new Part[]{
         flat("points", Stage.points(2, 0, 0, 0), RED), flat("discs", discs(), RED),
         part("translucent points", Stage.points(2, 0, 0, 0), Material.flat(new Rgba(1, 0, 0, 0.5f))),
-        flat("lines", LineSet.of(LineSet.Kind.STRIP, 1, new float[6]), RED), part("mesh", square(0, 0.1f), Material.picture(texture, 1)),
+        flat("lines", LineSet.of(LineSet.Kind.STRIP, 1, new float[6]), RED),
+        part("mesh", square(0, 0.1f), Material.picture(texture, 1)),
         flat("label", new Label("word", 9, Unit.PIXELS), RED),
-        flat("instances", Instances.of(square(0, 0.1f), FloatBuffer.wrap(new float[10]), Optional.of(ByteBuffer.wrap(new byte[4]))), RED)};
+        flat("instances",
+            Instances.of(square(0, 0.1f), FloatBuffer.wrap(new float[10]), Optional.of(ByteBuffer.wrap(new byte[4]))),
+            RED)};
   }
 
   private static PointSet discs() {
     PointSet squares = Stage.points(2, 0, 0, 0);
-    return new PointSet(squares.xyz(), squares.rgba(), 2, Unit.METRES, PointSet.Style.DISC, squares.bounds(), Optional.empty());
+    return new PointSet(squares.xyz(), squares.rgba(), 2, Unit.METRES, PointSet.Style.DISC, squares.bounds(),
+        Optional.empty());
   }
 
   @Test
@@ -79,7 +83,8 @@ class LeakTest {
     for (int i = 0; i < TIMES; i++) {
       Renderer renderer = stage.open();
       RenderRequest request = request(parts());
-      assertInstanceOf(Rendered.Picture.class, renderer.render(request).toCompletableFuture().get(60, TimeUnit.SECONDS));
+      assertInstanceOf(Rendered.Picture.class,
+          renderer.render(request).toCompletableFuture().get(60, TimeUnit.SECONDS));
       renderer.pick(request, 50, 50).toCompletableFuture().get(60, TimeUnit.SECONDS);
       renderer.close();
     }
@@ -116,7 +121,8 @@ class LeakTest {
     Map<Kind, Integer> full = counted();
     for (int i = 0; i < TIMES; i++) {
       int without = i % all.length;
-      stage.picture(request(IntStream.range(0, all.length).filter(k -> k != without).mapToObj(k -> all[k]).toArray(Part[]::new)));
+      stage.picture(
+          request(IntStream.range(0, all.length).filter(k -> k != without).mapToObj(k -> all[k]).toArray(Part[]::new)));
       stage.pick(request(parts()), 50, 50);
       stage.picture(request(parts()));
     }
@@ -157,7 +163,8 @@ class LeakTest {
     return stage.there(() -> {
       Ledger ledger = gpu().ledger();
       Map<Kind, Integer> counts = new EnumMap<>(Kind.class);
-      List.of(Kind.values()).forEach(kind -> counts.computeIfAbsent(kind, k -> ledger.held(k) == 0 ? null : ledger.held(k)));
+      List.of(Kind.values())
+          .forEach(kind -> counts.computeIfAbsent(kind, k -> ledger.held(k) == 0 ? null : ledger.held(k)));
       return counts;
     });
   }
@@ -168,7 +175,8 @@ class LeakTest {
       gpu().gl().glUseProgram(0); // One that is in use is deleted only when another is.
       Map<Kind, Integer> counts = new EnumMap<>(Kind.class);
       for (Kind kind : Kind.values()) {
-        counts.put(kind, (int) IntStream.rangeClosed(1, MOST_NAMES).filter(name -> isOne(gpu().gl(), kind, name)).count());
+        counts.put(kind,
+            (int) IntStream.rangeClosed(1, MOST_NAMES).filter(name -> isOne(gpu().gl(), kind, name)).count());
       }
       return counts;
     });

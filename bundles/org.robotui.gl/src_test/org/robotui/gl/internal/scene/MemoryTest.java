@@ -69,14 +69,16 @@ class MemoryTest {
   void aLargerShapeGrowsThemByHalfMoreAndWhatIsMissingIsFreed() throws Exception {
     long empty = figures().residentBytes();
     figures(flat("l", LineSet.of(LineSet.Kind.STRIP, 1, new float[30]), RED));
-    assertEquals(empty + 360, figures(flat("l", LineSet.of(LineSet.Kind.STRIP, 1, new float[60]), RED)).residentBytes());
+    assertEquals(empty + 360,
+        figures(flat("l", LineSet.of(LineSet.Kind.STRIP, 1, new float[60]), RED)).residentBytes());
     assertEquals(empty, figures().residentBytes());
   }
 
   @Test
   void aPartTooLargeIsNamedAndTheOthersAreThere() throws Exception {
     stage.picture(request());
-    List<Part> parts = List.of(flat("large", LineSet.of(LineSet.Kind.STRIP, 1, new float[60]), RED), flat("small", square(0, 0.1f), RED));
+    List<Part> parts = List.of(flat("large", LineSet.of(LineSet.Kind.STRIP, 1, new float[60]), RED),
+        flat("small", square(0, 0.1f), RED));
     List<String> problems = stage.there(() -> {
       Residents residents = new Residents(stage.thread().present().orElseThrow(), 100);
       List<String> found = residents.follow(Map.of("display", parts));
@@ -90,7 +92,8 @@ class MemoryTest {
 
   @Test
   void aLostContextIsMadeAnewWithAllThatWasInIt() throws Exception {
-    RenderRequest request = request(flat("m", square(0, 0.1f), RED), flat("t", new Label("word", 20, Unit.PIXELS), RED));
+    RenderRequest request =
+        request(flat("m", square(0, 0.1f), RED), flat("t", new Label("word", 20, Unit.PIXELS), RED));
     int[] before = stage.picture(request).rgb();
     stage.there(() -> {
       stage.thread().dropContext();
@@ -163,7 +166,8 @@ class MemoryTest {
     RenderRequest many = request(flat("p", Stage.points(1, new float[3_000_000]), RED));
     AtomicInteger asked = new AtomicInteger();
     Rendered answer = stage.there(() -> {
-      Scene scene = new Scene(stage.thread().present().orElseThrow(), new PixelShelf(), () -> asked.incrementAndGet() > 0);
+      Scene scene =
+          new Scene(stage.thread().present().orElseThrow(), new PixelShelf(), () -> asked.incrementAndGet() > 0);
       Rendered made = scene.render(many);
       scene.delete();
       return made;
@@ -204,7 +208,8 @@ class MemoryTest {
   @Test
   void aPictureTooLargeIsRefusedWithTheLimit() throws Exception {
     RenderRequest small = request();
-    RenderRequest huge = new RenderRequest(small.parts(), small.eye(), 100_000, 10, 1, small.background(), 9, small.selection());
+    RenderRequest huge =
+        new RenderRequest(small.parts(), small.eye(), 100_000, 10, 1, small.background(), 9, small.selection());
     Rendered.Unavailable answer = assertInstanceOf(Rendered.Unavailable.class, stage.rendered(huge));
     assertTrue(answer.reason().contains("100000"), answer::reason);
   }

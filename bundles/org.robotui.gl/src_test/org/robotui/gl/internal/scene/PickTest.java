@@ -93,7 +93,8 @@ class PickTest {
   void placesAreRightInPerspective() throws Exception {
     RenderRequest flatRequest = request(flat("m", square(2, 3), RED));
     Eye eye = new Eye(flatRequest.eye().fixedFromEye(), new Perspective(Math.PI / 2), 0.1, 100);
-    RenderRequest request = new RenderRequest(Map.of("d", flatRequest.parts().get("display")), eye, 200, 100, 1, Rgba.of(0), 9, List.of());
+    RenderRequest request =
+        new RenderRequest(Map.of("d", flatRequest.parts().get("display")), eye, 200, 100, 1, Rgba.of(0), 9, List.of());
     Vector3 place = hit(request, 120, 30).place();
     assertNear(new Vector3(2, -7 * 20.5 / 50, 7 * 19.5 / 50), place, 0.01);
   }

@@ -128,13 +128,15 @@ class PictureTest {
         }
       }
     }
-    return new TriangleMesh(xyz.flip(), Optional.empty(), Optional.empty(), Optional.of(rgba.flip()), triangles.flip(), Box3.around(xyz));
+    return new TriangleMesh(xyz.flip(), Optional.empty(), Optional.empty(), Optional.of(rgba.flip()), triangles.flip(),
+        Box3.around(xyz));
   }
 
   @Test
   void ofABodyTheSidesThatFaceTheEyeAreDrawnHoweverOftenAndHoweverFine() throws Exception {
     Part body = part("ball", ball(), Material.flat(Rgba.WHITE));
-    for (int budget : new int[] {Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE, 1000, 1000}) {
+    for (int budget : new int[]{Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE, 1000,
+        1000}) {
       Picture picture = stage.picture(request(budget, List.of(), body));
       assertEquals(RED, at(picture, 50, 50));
       assertEquals(RED, at(picture, 30, 50));
@@ -222,7 +224,8 @@ class PictureTest {
 
   @Test
   void whatIsOutsideIsNotSentThroughTheShaders() throws Exception {
-    Part behind = new Part("p", square(0, 0.1f), new RigidTransform(new Vector3(-9, 0, 0), Quaternion.IDENTITY), Material.flat(Rgba.WHITE), Describer.of(""));
+    Part behind = new Part("p", square(0, 0.1f), new RigidTransform(new Vector3(-9, 0, 0), Quaternion.IDENTITY),
+        Material.flat(Rgba.WHITE), Describer.of(""));
     assertEquals(0, stage.picture(request(behind)).figures().triangles());
     assertEquals(2, stage.picture(request(flat("p", square(0, 0.1f), RED))).figures().triangles());
   }
@@ -231,10 +234,11 @@ class PictureTest {
   void aTextureLiesWithItsFirstRowAtTheTop() throws Exception {
     ByteBuffer rgba = ByteBuffer.allocate(8).putInt(0xff0000ff).putInt(0x00ff00ff).flip();
     float[] xyz = {0, 0.3f, 0.3f, 0, -0.3f, 0.3f, 0, 0.3f, -0.3f, 0, -0.3f, -0.3f};
-    FloatBuffer uv = FloatBuffer.wrap(new float[] {0, 0, 1, 0, 0, 1, 1, 1});
+    FloatBuffer uv = FloatBuffer.wrap(new float[]{0, 0, 1, 0, 0, 1, 1, 1});
     FloatBuffer corners = FloatBuffer.wrap(xyz);
-    IntBuffer triangles = IntBuffer.wrap(new int[] {0, 1, 2, 1, 2, 3});
-    TriangleMesh mesh = new TriangleMesh(corners, Optional.empty(), Optional.of(uv), Optional.empty(), triangles, Box3.around(corners));
+    IntBuffer triangles = IntBuffer.wrap(new int[]{0, 1, 2, 1, 2, 3});
+    TriangleMesh mesh =
+        new TriangleMesh(corners, Optional.empty(), Optional.of(uv), Optional.empty(), triangles, Box3.around(corners));
     Picture picture = stage.picture(request(part("t", mesh, Material.picture(new Texture(1, 2, rgba, false), 1))));
     assertEquals(RED, at(picture, 50, 30));
     assertEquals(GREEN, at(picture, 50, 70));
@@ -242,7 +246,7 @@ class PictureTest {
 
   @Test
   void oneColourPerPointMultipliesTheMaterial() throws Exception {
-    FloatBuffer xyz = FloatBuffer.wrap(new float[] {0, 0.2f, 0, 0, -0.2f, 0});
+    FloatBuffer xyz = FloatBuffer.wrap(new float[]{0, 0.2f, 0, 0, -0.2f, 0});
     ByteBuffer rgba = ByteBuffer.allocateDirect(8).putInt(0xffffffff).putInt(0x00ff00ff).flip();
     PointSet two = PointSet.of(xyz, Optional.of(rgba), 6, Unit.PIXELS);
     Picture picture = stage.picture(request(flat("p", two, 0x80ff00)));

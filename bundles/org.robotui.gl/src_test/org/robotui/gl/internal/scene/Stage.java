@@ -67,7 +67,7 @@ final class Stage implements AutoCloseable {
   /** A square that faces the eye, of two triangles: the second is the upper left one. */
   static TriangleMesh square(float x, float half) {
     float[] xyz = {x, half, -half, x, -half, -half, x, -half, half, x, half, half};
-    return TriangleMesh.of(FloatBuffer.wrap(xyz), Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2, 0, 2, 3}));
+    return TriangleMesh.of(FloatBuffer.wrap(xyz), Optional.empty(), IntBuffer.wrap(new int[]{0, 1, 2, 0, 2, 3}));
   }
 
   static RenderRequest request(Part... parts) {

@@ -50,7 +50,7 @@ class FacetPainterTest {
 
   @Test
   void trianglesThatFaceAwayMayBeLeftOut() {
-    TriangleMesh away = mesh(new float[] {0.5f, 0.5f, -0.5f, 0.5f, -0.5f, 0.5f, 0.5f, -0.5f, -0.5f});
+    TriangleMesh away = mesh(new float[]{0.5f, 0.5f, -0.5f, 0.5f, -0.5f, 0.5f, 0.5f, -0.5f, -0.5f});
     paint(away, RED, true);
     assertEquals(0, at(12, 12));
     paint(away, RED, false);
@@ -85,7 +85,7 @@ class FacetPainterTest {
 
   @Test
   void aTriangleWithACornerThatIsNoNumberIsLeftOut() {
-    TriangleMesh broken = mesh(new float[] {0.5f, 0.5f, -0.5f, 0.5f, -0.5f, -0.5f, 0.5f, Float.NaN, 0.5f});
+    TriangleMesh broken = mesh(new float[]{0.5f, 0.5f, -0.5f, 0.5f, -0.5f, -0.5f, 0.5f, Float.NaN, 0.5f});
     assertEquals(0, Facets.of(broken, broken.triangles()).orElseThrow().count());
   }
 
@@ -93,7 +93,9 @@ class FacetPainterTest {
   void cornersOfOnePlaceAreComputedOnce() {
     float[] twice = {0, 0, 0, 0, 1, 0, 0, 0, 1, -0f, 0, 0, 0, 1, 0, 0, 0, -1};
     FloatBuffer xyz = FloatBuffer.wrap(twice);
-    Facets facets = Facets.of(TriangleMesh.of(xyz, Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2, 3, 4, 5})), IntBuffer.wrap(new int[] {0, 1, 2, 3, 4, 5}))
+    Facets facets = Facets
+        .of(TriangleMesh.of(xyz, Optional.empty(), IntBuffer.wrap(new int[]{0, 1, 2, 3, 4, 5})),
+            IntBuffer.wrap(new int[]{0, 1, 2, 3, 4, 5}))
         .orElseThrow();
     assertEquals(4, facets.placeCount());
     assertEquals(2, facets.normalCount());
@@ -110,7 +112,8 @@ class FacetPainterTest {
       rgba.putInt(corner / 3 << 8 | 0xff);
       triangles.put(corner);
     }
-    TriangleMesh colorful = new TriangleMesh(xyz.flip(), Optional.empty(), Optional.empty(), Optional.of(rgba.flip()), triangles.flip(), Box3.around(xyz));
+    TriangleMesh colorful = new TriangleMesh(xyz.flip(), Optional.empty(), Optional.empty(), Optional.of(rgba.flip()),
+        triangles.flip(), Box3.around(xyz));
     assertTrue(Facets.of(colorful, colorful.triangles()).isEmpty());
   }
 
@@ -121,16 +124,18 @@ class FacetPainterTest {
   }
 
   private void paint(TriangleMesh mesh, int rgb, boolean hideBacks) {
-    FacetBrush brush = new FacetBrush(CLIP, EYE, new float[] {0, 0, 1}, false, Rgba.of(rgb), Rgba.of(0).withAlpha(0), 0, 1, hideBacks);
+    FacetBrush brush =
+        new FacetBrush(CLIP, EYE, new float[]{0, 0, 1}, false, Rgba.of(rgb), Rgba.of(0).withAlpha(0), 0, 1, hideBacks);
     new FacetPainter(splats, brush, Facets.of(mesh, mesh.triangles()).orElseThrow()).paint(() -> false);
   }
 
   private static TriangleMesh square(float x, float low, float high) {
-    return TriangleMesh.of(FloatBuffer.wrap(new float[] {x, high, low, x, low, low, x, low, high, x, high, high}), Optional.empty(),
-        IntBuffer.wrap(new int[] {0, 1, 2, 0, 2, 3}));
+    return TriangleMesh.of(FloatBuffer.wrap(new float[]{x, high, low, x, low, low, x, low, high, x, high, high}),
+        Optional.empty(),
+        IntBuffer.wrap(new int[]{0, 1, 2, 0, 2, 3}));
   }
 
   private static TriangleMesh mesh(float[] three) {
-    return TriangleMesh.of(FloatBuffer.wrap(three), Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2}));
+    return TriangleMesh.of(FloatBuffer.wrap(three), Optional.empty(), IntBuffer.wrap(new int[]{0, 1, 2}));
   }
 }

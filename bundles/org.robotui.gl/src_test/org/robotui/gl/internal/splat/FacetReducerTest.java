@@ -27,7 +27,7 @@ class FacetReducerTest {
     ByteBuffer rgba = ByteBuffer.allocate(4 * 6 * SIDE * SIDE);
     for (int cell = 0; cell < SIDE * SIDE; cell++) {
       int at = cell / SIDE * row + cell % SIDE;
-      for (int corner : new int[] {at, at + 1, at + row + 1, at, at + row + 1, at + row}) {
+      for (int corner : new int[]{at, at + 1, at + row + 1, at, at + row + 1, at + row}) {
         double x = corner % row / (double) SIDE;
         double y = corner / row / (double) SIDE;
         xyz.put((float) x).put((float) y).put((float) height.at(x, y));
@@ -38,7 +38,8 @@ class FacetReducerTest {
     for (int i = 0; i < indices.length; i++) {
       indices[i] = i;
     }
-    TriangleMesh mesh = new TriangleMesh(xyz.flip(), Optional.empty(), Optional.empty(), Optional.of(rgba.flip()), IntBuffer.wrap(indices), Box3.around(xyz));
+    TriangleMesh mesh = new TriangleMesh(xyz.flip(), Optional.empty(), Optional.empty(), Optional.of(rgba.flip()),
+        IntBuffer.wrap(indices), Box3.around(xyz));
     return Facets.of(mesh, mesh.triangles()).orElseThrow();
   }
 
@@ -46,7 +47,8 @@ class FacetReducerTest {
   private static double area(Facets facets, int rgb) {
     double sum = 0;
     for (int triangle = 0; triangle < facets.count(); triangle++) {
-      int[] at = {facets.placesOf()[3 * triangle], facets.placesOf()[3 * triangle + 1], facets.placesOf()[3 * triangle + 2]};
+      int[] at =
+          {facets.placesOf()[3 * triangle], facets.placesOf()[3 * triangle + 1], facets.placesOf()[3 * triangle + 2]};
       float[] x = facets.places(0);
       float[] y = facets.places(1);
       double area = ((x[at[1]] - x[at[0]]) * (y[at[2]] - y[at[0]]) - (x[at[2]] - x[at[0]]) * (y[at[1]] - y[at[0]])) / 2;
@@ -103,7 +105,9 @@ class FacetReducerTest {
 
   @Test
   void aMeshWithoutTrianglesHasNoneAfterwards() {
-    Facets none = Facets.of(TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0)), IntBuffer.allocate(0)).orElseThrow();
+    Facets none = Facets
+        .of(TriangleMesh.of(FloatBuffer.allocate(0), Optional.empty(), IntBuffer.allocate(0)), IntBuffer.allocate(0))
+        .orElseThrow();
     assertEquals(0, none.reduced(1, () -> false).count());
   }
 }

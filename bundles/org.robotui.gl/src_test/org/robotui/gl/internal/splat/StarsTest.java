@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 class StarsTest {
   @Test
   void eachPlaceKnowsItsCorners() {
-    Stars stars = new Stars(new int[] {2, 0, 3, 0, 3, 2, 9, 9, 9}, 6, 4);
+    Stars stars = new Stars(new int[]{2, 0, 3, 0, 3, 2, 9, 9, 9}, 6, 4);
     assertEquals(1, stars.corner(stars.begin(0)));
     assertEquals(3, stars.corner(stars.begin(0) + 1));
     assertEquals(stars.begin(0) + 2, stars.end(0));

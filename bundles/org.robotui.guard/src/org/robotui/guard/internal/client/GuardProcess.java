@@ -155,7 +155,8 @@ final class GuardProcess {
 
   private void listen() {
     String last = "";
-    try (BufferedReader in = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+    try (BufferedReader in =
+        new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
       for (String line = in.readLine(); line != null; line = in.readLine()) {
         last = line;
         heard(line);
@@ -176,7 +177,8 @@ final class GuardProcess {
       port.complete(Integer.parseInt(line.substring(Wire.PORT.length())));
     } else if (line.startsWith(Wire.OVERFLOW)) {
       listener.overflow();
-      LOG.warn("a connection was closed since what came was not taken in time: {} (bytes waiting)", line.substring(Wire.OVERFLOW.length()));
+      LOG.warn("a connection was closed since what came was not taken in time: {} (bytes waiting)",
+          line.substring(Wire.OVERFLOW.length()));
     } else if (line.startsWith(Wire.SILENCE)) {
       listener.silence();
       LOG.warn("this process was silent for too long: {}", line.substring(Wire.SILENCE.length()));

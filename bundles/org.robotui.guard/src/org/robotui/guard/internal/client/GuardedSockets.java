@@ -35,7 +35,8 @@ final class GuardedSockets extends SocketFactory {
   }
 
   @Override
-  public Socket createSocket(InetAddress address, int port, InetAddress localAddress, int localPort) throws IOException {
+  public Socket createSocket(InetAddress address, int port, InetAddress localAddress, int localPort)
+      throws IOException {
     throw new IOException("a guarded socket has no local address of its own");
   }
 

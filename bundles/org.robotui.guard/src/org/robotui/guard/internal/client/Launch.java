@@ -24,8 +24,8 @@ public interface Launch {
   Process start() throws IOException;
 
   /**
-   * With the Java that runs here, from where this class comes. In a session of its own where that is possible, so that what stops or ends all programs of a
-   * terminal leaves it alone.
+   * With the Java that runs here, from where this class comes. In a session of its own where that is possible, so that
+   * what stops or ends all programs of a terminal leaves it alone.
    *
    * @return the usual way
    */
@@ -33,16 +33,19 @@ public interface Launch {
     return () -> {
       List<String> command = new ArrayList<>();
       session().ifPresent(command::add);
-      command.addAll(List.of(java().toString(), "-Xms4m", "-Xmx32m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:-UsePerfData",
+      command.addAll(List.of(java().toString(), "-Xms4m", "-Xmx32m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
+          "-XX:-UsePerfData",
           "-cp", classes().toString(), GuardMain.class.getName(), Long.toString(ProcessHandle.current().pid())));
-      ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).directory(new File(System.getProperty("java.home")));
+      ProcessBuilder builder =
+          new ProcessBuilder(command).redirectErrorStream(true).directory(new File(System.getProperty("java.home")));
       List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS").forEach(builder.environment()::remove);
       return builder.start();
     };
   }
 
   private static Optional<String> session() {
-    return Stream.of("/usr/bin/setsid", "/bin/setsid").filter(program -> Files.isExecutable(Path.of(program))).findFirst();
+    return Stream.of("/usr/bin/setsid", "/bin/setsid").filter(program -> Files.isExecutable(Path.of(program)))
+        .findFirst();
   }
 
   private static Path java() throws IOException {

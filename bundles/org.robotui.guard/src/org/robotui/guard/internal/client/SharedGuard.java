@@ -81,9 +81,11 @@ public final class SharedGuard {
   }
 
   synchronized Optional<Integer> keep(InetSocketAddress to, byte[] words) {
-    boolean fits = words.length <= Wire.MOST_WORDS && kept + words.length <= Wire.ALL_WORDS && farewells.size() < Wire.MOST_FAREWELLS;
+    boolean fits = words.length <= Wire.MOST_WORDS && kept + words.length <= Wire.ALL_WORDS
+        && farewells.size() < Wire.MOST_FAREWELLS;
     if (!fits || to.isUnresolved()) {
-      LOG.warn("a farewell of {} bytes to {} is not kept: {} with {} bytes are", words.length, to, farewells.size(), kept);
+      LOG.warn("a farewell of {} bytes to {} is not kept: {} with {} bytes are", words.length, to, farewells.size(),
+          kept);
       return Optional.empty();
     }
     int id = nextId++;
@@ -128,7 +130,8 @@ public final class SharedGuard {
   }
 
   synchronized GuardState state() {
-    return new GuardState(process.filter(GuardProcess::isAlive).map(GuardProcess::pid).orElse(0L), starts, overflows.sum(), silences.sum());
+    return new GuardState(process.filter(GuardProcess::isAlive).map(GuardProcess::pid).orElse(0L), starts,
+        overflows.sum(), silences.sum());
   }
 
   /** What a process tells. */

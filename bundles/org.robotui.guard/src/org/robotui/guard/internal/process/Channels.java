@@ -10,14 +10,14 @@ import java.util.Map;
 /** How sockets are made ready and closed. */
 final class Channels {
   /** A half-open link is found after about 10 + 3 * 3 seconds without traffic. */
-  private static final Map<String, Integer> PROBES = Map.of("TCP_KEEPIDLE", 10, "TCP_KEEPINTERVAL", 3, "TCP_KEEPCOUNT", 3);
+  private static final Map<String, Integer> PROBES =
+      Map.of("TCP_KEEPIDLE", 10, "TCP_KEEPINTERVAL", 3, "TCP_KEEPCOUNT", 3);
 
-  private Channels() {
-  }
+  private Channels() {}
 
   /**
-   * A socket for a robot: small messages go at once, the kernel probes a silent peer, and holds little of what is sent, since nothing can be called
-   * back from it.
+   * A socket for a robot: small messages go at once, the kernel probes a silent peer, and holds little of what is sent,
+   * since nothing can be called back from it.
    */
   static SocketChannel toRobot() throws IOException {
     SocketChannel channel = SocketChannel.open();

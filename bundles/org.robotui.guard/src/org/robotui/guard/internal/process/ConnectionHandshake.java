@@ -14,7 +14,10 @@ import java.time.Duration;
 import java.util.Arrays;
 import org.robotui.guard.internal.wire.Wire;
 
-/** A connection whose greeting has to come, and then that to the robot it asks for. Any program of this machine may try: only ours knows the secret. */
+/**
+ * A connection whose greeting has to come, and then that to the robot it asks for. Any program of this machine may try:
+ * only ours knows the secret.
+ */
 final class ConnectionHandshake implements Handler {
   private static final Duration PATIENCE = Duration.ofSeconds(2);
   private static final int MOST = Wire.SECRET + 1 + 16 + 2 + 4;
@@ -125,7 +128,8 @@ final class ConnectionHandshake implements Handler {
   private void refuse(Exception cause) throws IOException {
     byte[] text = String.valueOf(cause.getMessage()).getBytes(StandardCharsets.UTF_8);
     int length = Math.min(text.length, MOST_REASON);
-    reply(ByteBuffer.allocate(Wire.SECRET + 3 + length).put(answer).put((byte) Wire.REFUSED).putShort((short) length).put(text, 0, length).flip());
+    reply(ByteBuffer.allocate(Wire.SECRET + 3 + length).put(answer).put((byte) Wire.REFUSED).putShort((short) length)
+        .put(text, 0, length).flip());
     close();
   }
 

@@ -7,8 +7,7 @@ import org.robotui.guard.internal.wire.Wire;
 
 /** The program. Its argument is the process that it guards; what it does stands in {@link Wire}. */
 public final class GuardMain {
-  private GuardMain() {
-  }
+  private GuardMain() {}
 
   /**
    * Runs until the guarded process is gone or says goodbye.
@@ -25,7 +24,8 @@ public final class GuardMain {
       throw new IOException("the secrets are missing");
     }
     LineSender voice = new LineSender(System.out);
-    try (Relay relay = new Relay(knock, answer, Limits.standard(), voice, () -> guarded.map(ProcessHandle::isAlive).orElse(false))) {
+    try (Relay relay =
+        new Relay(knock, answer, Limits.standard(), voice, () -> guarded.map(ProcessHandle::isAlive).orElse(false))) {
       voice.say(Wire.PORT + relay.port());
       Thread orders = new Thread(() -> new Orders(in).follow(relay), "orders");
       orders.setDaemon(true);

@@ -3,7 +3,10 @@ package org.robotui.guard.internal.process;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicBoolean;
 
-/** How long no beat was heard. Time in which this process itself did not run is not counted. Beats come from any thread, all else from one. */
+/**
+ * How long no beat was heard. Time in which this process itself did not run is not counted. Beats come from any thread,
+ * all else from one.
+ */
 final class HeartbeatTimer {
   private static final long MOST_AT_ONCE = Duration.ofMillis(100).toNanos();
 

@@ -13,11 +13,13 @@ import java.time.Duration;
  * @param call for one farewell
  * @param calls for all farewells
  */
-record Limits(Duration late, Duration silent, Duration full, int chunks, int chunksEach, Duration call, Duration calls) {
+record Limits(Duration late, Duration silent, Duration full, int chunks, int chunksEach, Duration call,
+    Duration calls) {
 
   /** A robot waits for half a second at most, and only where it sends more than 4 MiB meanwhile. */
   static Limits standard() {
-    return new Limits(Duration.ofMillis(300), Duration.ofSeconds(2), Duration.ofMillis(500), 256, 64, Duration.ofSeconds(2),
+    return new Limits(Duration.ofMillis(300), Duration.ofSeconds(2), Duration.ofMillis(500), 256, 64,
+        Duration.ofSeconds(2),
         Duration.ofSeconds(5));
   }
 }

@@ -4,7 +4,10 @@ import java.io.PrintStream;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 
-/** Says lines to the guarded process, on a thread of its own: a process that is stopped reads nothing, and nobody may wait for it. */
+/**
+ * Says lines to the guarded process, on a thread of its own: a process that is stopped reads nothing, and nobody may
+ * wait for it.
+ */
 final class LineSender {
   private static final int MOST = 1000;
 

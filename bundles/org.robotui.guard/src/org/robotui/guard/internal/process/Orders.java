@@ -6,7 +6,10 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import org.robotui.guard.internal.wire.Wire;
 
-/** Reads what the guarded process says. What is no order is treated as its end: a process that talks nonsense is not trusted with connections. */
+/**
+ * Reads what the guarded process says. What is no order is treated as its end: a process that talks nonsense is not
+ * trusted with connections.
+ */
 final class Orders {
 
   /** Who obeys; called on the thread that reads. */

@@ -141,7 +141,8 @@ final class Relay implements Orders.Taker, AutoCloseable {
   }
 
   private Stream stream(SelectionKey near, SelectionKey far) {
-    return new Stream(near, far, new Backlog(chunks, limits.chunksEach()), limits.full(), () -> silence.quiet() > limits.late().toNanos(),
+    return new Stream(near, far, new Backlog(chunks, limits.chunksEach()), limits.full(),
+        () -> silence.quiet() > limits.late().toNanos(),
         this::overflowed);
   }
 

@@ -10,8 +10,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * One connection between the guarded process (near) and a robot (far). What the robot sends is always read, into a bounded memory; what we send is
- * read no faster than the robot takes it, since commands must not wait here.
+ * One connection between the guarded process (near) and a robot (far). What the robot sends is always read, into a
+ * bounded memory; what we send is read no faster than the robot takes it, since commands must not wait here.
  */
 final class Stream implements Handler {
   private static final int UP = 4 * 1024;
@@ -29,7 +29,8 @@ final class Stream implements Handler {
   private Optional<Long> nearEnded = Optional.empty();
   private Optional<Long> full = Optional.empty();
 
-  Stream(SelectionKey near, SelectionKey far, Backlog down, Duration mayBeFull, BooleanSupplier late, Consumer<Stream> overflow) {
+  Stream(SelectionKey near, SelectionKey far, Backlog down, Duration mayBeFull, BooleanSupplier late,
+      Consumer<Stream> overflow) {
     this.near = near;
     this.far = far;
     this.down = down;

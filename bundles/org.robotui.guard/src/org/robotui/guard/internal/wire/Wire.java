@@ -3,9 +3,10 @@ package org.robotui.guard.internal.wire;
 import java.time.Duration;
 
 /**
- * The two ways to a guard. Its standard input, which nobody else can write to, begins with the two secrets, knock and answer; then come frames of a
- * byte that says what, and what belongs to it. Its port on loopback takes connections: knock, length of address, address, port, milliseconds for connecting.
- * It replies with the answer, so that nobody else can pretend to be it, and a byte: {@link #DONE}, or {@link #REFUSED} with the reason.
+ * The two ways to a guard. Its standard input, which nobody else can write to, begins with the two secrets, knock and
+ * answer; then come frames of a byte that says what, and what belongs to it. Its port on loopback takes connections:
+ * knock, length of address, address, port, milliseconds for connecting. It replies with the answer, so that nobody else
+ * can pretend to be it, and a byte: {@link #DONE}, or {@link #REFUSED} with the reason.
  */
 public final class Wire {
   /** Bytes of each secret. */
@@ -40,6 +41,5 @@ public final class Wire {
   /** Said by the guard: it heard no beats for too long. */
   public static final String SILENCE = "silence ";
 
-  private Wire() {
-  }
+  private Wire() {}
 }

@@ -56,7 +56,7 @@ class OrdersTest {
     out.writeByte(Wire.KEEP);
     out.writeInt(5);
     out.writeByte(addressBytes);
-    out.write(new byte[] {127, 0, 0, 1});
+    out.write(new byte[]{127, 0, 0, 1});
     out.writeShort(65535);
     out.writeInt(words);
   }
@@ -77,7 +77,7 @@ class OrdersTest {
 
   @Test
   void nonsense_ends_it_before_anything_is_allocated() throws IOException {
-    follow(new byte[] {99});
+    follow(new byte[]{99});
     follow(bytes(out -> keep(out, 5, 0)));
     follow(bytes(out -> keep(out, 4, Wire.MOST_WORDS + 1)));
     follow(bytes(out -> keep(out, 4, -1)));

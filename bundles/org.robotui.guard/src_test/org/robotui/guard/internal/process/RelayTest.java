@@ -26,8 +26,9 @@ import org.robotui.guard.internal.wire.Wire;
 /** The relay in this process: strangers at its port, and farewells to those who do not hear. */
 @Timeout(60)
 class RelayTest {
-  private static final Limits LIMITS = new Limits(Duration.ofMillis(100), Duration.ofSeconds(30), Duration.ofMillis(200), 16, 4,
-      Duration.ofMillis(500), Duration.ofSeconds(2));
+  private static final Limits LIMITS =
+      new Limits(Duration.ofMillis(100), Duration.ofSeconds(30), Duration.ofMillis(200), 16, 4,
+          Duration.ofMillis(500), Duration.ofSeconds(2));
   private final byte[] knock = new byte[Wire.SECRET];
   private final byte[] answer = new byte[Wire.SECRET];
   private Relay relay;
@@ -37,7 +38,8 @@ class RelayTest {
   void start() throws IOException {
     Arrays.fill(knock, (byte) 1);
     Arrays.fill(answer, (byte) 2);
-    relay = new Relay(knock, answer, LIMITS, new LineSender(new PrintStream(OutputStream.nullOutputStream())), () -> true);
+    relay =
+        new Relay(knock, answer, LIMITS, new LineSender(new PrintStream(OutputStream.nullOutputStream())), () -> true);
     thread = new Thread(() -> {
       try {
         relay.run();
@@ -75,7 +77,8 @@ class RelayTest {
   private byte[] greeting(int port) {
     byte[] greeting = Arrays.copyOf(knock, Wire.SECRET + 1 + 4 + 2 + 4);
     greeting[Wire.SECRET] = 4;
-    System.arraycopy(new byte[] {127, 0, 0, 1, (byte) (port >> 8), (byte) port, 0, 0, 20, 0}, 0, greeting, Wire.SECRET + 1, 10);
+    System.arraycopy(new byte[]{127, 0, 0, 1, (byte) (port >> 8), (byte) port, 0, 0, 20, 0}, 0, greeting,
+        Wire.SECRET + 1, 10);
     return greeting;
   }
 
@@ -100,9 +103,10 @@ class RelayTest {
   void those_who_begin_and_do_not_go_on_do_not_keep_others_out() throws IOException {
     List<Socket> idle = new ArrayList<>();
     for (int i = 0; i < 100; i++) {
-      idle.add(knocking(new byte[] {1, 1, 1}));
+      idle.add(knocking(new byte[]{1, 1, 1}));
     }
-    try (ServerSocket robot = new ServerSocket(0, 5, InetAddress.getLoopbackAddress()); Socket ours = knocking(greeting(robot.getLocalPort()))) {
+    try (ServerSocket robot = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
+        Socket ours = knocking(greeting(robot.getLocalPort()))) {
       byte[] reply = ours.getInputStream().readNBytes(Wire.SECRET + 1);
       assertEquals(Wire.DONE, reply[Wire.SECRET]);
       assertTrue(Arrays.equals(answer, Arrays.copyOf(reply, Wire.SECRET)));
@@ -117,7 +121,8 @@ class RelayTest {
   void farewells_to_one_who_is_dead_take_bounded_time_and_others_hear_theirs() throws Exception {
     try (ServerSocket dead = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
         ServerSocket hears = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
-        Socket one = new Socket(dead.getInetAddress(), dead.getLocalPort()); Socket two = new Socket(dead.getInetAddress(), dead.getLocalPort())) {
+        Socket one = new Socket(dead.getInetAddress(), dead.getLocalPort());
+        Socket two = new Socket(dead.getInetAddress(), dead.getLocalPort())) {
       assertTrue(one.isConnected() && two.isConnected());
       byte[] words = "farewell".getBytes(StandardCharsets.UTF_8);
       for (int i = 0; i < 500; i++) {

@@ -8,8 +8,7 @@ public final class Channels {
   /** As many bytes as all implementations take. */
   public static final int MOST_BYTES = 63;
 
-  private Channels() {
-  }
+  private Channels() {}
 
   /** The bytes of a name that is to be sent. */
   static byte[] encode(String channel) {

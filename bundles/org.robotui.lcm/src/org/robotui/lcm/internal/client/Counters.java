@@ -68,7 +68,8 @@ public final class Counters {
   }
 
   LcmStatistics figures() {
-    return new LcmStatistics(received.sum(), receivedBytes.sum(), published.sum(), publishedBytes.sum(), lost.sum(), incomplete.sum(),
+    return new LcmStatistics(received.sum(), receivedBytes.sum(), published.sum(), publishedBytes.sum(), lost.sum(),
+        incomplete.sum(),
         damaged.sum(), dropped.sum(), listenerErrors.sum(), receiveBufferWanted, receiveBuffer, lastDamage);
   }
 }

@@ -80,8 +80,10 @@ public final class LcmClient implements Lcm {
     try {
       return Pattern.compile(channels);
     } catch (PatternSyntaxException e) {
-      throw new IllegalArgumentException("'" + channels + "' is no regular expression of channels: " + e.getDescription()
-          + " at character " + (e.getIndex() + 1) + "; write for example POSE|LASER_.*", e);
+      throw new IllegalArgumentException(
+          "'" + channels + "' is no regular expression of channels: " + e.getDescription()
+              + " at character " + (e.getIndex() + 1) + "; write for example POSE|LASER_.*",
+          e);
     }
   }
 

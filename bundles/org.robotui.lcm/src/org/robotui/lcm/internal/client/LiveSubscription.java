@@ -32,7 +32,8 @@ final class LiveSubscription implements Subscription {
   private long queuedBytes;
   private volatile boolean closed;
 
-  LiveSubscription(Pattern pattern, SubscriptionOptions options, LcmListener listener, Counters counters, Consumer<LiveSubscription> onClose) {
+  LiveSubscription(Pattern pattern, SubscriptionOptions options, LcmListener listener, Counters counters,
+      Consumer<LiveSubscription> onClose) {
     this.pattern = pattern;
     this.options = options;
     this.listener = listener;
@@ -99,7 +100,8 @@ final class LiveSubscription implements Subscription {
       errors.increment();
       counters.listenerError();
       if (troubles.admit()) {
-        LOG.error("the listener to '{}' failed on a message of {} ({} times so far)", pattern, message.channel(), troubles.count(), e);
+        LOG.error("the listener to '{}' failed on a message of {} ({} times so far)", pattern, message.channel(),
+            troubles.count(), e);
       }
     }
   }

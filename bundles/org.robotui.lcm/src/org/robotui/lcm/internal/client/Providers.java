@@ -15,8 +15,7 @@ final class Providers {
 
   private static final Logger LOG = LoggerFactory.getLogger(Providers.class);
 
-  private Providers() {
-  }
+  private Providers() {}
 
   static Provider of(LcmUrl url, LcmOptions options, Inlet inlet) {
     return switch (url.provider()) {
@@ -32,7 +31,8 @@ final class Providers {
   /** Other programs with the same URL may know more options, so it is not refused for one. */
   private static Provider known(LcmUrl url, Set<String> options, Provider provider) {
     url.options().keySet().stream().filter(option -> !options.contains(option))
-        .forEach(option -> LOG.warn("the option '{}' of '{}' has no effect: {} knows {}", option, url, url.provider(), options));
+        .forEach(option -> LOG.warn("the option '{}' of '{}' has no effect: {} knows {}", option, url, url.provider(),
+            options));
     return provider;
   }
 }

@@ -75,7 +75,8 @@ public final class FileProvider implements Provider {
   }
 
   private static IllegalArgumentException wrong(LcmUrl url, String problem) {
-    return new IllegalArgumentException("'" + url + "': " + problem + "; write for example file:///tmp/drive.lcmlog?speed=2");
+    return new IllegalArgumentException(
+        "'" + url + "': " + problem + "; write for example file:///tmp/drive.lcmlog?speed=2");
   }
 
   @Override

@@ -53,7 +53,8 @@ final class ReadLink implements Link {
       deliver(event);
       before = next;
       if (reader.damagedBytes() > damaged) {
-        inlet.counters().damaged((reader.damagedBytes() - damaged) + " bytes of the log " + path + " before byte " + event.offset());
+        inlet.counters().damaged(
+            (reader.damagedBytes() - damaged) + " bytes of the log " + path + " before byte " + event.offset());
         damaged = reader.damagedBytes();
       }
     }
@@ -78,8 +79,9 @@ final class ReadLink implements Link {
 
   private void deliver(LogEvent event) {
     if (event.data().remaining() > maxMessageBytes) {
-      inlet.counters().damaged("a message of " + event.data().remaining() + " bytes on " + event.channel() + " in the log " + path
-          + ", at most " + maxMessageBytes + " are accepted");
+      inlet.counters()
+          .damaged("a message of " + event.data().remaining() + " bytes on " + event.channel() + " in the log " + path
+              + ", at most " + maxMessageBytes + " are accepted");
     } else if (inlet.wants(event.channel())) {
       inlet.deliver(new LcmMessage(event.channel(), event.data(), path.toString(), System.nanoTime(), event.utime()));
     }

@@ -39,7 +39,8 @@ final class WriteLink implements Link {
 
   @Override
   public void publish(byte[] channel, ByteBuffer data) throws IOException {
-    writer.write(ChronoUnit.MICROS.between(Instant.EPOCH, Instant.now()), new String(channel, StandardCharsets.UTF_8), data);
+    writer.write(ChronoUnit.MICROS.between(Instant.EPOCH, Instant.now()), new String(channel, StandardCharsets.UTF_8),
+        data);
   }
 
   @Override

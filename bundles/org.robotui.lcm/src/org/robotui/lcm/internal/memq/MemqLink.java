@@ -58,7 +58,8 @@ public final class MemqLink implements Link {
   public void publish(byte[] channel, ByteBuffer data) throws IOException {
     ByteBuffer copy = ByteBuffer.allocate(data.remaining()).put(data).flip();
     long utime = TimeUnit.MILLISECONDS.toMicros(System.currentTimeMillis());
-    LcmMessage message = new LcmMessage(new String(channel, StandardCharsets.UTF_8), copy, "memory", System.nanoTime(), utime);
+    LcmMessage message =
+        new LcmMessage(new String(channel, StandardCharsets.UTF_8), copy, "memory", System.nanoTime(), utime);
     synchronized (queue) {
       // a listener that publishes must not wait for itself
       while (!closed && !queue.isEmpty() && bytes + copy.limit() > mostBytes && Thread.currentThread() != receiver) {

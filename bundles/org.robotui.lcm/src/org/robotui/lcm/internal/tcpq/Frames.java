@@ -22,27 +22,27 @@ public final class Frames {
   /** Regular expressions of channels are longer than channels. */
   static final int MOST_NAME = 4096;
 
-  private Frames() {
-  }
+  private Frames() {}
 
   /** What a frame says. */
-  sealed interface Frame { }
+  sealed interface Frame {}
 
   /** A message. */
-  record Message(String channel, byte[] data) implements Frame { }
+  record Message(String channel, byte[] data) implements Frame {}
 
   /** A client wants channels. */
-  record Subscribe(String channels) implements Frame { }
+  record Subscribe(String channels) implements Frame {}
 
   /** A client does not want them any more. */
-  record Unsubscribe(String channels) implements Frame { }
+  record Unsubscribe(String channels) implements Frame {}
 
   static ByteBuffer greeting(int magic) {
     return ByteBuffer.allocate(8).putInt(magic).putInt(VERSION).flip();
   }
 
   static ByteBuffer message(byte[] channel, ByteBuffer data) {
-    return ByteBuffer.allocate(12 + channel.length + data.remaining()).putInt(PUBLISH).putInt(channel.length).put(channel)
+    return ByteBuffer.allocate(12 + channel.length + data.remaining()).putInt(PUBLISH).putInt(channel.length)
+        .put(channel)
         .putInt(data.remaining()).put(data).flip();
   }
 
@@ -56,10 +56,12 @@ public final class Frames {
     int found = in.readInt();
     int version = in.readInt();
     if (found != magic) {
-      throw new IOException("it speaks no LCM: its first word is 0x" + Integer.toHexString(found) + " and not 0x" + Integer.toHexString(magic));
+      throw new IOException("it speaks no LCM: its first word is 0x" + Integer.toHexString(found) + " and not 0x"
+          + Integer.toHexString(magic));
     }
     if (version != VERSION) {
-      throw new IOException("it speaks version 0x" + Integer.toHexString(version) + " and not 0x" + Integer.toHexString(VERSION));
+      throw new IOException(
+          "it speaks version 0x" + Integer.toHexString(version) + " and not 0x" + Integer.toHexString(VERSION));
     }
   }
 
@@ -80,7 +82,8 @@ public final class Frames {
   private static byte[] bytes(DataInputStream in, int most, String what) throws IOException {
     int length = in.readInt();
     if (length < 0 || length > most) {
-      throw new IOException("it announces " + what + " of " + Integer.toUnsignedString(length) + " bytes, at most " + most + " are accepted");
+      throw new IOException("it announces " + what + " of " + Integer.toUnsignedString(length) + " bytes, at most "
+          + most + " are accepted");
     }
     byte[] bytes = in.readNBytes(length);
     if (bytes.length < length) {

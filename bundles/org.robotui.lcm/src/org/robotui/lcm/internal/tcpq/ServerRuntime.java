@@ -73,7 +73,8 @@ public final class ServerRuntime implements TcpqServer {
   void refused(Socket connection, String reason) {
     refused.increment();
     if (refusals.admit()) {
-      LOG.warn("LCM client {}: {} ({} refused so far)", connection.getRemoteSocketAddress(), PeerText.brief(reason), refusals.count());
+      LOG.warn("LCM client {}: {} ({} refused so far)", connection.getRemoteSocketAddress(), PeerText.brief(reason),
+          refusals.count());
     }
   }
 

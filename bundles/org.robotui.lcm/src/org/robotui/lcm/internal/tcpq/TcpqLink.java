@@ -63,7 +63,8 @@ final class TcpqLink implements Link {
       }
       if (inlet.wants(message.channel())) {
         long utime = TimeUnit.MILLISECONDS.toMicros(System.currentTimeMillis());
-        inlet.deliver(new LcmMessage(message.channel(), ByteBuffer.wrap(message.data()), server, System.nanoTime(), utime));
+        inlet.deliver(
+            new LcmMessage(message.channel(), ByteBuffer.wrap(message.data()), server, System.nanoTime(), utime));
       }
     }
   }
@@ -72,12 +73,14 @@ final class TcpqLink implements Link {
     try {
       return Frames.read(in, maxMessageBytes);
     } catch (EOFException e) {
-      throw new IOException("the server " + server + " closed the connection" + Optional.ofNullable(e.getMessage()).map(m -> ": " + m).orElse(""), e);
+      throw new IOException("the server " + server + " closed the connection"
+          + Optional.ofNullable(e.getMessage()).map(m -> ": " + m).orElse(""), e);
     } catch (SocketException e) {
       throw broken(e);
     } catch (IOException e) {
       IOException broken = broken(e);
-      inlet.counters().damaged(broken.getMessage()); // the link is soon made again, and would look as if nothing had been lost
+      inlet.counters().damaged(broken.getMessage()); // the link is soon made again, and would look as if nothing had
+                                                     // been lost
       throw broken;
     }
   }

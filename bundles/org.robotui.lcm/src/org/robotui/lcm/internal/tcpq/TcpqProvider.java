@@ -17,7 +17,8 @@ import org.robotui.net.socket.Sockets;
 public final class TcpqProvider implements Provider {
 
   private static final String STANDARD = "127.0.0.1:7700";
-  private static final Pattern ADDRESS = Pattern.compile("([A-Za-z0-9._-]{1,255}|\\[[0-9a-fA-F:.]{2,45}\\])(?::(\\d{1,5}))?");
+  private static final Pattern ADDRESS =
+      Pattern.compile("([A-Za-z0-9._-]{1,255}|\\[[0-9a-fA-F:.]{2,45}\\])(?::(\\d{1,5}))?");
 
   private final HostPort server;
   private final LcmOptions options;
@@ -33,7 +34,8 @@ public final class TcpqProvider implements Provider {
     Matcher address = ADDRESS.matcher(url.network().isEmpty() ? STANDARD : url.network());
     int port = address.matches() ? Integer.parseInt(Optional.ofNullable(address.group(2)).orElse("7700")) : 0;
     if (port < 1 || port > 65535) {
-      throw new IllegalArgumentException("'" + url + "': '" + url.network() + "' is no host with a port; write for example tcpq://" + STANDARD);
+      throw new IllegalArgumentException(
+          "'" + url + "': '" + url.network() + "' is no host with a port; write for example tcpq://" + STANDARD);
     }
     return new TcpqProvider(new HostPort(address.group(1).replaceAll("[\\[\\]]", ""), port), options, inlet);
   }

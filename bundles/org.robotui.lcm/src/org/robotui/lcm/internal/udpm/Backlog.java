@@ -8,9 +8,9 @@ import java.util.Deque;
 import java.util.Optional;
 
 /**
- * Datagrams between the thread that takes them from the kernel, which does nothing else, and the one that makes messages of them. It takes up
- * bursts for which the kernel's buffer is too small. Its memory grows with what waits, in segments that are used again, up to a bound; then the
- * datagrams wait in the kernel, and in the end are lost there.
+ * Datagrams between the thread that takes them from the kernel, which does nothing else, and the one that makes
+ * messages of them. It takes up bursts for which the kernel's buffer is too small. Its memory grows with what waits, in
+ * segments that are used again, up to a bound; then the datagrams wait in the kernel, and in the end are lost there.
  */
 final class Backlog {
 
@@ -43,7 +43,7 @@ final class Backlog {
    * @param received when, {@link System#nanoTime}
    * @param segment where the bytes are
    */
-  record Entry(InetSocketAddress from, ByteBuffer bytes, long received, Segment segment) { }
+  record Entry(InetSocketAddress from, ByteBuffer bytes, long received, Segment segment) {}
 
   /** Holds at most so many bytes, but always some datagrams. */
   Backlog(long mostBytes) {

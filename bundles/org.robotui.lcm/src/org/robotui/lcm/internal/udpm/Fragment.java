@@ -6,10 +6,10 @@ import java.nio.ByteBuffer;
  * The header of a fragment.
  *
  * @param sequence the number of the message
- * @param size     the bytes of the whole message, without its channel
- * @param offset   where this fragment's bytes belong
- * @param number   from 0
- * @param count    how many there are
+ * @param size the bytes of the whole message, without its channel
+ * @param offset where this fragment's bytes belong
+ * @param number from 0
+ * @param count how many there are
  */
 record Fragment(int sequence, int size, int offset, int number, int count) {
 
@@ -21,7 +21,8 @@ record Fragment(int sequence, int size, int offset, int number, int count) {
     datagram.getInt();
     Fragment fragment = new Fragment(datagram.getInt(), datagram.getInt(), datagram.getInt(),
         Short.toUnsignedInt(datagram.getShort()), Short.toUnsignedInt(datagram.getShort()));
-    if (fragment.size < 0 || fragment.offset < 0 || fragment.offset > fragment.size || fragment.number >= fragment.count) {
+    if (fragment.size < 0 || fragment.offset < 0 || fragment.offset > fragment.size
+        || fragment.number >= fragment.count) {
       throw new DatagramException("fragment " + fragment.number + " of " + fragment.count + " at byte "
           + Integer.toUnsignedString(fragment.offset) + " of " + Integer.toUnsignedString(fragment.size));
     }

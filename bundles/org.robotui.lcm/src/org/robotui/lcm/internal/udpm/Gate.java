@@ -7,8 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Gives up whole messages when more comes than can be taken. A message of many fragments is lost with any of them, so it is let in only where
- * there is room for all of it; what is refused is refused from its first fragment to its last, and those let in come through complete.
+ * Gives up whole messages when more comes than can be taken. A message of many fragments is lost with any of them, so
+ * it is let in only where there is room for all of it; what is refused is refused from its first fragment to its last,
+ * and those let in come through complete.
  *
  * <p>For the thread that receives.
  */
@@ -84,7 +85,8 @@ final class Gate {
   /** A sender's fragments come in their order: what is incomplete when its next message begins stays so. */
   private void forget(InetSocketAddress from, long now) {
     coming.entrySet().removeIf(each -> {
-      boolean over = each.getKey().from().equals(from) || now - each.getValue().last > PATIENCE || coming.size() >= MOST_MESSAGES;
+      boolean over =
+          each.getKey().from().equals(from) || now - each.getValue().last > PATIENCE || coming.size() >= MOST_MESSAGES;
       kept -= over ? each.getValue().kept : 0;
       return over;
     });

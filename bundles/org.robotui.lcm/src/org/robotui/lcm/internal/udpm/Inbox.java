@@ -61,7 +61,8 @@ final class Inbox {
     if (!reassembly.knows(key)) {
       senders.heard(from, fragment.sequence());
     }
-    Optional<Partial> complete = reassembly.add(key, fragment, datagram, channel, channel.map(inlet::wants).orElse(true), now);
+    Optional<Partial> complete =
+        reassembly.add(key, fragment, datagram, channel, channel.map(inlet::wants).orElse(true), now);
     complete.filter(Partial::isWanted).ifPresent(partial -> deliver(from, partial.channel(), partial.data(), now));
   }
 

@@ -12,14 +12,14 @@ import java.util.stream.Collectors;
 /** Chooses the network interface for a multicast group: the one that is named, else the one of the system's route. */
 final class Interfaces {
 
-  private static final String ADVICE = "; see that the interface is up and knows multicast, as in: ip link set lo multicast on;"
-      + " ip route add 224.0.0.0/4 dev lo";
+  private static final String ADVICE =
+      "; see that the interface is up and knows multicast, as in: ip link set lo multicast on;"
+          + " ip route add 224.0.0.0/4 dev lo";
 
-  private Interfaces() {
-  }
+  private Interfaces() {}
 
   /** An interface, and what to do when it does not work. */
-  record Choice(NetworkInterface networkInterface, String advice) { }
+  record Choice(NetworkInterface networkInterface, String advice) {}
 
   static Choice choose(InetSocketAddress group, Optional<String> name, int ttl) throws IOException {
     if (name.isPresent()) {

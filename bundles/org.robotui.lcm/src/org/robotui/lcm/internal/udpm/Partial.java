@@ -58,7 +58,8 @@ final class Partial {
     }
     long most = 2L * received + AHEAD;
     if (end - Wire.MOST_DATAGRAM > most) {
-      throw new DatagramException("a fragment up to byte " + end + " of a message of which " + received + " bytes came");
+      throw new DatagramException(
+          "a fragment up to byte " + end + " of a message of which " + received + " bytes came");
     }
     bytes = Arrays.copyOf(bytes, (int) Math.min(size, Math.max(end, most)));
   }

@@ -9,7 +9,9 @@ import java.util.Optional;
 import org.robotui.lcm.LcmOptions;
 import org.robotui.lcm.internal.client.Counters;
 
-/** Puts messages together, from several senders at once, within bounds of memory and time: the oldest is given up first. */
+/**
+ * Puts messages together, from several senders at once, within bounds of memory and time: the oldest is given up first.
+ */
 final class Reassembly {
 
   private static final int MOST_MESSAGES = 256;
@@ -29,17 +31,19 @@ final class Reassembly {
   }
 
   /** Which message a fragment belongs to. */
-  record Key(InetSocketAddress from, int sequence) { }
+  record Key(InetSocketAddress from, int sequence) {}
 
   boolean knows(Key key) {
     return partials.containsKey(key);
   }
 
   /** Adds a fragment; answers the message if it was the last one. */
-  Optional<Partial> add(Key key, Fragment fragment, ByteBuffer data, Optional<String> channel, boolean wanted, long now) throws DatagramException {
+  Optional<Partial> add(Key key, Fragment fragment, ByteBuffer data, Optional<String> channel, boolean wanted, long now)
+      throws DatagramException {
     if (fragment.size() > maxMessageBytes) {
-      throw new DatagramException("a message of " + fragment.size() + " bytes" + channel.map(name -> " on " + name).orElse("")
-          + ", at most " + maxMessageBytes + " are accepted");
+      throw new DatagramException(
+          "a message of " + fragment.size() + " bytes" + channel.map(name -> " on " + name).orElse("")
+              + ", at most " + maxMessageBytes + " are accepted");
     }
     Partial partial = partials.get(key);
     if (partial != null && !partial.isOf(fragment)) {
@@ -53,7 +57,8 @@ final class Reassembly {
     return grown(key, partial, fragment, data, channel, wanted, now);
   }
 
-  private Optional<Partial> grown(Key key, Partial partial, Fragment fragment, ByteBuffer data, Optional<String> channel, boolean wanted, long now)
+  private Optional<Partial> grown(Key key, Partial partial, Fragment fragment, ByteBuffer data,
+      Optional<String> channel, boolean wanted, long now)
       throws DatagramException {
     held -= partial.held();
     try {

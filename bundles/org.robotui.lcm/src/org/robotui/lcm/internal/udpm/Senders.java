@@ -25,7 +25,7 @@ final class Senders {
   }
 
   /** A sender and the numbers of its messages. */
-  private record Sender(String name, SequenceWatch sequences) { }
+  private record Sender(String name, SequenceWatch sequences) {}
 
   /** Notes the number of a message whose first datagram came. */
   void heard(InetSocketAddress from, int sequence) {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Counts the messages that are missing between those that came from one address. Several senders may share an address (the
- * Java client sends from the group's own port), and count their messages each for itself.
+ * Counts the messages that are missing between those that came from one address. Several senders may share an address
+ * (the Java client sends from the group's own port), and count their messages each for itself.
  */
 final class SequenceWatch {
 
@@ -59,7 +59,8 @@ final class SequenceWatch {
         next = each;
       }
     }
-    if (next != null && (next.ahead(sequence) == 1 || streams.stream().noneMatch(each -> each.hasWithin(-each.ahead(sequence))))) {
+    if (next != null
+        && (next.ahead(sequence) == 1 || streams.stream().noneMatch(each -> each.hasWithin(-each.ahead(sequence))))) {
       return next.advance(next.ahead(sequence));
     }
     for (Stream each : streams) {

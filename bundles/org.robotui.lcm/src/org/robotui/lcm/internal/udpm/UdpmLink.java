@@ -13,7 +13,10 @@ import org.robotui.lcm.internal.client.Inlet;
 import org.robotui.lcm.internal.client.Link;
 import org.robotui.net.thread.Workers;
 
-/** The sockets of one multicast group: one that receives, and one that sends, whose port tells this sender from all others. */
+/**
+ * The sockets of one multicast group: one that receives, and one that sends, whose port tells this sender from all
+ * others.
+ */
 final class UdpmLink implements Link {
 
   private static final Duration ENDING = Duration.ofMillis(500);
@@ -39,7 +42,8 @@ final class UdpmLink implements Link {
     this.where = where;
   }
 
-  static UdpmLink open(InetSocketAddress group, NetworkInterface over, int ttl, int receiveBuffer, LcmOptions options, Inlet inlet)
+  static UdpmLink open(InetSocketAddress group, NetworkInterface over, int ttl, int receiveBuffer, LcmOptions options,
+      Inlet inlet)
       throws IOException {
     DatagramChannel in = DatagramChannel.open(StandardProtocolFamily.INET);
     try {
@@ -49,7 +53,8 @@ final class UdpmLink implements Link {
       in.bind(group);
       in.join(group.getAddress(), over);
       int granted = in.getOption(StandardSocketOptions.SO_RCVBUF);
-      String where = "%s:%d on %s, ttl %d, receive buffer %d of %d bytes".formatted(group.getAddress().getHostAddress(), group.getPort(),
+      String where = "%s:%d on %s, ttl %d, receive buffer %d of %d bytes".formatted(group.getAddress().getHostAddress(),
+          group.getPort(),
           over.getName(), ttl, granted, receiveBuffer);
       return new UdpmLink(in, UdpmSender.open(group, over, ttl), new Inbox(inlet, options),
           new Backlog(KEPT_BUFFERS * receiveBuffer), new Workers(options.threads()), where);

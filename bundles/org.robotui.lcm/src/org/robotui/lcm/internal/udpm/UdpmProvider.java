@@ -50,7 +50,8 @@ public final class UdpmProvider implements Provider {
     Matcher address = ADDRESS.matcher(url.network().isEmpty() ? STANDARD : url.network());
     try {
       int port = address.matches() ? Integer.parseInt(Optional.ofNullable(address.group(2)).orElse("7667")) : 0;
-      if (port > 0 && port <= 65535 && InetAddress.getByName(address.group(1)) instanceof Inet4Address group && group.isMulticastAddress()) {
+      if (port > 0 && port <= 65535 && InetAddress.getByName(address.group(1)) instanceof Inet4Address group
+          && group.isMulticastAddress()) {
         return new InetSocketAddress(group, port);
       }
     } catch (UnknownHostException e) {
@@ -71,7 +72,8 @@ public final class UdpmProvider implements Provider {
   }
 
   private static IllegalArgumentException wrong(LcmUrl url, String problem, Exception cause) {
-    return new IllegalArgumentException("'" + url + "': " + problem + "; write for example udpm://" + STANDARD + "?ttl=1", cause);
+    return new IllegalArgumentException(
+        "'" + url + "': " + problem + "; write for example udpm://" + STANDARD + "?ttl=1", cause);
   }
 
   @Override
@@ -82,7 +84,9 @@ public final class UdpmProvider implements Provider {
       inlet.counters().receiveBuffer(receiveBuffer, link.receiveBuffer());
       return link;
     } catch (IOException e) {
-      throw new IOException("cannot join " + url + " on " + choice.networkInterface().getName() + ": " + e.getMessage() + choice.advice(), e);
+      throw new IOException(
+          "cannot join " + url + " on " + choice.networkInterface().getName() + ": " + e.getMessage() + choice.advice(),
+          e);
     }
   }
 }

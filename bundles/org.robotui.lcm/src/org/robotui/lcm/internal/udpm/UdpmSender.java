@@ -39,7 +39,8 @@ final class UdpmSender implements Closeable {
   synchronized void publish(byte[] channel, ByteBuffer data) throws IOException {
     long size = channel.length + 1L + data.remaining();
     if (size <= Wire.MOST_SHORT) {
-      ByteBuffer header = ByteBuffer.allocate(Wire.SHORT_HEADER + channel.length + 1).putInt(Wire.SHORT).putInt(sequence);
+      ByteBuffer header =
+          ByteBuffer.allocate(Wire.SHORT_HEADER + channel.length + 1).putInt(Wire.SHORT).putInt(sequence);
       send(header.put(channel).put((byte) 0), data);
     } else {
       fragments(channel, data, size);
@@ -67,7 +68,7 @@ final class UdpmSender implements Closeable {
   }
 
   private void send(ByteBuffer header, ByteBuffer data) throws IOException {
-    out.write(new ByteBuffer[] {header.flip(), data});
+    out.write(new ByteBuffer[]{header.flip(), data});
   }
 
   @Override

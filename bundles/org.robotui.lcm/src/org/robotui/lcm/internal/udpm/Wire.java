@@ -15,6 +15,5 @@ final class Wire {
   static final int MOST_FRAGMENT = MOST_DATAGRAM - FRAGMENT_HEADER;
   static final int MOST_FRAGMENTS = 65_535;
 
-  private Wire() {
-  }
+  private Wire() {}
 }

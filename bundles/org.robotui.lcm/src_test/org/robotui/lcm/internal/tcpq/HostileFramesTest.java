@@ -12,7 +12,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robotui.lcm.Mutator;
 
-/** Streams of frames that nobody means: each ends, by its end or by an error that says why, and costs no more than it has bytes. */
+/**
+ * Streams of frames that nobody means: each ends, by its end or by an error that says why, and costs no more than it
+ * has bytes.
+ */
 class HostileFramesTest {
 
   private static final int ROUNDS = 5000;

@@ -20,7 +20,8 @@ class GateTest {
   private final Gate gate = new Gate(CAPACITY);
 
   private static ByteBuffer fragment(int sequence, int number, int count) {
-    return ByteBuffer.allocate(Wire.FRAGMENT_HEADER + PAYLOAD).putInt(Wire.FRAGMENT).putInt(sequence).putInt(PAYLOAD * count)
+    return ByteBuffer.allocate(Wire.FRAGMENT_HEADER + PAYLOAD).putInt(Wire.FRAGMENT).putInt(sequence)
+        .putInt(PAYLOAD * count)
         .putInt(PAYLOAD * number).putShort((short) number).putShort((short) count).rewind();
   }
 
@@ -31,7 +32,8 @@ class GateTest {
   @Test
   void aMessageIsRefusedFromItsFirstFragmentToItsLast() {
     for (int number = 0; number < 4; number++) {
-      assertFalse(admits(ONE, 1, number, number == 0 ? 3000 : CAPACITY), "there is room again, but not for a message that misses its beginning");
+      assertFalse(admits(ONE, 1, number, number == 0 ? 3000 : CAPACITY),
+          "there is room again, but not for a message that misses its beginning");
     }
     assertTrue(admits(ONE, 2, 0, CAPACITY));
   }

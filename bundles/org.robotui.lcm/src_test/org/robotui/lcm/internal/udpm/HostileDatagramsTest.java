@@ -47,7 +47,8 @@ class HostileDatagramsTest {
 
   private static byte[] fragment(int sequence, int number, int count) {
     byte[] name = number == 0 ? "SCAN\0".getBytes() : new byte[0];
-    return ByteBuffer.allocate(20 + name.length + 300).putInt(Wire.FRAGMENT).putInt(sequence).putInt(300 * count).putInt(300 * number)
+    return ByteBuffer.allocate(20 + name.length + 300).putInt(Wire.FRAGMENT).putInt(sequence).putInt(300 * count)
+        .putInt(300 * number)
         .putShort((short) number).putShort((short) count).put(name).array();
   }
 
@@ -55,12 +56,14 @@ class HostileDatagramsTest {
   @ValueSource(longs = {1, 2, 3})
   void whateverComesIsDeliveredKeptWithinBoundsOrCounted(long seed) {
     Mutator mutator = new Mutator(seed);
-    Inbox inbox = new Inbox(new Ear(), LcmOptions.standard(Thread.ofPlatform().factory()).withBounds(MOST_MESSAGE, 4 << 20, Duration.ofMillis(5)));
+    Inbox inbox = new Inbox(new Ear(),
+        LcmOptions.standard(Thread.ofPlatform().factory()).withBounds(MOST_MESSAGE, 4 << 20, Duration.ofMillis(5)));
     for (int i = 0; i < ROUNDS; i++) {
       int sequence = mutator.random().nextInt(50);
       byte[] good = i % 3 == 0 ? shortOne(sequence) : fragment(sequence, mutator.random().nextInt(4), 4);
       byte[] datagram = mutator.random().nextInt(3) == 0 ? good : mutator.mutate(good);
-      inbox.accept(new InetSocketAddress("10.0.0." + mutator.random().nextInt(3), 7000), ByteBuffer.wrap(datagram), i * 10_000L);
+      inbox.accept(new InetSocketAddress("10.0.0." + mutator.random().nextInt(3), 7000), ByteBuffer.wrap(datagram),
+          i * 10_000L);
     }
     assertTrue(heard.size() > ROUNDS / 10, "heard " + heard.size());
     assertTrue(heard.stream().allMatch(m -> m.data().remaining() <= MOST_MESSAGE));
@@ -69,6 +72,7 @@ class HostileDatagramsTest {
     for (int number = 0; number < 4; number++) {
       inbox.accept(honest, ByteBuffer.wrap(fragment(77, number, 4)), ROUNDS * 10_000L);
     }
-    assertTrue(heard.size() == before + 1 && heard.getLast().data().remaining() == 1200, "a whole message comes through");
+    assertTrue(heard.size() == before + 1 && heard.getLast().data().remaining() == 1200,
+        "a whole message comes through");
   }
 }

@@ -103,7 +103,8 @@ public final class ClientRuntime {
   /** Asks; never waits. */
   CompletableFuture<Outcome<PlayerMessage>> request(PlayerMessage question, String name) {
     return current.map(connection -> connection.request(question, name))
-        .orElseGet(() -> CompletableFuture.completedFuture(new Outcome.Failed<>(name + ": there is no link to " + peer())));
+        .orElseGet(
+            () -> CompletableFuture.completedFuture(new Outcome.Failed<>(name + ": there is no link to " + peer())));
   }
 
   private void run() {
@@ -216,7 +217,8 @@ public final class ClientRuntime {
     @Override
     public void data(PlayerMessage message) {
       long now = System.nanoTime();
-      Optional.ofNullable(devices.get(message.device().id())).ifPresentOrElse(device -> device.data(message, now), unexpected::increment);
+      Optional.ofNullable(devices.get(message.device().id())).ifPresentOrElse(device -> device.data(message, now),
+          unexpected::increment);
     }
 
     @Override

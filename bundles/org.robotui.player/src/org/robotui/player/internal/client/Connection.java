@@ -118,7 +118,8 @@ final class Connection implements Closeable {
       long now = System.nanoTime();
       requests.expire(now);
       if (fetcher.filter(each -> each.isDue(now)).isPresent()) {
-        write(Framing.bytes(numbered(PlayerMessage.empty(address(DeviceId.SERVER), MessageType.REQUEST, Fetcher.FETCH))));
+        write(
+            Framing.bytes(numbered(PlayerMessage.empty(address(DeviceId.SERVER), MessageType.REQUEST, Fetcher.FETCH))));
       }
       long next = requests.nextDeadline(fetcher.map(each -> each.nextLook(now)).orElse(now + NEVER));
       Optional<ByteBuffer> frame = out.take(next);

@@ -126,7 +126,10 @@ public final class DeviceLink {
     access(OPEN).thenAccept(this::opened);
   }
 
-  /** Closes and opens the device on the present connection; never waits. What is refused then is told as for the first time. */
+  /**
+   * Closes and opens the device on the present connection; never waits. What is refused then is told as for the first
+   * time.
+   */
   public void reopen() {
     if (state instanceof DeviceState.Open) {
       access(CLOSE);
@@ -136,11 +139,13 @@ public final class DeviceLink {
 
   private CompletableFuture<Outcome<Server.Access>> access(int mode) {
     return address().map(address -> ask(address, mode))
-        .orElseGet(() -> CompletableFuture.completedFuture(new Outcome.Failed<>("there is no link to " + client.peer())));
+        .orElseGet(
+            () -> CompletableFuture.completedFuture(new Outcome.Failed<>("there is no link to " + client.peer())));
   }
 
   private CompletableFuture<Outcome<Server.Access>> ask(DeviceAddress address, int mode) {
-    Server.Device device = new Server.Device(Integer.toUnsignedLong(address.host()), Integer.toUnsignedLong(address.robot()), id.interfaceCode(),
+    Server.Device device = new Server.Device(Integer.toUnsignedLong(address.host()),
+        Integer.toUnsignedLong(address.robot()), id.interfaceCode(),
         id.index());
     ByteBuffer question = client.layouts().question(Server.ACCESS).encode(new Server.Access(device, mode, ""));
     DeviceAddress server = client.address(DeviceId.SERVER).orElse(address);
@@ -215,8 +220,10 @@ public final class DeviceLink {
   /** Asks the device; never waits. */
   public CompletableFuture<Outcome<PlayerMessage>> request(int subtype, ByteBuffer question, String what) {
     String title = what + " of " + name;
-    return address().map(address -> client.request(PlayerMessage.of(address, MessageType.REQUEST, subtype, question), title))
-        .orElseGet(() -> CompletableFuture.completedFuture(new Outcome.Failed<>(title + ": there is no link to " + client.peer())));
+    return address()
+        .map(address -> client.request(PlayerMessage.of(address, MessageType.REQUEST, subtype, question), title))
+        .orElseGet(() -> CompletableFuture
+            .completedFuture(new Outcome.Failed<>(title + ": there is no link to " + client.peer())));
   }
 
   /** Commands the device, if it is open; never waits. */

@@ -31,13 +31,16 @@ final class Handshake {
   /** Answers the server's devices. */
   List<DeviceAddress> shake(Connection connection) throws IOException, PlayerException {
     if (options.key().isPresent()) {
-      agree(connection, Server.AUTHENTICATE, layouts.question(Server.AUTHENTICATE).encode(new Server.Key(options.key().get())),
+      agree(connection, Server.AUTHENTICATE,
+          layouts.question(Server.AUTHENTICATE).encode(new Server.Key(options.key().get())),
           "the server does not take the key");
     }
-    PlayerMessage list = agree(connection, Server.DEVICES, ByteBuffer.allocate(0), "the server does not tell its devices; it may want a key");
+    PlayerMessage list = agree(connection, Server.DEVICES, ByteBuffer.allocate(0),
+        "the server does not tell its devices; it may want a key");
     if (options.newestOnly()) {
       agree(connection, Server.REPLACE_RULE, layouts.question(Server.REPLACE_RULE)
-          .encode(new Server.ReplaceRule(ANY, ANY, MessageType.DATA.code(), ANY, REPLACE)), "the server does not replace older data");
+          .encode(new Server.ReplaceRule(ANY, ANY, MessageType.DATA.code(), ANY, REPLACE)),
+          "the server does not replace older data");
     }
     if (options.pull().isPresent()) {
       agree(connection, Server.DATA_MODE, layouts.question(Server.DATA_MODE).encode(new Server.DataMode(PULL)),
@@ -48,8 +51,9 @@ final class Handshake {
 
   private PlayerMessage agree(Connection connection, Kind.Request<?, ?> kind, ByteBuffer question, String otherwise)
       throws IOException, PlayerException {
-    PlayerMessage answer = connection.handshake(PlayerMessage.of(connection.address(DeviceId.SERVER), MessageType.REQUEST,
-        layouts.message(kind).subtype(), question));
+    PlayerMessage answer =
+        connection.handshake(PlayerMessage.of(connection.address(DeviceId.SERVER), MessageType.REQUEST,
+            layouts.message(kind).subtype(), question));
     if (answer.type() != MessageType.ACK) {
       throw new PlayerException(otherwise);
     }

@@ -8,13 +8,13 @@ import java.util.Optional;
 import org.robotui.player.wire.DeviceId;
 
 /**
- * What waits for the socket: requests in their order, and of each command the newest only. Commands go first, so that a stop
- * does not wait behind questions. Nothing of it outlives its connection.
+ * What waits for the socket: requests in their order, and of each command the newest only. Commands go first, so that a
+ * stop does not wait behind questions. Nothing of it outlives its connection.
  */
 final class OutBox {
 
   /** Which commands replace each other. */
-  record Slot(DeviceId device, int subtype) { }
+  record Slot(DeviceId device, int subtype) {}
 
   private static final int A_MILLION = 1_000_000;
 

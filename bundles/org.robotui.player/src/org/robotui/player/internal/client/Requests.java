@@ -14,8 +14,8 @@ import org.robotui.player.wire.MessageType;
 import org.robotui.player.wire.PlayerMessage;
 
 /**
- * Requests whose answers did not come yet. The server's own answers repeat the number of the request; those of drivers do not,
- * and are taken for the oldest request of that device and kind.
+ * Requests whose answers did not come yet. The server's own answers repeat the number of the request; those of drivers
+ * do not, and are taken for the oldest request of that device and kind.
  */
 final class Requests {
 
@@ -44,9 +44,11 @@ final class Requests {
     if (lost.isPresent()) {
       answer.complete(new Outcome.Failed<>(lost.get()));
     } else if (waiting.size() >= most) {
-      answer.complete(new Outcome.Failed<>(name + " at " + peer + ": " + most + " requests wait for their answers already"));
+      answer.complete(
+          new Outcome.Failed<>(name + " at " + peer + ": " + most + " requests wait for their answers already"));
     } else {
-      waiting.add(new Waiting(request.device().id(), request.subtype(), request.sequence(), name, System.nanoTime() + patience.toNanos(),
+      waiting.add(new Waiting(request.device().id(), request.subtype(), request.sequence(), name,
+          System.nanoTime() + patience.toNanos(),
           patience, answer));
     }
     return answer;
@@ -62,8 +64,9 @@ final class Requests {
 
   /** Ends those that waited too long. */
   void expire(long now) {
-    remove(each -> each.deadline - now <= 0, Integer.MAX_VALUE).forEach(each -> each.answer.complete(new Outcome.TimedOut<>(
-        each.name + " at " + peer + ": no answer within " + each.patience.toMillis() + " ms", each.patience)));
+    remove(each -> each.deadline - now <= 0, Integer.MAX_VALUE)
+        .forEach(each -> each.answer.complete(new Outcome.TimedOut<>(
+            each.name + " at " + peer + ": no answer within " + each.patience.toMillis() + " ms", each.patience)));
   }
 
   /** Ends all, and those that come later at once. */

@@ -84,7 +84,9 @@ final class ClientSession {
     }
   }
 
-  /** As real servers do: nothing from a device that is not there, a refusal from one that is not open, and no number. */
+  /**
+   * As real servers do: nothing from a device that is not there, a refusal from one that is not open, and no number.
+   */
   private void ofDevice(PlayerMessage request) throws PlayerException {
     if (registry.has(request.device().id())) {
       say(request, registry.isOpen(request.device().id(), this) ? registry.request(request) : Answer.refused(), 0);
@@ -106,7 +108,8 @@ final class ClientSession {
   }
 
   private PlayerMessage reply(PlayerMessage request, MessageType type, ByteBuffer payload, long sequence) {
-    return new PlayerMessage(address(request.device().id()), type, request.subtype(), options.clock().getAsDouble(), sequence, payload);
+    return new PlayerMessage(address(request.device().id()), type, request.subtype(), options.clock().getAsDouble(),
+        sequence, payload);
   }
 
   /** Greets, and sends until closed. */

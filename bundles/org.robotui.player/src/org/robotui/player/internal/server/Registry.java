@@ -20,8 +20,11 @@ public final class Registry {
 
   private static final Logger LOG = LoggerFactory.getLogger(Registry.class);
 
-  /** Clients by each time that they have opened it: who has opened it twice is sent all data twice, as by real servers, and has to close it twice. */
-  private record Entry(String driver, DeviceHandler handler, List<ClientSession> clients) { }
+  /**
+   * Clients by each time that they have opened it: who has opened it twice is sent all data twice, as by real servers,
+   * and has to close it twice.
+   */
+  private record Entry(String driver, DeviceHandler handler, List<ClientSession> clients) {}
 
   private final Map<DeviceId, Entry> devices =
       new ConcurrentSkipListMap<>(Comparator.comparingInt(DeviceId::interfaceCode).thenComparingInt(DeviceId::index));

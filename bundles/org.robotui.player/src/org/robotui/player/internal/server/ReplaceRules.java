@@ -5,7 +5,10 @@ import java.util.List;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.wire.PlayerMessage;
 
-/** What a client wants to become of data while others of their kind wait; the last rule that fits counts. Not for many threads. */
+/**
+ * What a client wants to become of data while others of their kind wait; the last rule that fits counts. Not for many
+ * threads.
+ */
 final class ReplaceRules {
 
   /** What becomes of a message. */

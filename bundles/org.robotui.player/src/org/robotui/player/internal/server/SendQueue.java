@@ -5,7 +5,10 @@ import java.util.Optional;
 import org.robotui.player.interfaces.Server;
 import org.robotui.player.wire.PlayerMessage;
 
-/** What waits for one client: answers always, data as the client wants them. When too many data wait the oldest go, and are counted. */
+/**
+ * What waits for one client: answers always, data as the client wants them. When too many data wait the oldest go, and
+ * are counted.
+ */
 final class SendQueue {
 
   /** Answers that nobody reads: the client is stopped or hostile. */

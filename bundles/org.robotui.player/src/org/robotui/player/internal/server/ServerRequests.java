@@ -13,7 +13,9 @@ import org.robotui.player.wire.DeviceId;
 import org.robotui.player.wire.PlayerException;
 import org.robotui.player.wire.PlayerMessage;
 
-/** What a client asks the server itself. Without the key, if the server has one, everything is refused. For one thread. */
+/**
+ * What a client asks the server itself. Without the key, if the server has one, everything is refused. For one thread.
+ */
 final class ServerRequests {
 
   private static final int OPEN = 1;
@@ -42,8 +44,8 @@ final class ServerRequests {
     this.trusts = key.isEmpty();
     this.access = layouts.message(Server.ACCESS).subtype();
     this.fetch = layouts.message(Server.DATA).subtype();
-    this.strange = new TypedHandler(layouts, none -> { }).on(Server.AUTHENTICATE, this::authenticate);
-    this.trusted = new TypedHandler(layouts, none -> { })
+    this.strange = new TypedHandler(layouts, none -> {}).on(Server.AUTHENTICATE, this::authenticate);
+    this.trusted = new TypedHandler(layouts, none -> {})
         .on(Server.AUTHENTICATE, this::authenticate)
         .on(Server.DEVICES, none -> Optional.of(devices()))
         .on(Server.DRIVER, this::driver)
@@ -73,7 +75,8 @@ final class ServerRequests {
   }
 
   private static Server.Device device(DeviceAddress address) {
-    return new Server.Device(Integer.toUnsignedLong(address.host()), Integer.toUnsignedLong(address.robot()), address.interfaceCode(),
+    return new Server.Device(Integer.toUnsignedLong(address.host()), Integer.toUnsignedLong(address.robot()),
+        address.interfaceCode(),
         address.index());
   }
 

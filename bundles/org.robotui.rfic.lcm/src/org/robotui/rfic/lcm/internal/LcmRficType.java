@@ -42,7 +42,8 @@ public final class LcmRficType implements RficType {
     SettingsReader reader = new SettingsReader(System.getenv());
     LcmSettings read = reader.read(settings);
     if (!reader.faults().isEmpty()) {
-      throw new IllegalArgumentException(reader.faults().stream().map(SettingFault::toString).collect(Collectors.joining("; ")));
+      throw new IllegalArgumentException(
+          reader.faults().stream().map(SettingFault::toString).collect(Collectors.joining("; ")));
     }
     return LcmSessions.rfic(context, read, guards);
   }

@@ -25,10 +25,12 @@ record LcmSessions(RficContext context, LcmSettings settings, Guards guards) imp
 
   @Override
   public RobotSession open(SessionScope scope) throws IOException {
-    SocketFactory sockets = settings.guard() ? scope.closing(guards.open(), Guard::close).sockets() : SocketFactory.getDefault();
+    SocketFactory sockets =
+        settings.guard() ? scope.closing(guards.open(), Guard::close).sockets() : SocketFactory.getDefault();
     // a recording would begin anew, or be written over
     TypeFiles files = new TypeFiles(settings.url().provider().equals("file") ? List.of() : settings.types());
     files.reading(System.nanoTime());
-    return new LcmSession(context, settings, TypeFolder.read(settings.types()), sockets, () -> files.changed(System.nanoTime()));
+    return new LcmSession(context, settings, TypeFolder.read(settings.types()), sockets,
+        () -> files.changed(System.nanoTime()));
   }
 }

@@ -26,19 +26,24 @@ public record LcmSettings(LcmUrl url, List<Path> types, List<Stream> streams, Li
   private static final ValueType TEXT = new ValueType.Text();
   private static final ValueType TEXTS = new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT)));
   private static final ValueType FIELD =
-      new ValueType.WithPlace(new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT), new ValueType.MapOf(TEXT))));
+      new ValueType.WithPlace(
+          new ValueType.AnyOf(List.of(TEXT, new ValueType.ListOf(TEXT), new ValueType.MapOf(TEXT))));
   private static final ValueType FIELDS = new ValueType.MapOf(FIELD);
   private static final ValueType MAPPING = new ValueType.WithPlace(new ValueType.AnyOf(List.of(TEXT, FIELDS)));
 
   static final Schema SCHEMA = Schema.of(
-      Setting.optional("url", new ValueType.WithPlace(TEXT), "where the messages come from, for example udpm://239.255.76.67:7667?ttl=1, "
-          + "tcpq://host:7700 or file://recorded.lcmlog; else LCM_DEFAULT_URL"),
-      Setting.optional("types", new ValueType.WithPlace(TEXTS), "files and folders of .lcm files, relative to this file"),
-      Setting.of("channels", new ValueType.MapOf(new ValueType.AnyOf(List.of(MAPPING, new ValueType.ListOf(MAPPING)))), Map.of(),
+      Setting.optional("url", new ValueType.WithPlace(TEXT),
+          "where the messages come from, for example udpm://239.255.76.67:7667?ttl=1, "
+              + "tcpq://host:7700 or file://recorded.lcmlog; else LCM_DEFAULT_URL"),
+      Setting.optional("types", new ValueType.WithPlace(TEXTS),
+          "files and folders of .lcm files, relative to this file"),
+      Setting.of("channels", new ValueType.MapOf(new ValueType.AnyOf(List.of(MAPPING, new ValueType.ListOf(MAPPING)))),
+          Map.of(),
           "what the messages of channels become; others become records with the fields of their type"),
       Setting.of("commands", new ValueType.MapOf(MAPPING), Map.of(), "which channels take which commands"),
-      Setting.optional("guard", new ValueType.WithPlace(new ValueType.Flag()), "for tcpq: keeps the connection in a small process of its own, "
-          + "so that the server never waits for a workbench that is stopped or killed"));
+      Setting.optional("guard", new ValueType.WithPlace(new ValueType.Flag()),
+          "for tcpq: keeps the connection in a small process of its own, "
+              + "so that the server never waits for a workbench that is stopped or killed"));
 
   /**
    * A channel whose messages become data.

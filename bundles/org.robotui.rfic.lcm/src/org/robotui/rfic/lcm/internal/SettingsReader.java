@@ -51,8 +51,10 @@ final class SettingsReader {
       List<?> all = written instanceof List<?> list ? list : List.of(written);
       all.forEach(each -> attempt(() -> stream(channel.toString(), (Placed) each)));
     });
-    settings.map("commands").forEach((channel, written) -> attempt(() -> command(channel.toString(), (Placed) written)));
-    return new LcmSettings(url, types, streams, commands, settings.has("guard") && guard((Placed) settings.values().get("guard"), url));
+    settings.map("commands")
+        .forEach((channel, written) -> attempt(() -> command(channel.toString(), (Placed) written)));
+    return new LcmSettings(url, types, streams, commands,
+        settings.has("guard") && guard((Placed) settings.values().get("guard"), url));
   }
 
   /** A part of the reading. */
@@ -82,7 +84,8 @@ final class SettingsReader {
     try {
       LcmUrl url = LcmUrl.of(written.value().toString());
       return checked(url.provider().equals("file")
-          ? new LcmUrl(url.provider(), written.resolve(url.network()).toString(), url.options()) : url);
+          ? new LcmUrl(url.provider(), written.resolve(url.network()).toString(), url.options())
+          : url);
     } catch (IllegalArgumentException e) {
       faults.add(written.fault("'url': " + e.getMessage()));
       return LcmUrl.of(LcmUrl.DEFAULT);
@@ -92,7 +95,8 @@ final class SettingsReader {
   private boolean guard(Placed written, LcmUrl url) {
     boolean wanted = written.value().equals(true);
     if (wanted && !url.provider().equals("tcpq")) {
-      faults.add(written.fault("'guard' is for servers (tcpq://HOST:PORT) alone: nobody waits for who listens to " + url + "; leave it out"));
+      faults.add(written.fault("'guard' is for servers (tcpq://HOST:PORT) alone: nobody waits for who listens to " + url
+          + "; leave it out"));
     }
     return wanted;
   }
@@ -118,7 +122,8 @@ final class SettingsReader {
     Map<String, Placed> entries = entries(written, "odometry");
     Placed as = word(entries, AS, written, "what the messages of " + channel + " become, one of " + LcmShapes.words());
     Shape<?> shape = LcmShapes.of(as.value().toString())
-        .orElseThrow(() -> new FaultException(as.fault("'" + as.value() + "' is nothing that messages become; write one of " + LcmShapes.words())));
+        .orElseThrow(() -> new FaultException(
+            as.fault("'" + as.value() + "' is nothing that messages become; write one of " + LcmShapes.words())));
     Optional<Placed> type = Optional.ofNullable(entries.remove(TYPE));
     Placed port = Optional.ofNullable(entries.remove(PORT)).orElse(as);
     String name = port == as ? unused(channel, as.value().toString()) : port.value().toString();
@@ -137,11 +142,14 @@ final class SettingsReader {
     Map<String, Placed> entries = entries(written, "velocity, type: robotui.velocity_t");
     Placed as = word(entries, AS, written, "what commands " + channel + " takes, one of " + CommandForm.words());
     CommandForm<?> command = CommandForm.of(as.value().toString())
-        .orElseThrow(() -> new FaultException(as.fault("'" + as.value() + "' is no command; write one of " + CommandForm.words())));
-    Placed type = word(entries, TYPE, written, "the type of the messages of " + channel + ", such as robotui.velocity_t");
+        .orElseThrow(() -> new FaultException(
+            as.fault("'" + as.value() + "' is no command; write one of " + CommandForm.words())));
+    Placed type =
+        word(entries, TYPE, written, "the type of the messages of " + channel + ", such as robotui.velocity_t");
     Placed fixed = Optional.ofNullable(entries.remove(SET)).orElse(Placed.nowhere(Map.of()));
     if (!(fixed.value() instanceof Map<?, ?>)) {
-      throw new FaultException(fixed.fault("'set' must be members with values, as {mode: 1}, not '" + fixed.value() + "'"));
+      throw new FaultException(
+          fixed.fault("'set' must be members with values, as {mode: 1}, not '" + fixed.value() + "'"));
     }
     Form form = command.form();
     commands.add(new LcmSettings.Command(Mapping.parse(written, channel, form, entries), command, type, fixed));
@@ -160,7 +168,8 @@ final class SettingsReader {
     return entries;
   }
 
-  private static Placed word(Map<String, Placed> entries, String key, Placed at, String expected) throws FaultException {
+  private static Placed word(Map<String, Placed> entries, String key, Placed at, String expected)
+      throws FaultException {
     Placed found = entries.remove(key);
     if (found == null) {
       throw new FaultException(at.fault("'" + key + "' is missing: " + expected));

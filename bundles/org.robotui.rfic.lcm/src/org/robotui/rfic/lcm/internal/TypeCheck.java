@@ -27,7 +27,8 @@ public final class TypeCheck {
     try {
       types = TypeFolder.read(settings.types());
     } catch (IOException e) {
-      return List.of(where.fault("'types': " + e.getMessage() + "; write a file or folder of .lcm files, relative to this file"));
+      return List.of(
+          where.fault("'types': " + e.getMessage() + "; write a file or folder of .lcm files, relative to this file"));
     }
     List<SettingFault> faults = new ArrayList<>();
     for (LcmSettings.Stream stream : settings.streams()) {
@@ -63,7 +64,8 @@ public final class TypeCheck {
    */
   public static LcmType type(Placed name, TypeLibrary types) throws FaultException {
     Optional<LcmType> type = types.type(name.value().toString());
-    return type.orElseThrow(() -> new FaultException(name.fault("no .lcm file declares the type '" + name.value() + "'; "
+    return type.orElseThrow(() -> new FaultException(name.fault("no .lcm file declares the type '" + name.value()
+        + "'; "
         + (types.types().isEmpty() ? "write after types: where the .lcm files are" : "there are " + names(types)))));
   }
 
@@ -83,11 +85,13 @@ public final class TypeCheck {
    * @return the writer
    * @throws FaultException where members are not there or cannot hold what they shall
    */
-  public static <D extends Data> CommandWriter<D> writer(LcmSettings.Command command, CommandForm<D> form, TypeLibrary types)
+  public static <D extends Data> CommandWriter<D> writer(LcmSettings.Command command, CommandForm<D> form,
+      TypeLibrary types)
       throws FaultException {
     LcmType type = type(command.type(), types);
     try {
-      return new CommandWriter<>(form, command.mapping().bind(type, types), (Map<?, ?>) command.fixed().value(), type, types);
+      return new CommandWriter<>(form, command.mapping().bind(type, types), (Map<?, ?>) command.fixed().value(), type,
+          types);
     } catch (IllegalArgumentException e) {
       Placed at = command.fixed().line() > 0 ? command.fixed() : command.mapping().place();
       throw new FaultException(at.fault(command.mapping().channel() + ": " + e.getMessage()));

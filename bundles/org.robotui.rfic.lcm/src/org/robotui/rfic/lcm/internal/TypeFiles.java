@@ -32,7 +32,10 @@ final class TypeFiles {
     lookedAt = nowNanos;
   }
 
-  /** Whether they are others than those that were read, and nobody is just writing them: two looks, a second apart, find the same. */
+  /**
+   * Whether they are others than those that were read, and nobody is just writing them: two looks, a second apart, find
+   * the same.
+   */
   boolean changed(long nowNanos) {
     if (nowNanos - lookedAt < BETWEEN_NANOS) {
       return false;

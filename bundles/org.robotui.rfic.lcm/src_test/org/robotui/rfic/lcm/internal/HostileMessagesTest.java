@@ -22,17 +22,23 @@ import org.robotui.rfic.lcm.internal.convert.RecordFiller;
 import org.robotui.rfic.lcm.internal.session.SessionProbe;
 import org.robotui.testkit.FakeRficContext;
 
-/** Messages and mappings that nobody means: whatever comes, it becomes a value or a complaint, and nothing else happens. */
+/**
+ * Messages and mappings that nobody means: whatever comes, it becomes a value or a complaint, and nothing else happens.
+ */
 class HostileMessagesTest {
   private static final int ROUNDS = 4000;
-  private static final Map<String, String> CHANNELS = Map.ofEntries(Map.entry("odometry_t", "odometry"), Map.entry("pose_t", "pose"),
-      Map.entry("transforms_t", "transforms"), Map.entry("laser_t", "laserscan"), Map.entry("ranges_t", "ranges"), Map.entry("imu_t", "imu"),
-      Map.entry("battery_t", "battery"), Map.entry("image_t", "image"), Map.entry("map_t", "gridmap"), Map.entry("path_t", "path"), Map.entry("log_t", "log"));
+  private static final Map<String, String> CHANNELS =
+      Map.ofEntries(Map.entry("odometry_t", "odometry"), Map.entry("pose_t", "pose"),
+          Map.entry("transforms_t", "transforms"), Map.entry("laser_t", "laserscan"), Map.entry("ranges_t", "ranges"),
+          Map.entry("imu_t", "imu"),
+          Map.entry("battery_t", "battery"), Map.entry("image_t", "image"), Map.entry("map_t", "gridmap"),
+          Map.entry("path_t", "path"), Map.entry("log_t", "log"));
 
   private static Map<String, Object> fields(String type) {
     return switch (type) {
       case "laser_t" -> Map.of("ranges", List.of(1, 2, 3), "angle_increment", 0.1, "range_max", 10, "frame", "laser");
-      case "ranges_t" -> Map.of("ranges", List.of(1, 2), "x", List.of(1, 2), "y", List.of(1, 2), "z", List.of(1, 2), "yaw", List.of(1, 2), "range_max", 3);
+      case "ranges_t" -> Map.of("ranges", List.of(1, 2), "x", List.of(1, 2), "y", List.of(1, 2), "z", List.of(1, 2),
+          "yaw", List.of(1, 2), "range_max", 3);
       case "image_t" -> Map.of("encoding", "rgb8", "width", 1, "height", 1, "data", List.of(1, 2, 3));
       case "map_t" -> Map.of("resolution", 0.1, "cells", List.of(List.of(1, 2), List.of(3, 4)));
       case "path_t" -> Map.of("poses", List.of(Map.of("position", List.of(1, 2, 3)), Map.of()));
@@ -104,7 +110,8 @@ class HostileMessagesTest {
   @Test
   void mappingsOfRandomWordsAreRefusedWithTheirPlace() {
     Random random = new Random(5);
-    String[] words = {"pos", "[0]", "[]", "position", ".", "x", "-", "mm", "deg", " ", "$", "utime", "us", "1e9", "0x", "*", "poses", "\u00e4", "[99999999999]", "as"};
+    String[] words = {"pos", "[0]", "[]", "position", ".", "x", "-", "mm", "deg", " ", "$", "utime", "us", "1e9", "0x",
+        "*", "poses", "\u00e4", "[99999999999]", "as"};
     String[] fields = {"position", "x", "yaw", "frame", "stamp", "orientation", "linear", "child"};
     int refused = 0;
     for (int i = 0; i < ROUNDS; i++) {
@@ -112,8 +119,11 @@ class HostileMessagesTest {
       for (int n = 1 + random.nextInt(4); n > 0; n--) {
         text.append(words[random.nextInt(words.length)]);
       }
-      var faults = new LcmRficType().faults(Written.settings("memq://", Written.types().toString() + "/robotui/odometry_t.lcm", Map.of("X",
-          Written.map("as", "odometry", "type", "robotui.odometry_t", fields[random.nextInt(fields.length)], text.toString())), Map.of()));
+      var faults = new LcmRficType().faults(Written.settings("memq://",
+          Written.types().toString() + "/robotui/odometry_t.lcm", Map.of("X",
+              Written.map("as", "odometry", "type", "robotui.odometry_t", fields[random.nextInt(fields.length)],
+                  text.toString())),
+          Map.of()));
       faults.forEach(f -> assertTrue(f.toString().matches("(?s)robot.yaml:10:(5|11|12): .+"), f.toString()));
       refused += faults.isEmpty() ? 0 : 1;
     }

@@ -57,16 +57,25 @@ final class LcmPeer implements Peer {
   private static final Optional<Stamp> STAMPED = Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT));
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final long USEC = 1_700_000_000_000_000L;
-  private static final Sample POSE = new Sample("BASE", new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
-      RigidTransform.planar(1.5, -2.25, Math.PI / 6), Doubles.EMPTY, new Vector3(10, 0, 0), new Vector3(0, 0, Math.PI / 2), Doubles.EMPTY), STAMPED);
-  private static final Sample SCAN = new Sample("LASER", new LaserScan(new FrameId("robby", "scanner"), -Math.PI / 2, Math.PI / 2, 0, 8, 0,
-      Floats.of(1.5f, 0.25f, 2.5f), Floats.EMPTY), STAMPED);
+  private static final Sample POSE = new Sample("BASE",
+      new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
+          RigidTransform.planar(1.5, -2.25, Math.PI / 6), Doubles.EMPTY, new Vector3(10, 0, 0),
+          new Vector3(0, 0, Math.PI / 2), Doubles.EMPTY),
+      STAMPED);
+  private static final Sample SCAN =
+      new Sample("LASER", new LaserScan(new FrameId("robby", "scanner"), -Math.PI / 2, Math.PI / 2, 0, 8, 0,
+          Floats.of(1.5f, 0.25f, 2.5f), Floats.EMPTY), STAMPED);
   private static final Map<String, Map<String, Object>> CHANNELS = Map.of(
-      "BASE", Written.map("as", "odometry", "x", "pos.0 mm", "y", "pos.1 mm", "yaw", "heading deg", "vx", "speed km/h", "wz", "turn deg/s", "stamp", "usec us",
+      "BASE",
+      Written.map("as", "odometry", "x", "pos.0 mm", "y", "pos.1 mm", "yaw", "heading deg", "vx", "speed km/h", "wz",
+          "turn deg/s", "stamp", "usec us",
           "frame", "odom", "child", "base_link"),
-      "LASER", Written.map("as", "laserscan", "ranges", "mm mm", "angle_min", "-90 deg", "angle_max", "90 deg", "range_max", "8 m", "stamp", "usec us",
+      "LASER",
+      Written.map("as", "laserscan", "ranges", "mm mm", "angle_min", "-90 deg", "angle_max", "90 deg", "range_max",
+          "8 m", "stamp", "usec us",
           "frame", "scanner"));
-  private static final Map<String, Object> DRIVE = Written.map("as", "velocity", "type", "tck.drive_t", "vx", "speed mm/s", "wz", "turn deg/s");
+  private static final Map<String, Object> DRIVE =
+      Written.map("as", "velocity", "type", "tck.drive_t", "vx", "speed mm/s", "wz", "turn deg/s");
 
   private final List<Data> heard = new CopyOnWriteArrayList<>();
   private final LcmBus bus;
@@ -118,7 +127,8 @@ final class LcmPeer implements Peer {
     }
     try {
       LcmRecord drive = types.decode(message.data());
-      heard.add(VelocityCommand.planar(drive.number("speed").orElseThrow() / 1000, Math.toRadians(drive.number("turn").orElseThrow())));
+      heard.add(VelocityCommand.planar(drive.number("speed").orElseThrow() / 1000,
+          Math.toRadians(drive.number("turn").orElseThrow())));
     } catch (RecordException e) {
       throw new IllegalStateException(e);
     }

@@ -81,7 +81,9 @@ class LcmRficTest {
     rfic = LcmSessions.rfic(context, Written.right(Written.settings(url, Written.types().toString(),
         Map.of("BATTERY", "battery", "ODOMETRY", "odometry", "TRANSFORMS", "transforms"),
         Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t"),
-            "GOAL", Written.map("as", "goal", "type", "robotui.goal_t", "position", "pose.position", "orientation", "pose.orientation", "set", Map.of("id", "ui"))))), new Guards());
+            "GOAL", Written.map("as", "goal", "type", "robotui.goal_t", "position", "pose.position", "orientation",
+                "pose.orientation", "set", Map.of("id", "ui"))))),
+        new Guards());
     rfic.start();
     await(() -> context.browsers.containsKey("channels"));
   }
@@ -133,10 +135,11 @@ class LcmRficTest {
   @Test
   void mappedChannelsAreOfferedFromTheBeginningAndFedOnDemand() {
     assertEquals(Battery.class, context.streams.get("BATTERY").type());
-    sayUntil("BATTERY", "robotui.battery_t", Map.of("voltage", 11.0), () -> context.links.peekLast() instanceof LinkState.Connected);
+    sayUntil("BATTERY", "robotui.battery_t", Map.of("voltage", 11.0),
+        () -> context.links.peekLast() instanceof LinkState.Connected);
     assertTrue(context.published.get("BATTERY").isEmpty(), "nobody asked for it");
     context.demand("BATTERY", true);
-    sayUntil("BATTERY", "robotui.battery_t", Map.of("utime", 7, "voltage", 12.5), 
+    sayUntil("BATTERY", "robotui.battery_t", Map.of("utime", 7, "voltage", 12.5),
         () -> context.published.get("BATTERY").stream().anyMatch(p -> ((Battery) p.value()).voltage() == 12.5));
     FakeRficContext.Published first = context.published.get("BATTERY").getLast();
     assertEquals(7000, first.stamp().orElseThrow().nanos());
@@ -147,7 +150,8 @@ class LcmRficTest {
 
   @Test
   void framesAreFollowedAlsoWhileNobodyLooksAtTheirChannel() {
-    sayUntil("TRANSFORMS", "robotui.transforms_t", Map.of("transforms", List.of(Map.of("parent", "odom", "child", "base"))), () -> !context.transforms.isEmpty());
+    sayUntil("TRANSFORMS", "robotui.transforms_t",
+        Map.of("transforms", List.of(Map.of("parent", "odom", "child", "base"))), () -> !context.transforms.isEmpty());
     assertEquals("base", context.transforms.getFirst().child().name());
   }
 
@@ -156,7 +160,7 @@ class LcmRficTest {
     sayUntil("MAP", "robotui.map_t", Map.of("resolution", 1.0), () -> context.streams.containsKey("MAP"));
     assertEquals("MAP, robotui.map_t", context.streams.get("MAP").help());
     context.demand("MAP", true);
-    sayUntil("MAP", "robotui.map_t", Map.of("cells", List.of(List.of(1, 2), List.of(3, 4))), 
+    sayUntil("MAP", "robotui.map_t", Map.of("cells", List.of(List.of(1, 2), List.of(3, 4))),
         () -> context.published.get("MAP").stream().anyMatch(p -> cell((DynamicRecord) p.value()) == 3));
   }
 
@@ -179,9 +183,11 @@ class LcmRficTest {
     DynamicRecord record = (DynamicRecord) context.published.get("ODD").getFirst().value();
     assertEquals(new FieldValue.Text("0x0102030405060708"), record.field("fingerprint").orElseThrow());
     assertEquals(9, ((FieldValue.Num) record.field("size").orElseThrow()).value());
-    assertTrue(record.field("remedy").orElseThrow().toString().contains("add the .lcm file that its sender was built with"));
+    assertTrue(
+        record.field("remedy").orElseThrow().toString().contains("add the .lcm file that its sender was built with"));
     Browser browser = context.browsers.get("channels");
-    Browser.Item item = browser.list(Browser.Kind.TOPIC).stream().filter(i -> i.name().equals("ODD")).findFirst().orElseThrow();
+    Browser.Item item =
+        browser.list(Browser.Kind.TOPIC).stream().filter(i -> i.name().equals("ODD")).findFirst().orElseThrow();
     assertEquals("unknown type 0x0102030405060708", item.type());
     assertTrue(browser.describe(item).facts().get("problem").contains("has the fingerprint 0x0102030405060708"));
   }
@@ -189,14 +195,17 @@ class LcmRficTest {
   @Test
   void typesThatAreAddedWhileItRunsAreTakenUp(@TempDir Path folder) throws Exception {
     FakeRficContext later = new FakeRficContext();
-    Rfic second = LcmSessions.rfic(later, Written.right(Written.settings(url, folder.toString(), Map.of(), Map.of())), new Guards());
+    Rfic second = LcmSessions.rfic(later, Written.right(Written.settings(url, folder.toString(), Map.of(), Map.of())),
+        new Guards());
     second.start();
     try {
-      sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0), () -> typeOf(later, "POWER").startsWith("unknown type"));
+      sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0),
+          () -> typeOf(later, "POWER").startsWith("unknown type"));
       for (Path file : Files.list(Written.types().resolve("robotui")).toList()) {
         Files.copy(file, folder.resolve(file.getFileName().toString()));
       }
-      sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0), () -> typeOf(later, "POWER").equals("robotui.battery_t"));
+      sayUntil("POWER", "robotui.battery_t", Map.of("voltage", 11.0),
+          () -> typeOf(later, "POWER").equals("robotui.battery_t"));
     } finally {
       second.close();
     }
@@ -224,7 +233,8 @@ class LcmRficTest {
   @Test
   void damagedMessagesNameChannelTypeAndPlace() {
     context.demand("BATTERY", true);
-    ByteBuffer whole = types.type("robotui.battery_t").orElseThrow().encode(types.type("robotui.battery_t").orElseThrow().builder().build());
+    ByteBuffer whole = types.type("robotui.battery_t").orElseThrow()
+        .encode(types.type("robotui.battery_t").orElseThrow().builder().build());
     byte[] cut = new byte[whole.remaining() - 4];
     whole.get(cut);
     await(() -> {
@@ -232,7 +242,8 @@ class LcmRficTest {
       return !context.complaints.get("BATTERY").stream().filter(c -> !c.isEmpty()).toList().isEmpty();
     });
     String complaint = context.complaints.get("BATTERY").stream().filter(c -> !c.isEmpty()).findFirst().orElseThrow();
-    assertTrue(complaint.contains("BATTERY from ") && complaint.contains("robotui.battery_t: ") && complaint.contains("member capacity"), complaint);
+    assertTrue(complaint.contains("BATTERY from ") && complaint.contains("robotui.battery_t: ")
+        && complaint.contains("member capacity"), complaint);
   }
 
   @Test
@@ -259,7 +270,8 @@ class LcmRficTest {
 
   @Test
   void singleMessagesAreSaidButDoNotMoveTheRobot() throws Exception {
-    await(() -> send("publish", new MessageCommand("MOTORS", "robotui.motors_t", Map.of("on", true))) instanceof Sent.Out);
+    await(() -> send("publish",
+        new MessageCommand("MOTORS", "robotui.motors_t", Map.of("on", true))) instanceof Sent.Out);
     assertEquals(1, received().number("on").orElseThrow());
     assertRefused("moves the robot", new MessageCommand("VELOCITY", "robotui.velocity_t", Map.of()));
     assertRefused("declares the type", new MessageCommand("SAY", "robotui.word_t", Map.of()));
@@ -284,7 +296,8 @@ class LcmRficTest {
 
   @Test
   void aSilentRobotIsNotGreen() {
-    await(() -> context.links.peekLast() instanceof LinkState.Degraded d && d.reason().contains("nobody has sent anything yet"));
+    await(() -> context.links.peekLast() instanceof LinkState.Degraded d
+        && d.reason().contains("nobody has sent anything yet"));
     sayUntil("BATTERY", "robotui.battery_t", Map.of(), () -> context.links.peekLast() instanceof LinkState.Connected);
   }
 }

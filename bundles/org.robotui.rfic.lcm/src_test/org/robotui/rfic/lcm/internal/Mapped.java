@@ -36,13 +36,17 @@ final class Mapped {
   }
 
   /** What a message becomes. */
-  <D extends Data> D convert(Class<D> data, String type, Map<String, Object> fields, Object mapping) throws FaultException {
-    LcmSettings.Stream stream = Written.right(Written.settings("memq://", "types", Map.of("CHANNEL", mapping), Map.of())).streams().getFirst();
+  <D extends Data> D convert(Class<D> data, String type, Map<String, Object> fields, Object mapping)
+      throws FaultException {
+    LcmSettings.Stream stream =
+        Written.right(Written.settings("memq://", "types", Map.of("CHANNEL", mapping), Map.of())).streams().getFirst();
     LcmType found = TypeCheck.type(Placed.nowhere(type), types);
     try {
-      Values values = new Values(found.decode(found.encode(new RecordFiller(types).fill(found, fields))), stream.mapping().bind(found, types));
+      Values values = new Values(found.decode(found.encode(new RecordFiller(types).fill(found, fields))),
+          stream.mapping().bind(found, types));
       Stamp stamp = new Stamp(values.nanos("stamp").orElse(0L), ClockKind.ROBOT);
-      return data.cast(stream.shape().make().of(values, new Reception("robby", "CHANNEL", stamp, set -> transforms.addAll(set.transforms()))));
+      return data.cast(stream.shape().make().of(values,
+          new Reception("robby", "CHANNEL", stamp, set -> transforms.addAll(set.transforms()))));
     } catch (RecordException e) {
       throw new AssertionError(e);
     }

@@ -62,7 +62,8 @@ class StockToolsTest {
     try (EventLogWriter writer = EventLogWriter.create(log)) {
       for (int i = 0; i < MESSAGES; i++) {
         long utime = START + i * 10_000L;
-        writer.write(utime, "BATTERY", battery.encode(new RecordFiller(types).fill(battery, Map.of("utime", utime, "voltage", 10 + i * 0.01))));
+        writer.write(utime, "BATTERY",
+            battery.encode(new RecordFiller(types).fill(battery, Map.of("utime", utime, "voltage", 10 + i * 0.01))));
       }
     }
   }
@@ -71,12 +72,15 @@ class StockToolsTest {
     try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       url = "tcpq://127.0.0.1:" + free.getLocalPort();
     }
-    server = TcpqServer.open(TcpqServerOptions.loopback(Thread.ofPlatform().daemon().factory(), Integer.parseInt(url.substring(url.lastIndexOf(':') + 1))));
+    server = TcpqServer.open(TcpqServerOptions.loopback(Thread.ofPlatform().daemon().factory(),
+        Integer.parseInt(url.substring(url.lastIndexOf(':') + 1))));
   }
 
   private void open(String at) {
-    rfic = LcmSessions.rfic(context, Written.right(Written.settings(at, Written.types().toString(), Map.of("BATTERY", "battery"),
-        Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t")))), new Guards());
+    rfic = LcmSessions.rfic(context,
+        Written.right(Written.settings(at, Written.types().toString(), Map.of("BATTERY", "battery"),
+            Map.of("VELOCITY", Written.map("as", "velocity", "type", "robotui.velocity_t")))),
+        new Guards());
     rfic.start();
     await(() -> context.streams.containsKey("BATTERY") && context.sinks.containsKey("VELOCITY"));
     context.demand("BATTERY", true);
@@ -104,9 +108,11 @@ class StockToolsTest {
 
   /** Starts a stock tool; the test is skipped where it is not installed. */
   private Process tool(String... command) throws IOException {
-    boolean there = List.of("/usr/bin/", "/usr/local/bin/").stream().anyMatch(bin -> Files.isExecutable(Path.of(bin + command[0])));
+    boolean there =
+        List.of("/usr/bin/", "/usr/local/bin/").stream().anyMatch(bin -> Files.isExecutable(Path.of(bin + command[0])));
     Assumptions.assumeTrue(there, command[0] + " is not installed: needs the Debian package liblcm-bin");
-    Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(folder.resolve("out").toFile()).start();
+    Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+        .redirectOutput(folder.resolve("out").toFile()).start();
     processes.add(process);
     return process;
   }
@@ -163,7 +169,8 @@ class StockToolsTest {
     FakeRficContext.Published first = context.published.get("BATTERY").getLast();
     assertEquals(ClockKind.SIMULATED, first.stamp().orElseThrow().clock());
     assertTrue(context.simulated.peekLast() >= START * 1000, "time is that of the log");
-    assertInstanceOf(Sent.Refused.class, ((CommandSink<Data>) context.sinks.get("VELOCITY")).send(VelocityCommand.ZERO));
+    assertInstanceOf(Sent.Refused.class,
+        ((CommandSink<Data>) context.sinks.get("VELOCITY")).send(VelocityCommand.ZERO));
     await(() -> context.links.peekLast() instanceof LinkState.Degraded d && d.reason().contains("end"));
   }
 }

@@ -10,7 +10,10 @@ import java.net.StandardSocketOptions;
 import java.util.Map;
 import org.robotui.testkit.rfic.Capability;
 
-/** A multicast group on loopback. It is always there: a robot that is away or hangs is silent, and that is all that can be seen of it. */
+/**
+ * A multicast group on loopback. It is always there: a robot that is away or hangs is silent, and that is all that can
+ * be seen of it.
+ */
 final class UdpmBus implements LcmBus {
   private static final String GROUP = "239.255.76.69";
 

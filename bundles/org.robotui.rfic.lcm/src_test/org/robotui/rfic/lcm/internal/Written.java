@@ -21,7 +21,8 @@ public final class Written {
 
   /** The folder of types that we deliver. */
   public static Path types() {
-    Stream<Path> places = Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of), Stream.of(Path.of(""), Path.of("../..")));
+    Stream<Path> places = Stream.concat(Optional.ofNullable(System.getenv("ROBOTUI_ROOT")).stream().map(Path::of),
+        Stream.of(Path.of(""), Path.of("../..")));
     return places.map(p -> p.toAbsolutePath().resolve("configs/lcm/types")).filter(Files::isDirectory).findFirst()
         .orElseThrow(() -> new AssertionError("configs/lcm/types is not found: set ROBOTUI_ROOT to the repository"));
   }
@@ -46,7 +47,8 @@ public final class Written {
   private static Map<String, Object> all(Map<String, ?> mappings, int line) {
     Map<String, Object> all = new LinkedHashMap<>();
     mappings.forEach((channel, written) -> all.put(channel, written instanceof List<?> list
-        ? list.stream().map(each -> mapping(each, line)).toList() : mapping(written, line)));
+        ? list.stream().map(each -> mapping(each, line)).toList()
+        : mapping(written, line)));
     return all;
   }
 

@@ -13,7 +13,10 @@ import org.robotui.guard.Guard;
 import org.robotui.guard.Guards;
 import org.robotui.rfic.player.internal.link.PlayerSession;
 
-/** Sessions with a robot behind a Player server. A session lasts as long as the robot interface; its client reconnects by itself. */
+/**
+ * Sessions with a robot behind a Player server. A session lasts as long as the robot interface; its client reconnects
+ * by itself.
+ */
 record PlayerSessions(RficContext context, PlayerSettings settings, Guards guards) implements SessionFactory {
   private static final Duration RETRY = Duration.ofSeconds(3);
 
@@ -23,7 +26,8 @@ record PlayerSessions(RficContext context, PlayerSettings settings, Guards guard
 
   @Override
   public RobotSession open(SessionScope scope) throws IOException {
-    SocketFactory sockets = settings.guard() ? scope.closing(guards.open(), Guard::close).sockets() : SocketFactory.getDefault();
+    SocketFactory sockets =
+        settings.guard() ? scope.closing(guards.open(), Guard::close).sockets() : SocketFactory.getDefault();
     return new PlayerSession(context, settings, sockets);
   }
 }

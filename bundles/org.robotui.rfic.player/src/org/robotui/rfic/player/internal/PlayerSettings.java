@@ -48,12 +48,15 @@ public record PlayerSettings(
   private static final int KEY_BYTES = 32;
   private static final ValueType FRAME = new ValueType.Text(TextRule.FRAME);
   private static final TextRule KEY = TextRule.readBy("a key", PlayerSettings::key);
-  private static final TextRule DEVICE = TextRule.matching("a device, such as position2d:0", "[a-z][a-z0-9_]{0,63}:[0-9]{1,5}");
+  private static final TextRule DEVICE =
+      TextRule.matching("a device, such as position2d:0", "[a-z][a-z0-9_]{0,63}:[0-9]{1,5}");
   private static final ValueType DEVICES =
-      new ValueType.Text(TextRule.matching("a device, such as position2d:0, in which * stands for any part", "[a-z0-9_:*]{1,99}"));
+      new ValueType.Text(
+          TextRule.matching("a device, such as position2d:0, in which * stands for any part", "[a-z0-9_:*]{1,99}"));
 
   static final Schema SCHEMA = Schema.of(
-      Setting.optional("host", new ValueType.Text(TextRule.HOST), "name or address of the server; else PLAYER_HOST, else localhost"),
+      Setting.optional("host", new ValueType.Text(TextRule.HOST),
+          "name or address of the server; else PLAYER_HOST, else localhost"),
       Setting.optional("port", new ValueType.Int(1, LAST_PORT), "port of the server; else PLAYER_PORT, else 6665"),
       Setting.of("data", new ValueType.Choice(List.of("push", "pull")), "push",
           "push: the server sends data as they come; pull: they are fetched, rate times a second"),
@@ -63,12 +66,16 @@ public record PlayerSettings(
       Setting.optional("key", new ValueType.Text(KEY), "the key of a server that wants one, at most 32 bytes"),
       Setting.of("devices", new ValueType.AnyOf(List.of(DEVICES, new ValueType.ListOf(DEVICES))), List.of("*"),
           "which devices become ports, for example position2d:0; * stands for any part of a name"),
-      Setting.optional("base", new ValueType.Text(DEVICE), "the device whose odometry moves the base; else the first position2d, else the first position3d"),
+      Setting.optional("base", new ValueType.Text(DEVICE),
+          "the device whose odometry moves the base; else the first position2d, else the first position3d"),
       Setting.of("base_frame", FRAME, "base_link", "name of the frame of the robot's base"),
-      Setting.of("odom_frame", FRAME, "odom", "name of the frame of its odometry; where odometry is true on the map: map"),
+      Setting.of("odom_frame", FRAME, "odom",
+          "name of the frame of its odometry; where odometry is true on the map: map"),
       Setting.of("map_frame", FRAME, "map", "name of the frame of maps, plans and localisation"),
-      Setting.of("sonar_cone", new ValueType.Num(0, Math.PI, "rad"), 0.26, "opening angle of sonars, which the interface sonar does not tell"),
-      Setting.of("sonar_range", new ValueType.Num(0, 1000, "m"), 5.0, "how far sonars see, which the interface sonar does not tell"),
+      Setting.of("sonar_cone", new ValueType.Num(0, Math.PI, "rad"), 0.26,
+          "opening angle of sonars, which the interface sonar does not tell"),
+      Setting.of("sonar_range", new ValueType.Num(0, 1000, "m"), 5.0,
+          "how far sonars see, which the interface sonar does not tell"),
       Setting.of("clock", new ValueType.Choice(List.of("auto", "robot", "simulated")), "auto",
           "whose time the server's stamps are; auto: that of a robot if they are after 2001, else simulated"),
       Setting.of("guard", new ValueType.Flag(), false,
@@ -78,7 +85,8 @@ public record PlayerSettings(
     boolean pull = settings.text("data").equals("pull");
     return new PlayerSettings(
         settings.has("host") ? settings.text("host") : given(variables, "PLAYER_HOST").orElse(LOCAL),
-        settings.has("port") ? (int) settings.integer("port") : given(variables, "PLAYER_PORT").map(PlayerSettings::port).orElse(PORT),
+        settings.has("port") ? (int) settings.integer("port")
+            : given(variables, "PLAYER_PORT").map(PlayerSettings::port).orElse(PORT),
         pull ? Optional.of(Duration.ofNanos(Math.round(1e9 / settings.number("rate")))) : Optional.empty(),
         settings.has("replace") ? settings.flag("replace") : pull,
         settings.has("key") ? Optional.of(key(settings.text("key"))) : Optional.empty(),

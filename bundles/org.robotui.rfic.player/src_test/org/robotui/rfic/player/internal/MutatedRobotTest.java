@@ -24,7 +24,10 @@ import org.robotui.api.link.LinkState;
 import org.robotui.testkit.Effort;
 import org.robotui.testkit.recorded.SharedData;
 
-/** A network that damages what real servers say: mistakes are told, links close alone, and all goes on when the network is well again. */
+/**
+ * A network that damages what real servers say: mistakes are told, links close alone, and all goes on when the network
+ * is well again.
+ */
 @EnabledIf(value = "org.robotui.rfic.player.internal.RecordedRobot#available", disabledReason = SharedData.REASON)
 class MutatedRobotTest extends PlayerRficCase {
   private static final int[] EVIL = {-1, Integer.MAX_VALUE, Integer.MIN_VALUE, 1 << 28, 1 << 16, 0, 1};
@@ -48,7 +51,8 @@ class MutatedRobotTest extends PlayerRficCase {
     int from = random.nextInt(OF_HEADERS) == 0 ? 0 : HEADER;
     int front = Math.min(FRONT, bytes.length - from);
     switch (random.nextInt(4)) {
-      case 0 -> ByteBuffer.wrap(bytes).putInt(from + random.nextInt(Math.max(1, front / 4)) * 4, EVIL[random.nextInt(EVIL.length)]);
+      case 0 -> ByteBuffer.wrap(bytes).putInt(from + random.nextInt(Math.max(1, front / 4)) * 4,
+          EVIL[random.nextInt(EVIL.length)]);
       case 1 -> bytes = from == 0 ? Arrays.copyOf(bytes, random.nextInt(bytes.length)) : bytes;
       case 2 -> ByteBuffer.wrap(bytes).putLong(from + random.nextInt(Math.max(1, front / 8)) * 8,
           Double.doubleToRawLongBits(random.nextBoolean() ? Double.NaN : 1e300));
@@ -75,10 +79,12 @@ class MutatedRobotTest extends PlayerRficCase {
       assertEquals(List.of(), List.copyOf(thrown), "no thread died");
       damages.set(false);
       String port = robot.data().keySet().stream().sorted().findFirst().orElseThrow();
-      await("the link is made again, is " + link(), () -> !(link() instanceof LinkState.Failed) && !(link() instanceof LinkState.Connecting));
+      await("the link is made again, is " + link(),
+          () -> !(link() instanceof LinkState.Failed) && !(link() instanceof LinkState.Connecting));
       await("data come again", () -> {
         List.copyOf(context.demands.entrySet()).forEach(d -> d.getValue().changed(true));
-        return context.published.entrySet().stream().anyMatch(e -> e.getKey().startsWith(port) && !e.getValue().isEmpty());
+        return context.published.entrySet().stream()
+            .anyMatch(e -> e.getKey().startsWith(port) && !e.getValue().isEmpty());
       });
       context.links.stream().filter(LinkState.Failed.class::isInstance).forEach(l -> assertFalse(l.reason().isBlank()));
       rfic.close();

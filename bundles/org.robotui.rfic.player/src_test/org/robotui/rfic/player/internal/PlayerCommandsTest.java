@@ -97,7 +97,8 @@ class PlayerCommandsTest extends PlayerRficCase {
     add("position2d:1", handler("position2d:1").on(Position2d.VELOCITY, v -> heard.add("position2d:1")));
     add("position3d:0", handler("position3d:0").on(Position3d.VELOCITY, v -> heard.add("position3d:0")));
     startConnected();
-    await("all are offered", () -> context.sinks.keySet().containsAll(Set.of("position2d:0/velocity", "position2d:1/velocity", "position3d:0/velocity")));
+    await("all are offered", () -> context.sinks.keySet()
+        .containsAll(Set.of("position2d:0/velocity", "position2d:1/velocity", "position3d:0/velocity")));
     assertEquals(new Sent.Unneeded(), stop("position3d:0/velocity", VelocityCommand.ZERO, false));
     assertEquals(new Sent.Unneeded(), stop("position2d:1/velocity", VelocityCommand.ZERO, false));
     assertEquals(new Sent.Out(), stop("position2d:0/velocity", VelocityCommand.ZERO, false));
@@ -144,12 +145,15 @@ class PlayerCommandsTest extends PlayerRficCase {
 
   @Test
   void armsAreMovedAndHalted() {
-    ServedDevice arm = add("actarray:0", handler("actarray:0").on(Actarray.POSITIONS, p -> heard.add(Doubles.of(p.positions()[0], p.positions()[1])))
-        .on(Actarray.SPEEDS, s -> heard.add(s.speeds()[1])));
+    ServedDevice arm = add("actarray:0",
+        handler("actarray:0").on(Actarray.POSITIONS, p -> heard.add(Doubles.of(p.positions()[0], p.positions()[1])))
+            .on(Actarray.SPEEDS, s -> heard.add(s.speeds()[1])));
     startConnected();
     want("actarray:0");
-    arm.publish(Actarray.STATE, new Actarray.State(List.of(new Actarray.Actuator(0.5f, 0, 0, 0, 1), new Actarray.Actuator(1.5f, 0, 0, 0, 1)),
-        true), STAMP);
+    arm.publish(Actarray.STATE,
+        new Actarray.State(List.of(new Actarray.Actuator(0.5f, 0, 0, 0, 1), new Actarray.Actuator(1.5f, 0, 0, 0, 1)),
+            true),
+        STAMP);
     first("actarray:0/control");
     assertInstanceOf(Sent.Out.class, send("actarray:0/joints", JointCommand.ZERO));
     sendUntilOut("actarray:0/joints", new JointCommand(List.of(JointCommand.position("actarray_0_0", 0.25))));
@@ -172,7 +176,8 @@ class PlayerCommandsTest extends PlayerRficCase {
     first("actarray:0");
     JointCommand unknown = new JointCommand(List.of(JointCommand.position("elbow", 0)));
     assertTrue(((Sent.Refused) send("actarray:0/joints", unknown)).reason().contains("elbow"));
-    JointCommand mixed = new JointCommand(List.of(JointCommand.position("actarray_0_0", 0), velocity("actarray_0_0", 1)));
+    JointCommand mixed =
+        new JointCommand(List.of(JointCommand.position("actarray_0_0", 0), velocity("actarray_0_0", 1)));
     assertTrue(((Sent.Refused) send("actarray:0/joints", mixed)).reason().contains("positions or by velocities"));
   }
 
@@ -191,8 +196,9 @@ class PlayerCommandsTest extends PlayerRficCase {
     covariance[0] = 0.25;
     covariance[35] = 0.1;
     sendUntilOut("localize:0/initial_pose", new PoseEstimate(MAP, place, Doubles.wrap(covariance)));
-    await("the pose came", () -> heard.stream().anyMatch(h -> h instanceof Localize.Estimate e && e.covariance()[0] == 0.25
-        && e.covariance()[2] == 0.1));
+    await("the pose came",
+        () -> heard.stream().anyMatch(h -> h instanceof Localize.Estimate e && e.covariance()[0] == 0.25
+            && e.covariance()[2] == 0.1));
     Sent elsewhere = send("planner:0/goal", new NavigationGoal(new FrameId("robby", "odom"), place));
     assertTrue(((Sent.Refused) elsewhere).reason().contains("map"), elsewhere.toString());
   }
@@ -202,7 +208,8 @@ class PlayerCommandsTest extends PlayerRficCase {
     add("localize:0", handler("localize:0").on(Localize.SET_POSE, q -> Optional.empty()));
     startConnected();
     sendUntilOut("localize:0/initial_pose", new PoseEstimate(MAP, RigidTransform.IDENTITY, Doubles.EMPTY));
-    await("the refusal is told", () -> context.complaints.get("localize:0").stream().anyMatch(c -> c.contains("localize:0")));
+    await("the refusal is told",
+        () -> context.complaints.get("localize:0").stream().anyMatch(c -> c.contains("localize:0")));
   }
 
   @Test
@@ -211,7 +218,8 @@ class PlayerCommandsTest extends PlayerRficCase {
     add("gripper:0", handler("gripper:0").on(Gripper.OPEN, heard::add));
     add("speech:0", handler("speech:0").on(Speech.SAY, heard::add));
     startConnected();
-    await("they are known", () -> context.streams.containsKey("gripper:0") && context.streams.containsKey("position2d:0"));
+    await("they are known",
+        () -> context.streams.containsKey("gripper:0") && context.streams.containsKey("position2d:0"));
     call("position2d:0/motor_power", Map.of("on", true));
     call("gripper:0/open", Map.of());
     call("speech:0/say", Map.of("text", "good morning"));
@@ -220,16 +228,21 @@ class PlayerCommandsTest extends PlayerRficCase {
 
     CallException refused = assertThrows(CallException.class, () -> call("position2d:0/reset_odometry", Map.of()));
     assertTrue(refused.getMessage().contains("position2d:0"), refused.getMessage());
-    assertTrue(assertThrows(CallException.class, () -> call("position2d:0/motor_power", Map.of("off", 1L))).getMessage().contains("off"));
+    assertTrue(assertThrows(CallException.class, () -> call("position2d:0/motor_power", Map.of("off", 1L))).getMessage()
+        .contains("off"));
     assertThrows(CallException.class, () -> call("position2d:0/motor_power", Map.of("on", "maybe")));
-    assertThrows(CallException.class, () -> call("position2d:0/velocity", Map.of()), "driving is for ports with limits");
-    assertTrue(assertThrows(CallException.class, () -> call("nobody:0/open", Map.of())).getMessage().contains("nobody:0/open"));
+    assertThrows(CallException.class, () -> call("position2d:0/velocity", Map.of()),
+        "driving is for ports with limits");
+    assertTrue(assertThrows(CallException.class, () -> call("nobody:0/open", Map.of())).getMessage()
+        .contains("nobody:0/open"));
   }
 
   @Test
   void repliesAreRecords() throws CallException {
-    add("position2d:0", handler("position2d:0").on(Position2d.GET_GEOMETRY, q -> Optional.of(new org.robotui.player.interfaces.Body(
-        new org.robotui.player.interfaces.Pose3d(0.5, 0, 0, 0, 0, 0), new org.robotui.player.interfaces.Size3d(1, 2, 3)))));
+    add("position2d:0",
+        handler("position2d:0").on(Position2d.GET_GEOMETRY, q -> Optional.of(new org.robotui.player.interfaces.Body(
+            new org.robotui.player.interfaces.Pose3d(0.5, 0, 0, 0, 0, 0),
+            new org.robotui.player.interfaces.Size3d(1, 2, 3)))));
     startConnected();
     await("it is known", () -> context.streams.containsKey("position2d:0"));
     DynamicRecord reply = call("position2d:0/get_geometry", Map.of());
@@ -242,12 +255,15 @@ class PlayerCommandsTest extends PlayerRficCase {
     base();
     add("gripper:0", handler("gripper:0"));
     startConnected();
-    await("they are known", () -> context.streams.containsKey("gripper:0") && context.streams.containsKey("position2d:0"));
+    await("they are known",
+        () -> context.streams.containsKey("gripper:0") && context.streams.containsKey("position2d:0"));
     Browser browser = context.browsers.get("graph");
     List<String> topics = browser.list(Kind.TOPIC).stream().map(Browser.Item::name).toList();
-    assertTrue(topics.containsAll(List.of("position2d:0/state", "position2d:0/velocity", "gripper:0/state")), topics.toString());
+    assertTrue(topics.containsAll(List.of("position2d:0/state", "position2d:0/velocity", "gripper:0/state")),
+        topics.toString());
     List<String> services = browser.list(Kind.SERVICE).stream().map(Browser.Item::name).toList();
-    assertTrue(services.containsAll(List.of("position2d:0/motor_power", "gripper:0/open", "gripper:0/get_double_property")));
+    assertTrue(
+        services.containsAll(List.of("position2d:0/motor_power", "gripper:0/open", "gripper:0/get_double_property")));
     assertTrue(services.stream().noneMatch("position2d:0/velocity"::equals));
 
     Browser.Description state = browser.describe(new Browser.Item(Kind.TOPIC, "position2d:0/state", "state"));
@@ -257,7 +273,8 @@ class PlayerCommandsTest extends PlayerRficCase {
     assertEquals(new FieldShape.Flag(), power.shape().orElseThrow().field("on").orElseThrow().shape());
     assertThrows(CallException.class, () -> browser.describe(new Browser.Item(Kind.SERVICE, "laser:7/power", "")));
 
-    assertEquals(List.of("driver_of_gripper", "driver_of_position2d"), browser.list(Kind.NODE).stream().map(Browser.Item::name).toList());
+    assertEquals(List.of("driver_of_gripper", "driver_of_position2d"),
+        browser.list(Kind.NODE).stream().map(Browser.Item::name).toList());
     assertTrue(browser.links().contains(new Browser.Link("driver_of_gripper", "gripper:0/state", true)));
     assertTrue(browser.links().contains(new Browser.Link("driver_of_position2d", "position2d:0/velocity", false)));
     assertEquals(Set.of(), everOpened);

@@ -26,7 +26,8 @@ import org.robotui.player.server.ServerOptions;
 
 /** Servers that are not there, are something else, hang, refuse, or come back. */
 class PlayerLinkTest extends PlayerRficCase {
-  private static final Position2d.State STATE = new Position2d.State(new Pose2d(1, 2, 0.5), new Pose2d(0.3, 0, -0.1), false);
+  private static final Position2d.State STATE =
+      new Position2d.State(new Pose2d(1, 2, 0.5), new Pose2d(0.3, 0, -0.1), false);
   private static final Power.State POWER = new Power.State(9, 24, 50, 0, 0, 0);
 
   private void awaitFailure(String part) {
@@ -76,7 +77,8 @@ class PlayerLinkTest extends PlayerRficCase {
   @Test
   void aKeyIsNeededAndTheRightOne() throws IOException {
     server.close();
-    ServerOptions options = ServerOptions.loopback(DAEMONS, 0, () -> STAMP).withKey("sesame".getBytes(StandardCharsets.US_ASCII));
+    ServerOptions options =
+        ServerOptions.loopback(DAEMONS, 0, () -> STAMP).withKey("sesame".getBytes(StandardCharsets.US_ASCII));
     server = new PlayerServer(layouts, options);
     start(Map.of());
     awaitFailure("player -k");
@@ -123,12 +125,13 @@ class PlayerLinkTest extends PlayerRficCase {
     server = serveAgain(port);
     add("position2d:0", handler("position2d:0"));
     await("the missing one is told", () -> link() instanceof LinkState.Degraded d && d.reason().contains("power:0"));
-    await("what nobody looks at goes", () -> !context.streams.containsKey("laser:0") && context.streams.containsKey("position2d:0"));
+    await("what nobody looks at goes",
+        () -> !context.streams.containsKey("laser:0") && context.streams.containsKey("position2d:0"));
   }
 
   /** The port may be in use for a moment. */
   private PlayerServer serveAgain(int port) {
-    for (int i = 0; ; i++) {
+    for (int i = 0;; i++) {
       try {
         return serve(port);
       } catch (IOException e) {
@@ -167,10 +170,12 @@ class PlayerLinkTest extends PlayerRficCase {
         device.publish(Position2d.STATE, STATE, STAMP);
         java.util.concurrent.locks.LockSupport.parkNanos(20_000_000);
       }
-      await("it takes velocities", () -> send("position2d:0/velocity", VelocityCommand.planar(0.1, 0)) instanceof Sent.Out);
+      await("it takes velocities",
+          () -> send("position2d:0/velocity", VelocityCommand.planar(0.1, 0)) instanceof Sent.Out);
       between.hang();
-      await("nothing is sent into the silence", () -> send("position2d:0/velocity", VelocityCommand.planar(0.1, 0)) instanceof Sent.Refused r
-          && r.reason().contains("not been heard"));
+      await("nothing is sent into the silence",
+          () -> send("position2d:0/velocity", VelocityCommand.planar(0.1, 0)) instanceof Sent.Refused r
+              && r.reason().contains("not been heard"));
       await("the silence is told", () -> link() instanceof LinkState.Degraded d && d.reason().contains("not answered"));
       closesInTime();
     }

@@ -43,10 +43,14 @@ import org.robotui.testkit.rfic.Sample;
 final class PlayerPeer implements Peer {
   private static final double STAMP = 1.7e9;
   private static final Optional<Stamp> STAMPED = Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT));
-  private static final Sample POSE = new Sample("position2d:0", new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
-      RigidTransform.planar(1, -2, 0.5), Doubles.EMPTY, new Vector3(0.3, 0.1, 0), new Vector3(0, 0, -0.2), Doubles.EMPTY), STAMPED);
-  private static final Sample SCAN = new Sample("laser:0", new LaserScan(new FrameId("robby", "laser_0"), -1, 1, 0, 8, 0,
-      Floats.of(1.5f, Float.POSITIVE_INFINITY, 2.5f), Floats.of(1, 2, 200)), STAMPED);
+  private static final Sample POSE = new Sample("position2d:0",
+      new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
+          RigidTransform.planar(1, -2, 0.5), Doubles.EMPTY, new Vector3(0.3, 0.1, 0), new Vector3(0, 0, -0.2),
+          Doubles.EMPTY),
+      STAMPED);
+  private static final Sample SCAN =
+      new Sample("laser:0", new LaserScan(new FrameId("robby", "laser_0"), -1, 1, 0, 8, 0,
+          Floats.of(1.5f, Float.POSITIVE_INFINITY, 2.5f), Floats.of(1, 2, 200)), STAMPED);
 
   private final Layouts layouts = Layouts.standard();
   private final List<Data> heard = new CopyOnWriteArrayList<>();
@@ -71,21 +75,24 @@ final class PlayerPeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return PlayerSessions.rfic(context, PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port(), "guard", guard), Map.of()), new Guards());
+    return PlayerSessions.rfic(context,
+        PlayerRficCase.settings(Map.of("host", "127.0.0.1", "port", (long) gate.port(), "guard", guard), Map.of()),
+        new Guards());
   }
 
   @Override
   public void start() throws IOException {
     PlayerServer opened = new PlayerServer(layouts, ServerOptions.loopback(THREADS, 0, () -> STAMP));
-    TypedHandler base = new TypedHandler(layouts, count -> { }).on(Position2d.VELOCITY, v -> heard.add(velocity(v)));
+    TypedHandler base = new TypedHandler(layouts, count -> {}).on(Position2d.VELOCITY, v -> heard.add(velocity(v)));
     devices = Map.of(POSE, opened.add("position2d", 0, "driver", base),
-        SCAN, opened.add("laser", 0, "driver", new TypedHandler(layouts, count -> { })));
+        SCAN, opened.add("laser", 0, "driver", new TypedHandler(layouts, count -> {})));
     server = Optional.of(opened);
     gate.open(opened.port());
   }
 
   private static VelocityCommand velocity(Position2d.Velocity v) {
-    return new VelocityCommand(new Vector3(v.velocity().x(), v.velocity().y(), 0), new Vector3(0, 0, v.velocity().yaw()));
+    return new VelocityCommand(new Vector3(v.velocity().x(), v.velocity().y(), 0),
+        new Vector3(0, 0, v.velocity().yaw()));
   }
 
   @Override
@@ -108,7 +115,7 @@ final class PlayerPeer implements Peer {
 
   @Override
   public void garble() {
-    devices.get(SCAN).publish(1, ByteBuffer.wrap(new byte[] {1, 2, 3}), STAMP);
+    devices.get(SCAN).publish(1, ByteBuffer.wrap(new byte[]{1, 2, 3}), STAMP);
     byte[] garbage = new byte[256];
     Arrays.fill(garbage, (byte) 0xff);
     gate.inject(garbage);
@@ -123,9 +130,10 @@ final class PlayerPeer implements Peer {
   public void say(Sample sample) {
     Optional<ServedDevice> device = Optional.ofNullable(devices.get(sample));
     if (sample.equals(POSE)) {
-      device.ifPresent(d -> d.publish(Position2d.STATE, new Position2d.State(new Pose2d(1, -2, 0.5), new Pose2d(0.3, 0.1, -0.2), false), STAMP));
+      device.ifPresent(d -> d.publish(Position2d.STATE,
+          new Position2d.State(new Pose2d(1, -2, 0.5), new Pose2d(0.3, 0.1, -0.2), false), STAMP));
     } else {
-      Laser.Scan scan = new Laser.Scan(-1, 1, 1, 8, new float[] {1.5f, 8, 2.5f}, new byte[] {1, 2, (byte) 200}, 5);
+      Laser.Scan scan = new Laser.Scan(-1, 1, 1, 8, new float[]{1.5f, 8, 2.5f}, new byte[]{1, 2, (byte) 200}, 5);
       device.ifPresent(d -> d.publish(Laser.SCAN, scan, STAMP));
     }
   }
@@ -152,7 +160,8 @@ final class PlayerPeer implements Peer {
 
   @Override
   public Set<String> registrations() {
-    return Stream.of(POSE, SCAN).filter(sample -> listeners(sample) > 0).map(sample -> sample.port() + " is open").collect(Collectors.toSet());
+    return Stream.of(POSE, SCAN).filter(sample -> listeners(sample) > 0).map(sample -> sample.port() + " is open")
+        .collect(Collectors.toSet());
   }
 
   @Override

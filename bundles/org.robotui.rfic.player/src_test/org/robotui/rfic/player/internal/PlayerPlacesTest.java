@@ -53,7 +53,8 @@ class PlayerPlacesTest extends PlayerRficCase {
     byte[] packed = new byte[plain.length + 100];
     int size = deflater.deflate(packed);
     deflater.end();
-    return Optional.of(new PlayerMap.Tile(asked.column(), asked.row(), asked.width(), asked.height(), 1, java.util.Arrays.copyOf(packed, size)));
+    return Optional.of(new PlayerMap.Tile(asked.column(), asked.row(), asked.width(), asked.height(), 1,
+        java.util.Arrays.copyOf(packed, size)));
   }
 
   @Test
@@ -66,7 +67,7 @@ class PlayerPlacesTest extends PlayerRficCase {
     GridMap map = assertInstanceOf(GridMap.class, first("map:0").value());
     assertEquals(4, tiles.get());
     assertEquals(WIDTH, map.width());
-    for (int[] at : new int[][] {{0, 0}, {639, 639}, {640, 0}, {999, 699}, {0, 699}, {640, 640}}) {
+    for (int[] at : new int[][]{{0, 0}, {639, 639}, {640, 0}, {999, 699}, {0, 699}, {640, 640}}) {
       int expected = switch (cell(at[0], at[1])) {
         case -1 -> 0;
         case 0 -> GridMap.UNKNOWN;
@@ -80,7 +81,8 @@ class PlayerPlacesTest extends PlayerRficCase {
 
   @Test
   void aMapThatCannotBeIsTold() {
-    add("map:0", handler("map:0").on(PlayerMap.GET_INFO, q -> Optional.of(new PlayerMap.Info(0.1f, 0xffffffffL, 0xffffffffL, NOWHERE))));
+    add("map:0", handler("map:0").on(PlayerMap.GET_INFO,
+        q -> Optional.of(new PlayerMap.Info(0.1f, 0xffffffffL, 0xffffffffL, NOWHERE))));
     startConnected();
     want("map:0");
     await("it is told", () -> context.complaints.get("map:0").stream().anyMatch(c -> c.contains("larger than")));
@@ -109,7 +111,8 @@ class PlayerPlacesTest extends PlayerRficCase {
   void localisationCarriesTheOdometry() {
     ServedDevice base = add("position2d:0", handler("position2d:0"));
     ServedDevice localize = add("localize:0", handler("localize:0").on(Localize.GET_PARTICLES, q -> Optional.of(
-        new Localize.Particles(NOWHERE, 1, List.of(new Localize.Particle(NOWHERE, 1), new Localize.Particle(NOWHERE, 1))))));
+        new Localize.Particles(NOWHERE, 1,
+            List.of(new Localize.Particle(NOWHERE, 1), new Localize.Particle(NOWHERE, 1))))));
     startConnected();
     want("localize:0");
     await("the base is open as well", () -> clients.getOrDefault("position2d:0", 0) > 0);
@@ -118,9 +121,10 @@ class PlayerPlacesTest extends PlayerRficCase {
     Localize.Hypothesis guess = new Localize.Hypothesis(new Pose2d(5, 5, Math.PI / 2), new double[6], 1);
     localize.publish(Localize.HYPOTHESES, new Localize.Hypotheses(0, 0, List.of(guess)), STAMP);
     assertEquals(5, ((PoseEstimate) first("localize:0").value()).pose().translation().x());
-    await("the map carries the odometry", () -> context.transforms.stream().anyMatch(t -> t.parent().name().equals("map")
-        && t.child().name().equals("odom") && Math.abs(t.parentFromChild().translation().x() - 5) < 1e-9
-        && Math.abs(t.parentFromChild().translation().y() - 4) < 1e-9));
+    await("the map carries the odometry",
+        () -> context.transforms.stream().anyMatch(t -> t.parent().name().equals("map")
+            && t.child().name().equals("odom") && Math.abs(t.parentFromChild().translation().x() - 5) < 1e-9
+            && Math.abs(t.parentFromChild().translation().y() - 4) < 1e-9));
     context.demand("localize:0/particles", true);
     assertEquals(2, ((PoseArray) first("localize:0/particles").value()).poses().size());
   }
@@ -167,7 +171,8 @@ class PlayerPlacesTest extends PlayerRficCase {
     for (int i = 0; i < 20; i++) {
       base.publish(Position2d.STATE, new Position2d.State(new Pose2d(i, 0, 0), NOWHERE, false), STAMP);
     }
-    await("the newest comes", () -> ((Odometry) context.published.get("position2d:0").getLast().value()).pose().translation().x() == 19);
+    await("the newest comes",
+        () -> ((Odometry) context.published.get("position2d:0").getLast().value()).pose().translation().x() == 19);
     assertTrue(context.published.get("position2d:0").size() - before < 20, "older ones were replaced");
   }
 
@@ -194,7 +199,7 @@ class PlayerPlacesTest extends PlayerRficCase {
     startConnected();
     want("bumper:0");
     await("they come", () -> {
-      bumpers.publish(Bumper.STATE, new Bumper.State(new byte[] {1}), STAMP);
+      bumpers.publish(Bumper.STATE, new Bumper.State(new byte[]{1}), STAMP);
       return !context.published.get("bumper:0").isEmpty();
     });
     return (Bumpers) first("bumper:0").value();

@@ -78,7 +78,8 @@ abstract class PlayerRficCase {
 
   ServedDevice add(String device, TypedHandler handler) {
     int colon = device.indexOf(':');
-    return server.add(device.substring(0, colon), Integer.parseInt(device.substring(colon + 1)), "driver_of_" + device.substring(0, colon),
+    return server.add(device.substring(0, colon), Integer.parseInt(device.substring(colon + 1)),
+        "driver_of_" + device.substring(0, colon),
         handler);
   }
 
@@ -115,7 +116,8 @@ abstract class PlayerRficCase {
   }
 
   FakeRficContext.Published first(String port) {
-    await("something comes by " + port, () -> context.published.containsKey(port) && !context.published.get(port).isEmpty());
+    await("something comes by " + port,
+        () -> context.published.containsKey(port) && !context.published.get(port).isEmpty());
     return context.published.get(port).getFirst();
   }
 
@@ -132,7 +134,8 @@ abstract class PlayerRficCase {
 
   @SuppressWarnings("unchecked")
   DynamicRecord call(String service, Map<String, Object> arguments) throws CallException {
-    CallHandler<ServiceRequest, ServiceReply> handler = (CallHandler<ServiceRequest, ServiceReply>) context.handlers.get("services");
+    CallHandler<ServiceRequest, ServiceReply> handler =
+        (CallHandler<ServiceRequest, ServiceReply>) context.handlers.get("services");
     try {
       return handler.handle(new Asked(new ServiceRequest(service, arguments))).value();
     } catch (InterruptedException e) {

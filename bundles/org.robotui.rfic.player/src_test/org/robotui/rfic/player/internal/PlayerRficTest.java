@@ -44,14 +44,16 @@ class PlayerRficTest extends PlayerRficCase {
   private static final Pose3d AHEAD = new Pose3d(0.1, 0, 0.2, 0, 0, 0);
   private static final Pose3d BEHIND = new Pose3d(-0.2, 0, 0, 0, 0, Math.PI);
   private static final Body BODY = new Body(AHEAD, new Size3d(0.4, 0.6, 0.3));
-  private static final Position2d.State STATE = new Position2d.State(new Pose2d(1, 2, 0.5), new Pose2d(0.3, 0, -0.1), true);
+  private static final Position2d.State STATE =
+      new Position2d.State(new Pose2d(1, 2, 0.5), new Pose2d(0.3, 0, -0.1), true);
 
   private ServedDevice position() {
     return add("position2d:0", handler("position2d:0").on(Position2d.GET_GEOMETRY, q -> Optional.of(BODY)));
   }
 
   private static double number(FakeRficContext.Published published, String path) {
-    return ((FieldValue.Num) published.raw().orElseThrow().record().orElseThrow().at(FieldPath.parse(path)).orElseThrow()).value();
+    return ((FieldValue.Num) published.raw().orElseThrow().record().orElseThrow().at(FieldPath.parse(path))
+        .orElseThrow()).value();
   }
 
   @Test
@@ -59,11 +61,13 @@ class PlayerRficTest extends PlayerRficCase {
     position();
     add("laser:0", handler("laser:0"));
     startConnected();
-    await("both are offered", () -> context.streams.keySet().containsAll(Set.of("position2d:0", "position2d:0/footprint", "laser:0", "tf")));
+    await("both are offered",
+        () -> context.streams.keySet().containsAll(Set.of("position2d:0", "position2d:0/footprint", "laser:0", "tf")));
     assertEquals(Odometry.class, context.streams.get("position2d:0").type());
     assertEquals(Set.of(), everOpened);
     context.demand("laser:0", true);
-    await("the laser is opened, and what tells where it is", () -> everOpened.equals(Set.of("laser:0", "position2d:0")));
+    await("the laser is opened, and what tells where it is",
+        () -> everOpened.equals(Set.of("laser:0", "position2d:0")));
     context.demand("laser:0", false);
     await("both are closed", () -> clients.get("laser:0") == 0 && clients.get("position2d:0") == 0);
   }
@@ -84,8 +88,9 @@ class PlayerRficTest extends PlayerRficCase {
     assertEquals(Optional.of(new Stamp(1_700_000_000_000_000_000L, ClockKind.ROBOT)), came.stamp());
     assertEquals(1, number(came, "position.x"));
     assertEquals("position2d/state", came.raw().orElseThrow().schema());
-    await("the base is in the odometry", () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("base_link")
-        && t.parent().name().equals("odom") && t.parentFromChild().equals(odometry.pose()) && !t.fixed()));
+    await("the base is in the odometry",
+        () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("base_link")
+            && t.parent().name().equals("odom") && t.parentFromChild().equals(odometry.pose()) && !t.fixed()));
     Footprint footprint = assertInstanceOf(Footprint.class, first("position2d:0/footprint").value());
     assertEquals(0.4, footprint.corners().getFirst().x(), 1e-9);
     assertEquals(0.2, footprint.corners().getFirst().y(), 1e-9);
@@ -96,9 +101,11 @@ class PlayerRficTest extends PlayerRficCase {
     ServedDevice laser = add("laser:0", handler("laser:0").on(Laser.GET_GEOMETRY, q -> Optional.of(BODY)));
     startConnected();
     want("laser:0");
-    await("the laser is mounted", () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("laser_0") && t.fixed()
-        && t.parent().name().equals("base_link") && t.parentFromChild().translation().x() == 0.1));
-    laser.publish(Laser.SCAN, new Laser.Scan(-1, 1, 1, 8, new float[] {1, 8, 2}, new byte[] {1, 2, (byte) 200}, 5), STAMP);
+    await("the laser is mounted",
+        () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("laser_0") && t.fixed()
+            && t.parent().name().equals("base_link") && t.parentFromChild().translation().x() == 0.1));
+    laser.publish(Laser.SCAN, new Laser.Scan(-1, 1, 1, 8, new float[]{1, 8, 2}, new byte[]{1, 2, (byte) 200}, 5),
+        STAMP);
     LaserScan scan = assertInstanceOf(LaserScan.class, first("laser:0").value());
     assertEquals(new FrameId("robby", "laser_0"), scan.frame());
     assertEquals(1, scan.angleIncrement());
@@ -121,12 +128,13 @@ class PlayerRficTest extends PlayerRficCase {
         handler("sonar:0").on(Sonar.GET_GEOMETRY, q -> Optional.of(new Sonar.Geometry(List.of(AHEAD, BEHIND)))));
     startConnected();
     want("sonar:0");
-    sonar.publish(Sonar.RANGES, new Sonar.Ranges(new float[] {1.5f, 6}), STAMP);
+    sonar.publish(Sonar.RANGES, new Sonar.Ranges(new float[]{1.5f, 6}), STAMP);
     RangeReadings readings = assertInstanceOf(RangeReadings.class, first("sonar:0").value());
     assertTrue(readings.readings().get(0).isEcho());
     assertFalse(readings.readings().get(1).isEcho());
-    await("the sensors are mounted", () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("sonar_0_1")
-        && t.parentFromChild().translation().x() == -0.2));
+    await("the sensors are mounted",
+        () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("sonar_0_1")
+            && t.parentFromChild().translation().x() == -0.2));
   }
 
   @Test
@@ -136,13 +144,14 @@ class PlayerRficTest extends PlayerRficCase {
     ServedDevice scanner = add("ranger:0", handler("ranger:0").on(Ranger.GET_CONFIG, q -> Optional.of(config))
         .on(Ranger.GET_GEOMETRY, q -> Optional.of(new Ranger.Geometry(AHEAD, size, List.of(AHEAD), List.of(size)))));
     ServedDevice ring = add("ranger:1", handler("ranger:1").on(Ranger.GET_CONFIG, q -> Optional.of(config))
-        .on(Ranger.GET_GEOMETRY, q -> Optional.of(new Ranger.Geometry(AHEAD, size, List.of(AHEAD, BEHIND), List.of(size, size)))));
+        .on(Ranger.GET_GEOMETRY,
+            q -> Optional.of(new Ranger.Geometry(AHEAD, size, List.of(AHEAD, BEHIND), List.of(size, size)))));
     startConnected();
     want("ranger:0/scan");
     want("ranger:1/readings");
     await("values come", () -> {
-      scanner.publish(Ranger.RANGES, new Ranger.Ranges(new double[] {1, 2, 8}), STAMP);
-      ring.publish(Ranger.RANGES, new Ranger.Ranges(new double[] {1, 2}), STAMP);
+      scanner.publish(Ranger.RANGES, new Ranger.Ranges(new double[]{1, 2, 8}), STAMP);
+      ring.publish(Ranger.RANGES, new Ranger.Ranges(new double[]{1, 2}), STAMP);
       return !context.published.get("ranger:0/scan").isEmpty() && !context.published.get("ranger:1/readings").isEmpty();
     });
     LaserScan scan = assertInstanceOf(LaserScan.class, first("ranger:0/scan").value());
@@ -151,8 +160,8 @@ class PlayerRficTest extends PlayerRficCase {
     assertEquals(2, ((RangeReadings) first("ranger:1/readings").value()).readings().size());
     assertFalse(context.streams.containsKey("ranger:0/readings"));
     assertFalse(context.streams.containsKey("ranger:1/scan"));
-    await("the sensors of a ring stand on the device", () -> context.transforms.stream().anyMatch(t ->
-        t.child().name().equals("ranger_1_0") && Math.abs(t.parentFromChild().translation().x() - 0.2) < 1e-9));
+    await("the sensors of a ring stand on the device", () -> context.transforms.stream().anyMatch(
+        t -> t.child().name().equals("ranger_1_0") && Math.abs(t.parentFromChild().translation().x() - 0.2) < 1e-9));
   }
 
   @Test
@@ -176,7 +185,7 @@ class PlayerRficTest extends PlayerRficCase {
     ServedDevice nose = server.add("odour", 2, "nose", handler("interface999:2"));
     startConnected();
     want("interface999:2");
-    nose.publish(3, ByteBuffer.wrap(new byte[] {0, 0, 1, 2}), STAMP);
+    nose.publish(3, ByteBuffer.wrap(new byte[]{0, 0, 1, 2}), STAMP);
     DynamicRecord record = assertInstanceOf(DynamicRecord.class, first("interface999:2").value());
     assertEquals("interface999/3", record.schema());
     assertEquals(Optional.of(new FieldValue.Numbers(Doubles.of(0, 0, 1, 2))), record.field("bytes"));
@@ -187,12 +196,15 @@ class PlayerRficTest extends PlayerRficCase {
     ServedDevice laser = add("laser:0", handler("laser:0"));
     startConnected();
     want("laser:0");
-    laser.publish(1, ByteBuffer.wrap(new byte[] {1, 2, 3}), STAMP);
-    await("the mistake is told", () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("laser:0") && c.contains("127.0.0.1")));
-    laser.publish(Laser.SCAN, new Laser.Scan(Float.NaN, 1, 1, 8, new float[] {1, 8, 2}, new byte[0], 5), STAMP);
-    await("values that are none are told", () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("angle")));
-    laser.publish(77, ByteBuffer.wrap(new byte[] {1, 2, 3, 4}), STAMP);
-    await("data that are not known are told", () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("data 77")));
+    laser.publish(1, ByteBuffer.wrap(new byte[]{1, 2, 3}), STAMP);
+    await("the mistake is told", () -> context.complaints.get("laser:0").stream()
+        .anyMatch(c -> c.contains("laser:0") && c.contains("127.0.0.1")));
+    laser.publish(Laser.SCAN, new Laser.Scan(Float.NaN, 1, 1, 8, new float[]{1, 8, 2}, new byte[0], 5), STAMP);
+    await("values that are none are told",
+        () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("angle")));
+    laser.publish(77, ByteBuffer.wrap(new byte[]{1, 2, 3, 4}), STAMP);
+    await("data that are not known are told",
+        () -> context.complaints.get("laser:0").stream().anyMatch(c -> c.contains("data 77")));
     assertInstanceOf(LinkState.Connected.class, link());
   }
 

@@ -19,9 +19,11 @@ class PlayerSettingsTest {
   @Test
   void theServerIsWrittenOrInTheEnvironmentOrHere() {
     assertEquals("localhost:6665", of(Map.of()).peer());
-    assertEquals("robot:6667", PlayerRficCase.settings(Map.of(), Map.of("PLAYER_HOST", "robot", "PLAYER_PORT", "6667")).peer());
+    assertEquals("robot:6667",
+        PlayerRficCase.settings(Map.of(), Map.of("PLAYER_HOST", "robot", "PLAYER_PORT", "6667")).peer());
     assertEquals("keira:6665", PlayerRficCase.settings(Map.of("host", "keira"), Map.of("PLAYER_HOST", "robot")).peer());
-    assertEquals("localhost:7000", PlayerRficCase.settings(Map.of("port", 7000L), Map.of("PLAYER_PORT", "nonsense")).peer());
+    assertEquals("localhost:7000",
+        PlayerRficCase.settings(Map.of("port", 7000L), Map.of("PLAYER_PORT", "nonsense")).peer());
   }
 
   @Test

@@ -29,12 +29,14 @@ import org.robotui.player.wire.PlayerMessage;
 import org.robotui.testkit.recorded.SharedData;
 
 /**
- * A server that says what a real one was recorded to say: its answers to the same questions, in their order and then again from the first,
- * and the data of devices that are open, again and again. What was never asked of the real one is refused.
+ * A server that says what a real one was recorded to say: its answers to the same questions, in their order and then
+ * again from the first, and the data of devices that are open, again and again. What was never asked of the real one is
+ * refused.
  */
 final class RecordedRobot implements AutoCloseable {
-  static final List<String> NAMES = List.of("position2d", "errors", "rangers", "two_devices_pull", "simulation_map_properties", "log",
-      "bumper", "everything_robot0", "everything_robot1", "dummy_devices", "dummy_camera");
+  static final List<String> NAMES =
+      List.of("position2d", "errors", "rangers", "two_devices_pull", "simulation_map_properties", "log",
+          "bumper", "everything_robot0", "everything_robot1", "dummy_devices", "dummy_camera");
   private static final long PAUSE_NANOS = 1_000_000;
   private static final int OPEN = 1;
 
@@ -55,7 +57,8 @@ final class RecordedRobot implements AutoCloseable {
     this.network = network;
     this.said = messages(name + ".s2c.bin", PlayerMessage.BANNER_BYTES);
     said.stream().filter(m -> m.type() == MessageType.ACK || m.type() == MessageType.NACK)
-        .forEach(m -> answers.computeIfAbsent(new Question(m.device().id(), m.subtype()), q -> new ArrayList<>()).add(m));
+        .forEach(
+            m -> answers.computeIfAbsent(new Question(m.device().id(), m.subtype()), q -> new ArrayList<>()).add(m));
     this.devices = Stream.concat(said.stream(), messages(name + ".c2s.bin", 0).stream()).map(PlayerMessage::device)
         .filter(d -> d.interfaceCode() != DeviceAddress.SERVER).distinct().toList();
     PlayerRficCase.DAEMONS.newThread(this::serve).start();
@@ -140,7 +143,8 @@ final class RecordedRobot implements AutoCloseable {
     } else if (server && message.subtype() == layouts.message(Server.ACCESS).subtype()) {
       access(client, message);
     } else {
-      List<PlayerMessage> known = answers.getOrDefault(new Question(message.device().id(), message.subtype()), new ArrayList<>());
+      List<PlayerMessage> known =
+          answers.getOrDefault(new Question(message.device().id(), message.subtype()), new ArrayList<>());
       Optional<PlayerMessage> next = known.isEmpty() ? Optional.empty() : Optional.of(known.removeFirst());
       next.ifPresent(known::add);
       MessageType type = next.map(PlayerMessage::type).orElse(MessageType.NACK);
@@ -153,8 +157,10 @@ final class RecordedRobot implements AutoCloseable {
     DeviceId id = new DeviceId(asked.device().interfaceCode(), asked.device().index());
     boolean refused = said.stream().filter(m -> m.type() == MessageType.NACK && m.device().id().equals(DeviceId.SERVER)
         && m.subtype() == message.subtype()).anyMatch(m -> isOf(m, id));
-    Server.Access granted = new Server.Access(asked.device(), refused ? OPEN + 2 : asked.mode(), refused ? "" : "recorded");
-    answer(client, message, refused ? MessageType.NACK : MessageType.ACK, layouts.answer(Server.ACCESS).encode(granted));
+    Server.Access granted =
+        new Server.Access(asked.device(), refused ? OPEN + 2 : asked.mode(), refused ? "" : "recorded");
+    answer(client, message, refused ? MessageType.NACK : MessageType.ACK,
+        layouts.answer(Server.ACCESS).encode(granted));
     if (asked.mode() == OPEN && !refused) {
       open.add(id);
     } else {

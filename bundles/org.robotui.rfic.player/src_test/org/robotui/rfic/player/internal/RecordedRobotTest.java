@@ -59,7 +59,8 @@ class RecordedRobotTest extends PlayerRficCase {
   private Set<String> came(String device) {
     return context.published.entrySet().stream()
         .filter(e -> e.getKey().equals(device) || e.getKey().startsWith(device + "/"))
-        .flatMap(e -> e.getValue().stream().map(FakeRficContext.Published::raw).flatMap(Optional::stream).map(RawMessage::schema))
+        .flatMap(e -> e.getValue().stream().map(FakeRficContext.Published::raw).flatMap(Optional::stream)
+            .map(RawMessage::schema))
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
@@ -73,8 +74,8 @@ class RecordedRobotTest extends PlayerRficCase {
   @MethodSource("names")
   void allDataOfAllDevicesBecomeValues(String name) throws IOException {
     meet(name);
-    robot.data().forEach((device, numbers) ->
-        await(name + ": " + device + " says " + recorded(device, numbers), () -> came(device).equals(recorded(device, numbers))));
+    robot.data().forEach((device, numbers) -> await(name + ": " + device + " says " + recorded(device, numbers),
+        () -> came(device).equals(recorded(device, numbers))));
     robot.data().keySet().forEach(device -> context.complaints.forEach((port, complaints) -> {
       if (port.equals(device)) {
         assertEquals(List.of(), complaints.stream().filter(c -> !c.isEmpty() && !c.contains("get_")).toList(), port);
@@ -99,7 +100,8 @@ class RecordedRobotTest extends PlayerRficCase {
     assertEquals(1.36775, ring.readings().getFirst().range(), 1e-4);
     assertEquals(0.2618, ring.readings().getFirst().fieldOfView(), 1e-3);
     assertEquals(180, value("laser:0", LaserScan.class).ranges().size());
-    await("sensors are mounted", () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("ranger_0_15")));
+    await("sensors are mounted",
+        () -> context.transforms.stream().anyMatch(t -> t.child().name().equals("ranger_0_15")));
   }
 
   @Test

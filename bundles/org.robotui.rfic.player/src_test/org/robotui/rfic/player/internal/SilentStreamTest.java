@@ -20,7 +20,10 @@ import org.robotui.player.server.ServedDevice;
 import org.robotui.player.server.TypedHandler;
 import org.robotui.player.wire.DeviceId;
 
-/** A server that keeps a rule of Stage: a model is switched on when a client opens it, and off when any client closes it. */
+/**
+ * A server that keeps a rule of Stage: a model is switched on when a client opens it, and off when any client closes
+ * it.
+ */
 class SilentStreamTest extends PlayerRficCase {
   private static final Position2d.State STATE = new Position2d.State(new Pose2d(1, 2, 0), new Pose2d(0, 0, 0), false);
 
@@ -77,7 +80,7 @@ class SilentStreamTest extends PlayerRficCase {
 
     try (PlayerClient other = new PlayerClient("127.0.0.1", server.port(), layouts, ClientOptions.standard(DAEMONS))) {
       PlayerDevice shared = other.device(new DeviceId(4, 1));
-      shared.subscribe((message, nanos) -> { });
+      shared.subscribe((message, nanos) -> {});
       await("the other client has it open", () -> shared.state() instanceof DeviceState.Open);
       await("two have it open", () -> clients.get("position2d:1") == 2);
     }

@@ -9,8 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Removes, beside all else, what earlier runs that were killed left at their masters: again and again, ever less often, until all
- * of these have answered, since a robot may be reached later than the workbench starts.
+ * Removes, beside all else, what earlier runs that were killed left at their masters: again and again, ever less often,
+ * until all of these have answered, since a robot may be reached later than the workbench starts.
  */
 final class RepeatedCleanup implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RepeatedCleanup.class);

@@ -17,8 +17,8 @@ import org.robotui.ros.NodeOptions;
 import org.robotui.ros.message.MessageRegistry;
 
 /**
- * A ROS 1 robot. A session is a node that follows the graph; the next one is opened when the node was ended from outside (as by
- * {@code rosnode kill}). Beside it, what earlier runs left at the masters is tidied up.
+ * A ROS 1 robot. A session is a node that follows the graph; the next one is opened when the node was ended from
+ * outside (as by {@code rosnode kill}). Beside it, what earlier runs left at the masters is tidied up.
  */
 final class RosRfic implements Rfic {
   private static final Duration RETRY = Duration.ofSeconds(3);
@@ -50,7 +50,8 @@ final class RosRfic implements Rfic {
     MessageRegistry types = registry.orElseGet(MessageRegistry::fromEnvironment);
     registry = Optional.of(types);
     try {
-      return new RosSession(context, settings, types, masters, settings.guard() ? guarded(scope) : UnaryOperator.identity());
+      return new RosSession(context, settings, types, masters,
+          settings.guard() ? guarded(scope) : UnaryOperator.identity());
     } catch (IOException e) {
       throw new IOException("no node can be opened here: " + e.getMessage(), e);
     }

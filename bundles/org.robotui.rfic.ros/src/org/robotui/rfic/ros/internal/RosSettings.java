@@ -33,17 +33,24 @@ public record RosSettings(
     String node,
     boolean tf,
     boolean guard) {
-  private static final TextRule MASTER = new TextRule("the address of a master, such as http://robot:11311", RosSettings::noMaster);
+  private static final TextRule MASTER =
+      new TextRule("the address of a master, such as http://robot:11311", RosSettings::noMaster);
   private static final TextRule NAMESPACE = TextRule.readBy("a namespace, such as /r1", GraphName::of);
-  private static final TextRule NODE = TextRule.matching("the first part of a node's name, such as robotui", "[A-Za-z]\\w{0,254}");
-  private static final ValueType NAMES = oneOrMore(TextRule.readBy("the name of a topic, such as cmd_vel or /r1/cmd_vel", GraphName::of));
+  private static final TextRule NODE =
+      TextRule.matching("the first part of a node's name, such as robotui", "[A-Za-z]\\w{0,254}");
+  private static final ValueType NAMES =
+      oneOrMore(TextRule.readBy("the name of a topic, such as cmd_vel or /r1/cmd_vel", GraphName::of));
   private static final ValueType PATTERNS = oneOrMore(TextRule.readBy(
-      "the name of a topic, in which * stands for any part, such as scan or camera/*", text -> GraphName.of(text.replace('*', 'x'))));
+      "the name of a topic, in which * stands for any part, such as scan or camera/*",
+      text -> GraphName.of(text.replace('*', 'x'))));
 
   static final Schema SCHEMA = Schema.of(
-      Setting.optional("master", new ValueType.Text(MASTER), "address of the master, for example http://robot:11311; else ROS_MASTER_URI"),
-      Setting.optional("host", new ValueType.Text(TextRule.HOST), "address by which the robot reaches this machine; else ROS_HOSTNAME or ROS_IP"),
-      Setting.of("namespace", new ValueType.Text(NAMESPACE), "/", "only topics below it, and port names relative to it"),
+      Setting.optional("master", new ValueType.Text(MASTER),
+          "address of the master, for example http://robot:11311; else ROS_MASTER_URI"),
+      Setting.optional("host", new ValueType.Text(TextRule.HOST),
+          "address by which the robot reaches this machine; else ROS_HOSTNAME or ROS_IP"),
+      Setting.of("namespace", new ValueType.Text(NAMESPACE), "/",
+          "only topics below it, and port names relative to it"),
       Setting.of("topics", PATTERNS, List.of("*"), "which topics become ports; * stands for any part of a name"),
       Setting.of("velocity", NAMES, List.of(), "topics for velocity commands, also while nobody subscribes to them"),
       Setting.of("goal", NAMES, List.of(), "topics for navigation goals, also while nobody subscribes to them"),
@@ -110,7 +117,8 @@ public record RosSettings(
    */
   public boolean offers(String topic) {
     String name = portName(topic);
-    return topic.startsWith(namespace) && include.stream().anyMatch(p -> p.matcher(name).matches() || p.matcher(topic).matches());
+    return topic.startsWith(namespace)
+        && include.stream().anyMatch(p -> p.matcher(name).matches() || p.matcher(topic).matches());
   }
 
   private static Optional<String> noMaster(String text) {

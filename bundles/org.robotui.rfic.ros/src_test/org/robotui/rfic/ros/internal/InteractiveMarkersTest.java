@@ -64,10 +64,12 @@ class InteractiveMarkersTest {
     master = RosMaster.open(MasterOptions.standard(DAEMONS));
     server = RosNode.open(RosEnvironment.of(master.uri()), GraphName.of("server"), NodeOptions.standard(DAEMONS));
     rfic = new RosRfic(context, settings(), new SharedMasters(), new Guards());
-    updates = server.publisher("/goals/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard());
+    updates =
+        server.publisher("/goals/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard());
     server.publisher("/goals/update_full", RecordCodec.of(InteractiveMarkerInit.class), PublisherOptions.latched())
         .publish(new InteractiveMarkerInit("s", 4, List.of(SampleMarkers.interactive("goal", 2))));
-    server.subscriber("/goals/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(), (m, from) -> heard.add(m));
+    server.subscriber("/goals/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(),
+        (m, from) -> heard.add(m));
   }
 
   @AfterEach
@@ -91,7 +93,8 @@ class InteractiveMarkersTest {
     await(() -> updates.numSubscribers() == 1);
     Deque<FakeRficContext.Published> got = context.published.get("goals/update");
     await(() -> {
-      updates.publish(new InteractiveMarkerUpdate("s", 4, InteractiveMarkerUpdate.KEEP_ALIVE, List.of(), List.of(), List.of()));
+      updates.publish(
+          new InteractiveMarkerUpdate("s", 4, InteractiveMarkerUpdate.KEEP_ALIVE, List.of(), List.of(), List.of()));
       return !got.isEmpty();
     });
     InteractiveMarkerSet set = (InteractiveMarkerSet) got.getFirst().value();
@@ -105,7 +108,8 @@ class InteractiveMarkersTest {
   }
 
   private static MarkerFeedback moved(String topic) {
-    return new MarkerFeedback(topic, "scene", "goal", "along", MarkerFeedback.Event.POSE_UPDATE, new FrameId("robby", "map"),
+    return new MarkerFeedback(topic, "scene", "goal", "along", MarkerFeedback.Event.POSE_UPDATE,
+        new FrameId("robby", "map"),
         Optional.empty(), RigidTransform.planar(3, 1, 0), 0, Optional.of(new Vector3(3, 1, 0.5)));
   }
 
@@ -115,7 +119,8 @@ class InteractiveMarkersTest {
     assertEquals("/goals/feedback", goal.feedback());
     await(() -> send(moved(goal.feedback())) instanceof Sent.Out);
     InteractiveMarkerFeedback done = heard.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
-    assertEquals(List.of("goal", "along", "map"), List.of(done.markerName(), done.controlName(), done.header().frameId()));
+    assertEquals(List.of("goal", "along", "map"),
+        List.of(done.markerName(), done.controlName(), done.header().frameId()));
     assertEquals(InteractiveMarkerFeedback.POSE_UPDATE, done.eventType());
     assertEquals(3, done.pose().position().x());
     assertTrue(done.mousePointValid() && done.clientId().endsWith("/scene"), done.clientId());

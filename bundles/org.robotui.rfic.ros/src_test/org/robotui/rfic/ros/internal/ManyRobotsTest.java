@@ -33,7 +33,10 @@ class ManyRobotsTest extends RosRficCase {
   private static final Duration SLOW = Duration.ofMillis(800);
   /** Two seconds are allowed; the rest is for machines that others use as well. */
   private static final Duration END = Duration.ofSeconds(5);
-  /** Of fifty: those that a slow master had not heard when their time was over, on such machines; the next start removes them. */
+  /**
+   * Of fifty: those that a slow master had not heard when their time was over, on such machines; the next start removes
+   * them.
+   */
   private static final int FEW = 5;
   private static final List<String> VALUES = List.of("odom", "battery", "task", "joints");
 
@@ -48,9 +51,10 @@ class ManyRobotsTest extends RosRficCase {
     for (int i = 0; i < ROBOTS; i++) {
       String name = "r" + i;
       robot.publisher("/" + name + "/scan", RecordCodec.of(LaserScan.class), PublisherOptions.standard());
-      VALUES.forEach(value -> robot.publisher("/" + name + "/" + value, RecordCodec.of(StdFloat64.class), PublisherOptions.standard()));
-      List.of("/cmd_vel", "/turn").forEach(command ->
-          robot.subscriber("/" + name + command, RecordCodec.of(Twist.class), SubscriberOptions.standard(), (message, reception) -> { }));
+      VALUES.forEach(value -> robot.publisher("/" + name + "/" + value, RecordCodec.of(StdFloat64.class),
+          PublisherOptions.standard()));
+      List.of("/cmd_vel", "/turn").forEach(command -> robot.subscriber("/" + name + command,
+          RecordCodec.of(Twist.class), SubscriberOptions.standard(), (message, reception) -> {}));
       FakeRficContext its = new FakeRficContext();
       contexts.add(its);
       rfics.add(new RosRfic(its, settings(Map.of("master", line.uri(), "namespace", name)), masters, new Guards()));
@@ -64,7 +68,8 @@ class ManyRobotsTest extends RosRficCase {
   private void look() {
     rfics.forEach(RosRfic::start);
     contexts.forEach(c -> {
-      await(() -> c.streams.containsKey("scan") && c.streams.keySet().containsAll(VALUES) && c.links.getLast() instanceof LinkState.Connected);
+      await(() -> c.streams.containsKey("scan") && c.streams.keySet().containsAll(VALUES)
+          && c.links.getLast() instanceof LinkState.Connected);
       c.demand("scan", true);
       VALUES.forEach(value -> c.demand(value, true));
     });
@@ -96,7 +101,8 @@ class ManyRobotsTest extends RosRficCase {
       each.close();
       ended.countDown();
     }).start());
-    assertTrue(ended.await(END.toMillis(), TimeUnit.MILLISECONDS), ended.getCount() + " of " + ROBOTS + " have not ended in " + END);
+    assertTrue(ended.await(END.toMillis(), TimeUnit.MILLISECONDS),
+        ended.getCount() + " of " + ROBOTS + " have not ended in " + END);
     await(() -> contexts.stream().allMatch(c -> c.alive().isEmpty()));
   }
 

@@ -107,10 +107,12 @@ class RepeatedCleanupTest {
 
   private XmlRpcValue answer(MethodCall call) {
     asked.add(call.method());
-    XmlRpcValue publishers = XmlRpcValue.of(XmlRpcValue.of(XmlRpcValue.of("/value"), XmlRpcValue.ofTexts(List.of("/killed"))));
+    XmlRpcValue publishers =
+        XmlRpcValue.of(XmlRpcValue.of(XmlRpcValue.of("/value"), XmlRpcValue.ofTexts(List.of("/killed"))));
     XmlRpcValue result = switch (call.method()) {
       case "lookupNode" -> XmlRpcValue.of(left);
-      case "getSystemState" -> XmlRpcValue.of(publishers, XmlRpcValue.ofTexts(List.of()), XmlRpcValue.ofTexts(List.of()));
+      case "getSystemState" -> XmlRpcValue.of(publishers, XmlRpcValue.ofTexts(List.of()),
+          XmlRpcValue.ofTexts(List.of()));
       default -> XmlRpcValue.of(1);
     };
     return XmlRpcValue.of(XmlRpcValue.of(1), XmlRpcValue.of(""), result);
@@ -125,7 +127,8 @@ class RepeatedCleanupTest {
       tidying.start();
       notYet.accept().close();
     }
-    try (XmlRpcServer master = new XmlRpcServer(LOOPBACK, port, XmlRpcLimits.standard(), new Workers(DAEMONS), "late master")) {
+    try (XmlRpcServer master =
+        new XmlRpcServer(LOOPBACK, port, XmlRpcLimits.standard(), new Workers(DAEMONS), "late master")) {
       master.start(this::answer);
       Map<String, Integer> seen = new java.util.HashMap<>();
       while (!seen.containsKey("unregisterPublisher")) {
@@ -141,9 +144,11 @@ class RepeatedCleanupTest {
   @Test
   void aTeamRemovesTogetherWhatIsLeft() throws Exception {
     SharedCleanup shared = new SharedCleanup();
-    List<RepeatedCleanup> team = Stream.generate(() -> new RepeatedCleanup(context, shared, Duration.ofMinutes(1))).limit(20).toList();
+    List<RepeatedCleanup> team =
+        Stream.generate(() -> new RepeatedCleanup(context, shared, Duration.ofMinutes(1))).limit(20).toList();
     int port = masterPort();
-    try (XmlRpcServer master = new XmlRpcServer(LOOPBACK, port, XmlRpcLimits.standard(), new Workers(DAEMONS), "master")) {
+    try (XmlRpcServer master =
+        new XmlRpcServer(LOOPBACK, port, XmlRpcLimits.standard(), new Workers(DAEMONS), "master")) {
       master.start(call -> {
         LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(100)); // so that all come before the first is done
         return answer(call);

@@ -56,7 +56,8 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void offersConfiguredCommandsAlsoWhileNobodyListens() {
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))), new SharedMasters(), new Guards());
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "velocity", List.of("base/cmd"))),
+        new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.commands.containsKey("base/cmd"));
     Sent sent = send("base/cmd", VelocityCommand.ZERO);
@@ -67,9 +68,13 @@ class RosCommandsTest extends RosRficCase {
   void sendsWaypointsToTheTopicsThatAreNamed() {
     Deque<org.robotui.ros.msgs.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
     Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/follow", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(), (p, r) -> paths.add(p));
-    robot.subscriber("/visit", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class), SubscriberOptions.standard(), (p, r) -> arrays.add(p));
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))), new SharedMasters(), new Guards());
+    robot.subscriber("/follow", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(),
+        (p, r) -> paths.add(p));
+    robot.subscriber("/visit", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class),
+        SubscriberOptions.standard(), (p, r) -> arrays.add(p));
+    rfic = new RosRfic(context,
+        settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))),
+        new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.commands.containsKey("follow") && context.commands.containsKey("visit"));
     FrameId map = new FrameId("robby", "map");
@@ -87,8 +92,9 @@ class RosCommandsTest extends RosRficCase {
   void aPlanThatOthersLookAtStaysNewsAndIsNoCommand() throws IOException {
     robot.publisher("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), PublisherOptions.standard());
     RosNode viewer = node("viewer");
-    viewer.subscriber("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(), (p, r) -> { });
-    viewer.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
+    viewer.subscriber("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(),
+        (p, r) -> {});
+    viewer.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> {});
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel") && context.streams.containsKey("plan"));
     assertFalse(context.commands.containsKey("plan"));
@@ -97,8 +103,9 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void doesNotTakeOrdersOfOthersForNewsOfTheRobot() throws IOException {
-    robot.subscriber("/initialpose", RecordCodec.of(PoseWithCovarianceStamped.class), SubscriberOptions.standard(), (m, r) -> { });
-    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (m, r) -> { });
+    robot.subscriber("/initialpose", RecordCodec.of(PoseWithCovarianceStamped.class), SubscriberOptions.standard(),
+        (m, r) -> {});
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (m, r) -> {});
     RosNode other = node("other_workbench");
     other.publisher("/initialpose", RecordCodec.of(PoseWithCovarianceStamped.class), PublisherOptions.standard());
     other.publisher("/cmd_vel", RecordCodec.of(Twist.class), PublisherOptions.standard());
@@ -110,7 +117,8 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void callsServicesByNameAndSaysWhyNot() throws Exception {
-    robot.serviceServer("/motors", StandardServices.SET_BOOL, (request, caller) -> new SetBoolResponse(request.data(), "done"));
+    robot.serviceServer("/motors", StandardServices.SET_BOOL,
+        (request, caller) -> new SetBoolResponse(request.data(), "done"));
     rfic.start();
     await(() -> context.handlers.containsKey("services"));
     assertTrue(robot.awaitRegistered(PATIENCE));
@@ -128,9 +136,11 @@ class RosCommandsTest extends RosRficCase {
   void saysAMessageOnceToAllWhoListenAndNeverOnTopicsThatMoveTheRobot() {
     Deque<Double> first = new ConcurrentLinkedDeque<>();
     Deque<Double> second = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/gain", RecordCodec.of(StdFloat64.class), SubscriberOptions.standard(), (m, r) -> first.add(m.data()));
-    robot.subscriber("/gain", RecordCodec.of(StdFloat64.class), SubscriberOptions.standard(), (m, r) -> second.add(m.data()));
-    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
+    robot.subscriber("/gain", RecordCodec.of(StdFloat64.class), SubscriberOptions.standard(),
+        (m, r) -> first.add(m.data()));
+    robot.subscriber("/gain", RecordCodec.of(StdFloat64.class), SubscriberOptions.standard(),
+        (m, r) -> second.add(m.data()));
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> {});
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel"));
     await(() -> say("/gain", "std_msgs/Float64", Map.of("data", 2.5)) instanceof Sent.Out);

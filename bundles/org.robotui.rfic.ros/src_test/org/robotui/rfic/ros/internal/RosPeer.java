@@ -61,19 +61,28 @@ import org.robotui.testkit.rfic.Peer;
 import org.robotui.testkit.rfic.Sample;
 
 /**
- * A base with a laser on a master of its own, which is behind a gate. Nodes speak to each other without the master: what hangs is the master,
- * and a second node that says that it publishes the odometry and then takes calls without an answer.
+ * A base with a laser on a master of its own, which is behind a gate. Nodes speak to each other without the master:
+ * what hangs is the master, and a second node that says that it publishes the odometry and then takes calls without an
+ * answer.
  */
 final class RosPeer implements Peer {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
   private static final Stamp STAMP = Stamp.of(1_700_000_000L, 500, ClockKind.ROBOT);
-  private static final Sample POSE = new Sample("odom", new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
-      new RigidTransform(new org.robotui.geometry.Vector3(1, -2, 3), org.robotui.geometry.Quaternion.fromYaw(0.5)), Doubles.wrap(covariance(0.25)),
-      new org.robotui.geometry.Vector3(0.3, 0.1, 0.2), new org.robotui.geometry.Vector3(0.4, 0.5, -0.2), Doubles.wrap(covariance(0.5))), Optional.of(STAMP));
-  private static final Sample SCAN = new Sample("scan", new LaserScan(new FrameId("robby", "laser"), -1, 1, 0.1, 30, 0.05, Floats.of(1, Float.NaN, Float.POSITIVE_INFINITY),
-      Floats.EMPTY), Optional.of(STAMP));
+  private static final Sample POSE = new Sample("odom",
+      new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base_link"),
+          new RigidTransform(new org.robotui.geometry.Vector3(1, -2, 3), org.robotui.geometry.Quaternion.fromYaw(0.5)),
+          Doubles.wrap(covariance(0.25)),
+          new org.robotui.geometry.Vector3(0.3, 0.1, 0.2), new org.robotui.geometry.Vector3(0.4, 0.5, -0.2),
+          Doubles.wrap(covariance(0.5))),
+      Optional.of(STAMP));
+  private static final Sample SCAN = new Sample("scan",
+      new LaserScan(new FrameId("robby", "laser"), -1, 1, 0.1, 30, 0.05,
+          Floats.of(1, Float.NaN, Float.POSITIVE_INFINITY),
+          Floats.EMPTY),
+      Optional.of(STAMP));
   private static final VelocityCommand MOTION =
-      new VelocityCommand(new org.robotui.geometry.Vector3(0.3, 0.1, 0.2), new org.robotui.geometry.Vector3(0.4, 0.5, -0.2));
+      new VelocityCommand(new org.robotui.geometry.Vector3(0.3, 0.1, 0.2),
+          new org.robotui.geometry.Vector3(0.4, 0.5, -0.2));
   private static final Set<String> MASTERS_OWN = Set.of("/rosout");
 
   private final List<Data> heard = new CopyOnWriteArrayList<>();
@@ -90,7 +99,8 @@ final class RosPeer implements Peer {
 
     XmlRpcValue tellMaster(String method, String... arguments) {
       List<XmlRpcValue> values = Stream.of(arguments).map(XmlRpcValue::of).toList();
-      try (XmlRpcClient client = new XmlRpcClient(HostPort.ofUri(master.uri().toString(), "http"), XmlRpcLimits.standard())) {
+      try (XmlRpcClient client =
+          new XmlRpcClient(HostPort.ofUri(master.uri().toString(), "http"), XmlRpcLimits.standard())) {
         return client.call(method, values);
       } catch (IOException | XmlRpcFault e) {
         throw new IllegalStateException(e);
@@ -124,7 +134,9 @@ final class RosPeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return new RosRfic(context, RosRficCase.settings(Map.of("master", "http://127.0.0.1:" + gate.port(), "guard", guard)), new SharedMasters(), new Guards());
+    return new RosRfic(context,
+        RosRficCase.settings(Map.of("master", "http://127.0.0.1:" + gate.port(), "guard", guard)), new SharedMasters(),
+        new Guards());
   }
 
   @Override
@@ -132,10 +144,13 @@ final class RosPeer implements Peer {
     RosMaster master = RosMaster.open(MasterOptions.standard(THREADS));
     RosNode node = node(master, "robot");
     running = Optional.of(new Running(master, node,
-        node.publisher("/odom", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Odometry.class), PublisherOptions.standard()),
-        node.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.standard()),
+        node.publisher("/odom", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Odometry.class),
+            PublisherOptions.standard()),
+        node.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class),
+            PublisherOptions.standard()),
         new ServerSocket(0, 50, InetAddress.getLoopbackAddress())));
-    node.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> heard.add(new VelocityCommand(vector(t.linear()), vector(t.angular()))));
+    node.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(),
+        (t, r) -> heard.add(new VelocityCommand(vector(t.linear()), vector(t.angular()))));
     if (!node.awaitRegistered(PATIENCE)) {
       throw new IOException("the robot's node does not get registered");
     }
@@ -143,7 +158,8 @@ final class RosPeer implements Peer {
   }
 
   private static RosNode node(RosMaster master, String name) throws IOException {
-    return RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of(name), NodeOptions.standard(THREADS));
+    return RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of(name),
+        NodeOptions.standard(THREADS));
   }
 
   private static org.robotui.geometry.Vector3 vector(Vector3 v) {
@@ -187,7 +203,7 @@ final class RosPeer implements Peer {
     try (RosNode mad = node(running.orElseThrow().master(), "mad")) {
       Publisher<RawMessage> scans = mad.publisher("/scan", broken, PublisherOptions.standard());
       RosRficCase.await(() -> scans.numSubscribers() > 0);
-      scans.publish(new RawMessage(broken.info(), ByteBuffer.wrap(new byte[] {1, 2, 3})));
+      scans.publish(new RawMessage(broken.info(), ByteBuffer.wrap(new byte[]{1, 2, 3})));
       RosRficCase.await(() -> scans.numSubscribers() == 0);
     }
   }
@@ -202,8 +218,11 @@ final class RosPeer implements Peer {
     if (sample.equals(POSE)) {
       running.ifPresent(r -> r.poses().publish(pose()));
     } else {
-      running.ifPresent(r -> r.scans().publish(new org.robotui.ros.msgs.sensor_msgs.LaserScan(new Header(0, STAMP.nanos(), "/laser"), -1, 1, 1, 0, 0.05f,
-          0.1f, 30, new float[] {1, Float.NaN, Float.POSITIVE_INFINITY}, new float[0])));
+      running
+          .ifPresent(r -> r.scans()
+              .publish(new org.robotui.ros.msgs.sensor_msgs.LaserScan(new Header(0, STAMP.nanos(), "/laser"), -1, 1, 1,
+                  0, 0.05f,
+                  0.1f, 30, new float[]{1, Float.NaN, Float.POSITIVE_INFINITY}, new float[0])));
     }
   }
 
@@ -238,8 +257,9 @@ final class RosPeer implements Peer {
   public Set<String> registrations() {
     SystemState state = running.orElseThrow().node().master().systemState().toOptional().orElseThrow();
     Set<String> all = new TreeSet<>();
-    Map.of("publishes", state.publishers(), "subscribes", state.subscribers(), "serves", state.services()).forEach((verb, names) ->
-        names.forEach((name, nodes) -> nodes.forEach(node -> all.add(node + " " + verb + " " + name))));
+    Map.of("publishes", state.publishers(), "subscribes", state.subscribers(), "serves", state.services())
+        .forEach((verb, names) -> names
+            .forEach((name, nodes) -> nodes.forEach(node -> all.add(node + " " + verb + " " + name))));
     all.removeIf(each -> MASTERS_OWN.contains(each.substring(0, each.indexOf(' '))));
     return all;
   }

@@ -58,7 +58,8 @@ abstract class RosRficCase {
   }
 
   RosNode node(String name) throws IOException {
-    return RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of(name), NodeOptions.standard(DAEMONS));
+    return RosNode.open(RosEnvironment.of(URI.create(master.uri().toString())), GraphName.of(name),
+        NodeOptions.standard(DAEMONS));
   }
 
   static RosSettings settings(Map<String, Object> written) {

@@ -43,14 +43,15 @@ class RosRficTest extends RosRficCase {
   @Test
   void offersTopicsWhileTheyArePublishedAndAsksForThemOnlyWhenWanted() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
-        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.standard());
+        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class),
+            PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
     assertEquals(LaserScan.class, context.streams.get("scan").type());
     assertEquals(0, scans.numSubscribers());
     context.demand("scan", true);
     await(() -> scans.numSubscribers() == 1);
-    scans.publish(scan(new float[] {1, Float.NaN, Float.POSITIVE_INFINITY}));
+    scans.publish(scan(new float[]{1, Float.NaN, Float.POSITIVE_INFINITY}));
     FakeRficContext.Published got = first("scan");
     LaserScan scan = (LaserScan) got.value();
     assertEquals(new FrameId("robby", "laser"), scan.frame());
@@ -100,13 +101,15 @@ class RosRficTest extends RosRficCase {
   @Test
   void refusesMessagesThatAreNotWhatTheyShouldBeAndGoesOn() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
-        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.standard());
+        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class),
+            PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
     context.demand("scan", true);
     await(() -> scans.numSubscribers() == 1);
-    org.robotui.ros.msgs.sensor_msgs.LaserScan good = scan(new float[] {1});
-    scans.publish(new org.robotui.ros.msgs.sensor_msgs.LaserScan(good.header(), Float.NaN, 0, 0, 0, 0, 0, 1, good.ranges(), new float[0]));
+    org.robotui.ros.msgs.sensor_msgs.LaserScan good = scan(new float[]{1});
+    scans.publish(new org.robotui.ros.msgs.sensor_msgs.LaserScan(good.header(), Float.NaN, 0, 0, 0, 0, 0, 1,
+        good.ranges(), new float[0]));
     scans.publish(good);
     first("scan");
     assertTrue(context.complaints.get("scan").getFirst().contains("/scan from /robot: angleMin"));
@@ -116,7 +119,8 @@ class RosRficTest extends RosRficCase {
   void seesOnlyItsNamespace() throws IOException {
     robot.publisher("/r1/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     robot.publisher("/r2/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
-    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "namespace", "r1")), new SharedMasters(), new Guards());
+    rfic = new RosRfic(context, settings(Map.of("master", master.uri().toString(), "namespace", "r1")),
+        new SharedMasters(), new Guards());
     rfic.start();
     await(() -> context.streams.containsKey("value"));
     assertEquals(2, context.streams.size(), () -> context.streams.keySet().toString());
@@ -143,7 +147,7 @@ class RosRficTest extends RosRficCase {
   void keepsTheRobotsNamesBesideTheDataType() {
     Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans = robot.publisher(
         "/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.latched());
-    scans.publish(scan(new float[] {1, 2}));
+    scans.publish(scan(new float[]{1, 2}));
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
     context.demand("scan", true);
@@ -155,7 +159,7 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void describesTheFormOfMessages() throws Exception {
-    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> {});
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel"));
     Browser browser = context.browsers.get("graph");
@@ -186,7 +190,8 @@ class RosRficTest extends RosRficCase {
     assertEquals("<robot name='a'/>", first.urdf());
     assertEquals("robby", first.robot());
     robot.parameters().set("/robot_description_semantic", XmlRpcValue.of("<robot/>"));
-    await(() -> ((RobotDescription) context.published.get("robot_description").getLast().value()).srdf().equals("<robot/>"));
+    await(() -> ((RobotDescription) context.published.get("robot_description").getLast().value()).srdf()
+        .equals("<robot/>"));
     robot.parameters().delete("/robot_description");
     await(() -> !context.streams.containsKey("robot_description"));
   }
@@ -194,12 +199,13 @@ class RosRficTest extends RosRficCase {
   @Test
   void leavesNothingBehind() {
     robot.publisher("/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
-    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> { });
+    robot.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> {});
     rfic.start();
     await(() -> context.streams.containsKey("value") && context.commands.containsKey("cmd_vel"));
     context.demand("value", true);
     rfic.close();
-    await(() -> robot.master().systemState().toOptional().orElseThrow().nodes().stream().noneMatch(n -> n.contains("robotui")));
+    await(() -> robot.master().systemState().toOptional().orElseThrow().nodes().stream()
+        .noneMatch(n -> n.contains("robotui")));
     await(() -> context.alive().isEmpty());
     assertEquals(Map.of(), new HashMap<>(context.streams));
     assertEquals(Map.of(), new HashMap<>(context.commands));

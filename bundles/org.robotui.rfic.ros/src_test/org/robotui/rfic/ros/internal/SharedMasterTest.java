@@ -75,7 +75,8 @@ class SharedMasterTest extends RosRficCase {
     other.start();
     await(() -> !children(second).isEmpty());
     assertEquals(Set.of("laser"), children(second), "what is said once it hears, too, but not of the other robot");
-    moving.publish(message("map", "r1/odom", "map", "r2/odom", "map", "r3/odom", "odom", "base_link", "map", "arena/door"));
+    moving.publish(
+        message("map", "r1/odom", "map", "r2/odom", "map", "r3/odom", "odom", "base_link", "map", "arena/door"));
     await(() -> children(second).size() == 4 && children(context).size() == 5);
     assertEquals(Set.of("laser", "r2/odom", "base_link", "arena/door"), children(second));
     assertEquals(Set.of("laser", "r1/laser", "r1/odom", "base_link", "arena/door"), children(context));
@@ -102,7 +103,8 @@ class SharedMasterTest extends RosRficCase {
     other.start();
     await(() -> context.streams.containsKey("value"));
     assertTrue(!second.streams.containsKey("value"));
-    Publisher<StdFloat64> late = robot.publisher("/r2/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
+    Publisher<StdFloat64> late =
+        robot.publisher("/r2/value", RecordCodec.of(StdFloat64.class), PublisherOptions.standard());
     await(() -> second.streams.containsKey("value"));
     late.close();
     await(() -> !second.streams.containsKey("value"));

@@ -19,14 +19,18 @@ import org.robotui.xbot.HostReading;
 import org.robotui.xbot.StateFrame;
 import org.robotui.xbot.Timing;
 
-/** What a control says, as data types. Indices of a board that was replaced meanwhile may lead nowhere: then the part is left out. */
+/**
+ * What a control says, as data types. Indices of a board that was replaced meanwhile may lead nowhere: then the part is
+ * left out.
+ */
 final class Convert {
   private Convert() {}
 
   static JointState joints(Board board, StateFrame state) {
     return new JointState(IntStream.range(0, count(board, state)).mapToObj(i -> {
       StateFrame.Joint joint = state.joints().get(i);
-      return new JointState.Joint(board.joints().get(i).name(), joint.linkPosition(), joint.linkVelocity(), joint.effort());
+      return new JointState.Joint(board.joints().get(i).name(), joint.linkPosition(), joint.linkVelocity(),
+          joint.effort());
     }).toList());
   }
 
@@ -42,9 +46,11 @@ final class Convert {
   private static JointControl.Joint joint(Board board, String name, StateFrame.Joint joint) {
     StateFrame.Reference reference = joint.reference();
     return new JointControl.Joint(name,
-        new JointControl.Measured(joint.linkPosition(), joint.motorPosition(), joint.linkVelocity(), joint.motorVelocity(),
+        new JointControl.Measured(joint.linkPosition(), joint.motorPosition(), joint.linkVelocity(),
+            joint.motorVelocity(),
             joint.effort(), joint.motorTemperature(), joint.driverTemperature()),
-        new JointControl.Reference(reference.position(), reference.velocity(), reference.effort(), reference.stiffness(),
+        new JointControl.Reference(reference.position(), reference.velocity(), reference.effort(),
+            reference.stiffness(),
             reference.damping()),
         JointMode.ofBits(joint.mode()),
         source(joint.control()),
@@ -65,7 +71,8 @@ final class Convert {
     List<String> names = board.joints().stream().map(Board.Joint::name).toList();
     return new JointModel(
         board.joints().stream().map(j -> new JointModel.Joint(j.name(), j.id(),
-            j.prismatic() ? JointModel.Type.PRISMATIC : JointModel.Type.REVOLUTE, j.lower(), j.upper(), j.velocity(), j.effort()))
+            j.prismatic() ? JointModel.Type.PRISMATIC : JointModel.Type.REVOLUTE, j.lower(), j.upper(), j.velocity(),
+            j.effort()))
             .toList(),
         board.chains().stream().map(c -> new JointModel.Chain(c.name(),
             c.joints().stream().filter(i -> i < names.size()).map(names::get).toList())).toList());
@@ -92,13 +99,15 @@ final class Convert {
   private static LoopTiming.Loop loop(Timing timing, String process) {
     return new LoopTiming.Loop(timing.name(), process,
         new LoopTiming.Schedule(timing.period(), timing.priority(), timing.core()),
-        new LoopTiming.Counts(timing.cycles(), timing.overruns(), timing.missed(), timing.allocations(), timing.pageFaults()),
+        new LoopTiming.Counts(timing.cycles(), timing.overruns(), timing.missed(), timing.allocations(),
+            timing.pageFaults()),
         histogram(timing.wakeUp()), histogram(timing.busy()));
   }
 
   static Histogram histogram(Timing.Buckets buckets) {
     return new Histogram(buckets.counts(),
-        IntStream.range(0, buckets.counts().size()).mapToObj(i -> i == 0 ? 0L : Timing.Buckets.lower(i)).toList(), buckets.max());
+        IntStream.range(0, buckets.counts().size()).mapToObj(i -> i == 0 ? 0L : Timing.Buckets.lower(i)).toList(),
+        buckets.max());
   }
 
   static ControlPlugins plugins(Board board, List<HostReading> hosts) {

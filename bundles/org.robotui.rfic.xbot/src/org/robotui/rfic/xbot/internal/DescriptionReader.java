@@ -26,7 +26,8 @@ final class DescriptionReader {
   Optional<RobotDescription> read(String robot, String packagePath) throws IOException {
     List<String> roots = Stream.of(packagePath.split(":")).filter(folder -> folder.startsWith("/")).toList();
     String urdf = text("urdf");
-    return urdf.isBlank() ? Optional.empty() : Optional.of(new RobotDescription(robot, "the control's URDF", urdf, text("srdf"), roots));
+    return urdf.isBlank() ? Optional.empty()
+        : Optional.of(new RobotDescription(robot, "the control's URDF", urdf, text("srdf"), roots));
   }
 
   /** Empty where it is not told, makes no progress, or is too long. */

@@ -30,7 +30,10 @@ final class ModelFrames {
     this.kinematics = model.map(Kinematics::new);
   }
 
-  /** Where a sensor measures: XBot names a force-torque sensor by the joint in which it sits, an inertial one by its link. */
+  /**
+   * Where a sensor measures: XBot names a force-torque sensor by the joint in which it sits, an inertial one by its
+   * link.
+   */
   FrameId sensor(String name) {
     return frame(joints.stream().filter(joint -> joint.name().equals(name)).findFirst().map(Joint::child).orElse(name));
   }
@@ -48,9 +51,11 @@ final class ModelFrames {
   }
 
   private TransformSet transforms(boolean fixed, Map<String, Double> positions, Stamp stamp) {
-    return new TransformSet(kinematics.stream().flatMap(known -> joints.stream().filter(joint -> fixed == (joint.type() == Joint.Type.FIXED))
-        .map(joint -> new FrameTransform(frame(joint.parent()), frame(joint.child()), stamp,
-            known.parentFromChild(joint, positions, Map.of()), fixed))).toList());
+    return new TransformSet(kinematics.stream()
+        .flatMap(known -> joints.stream().filter(joint -> fixed == (joint.type() == Joint.Type.FIXED))
+            .map(joint -> new FrameTransform(frame(joint.parent()), frame(joint.child()), stamp,
+                known.parentFromChild(joint, positions, Map.of()), fixed)))
+        .toList());
   }
 
   private FrameId frame(String link) {

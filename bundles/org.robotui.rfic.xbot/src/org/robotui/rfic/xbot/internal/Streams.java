@@ -80,11 +80,12 @@ final class Streams implements AutoCloseable {
     if (control.wanted) {
       control.publication.publish(Convert.control(board, state), stamp, measured, Optional.empty());
     }
-    IntStream.range(0, Math.min(imus.size(), state.imus().size())).filter(i -> imus.get(i).wanted).forEach(i ->
-        imus.get(i).publication.publish(Convert.imu(frames.sensor(board.imus().get(i)), state.imus().get(i)), stamp, measured,
+    IntStream.range(0, Math.min(imus.size(), state.imus().size())).filter(i -> imus.get(i).wanted)
+        .forEach(i -> imus.get(i).publication.publish(
+            Convert.imu(frames.sensor(board.imus().get(i)), state.imus().get(i)), stamp, measured,
             Optional.empty()));
-    IntStream.range(0, Math.min(forceTorques.size(), state.forceTorques().size())).filter(i -> forceTorques.get(i).wanted).forEach(i ->
-        forceTorques.get(i).publication.publish(
+    IntStream.range(0, Math.min(forceTorques.size(), state.forceTorques().size()))
+        .filter(i -> forceTorques.get(i).wanted).forEach(i -> forceTorques.get(i).publication.publish(
             Convert.wrench(frames.sensor(board.forceTorques().get(i)), state.forceTorques().get(i)), stamp, measured,
             Optional.empty()));
   }

@@ -19,7 +19,8 @@ final class Verbs implements CallHandler<PluginRequest, PluginReply> {
 
   @Override
   public PluginReply handle(Invocation<PluginRequest> invocation) throws CallException {
-    return ask(invocation.request(), Duration.ofNanos(Math.max(1_000_000, invocation.deadlineNanos() - System.nanoTime())));
+    return ask(invocation.request(),
+        Duration.ofNanos(Math.max(1_000_000, invocation.deadlineNanos() - System.nanoTime())));
   }
 
   PluginReply ask(PluginRequest request, Duration timeout) throws CallException {

@@ -20,9 +20,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends references while somebody commands: the first command makes us the master, the stop or a silence ends it. All checks of
- * who may command were made before, by the arbiter; the control checks every number again. To become the master and to end it are
- * requests that a busy control may be long in answering: they have a thread of their own, so that nobody who commands waits.
+ * Sends references while somebody commands: the first command makes us the master, the stop or a silence ends it. All
+ * checks of who may command were made before, by the arbiter; the control checks every number again. To become the
+ * master and to end it are requests that a busy control may be long in answering: they have a thread of their own, so
+ * that nobody who commands waits.
  */
 final class XbotCommands implements CommandSink<JointCommand>, AutoCloseable {
   private static final Duration SILENCE = Duration.ofSeconds(1);

@@ -25,21 +25,26 @@ final class XbotPorts {
   static final StreamPort<JointState> JOINTS =
       new StreamPort<>("joints", JointState.class, Arity.MANY, "positions, velocities and efforts of the joints");
   static final StreamPort<JointControl> CONTROL =
-      new StreamPort<>("control", JointControl.class, Arity.MANY, "how the joints are driven: references beside what is measured");
+      new StreamPort<>("control", JointControl.class, Arity.MANY,
+          "how the joints are driven: references beside what is measured");
   static final StreamPort<JointModel> MODEL =
       new StreamPort<>("model", JointModel.class, Arity.MANY, "the joints with their limits, and their chains");
   static final StreamPort<RobotDescription> DESCRIPTION =
-      new StreamPort<>("robot_description", RobotDescription.class, Arity.MANY, "what the robot is made of: the control's URDF and SRDF");
+      new StreamPort<>("robot_description", RobotDescription.class, Arity.MANY,
+          "what the robot is made of: the control's URDF and SRDF");
   static final StreamPort<ControlPlugins> PLUGINS =
       new StreamPort<>("plugins", ControlPlugins.class, Arity.MANY, "the control plugins and how they are doing");
   static final StreamPort<LoopTiming> TIMING =
       new StreamPort<>("timing", LoopTiming.class, Arity.MANY, "how well the control keeps its time");
   static final CommandPort<JointCommand> COMMAND =
-      new CommandPort<>("joint_command", JointCommand.class, Arity.MANY, "what the joints shall do, while the communication plugin runs");
+      new CommandPort<>("joint_command", JointCommand.class, Arity.MANY,
+          "what the joints shall do, while the communication plugin runs");
   static final CallPort<PluginRequest, PluginReply> VERBS =
-      new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class, Arity.MANY, "starts, stops and reloads plugins", true);
-  static final CallPort<ServiceRequest, ServiceReply> SERVICES = new CallPort<>("services", ServiceRequest.class, ServiceReply.class,
-      Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
+      new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class, Arity.MANY,
+          "starts, stops and reloads plugins", true);
+  static final CallPort<ServiceRequest, ServiceReply> SERVICES =
+      new CallPort<>("services", ServiceRequest.class, ServiceReply.class,
+          Arity.MANY, "stop_plugins stops all plugins: for the stop_call of a robot's safety");
 
   static final List<Port> ALL = List.of(JOINTS, CONTROL, MODEL, PLUGINS, TIMING, COMMAND, VERBS, SERVICES);
 

@@ -16,7 +16,10 @@ import org.robotui.xbot.Board;
 import org.robotui.xbot.RtClient;
 import org.robotui.xbot.StateFrame;
 
-/** One attachment, from the connection to the end of the supervisor: offers what the control has, and reads it at a rate. */
+/**
+ * One attachment, from the connection to the end of the supervisor: offers what the control has, and reads it at a
+ * rate.
+ */
 final class XbotSession implements RobotSession {
   private static final Duration SLOW = Duration.ofMillis(200);
   private static final Duration ASK = Duration.ofSeconds(2);
@@ -41,7 +44,8 @@ final class XbotSession implements RobotSession {
     this.link = new LinkChanges(context.link());
     Board board = board();
     Optional<RobotDescription> description = description();
-    this.streams = new Streams(context, board, new ModelFrames(context.robot(), description.map(RobotDescription::urdf).orElse("")));
+    this.streams = new Streams(context, board,
+        new ModelFrames(context.robot(), description.map(RobotDescription::urdf).orElse("")));
     description.ifPresent(streams::describe);
     this.commands = new XbotCommands(client, context.threads());
     Verbs verbs = new Verbs(client);
@@ -57,7 +61,8 @@ final class XbotSession implements RobotSession {
   }
 
   private Board board() throws IOException {
-    return client.board().orElseThrow(() -> new IOException("the control of " + settings.robot() + " says nothing that can be read"));
+    return client.board()
+        .orElseThrow(() -> new IOException("the control of " + settings.robot() + " says nothing that can be read"));
   }
 
   /** Reads until the supervisor has gone, and says why it ended. */
@@ -96,7 +101,8 @@ final class XbotSession implements RobotSession {
   private LinkState state(Board board, long now) {
     String peer = board.robot() + " (" + board.hal() + ")";
     if (now - newestSince > SILENT.toNanos()) {
-      return new LinkState.Degraded(peer, "no cycle for " + SILENT.toMillis() + " ms: the process at the hardware stands still or is gone");
+      return new LinkState.Degraded(peer,
+          "no cycle for " + SILENT.toMillis() + " ms: the process at the hardware stands still or is gone");
     }
     return switch (hardware) {
       case TIMEOUT -> new LinkState.Degraded(peer, "the hardware does not answer in time");

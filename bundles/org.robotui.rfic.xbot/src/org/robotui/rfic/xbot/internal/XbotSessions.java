@@ -15,7 +15,8 @@ record XbotSessions(RficContext context, XbotSettings settings) implements Sessi
   private static final Duration RETRY = Duration.ofSeconds(1);
 
   static Rfic rfic(RficContext context, XbotSettings settings) {
-    return new SessionRfic(context, "the real-time control of " + settings.robot(), RETRY, new XbotSessions(context, settings));
+    return new SessionRfic(context, "the real-time control of " + settings.robot(), RETRY,
+        new XbotSessions(context, settings));
   }
 
   @Override

@@ -19,8 +19,10 @@ record XbotSettings(String robot, Duration period) {
   private static final double NANOS = 1e9;
 
   static final Schema SCHEMA = Schema.of(
-      Setting.optional("robot", new ValueType.Text(), "name of the robot that the control was started for; else that of the robot here"),
-      Setting.of("rate", new ValueType.Num(SLOWEST_HZ, FASTEST_HZ, "Hz"), RATE_HZ, "how often the state of the joints is read"));
+      Setting.optional("robot", new ValueType.Text(),
+          "name of the robot that the control was started for; else that of the robot here"),
+      Setting.of("rate", new ValueType.Num(SLOWEST_HZ, FASTEST_HZ, "Hz"), RATE_HZ,
+          "how often the state of the joints is read"));
 
   static XbotSettings of(Settings settings, String robot) {
     return new XbotSettings(settings.has("robot") ? settings.text("robot") : robot,

@@ -30,7 +30,8 @@ class ConvertTest {
   }
 
   private static StateFrame.Joint joint(double position, int owner) {
-    return new StateFrame.Joint(position, position, 0.1, 0.1, 5, new StateFrame.Reference(0.2, 0, 0, 100, 1), 25, 40, Double.NaN, 4, 2,
+    return new StateFrame.Joint(position, position, 0.1, 0.1, 5, new StateFrame.Reference(0.2, 0, 0, 100, 1), 25, 40,
+        Double.NaN, 4, 2,
         1, owner, StateFrame.Control.HOLDING);
   }
 
@@ -44,7 +45,8 @@ class ConvertTest {
 
   @Test
   void aJointSaysWhoOwnsItAndWhatIsMeant() {
-    JointControl.Joint joint = Convert.control(board(PluginState.RUNNING), state(joint(0.3, 0), joint(0, -1))).joints().getFirst();
+    JointControl.Joint joint =
+        Convert.control(board(PluginState.RUNNING), state(joint(0.3, 0), joint(0, -1))).joints().getFirst();
     assertEquals("homing", joint.owner());
     assertEquals(Set.of(JointMode.POSITION, JointMode.STIFFNESS, JointMode.DAMPING), joint.modes());
     assertEquals(JointControl.Source.HOLDING, joint.source());

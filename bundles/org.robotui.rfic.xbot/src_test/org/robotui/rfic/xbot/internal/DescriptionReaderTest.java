@@ -18,12 +18,14 @@ class DescriptionReaderTest {
       case "describe srdf 0" -> new Answer(true, "0 ");
       default -> throw new AssertionError(words);
     }).read("arm", "/opt/share:relative").orElseThrow();
-    assertEquals(new RobotDescription("arm", "the control's URDF", "<robot n\u00e4me=''/> ", "", List.of("/opt/share")), read);
+    assertEquals(new RobotDescription("arm", "the control's URDF", "<robot n\u00e4me=''/> ", "", List.of("/opt/share")),
+        read);
   }
 
   @Test
   void offersNothingWhereTheControlDoesNotSayIt() throws IOException {
-    assertEquals(Optional.empty(), new DescriptionReader(words -> new Answer(false, "The request 'describe' is not known.")).read("arm", ""));
+    assertEquals(Optional.empty(),
+        new DescriptionReader(words -> new Answer(false, "The request 'describe' is not known.")).read("arm", ""));
   }
 
   @Test

@@ -72,7 +72,8 @@ final class MasterApi {
   }
 
   private static XmlRpcValue removed(Arguments call, boolean removed, String role) {
-    return removed ? ApiMethods.success("Unregistered [" + call.caller() + "] as " + role + " of [" + name(call) + "]", 1)
+    return removed
+        ? ApiMethods.success("Unregistered [" + call.caller() + "] as " + role + " of [" + name(call) + "]", 1)
         : ApiMethods.success("[" + call.caller() + "] is not a registered " + role + " of [" + name(call) + "]", 0);
   }
 

@@ -3,15 +3,15 @@ package org.robotui.ros.internal.master;
 /** Resolves names as masters do: leniently, because it is not their business to refuse what nodes agreed on. */
 final class MasterNames {
 
-  private MasterNames() {
-  }
+  private MasterNames() {}
 
   /** The global name that a caller means. */
   static String resolve(String caller, String name) {
     if (name.startsWith("/")) {
       return clean(name);
     }
-    return name.startsWith("~") ? clean(caller + "/" + name.substring(1)) : clean(parent(clean("/" + caller)) + "/" + name);
+    return name.startsWith("~") ? clean(caller + "/" + name.substring(1))
+        : clean(parent(clean("/" + caller)) + "/" + name);
   }
 
   static String clean(String name) {

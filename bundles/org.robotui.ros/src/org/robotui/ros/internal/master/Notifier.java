@@ -18,9 +18,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Calls nodes back. Each node has a queue; of several updates of one topic or parameter that wait only the newest is sent.
- * Threads are few, however many nodes there are. A node that hangs holds one of them until the time-out, and from then on only
- * one of those that are for nodes that have not answered yet: nodes that answer wait for no other.
+ * Calls nodes back. Each node has a queue; of several updates of one topic or parameter that wait only the newest is
+ * sent. Threads are few, however many nodes there are. A node that hangs holds one of them until the time-out, and from
+ * then on only one of those that are for nodes that have not answered yet: nodes that answer wait for no other.
  */
 final class Notifier {
 

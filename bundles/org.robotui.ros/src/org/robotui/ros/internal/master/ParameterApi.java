@@ -41,7 +41,8 @@ final class ParameterApi {
   private static String key(Arguments call, int index) throws XmlRpcFault {
     String key = MasterNames.resolve(call.caller(), call.text(index));
     if (key.length() > MAX_KEY || key.chars().filter(c -> c == '/').count() > MAX_DEPTH) {
-      throw new XmlRpcFault(-32602, "a parameter's name of " + key.length() + " characters, or in more than " + MAX_DEPTH + " namespaces");
+      throw new XmlRpcFault(-32602,
+          "a parameter's name of " + key.length() + " characters, or in more than " + MAX_DEPTH + " namespaces");
     }
     return key;
   }
@@ -89,7 +90,8 @@ final class ParameterApi {
     }
     return tree.search(MasterNames.resolve("/", call.caller()), key)
         .map(found -> ApiMethods.success("Found [" + found + "]", XmlRpcValue.of(found)))
-        .orElseGet(() -> ApiMethods.error("Cannot find parameter [" + key + "] in an upwards search", XmlRpcValue.of("")));
+        .orElseGet(
+            () -> ApiMethods.error("Cannot find parameter [" + key + "] in an upwards search", XmlRpcValue.of("")));
   }
 
   private synchronized XmlRpcValue names(Arguments call) {

@@ -89,15 +89,15 @@ record ParameterTree(Struct root) {
   }
 
   /**
-   * Looks for a parameter from a namespace upwards. The first part of the key decides where; whether the rest of it
-   * is set there does not matter, as every ROS master does.
+   * Looks for a parameter from a namespace upwards. The first part of the key decides where; whether the rest of it is
+   * set there does not matter, as every ROS master does.
    */
   Optional<String> search(String namespace, String key) {
     if (key.startsWith("/")) {
       return get(key).map(there -> key);
     }
     String first = key.split("/")[0];
-    for (String at = namespace; ; at = MasterNames.parent(at)) {
+    for (String at = namespace;; at = MasterNames.parent(at)) {
       if (get(at + "/" + first).isPresent()) {
         return Optional.of(MasterNames.clean(at + "/" + key));
       }

@@ -15,7 +15,7 @@ final class Registry {
 
   private static final String ANY = "*";
 
-  private record Provider(String node, String rpcUri) { }
+  private record Provider(String node, String rpcUri) {}
 
   private final Notifier notifier;
   private final Map<String, String> nodes = new TreeMap<>();
@@ -119,8 +119,8 @@ final class Registry {
   }
 
   /**
-   * Tells all who wait for a parameter but the one that changed it: those of it or a namespace above it get the
-   * change, those below it their own new value.
+   * Tells all who wait for a parameter but the one that changed it: those of it or a namespace above it get the change,
+   * those below it their own new value.
    */
   synchronized void parameterChanged(String key, XmlRpcValue value, ParameterTree tree, String changedBy) {
     watchers.forEach((watched, users) -> {
@@ -133,7 +133,8 @@ final class Registry {
   }
 
   private void tell(Set<String> users, String except, String key, XmlRpcValue value) {
-    users.stream().filter(node -> !node.equals(except)).forEach(node -> notifier.paramUpdate(nodes.get(node), key, value));
+    users.stream().filter(node -> !node.equals(except))
+        .forEach(node -> notifier.paramUpdate(nodes.get(node), key, value));
   }
 
   /** A node that comes with another address takes the name over: the old one is told to end and forgotten. */

@@ -40,15 +40,15 @@ final class Rosout {
       string frame_id
       """;
 
-  private Rosout() {
-  }
+  private Rosout() {}
 
   /** Opens the node; closing it ends the gathering. */
   static RosNode open(URI master, Optional<String> host, ThreadFactory threads) throws IOException {
     RosEnvironment plain = RosEnvironment.of(master);
     RosEnvironment environment = host.map(plain::withHost).orElse(plain);
     RosNode node = RosNode.open(environment, GraphName.of("/rosout"), NodeOptions.standard(threads));
-    RawCodec codec = new RawCodec(new MessageInfo("rosgraph_msgs/Log", "acffd30cd6b6de30f120938c17c593fb", LOG_DEFINITION));
+    RawCodec codec =
+        new RawCodec(new MessageInfo("rosgraph_msgs/Log", "acffd30cd6b6de30f120938c17c593fb", LOG_DEFINITION));
     Publisher<RawMessage> gathered = node.publisher("/rosout_agg", codec, PublisherOptions.standard());
     node.subscriber("/rosout", codec, SubscriberOptions.standard(), (message, reception) -> gathered.publish(message));
     return node;

@@ -12,9 +12,10 @@ record Bus(NodeParts parts) {
   /** The links; ROS tools read id, peer, direction, transport, topic and whether it is connected. */
   XmlRpcValue info() {
     List<XmlRpcValue> all = new ArrayList<>();
-    parts.publications().forEach(p -> p.links().forEach(link -> all.add(link(all.size(), link.subscriber(), "o", p.topic(), true))));
-    parts.subscriptions().forEach(s -> s.links().forEach(link ->
-        all.add(link(all.size(), link.publisherUri(), "i", s.topic(), link.isConnected()))));
+    parts.publications()
+        .forEach(p -> p.links().forEach(link -> all.add(link(all.size(), link.subscriber(), "o", p.topic(), true))));
+    parts.subscriptions().forEach(s -> s.links()
+        .forEach(link -> all.add(link(all.size(), link.publisherUri(), "i", s.topic(), link.isConnected()))));
     return new Array(all);
   }
 
@@ -23,7 +24,10 @@ record Bus(NodeParts parts) {
         XmlRpcValue.of(topic.text()), XmlRpcValue.of(connected), XmlRpcValue.of("TCPROS connection with " + peer));
   }
 
-  /** What went over the links, with the ids of {@link #info}; calls of services are not counted, which leaves their list empty. */
+  /**
+   * What went over the links, with the ids of {@link #info}; calls of services are not counted, which leaves their list
+   * empty.
+   */
   XmlRpcValue stats() {
     int[] id = {0};
     List<XmlRpcValue> published = new ArrayList<>();
@@ -36,7 +40,8 @@ record Bus(NodeParts parts) {
   private static XmlRpcValue published(Publication<?> publication, int[] id) {
     List<XmlRpcValue> links = new ArrayList<>();
     for (OutLink link : publication.links()) {
-      links.add(XmlRpcValue.of(XmlRpcValue.of(id[0]++), count(link.sent().bytes()), count(link.sent().messages()), XmlRpcValue.of(true)));
+      links.add(XmlRpcValue.of(XmlRpcValue.of(id[0]++), count(link.sent().bytes()), count(link.sent().messages()),
+          XmlRpcValue.of(true)));
     }
     return XmlRpcValue.of(XmlRpcValue.of(publication.topic().text()), count(publication.sentBytes()), new Array(links));
   }
@@ -44,7 +49,8 @@ record Bus(NodeParts parts) {
   private static XmlRpcValue subscribed(Subscription<?> subscription, int[] id) {
     List<XmlRpcValue> links = new ArrayList<>();
     for (InLink<?> link : subscription.links()) {
-      links.add(XmlRpcValue.of(XmlRpcValue.of(id[0]++), count(link.got().bytes()), count(link.got().messages()), XmlRpcValue.of(-1),
+      links.add(XmlRpcValue.of(XmlRpcValue.of(id[0]++), count(link.got().bytes()), count(link.got().messages()),
+          XmlRpcValue.of(-1),
           XmlRpcValue.of(link.isConnected())));
     }
     return XmlRpcValue.of(XmlRpcValue.of(subscription.topic().text()), new Array(links));

@@ -11,8 +11,7 @@ import org.robotui.ros.XmlRpcValue;
 /** Reads the nested lists in which the master describes the graph; anything malformed is left out. */
 final class GraphCodec {
 
-  private GraphCodec() {
-  }
+  private GraphCodec() {}
 
   static List<XmlRpcValue> list(XmlRpcValue value) {
     return value instanceof XmlRpcValue.Array array ? array.items() : List.of();

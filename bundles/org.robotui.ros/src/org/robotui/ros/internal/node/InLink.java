@@ -28,7 +28,9 @@ import org.robotui.ros.internal.tcpros.ReadPacing;
 import org.robotui.ros.message.MessageException;
 import org.robotui.ros.message.MessageInfo;
 
-/** The link to one publisher, with a thread of its own that connects, reads and, when the link broke, connects again. */
+/**
+ * The link to one publisher, with a thread of its own that connects, reads and, when the link broke, connects again.
+ */
 final class InLink<T> {
 
   private static final int BUFFER = 64 * 1024;
@@ -81,7 +83,10 @@ final class InLink<T> {
     return publisherUri;
   }
 
-  /** The master does not list the publisher any more: the link lives as long as the publisher keeps it, but is not made again. */
+  /**
+   * The master does not list the publisher any more: the link lives as long as the publisher keeps it, but is not made
+   * again.
+   */
   void orphan() {
     orphan = true;
     nudges.release();
@@ -171,7 +176,8 @@ final class InLink<T> {
 
   private static HostPort endpoint(XmlRpcValue value) throws IOException {
     List<XmlRpcValue> parts = GraphCodec.list(value);
-    if (parts.size() >= 3 && parts.get(1) instanceof XmlRpcValue.Text host && parts.get(2) instanceof XmlRpcValue.Int port) {
+    if (parts.size() >= 3 && parts.get(1) instanceof XmlRpcValue.Text host
+        && parts.get(2) instanceof XmlRpcValue.Int port) {
       return new HostPort(host.value(), port.value());
     }
     throw new ProtocolException("requestTopic did not answer [TCPROS, host, port]");

@@ -45,7 +45,8 @@ final class LeftoverNode {
     try (RosApi master = new RosApi(HostPort.ofUri(record.master(), "http"), "master", perCall)) {
       Outcome<XmlRpcValue> address = master.call("lookupNode", caller, caller);
       return switch (address) {
-        case Outcome.Done<XmlRpcValue> known -> known.value().equals(XmlRpcValue.of(record.uri())) ? removeAll(master) : new Outcome.Done<>(0);
+        case Outcome.Done<XmlRpcValue> known -> known.value().equals(XmlRpcValue.of(record.uri())) ? removeAll(master)
+            : new Outcome.Done<>(0);
         case Outcome.Refused<XmlRpcValue> unknown -> new Outcome.Done<>(0);
         case Outcome<XmlRpcValue> silent -> silent.map(never -> 0);
       };
@@ -61,11 +62,14 @@ final class LeftoverNode {
     }
     XmlRpcValue uri = XmlRpcValue.of(record.uri());
     List<Supplier<Outcome<XmlRpcValue>>> calls = new ArrayList<>();
-    names(known.value().publishers()).forEach(topic -> calls.add(() -> master.call("unregisterPublisher", caller, topic, uri)));
-    names(known.value().subscribers()).forEach(topic -> calls.add(() -> master.call("unregisterSubscriber", caller, topic, uri)));
-    names(known.value().services()).forEach(service ->
-        calls.add(() -> master.call("unregisterService", caller, service, XmlRpcValue.of(record.rpcUri()))));
-    record.parameters().forEach(key -> calls.add(() -> master.call("unsubscribeParam", caller, uri, XmlRpcValue.of(key))));
+    names(known.value().publishers())
+        .forEach(topic -> calls.add(() -> master.call("unregisterPublisher", caller, topic, uri)));
+    names(known.value().subscribers())
+        .forEach(topic -> calls.add(() -> master.call("unregisterSubscriber", caller, topic, uri)));
+    names(known.value().services()).forEach(
+        service -> calls.add(() -> master.call("unregisterService", caller, service, XmlRpcValue.of(record.rpcUri()))));
+    record.parameters()
+        .forEach(key -> calls.add(() -> master.call("unsubscribeParam", caller, uri, XmlRpcValue.of(key))));
     return makeAll(calls);
   }
 

@@ -12,7 +12,7 @@ import java.util.Optional;
 public record LocalAddress(InetAddress bind, String announced) {
 
   public static LocalAddress of(Optional<String> host) throws IOException {
-    InetAddress loopback = InetAddress.getByAddress(new byte[] {127, 0, 0, 1});
+    InetAddress loopback = InetAddress.getByAddress(new byte[]{127, 0, 0, 1});
     if (host.isEmpty()) {
       return new LocalAddress(loopback, loopback.getHostAddress());
     }

@@ -53,7 +53,8 @@ final class NodeParameters implements Parameters {
 
   @Override
   public Outcome<String> search(String name) {
-    return call("searchParam", XmlRpcValue.of(name)).map(answer -> answer instanceof XmlRpcValue.Text text ? text.value() : "");
+    return call("searchParam", XmlRpcValue.of(name))
+        .map(answer -> answer instanceof XmlRpcValue.Text text ? text.value() : "");
   }
 
   @Override
@@ -97,7 +98,8 @@ final class NodeParameters implements Parameters {
     for (String step : key.text().substring(namespace.text().length()).split("/")) {
       if (!step.isEmpty()) {
         part = part instanceof XmlRpcValue.Struct struct
-            ? struct.members().getOrDefault(step, WatchedParameter.UNSET) : WatchedParameter.UNSET;
+            ? struct.members().getOrDefault(step, WatchedParameter.UNSET)
+            : WatchedParameter.UNSET;
       }
     }
     return part;

@@ -15,11 +15,11 @@ import java.util.Properties;
 /**
  * What is written down of a node so that its registrations can be removed when its process was killed.
  *
- * @param node       its global name
- * @param uri        the address of its own API
- * @param rpcUri     the address of its services
- * @param master     the address of the master
- * @param process    who it belongs to
+ * @param node its global name
+ * @param uri the address of its own API
+ * @param rpcUri the address of its services
+ * @param master the address of the master
+ * @param process who it belongs to
  * @param parameters the parameters it listens to, which masters do not tell
  */
 record NodeRecord(String node, String uri, String rpcUri, String master, Owner process, List<String> parameters) {
@@ -60,9 +60,12 @@ record NodeRecord(String node, String uri, String rpcUri, String master, Owner p
     Properties all = new Properties();
     try {
       all.load(new StringReader(new String(Files.readAllBytes(file), StandardCharsets.UTF_8)));
-      Owner process = new Owner(get(all, "host"), Long.parseLong(get(all, "pid")), Instant.ofEpochMilli(Long.parseLong(get(all, "started"))));
-      List<String> parameters = List.of(get(all, "parameters").split(" ")).stream().filter(key -> !key.isEmpty()).toList();
-      return new NodeRecord(get(all, "node"), get(all, "uri"), get(all, "rpc_uri"), get(all, "master"), process, parameters);
+      Owner process = new Owner(get(all, "host"), Long.parseLong(get(all, "pid")),
+          Instant.ofEpochMilli(Long.parseLong(get(all, "started"))));
+      List<String> parameters =
+          List.of(get(all, "parameters").split(" ")).stream().filter(key -> !key.isEmpty()).toList();
+      return new NodeRecord(get(all, "node"), get(all, "uri"), get(all, "rpc_uri"), get(all, "master"), process,
+          parameters);
     } catch (IllegalArgumentException e) {
       throw new IOException(e.getMessage(), e);
     }

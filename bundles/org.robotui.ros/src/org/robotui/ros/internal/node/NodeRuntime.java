@@ -75,7 +75,8 @@ public final class NodeRuntime implements RosNode {
     http = new XmlRpcServer(address.bind(), 0, XmlRpcLimits.standard(), context.workers(), "ros " + name);
     uri = address.uri("http", http.port()) + "/";
     rpcUri = address.uri("rosrpc", tcp.port());
-    NodeRecord note = new NodeRecord(name.text(), uri, rpcUri, environment.masterUri().toString(), Owner.current(), List.of());
+    NodeRecord note =
+        new NodeRecord(name.text(), uri, rpcUri, environment.masterUri().toString(), Owner.current(), List.of());
     record = new RecordFile(options.records(), note, http.port());
     parameters = new NodeParameters(names, master, registrar, uri, record);
     clock = new RosClock(this::subscribeClock);
@@ -85,7 +86,8 @@ public final class NodeRuntime implements RosNode {
   /** Opens a node. */
   public static RosNode open(RosEnvironment environment, GraphName name, NodeOptions options) throws IOException {
     GraphName wanted = environment.nodeName().orElse(name);
-    NodeRuntime node = new NodeRuntime(environment, wanted.isGlobal() ? wanted : environment.namespace().join(wanted), options);
+    NodeRuntime node =
+        new NodeRuntime(environment, wanted.isGlobal() ? wanted : environment.namespace().join(wanted), options);
     node.warnIfUnreachable(environment);
     node.start(environment);
     return node;
@@ -100,22 +102,24 @@ public final class NodeRuntime implements RosNode {
   }
 
   private SlaveApi slave(RosEnvironment environment, LocalAddress address) {
-    XmlRpcValue endpoint = XmlRpcValue.of(XmlRpcValue.of("TCPROS"), XmlRpcValue.of(address.announced()), XmlRpcValue.of(tcp.port()));
+    XmlRpcValue endpoint =
+        XmlRpcValue.of(XmlRpcValue.of("TCPROS"), XmlRpcValue.of(address.announced()), XmlRpcValue.of(tcp.port()));
     return new SlaveApi(parts, parameters, environment.masterUri().toString(), endpoint, this::shutDown);
   }
 
   private void start(RosEnvironment environment) {
     tcp.start();
     http.start(slave.methods());
-    environment.parameters().forEach((key, value) ->
-        registrar.add(new InitialParameter(name(), names.resolve("~" + key), value)));
+    environment.parameters()
+        .forEach((key, value) -> registrar.add(new InitialParameter(name(), names.resolve("~" + key), value)));
     parameters.subscribe("/use_sim_time", clock::useSimTime);
     record.write();
     registrar.start();
   }
 
   private Subscriber subscribeClock() {
-    return subscriber("/clock", new ClockCodec(), SubscriberOptions.observing(), (nanos, reception) -> clock.tick(nanos));
+    return subscriber("/clock", new ClockCodec(), SubscriberOptions.observing(),
+        (nanos, reception) -> clock.tick(nanos));
   }
 
   @Override
@@ -153,12 +157,14 @@ public final class NodeRuntime implements RosNode {
   }
 
   @Override
-  public <T> Subscriber subscriber(String topic, MessageCodec<T> codec, SubscriberOptions options, MessageListener<T> listener) {
+  public <T> Subscriber subscriber(String topic, MessageCodec<T> codec, SubscriberOptions options,
+      MessageListener<T> listener) {
     requireOpen();
     GraphName global = names.resolve(topic);
     Subscription<T> subscription = new Subscription<>(context, global, codec, options, listener, this::unsubscribe);
     synchronized (parts.topics()) {
-      SubscribedTopic subscribed = parts.topics().computeIfAbsent(global.text(), key -> register(global, codec.info(), options));
+      SubscribedTopic subscribed =
+          parts.topics().computeIfAbsent(global.text(), key -> register(global, codec.info(), options));
       subscribed.add(subscription);
     }
     return subscription;

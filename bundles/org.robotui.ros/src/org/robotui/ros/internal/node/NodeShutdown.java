@@ -5,7 +5,9 @@ import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Ends a node in bounded time: the master hears of it while everything else closes; then the threads are waited for. */
+/**
+ * Ends a node in bounded time: the master hears of it while everything else closes; then the threads are waited for.
+ */
 record NodeShutdown(NodeContext context, Unregistration leaving) {
 
   private static final Logger LOG = LoggerFactory.getLogger(NodeShutdown.class);

@@ -24,7 +24,8 @@ record OfferedService(GraphName node, GraphName service, String rpcUri, String u
 
   @Override
   public Optional<MethodCall> farewell() {
-    return Optional.of(new MethodCall("unregisterService", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(service.text()), XmlRpcValue.of(rpcUri))));
+    return Optional.of(new MethodCall("unregisterService",
+        List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(service.text()), XmlRpcValue.of(rpcUri))));
   }
 
   /** A service has one provider: when another node took it over, taking it back would make the two quarrel for ever. */

@@ -15,7 +15,8 @@ import org.robotui.ros.internal.tcpros.OutQueue;
 import org.robotui.ros.message.MessageInfo;
 
 /** A link to one subscriber: one thread writes what waits in the queue, another one notices when the peer goes away. */
-record OutLink(NodeContext context, GraphName topic, String subscriber, MessageInfo theirs, Socket socket, OutQueue queue,
+record OutLink(NodeContext context, GraphName topic, String subscriber, MessageInfo theirs, Socket socket,
+    OutQueue queue,
     Traffic sent) {
 
   void offer(ByteBuffer frame) {

@@ -10,8 +10,8 @@ import java.util.Optional;
 /**
  * A process, so that it is not mistaken for a later one of the same number.
  *
- * @param host    the machine it runs on
- * @param pid     its number there
+ * @param host the machine it runs on
+ * @param pid its number there
  * @param started when it began; the epoch if the system does not tell
  */
 record Owner(String host, long pid, Instant started) {
@@ -33,7 +33,8 @@ record Owner(String host, long pid, Instant started) {
     try {
       return Files.readString(Path.of("/proc/sys/kernel/hostname")).strip();
     } catch (IOException e) {
-      return Optional.ofNullable(System.getenv("COMPUTERNAME")).or(() -> Optional.ofNullable(System.getenv("HOSTNAME"))).orElse("");
+      return Optional.ofNullable(System.getenv("COMPUTERNAME")).or(() -> Optional.ofNullable(System.getenv("HOSTNAME")))
+          .orElse("");
     }
   }
 

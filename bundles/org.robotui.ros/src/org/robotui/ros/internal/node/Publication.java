@@ -47,7 +47,8 @@ final class Publication<T> implements Publisher<T> {
   private volatile int expectedSize = 256;
   private volatile boolean closed;
 
-  Publication(NodeContext context, GraphName topic, MessageCodec<T> codec, PublisherOptions options, Consumer<Publication<?>> onClose) {
+  Publication(NodeContext context, GraphName topic, MessageCodec<T> codec, PublisherOptions options,
+      Consumer<Publication<?>> onClose) {
     this.context = context;
     this.topic = topic;
     this.codec = codec;

@@ -24,7 +24,8 @@ record PublishedTopic(GraphName node, GraphName topic, String type, String uri) 
 
   @Override
   public Optional<MethodCall> farewell() {
-    return Optional.of(new MethodCall("unregisterPublisher", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri))));
+    return Optional.of(new MethodCall("unregisterPublisher",
+        List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri))));
   }
 
   @Override

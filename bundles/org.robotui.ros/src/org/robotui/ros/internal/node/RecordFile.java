@@ -10,7 +10,10 @@ import java.util.TreeSet;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Keeps the record of one node on disk, if its owner gave it a folder for that. A disk that fails is no reason not to run. */
+/**
+ * Keeps the record of one node on disk, if its owner gave it a folder for that. A disk that fails is no reason not to
+ * run.
+ */
 final class RecordFile {
 
   private static final Logger LOG = LoggerFactory.getLogger(RecordFile.class);
@@ -31,7 +34,8 @@ final class RecordFile {
         Files.createDirectories(path.getParent());
         record.withParameters(parameters()).write(path);
       } catch (IOException e) {
-        LOG.warn("{}: no record can be kept, a kill would leave its registrations at the master: {}", record.node(), e.toString());
+        LOG.warn("{}: no record can be kept, a kill would leave its registrations at the master: {}", record.node(),
+            e.toString());
       }
     });
   }

@@ -171,8 +171,8 @@ final class Registrar {
   }
 
   /**
-   * A master that restarts has another run id, which is a small question. All that it knows is a large answer where there are many nodes, and
-   * only shows what others took from us; so it is asked for less often.
+   * A master that restarts has another run id, which is a small question. All that it knows is a large answer where
+   * there are many nodes, and only shows what others took from us; so it is asked for less often.
    */
   private Optional<String> check() {
     Outcome<XmlRpcValue> id = master.call("getParam", XmlRpcValue.of(context.name().text()), XmlRpcValue.of("/run_id"));
@@ -190,11 +190,13 @@ final class Registrar {
   }
 
   private Optional<String> compare() {
-    Outcome<SystemState> state = master.call("getSystemState", XmlRpcValue.of(context.name().text())).map(GraphCodec::state);
+    Outcome<SystemState> state =
+        master.call("getSystemState", XmlRpcValue.of(context.name().text())).map(GraphCodec::state);
     state.toOptional().ifPresent(this::compare);
     return switch (state) {
       case Outcome.Done<SystemState> done -> Optional.empty();
-      case Outcome.Refused<SystemState> refused -> Optional.of(masterName + " refused to tell its state: " + refused.reason());
+      case Outcome.Refused<SystemState> refused -> Optional
+          .of(masterName + " refused to tell its state: " + refused.reason());
       default -> Optional.of(state.reason());
     };
   }

@@ -38,14 +38,20 @@ final class RosApi implements Closeable {
     return call(call.method(), call.arguments().toArray(XmlRpcValue[]::new));
   }
 
-  /** Makes several calls in one request; answers how many were answered, whatever the answers say. A peer may not know how. */
+  /**
+   * Makes several calls in one request; answers how many were answered, whatever the answers say. A peer may not know
+   * how.
+   */
   Outcome<Integer> callAll(List<MethodCall> calls) {
     XmlRpcValue all = new XmlRpcValue.Array(calls.stream().<XmlRpcValue>map(call -> new XmlRpcValue.Struct(
-        Map.of("methodName", XmlRpcValue.of(call.method()), "params", new XmlRpcValue.Array(call.arguments())))).toList());
+        Map.of("methodName", XmlRpcValue.of(call.method()), "params", new XmlRpcValue.Array(call.arguments()))))
+        .toList());
     try {
-      return client.call("system.multicall", List.of(all), timeout) instanceof XmlRpcValue.Array answers && answers.items().size() == calls.size()
+      return client.call("system.multicall", List.of(all), timeout) instanceof XmlRpcValue.Array answers
+          && answers.items().size() == calls.size()
           && answers.items().stream().allMatch(XmlRpcValue.Array.class::isInstance)
-          ? new Outcome.Done<>(calls.size()) : new Outcome.Failed<>(prefix + "system.multicall did not answer all calls");
+              ? new Outcome.Done<>(calls.size())
+              : new Outcome.Failed<>(prefix + "system.multicall did not answer all calls");
     } catch (SocketTimeoutException e) {
       return new Outcome.TimedOut<>(prefix + e.getMessage(), timeout);
     } catch (IOException | XmlRpcFault e) {
@@ -77,7 +83,8 @@ final class RosApi implements Closeable {
     if (value instanceof XmlRpcValue.Array array && array.items().size() >= 3
         && array.items().get(0) instanceof XmlRpcValue.Int code
         && array.items().get(1) instanceof XmlRpcValue.Text status) {
-      return code.value() == 1 ? new Outcome.Done<>(array.items().get(2)) : new Outcome.Refused<>(PeerText.brief(status.value()));
+      return code.value() == 1 ? new Outcome.Done<>(array.items().get(2))
+          : new Outcome.Refused<>(PeerText.brief(status.value()));
     }
     return new Outcome.Failed<>(prefix + method + " did not answer [code, status, value]");
   }

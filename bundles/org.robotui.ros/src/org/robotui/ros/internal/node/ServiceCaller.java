@@ -31,7 +31,8 @@ final class ServiceCaller<Q, R> implements ServiceClient<Q, R>, Closeable {
   private final ReentrantLock calling = new ReentrantLock();
   private Optional<ServiceLink> kept = Optional.empty();
 
-  ServiceCaller(NodeContext context, ServiceFinder finder, GraphName service, ServiceCodec<Q, R> codec, boolean persistent) {
+  ServiceCaller(NodeContext context, ServiceFinder finder, GraphName service, ServiceCodec<Q, R> codec,
+      boolean persistent) {
     this.context = context;
     this.finder = finder;
     this.service = service;
@@ -118,7 +119,8 @@ final class ServiceCaller<Q, R> implements ServiceClient<Q, R>, Closeable {
     try {
       return new Outcome.Done<>(codec.response().decode(ByteBuffer.wrap(done.value()).order(ByteOrder.LITTLE_ENDIAN)));
     } catch (MessageException | RuntimeException e) {
-      return new Outcome.Failed<>("service " + service + ": response that is no " + codec.type() + ": " + e.getMessage());
+      return new Outcome.Failed<>(
+          "service " + service + ": response that is no " + codec.type() + ": " + e.getMessage());
     }
   }
 

@@ -35,7 +35,8 @@ final class ServiceEndpoint<Q, R> implements ServiceServer {
   private final Consumer<ServiceEndpoint<?, ?>> onClose;
   private final CloseableSet sockets = new CloseableSet();
 
-  ServiceEndpoint(NodeContext context, GraphName name, ServiceCodec<Q, R> codec, ServiceHandler<Q, R> handler, Consumer<ServiceEndpoint<?, ?>> onClose) {
+  ServiceEndpoint(NodeContext context, GraphName name, ServiceCodec<Q, R> codec, ServiceHandler<Q, R> handler,
+      Consumer<ServiceEndpoint<?, ?>> onClose) {
     this.context = context;
     this.name = name;
     this.codec = codec;

@@ -49,7 +49,8 @@ record ServiceFinder(NodeContext context, RosApi master, CloseableSet sockets) {
   }
 
   private static ServiceIdentity identity(ConnectionHeader header) throws ProtocolException {
-    return new ServiceIdentity(header.require("type"), header.require("md5sum"), header.field("request_type").orElse(""),
+    return new ServiceIdentity(header.require("type"), header.require("md5sum"),
+        header.field("request_type").orElse(""),
         header.field("response_type").orElse(""), header.field("callerid").orElse(""));
   }
 }

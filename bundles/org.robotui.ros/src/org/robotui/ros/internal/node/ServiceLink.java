@@ -71,7 +71,8 @@ final class ServiceLink implements Closeable {
     if (ok > 1) {
       throw new ProtocolException("answer that starts with " + ok + " instead of 0 or 1");
     }
-    return ok == 1 ? new Outcome.Done<>(answer) : new Outcome.Refused<>(PeerText.brief(new String(answer, StandardCharsets.UTF_8)));
+    return ok == 1 ? new Outcome.Done<>(answer)
+        : new Outcome.Refused<>(PeerText.brief(new String(answer, StandardCharsets.UTF_8)));
   }
 
   /** Whether the server closed an idle connection, so that the next call is not spent on finding out. */

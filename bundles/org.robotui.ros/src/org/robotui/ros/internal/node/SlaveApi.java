@@ -21,7 +21,8 @@ final class SlaveApi {
   private final XmlRpcValue endpoint;
   private final Bus bus;
 
-  SlaveApi(NodeParts parts, NodeParameters parameters, String masterUri, XmlRpcValue endpoint, Consumer<String> shutdown) {
+  SlaveApi(NodeParts parts, NodeParameters parameters, String masterUri, XmlRpcValue endpoint,
+      Consumer<String> shutdown) {
     this.parts = parts;
     this.parameters = parameters;
     this.masterUri = XmlRpcValue.of(masterUri);

@@ -91,7 +91,8 @@ public final class StaleRegistrationCleaner {
   private static Result clear(Path file, NodeRecord record, Outcome<Integer> outcome) throws IOException {
     if (outcome instanceof Outcome.Done<Integer> done) {
       Files.deleteIfExists(file);
-      LOG.info("{}: {} registrations of a process that ended were removed from {}", record.node(), done.value(), record.master());
+      LOG.info("{}: {} registrations of a process that ended were removed from {}", record.node(), done.value(),
+          record.master());
       return done.value() > 0 ? new Result(Optional.of(record.node()), false) : Result.NOTHING;
     }
     LOG.debug("{} may have registrations left at {}: {}", record.node(), record.master(), outcome.reason());

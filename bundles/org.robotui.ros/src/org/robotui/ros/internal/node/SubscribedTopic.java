@@ -66,10 +66,14 @@ final class SubscribedTopic implements Registration {
 
   @Override
   public Optional<MethodCall> farewell() {
-    return Optional.of(new MethodCall("unregisterSubscriber", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri))));
+    return Optional.of(new MethodCall("unregisterSubscriber",
+        List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(topic.text()), XmlRpcValue.of(uri))));
   }
 
-  /** Comparing the number of publishers finds updates that never reached us, as when peers cannot connect to this machine. */
+  /**
+   * Comparing the number of publishers finds updates that never reached us, as when peers cannot connect to this
+   * machine.
+   */
   @Override
   public synchronized boolean agreesWith(SystemState state) {
     return state.subscribers().getOrDefault(topic.text(), List.of()).contains(node.text())

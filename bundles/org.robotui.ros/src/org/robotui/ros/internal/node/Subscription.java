@@ -69,8 +69,9 @@ final class Subscription<T> implements Subscriber {
   private boolean isFull(String uri) {
     boolean full = links.size() >= MAX_LINKS;
     if (full) {
-      context.report(LinkEvent.Kind.SUBSCRIPTION, topic.text(), uri, new LinkState.Closed("topic " + topic + ": publisher " + uri
-          + ": there are more than " + MAX_LINKS + " publishers"));
+      context.report(LinkEvent.Kind.SUBSCRIPTION, topic.text(), uri,
+          new LinkState.Closed("topic " + topic + ": publisher " + uri
+              + ": there are more than " + MAX_LINKS + " publishers"));
     }
     return full;
   }

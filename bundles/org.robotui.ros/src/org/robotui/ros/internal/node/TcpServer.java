@@ -31,7 +31,7 @@ final class TcpServer {
   }
 
   /** An accepted connection whose header was read. */
-  record Connection(Socket socket, DeadlineInput stream, FrameReader in, ConnectionHeader header) { }
+  record Connection(Socket socket, DeadlineInput stream, FrameReader in, ConnectionHeader header) {}
 
   private final NodeContext context;
   private final Dispatch dispatch;
@@ -71,7 +71,8 @@ final class TcpServer {
       DeadlineInput stream = new DeadlineInput(socket, 0);
       stream.within(context.handshake());
       FrameReader in = new FrameReader(stream, BUFFER);
-      ConnectionHeader header = ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
+      ConnectionHeader header =
+          ConnectionHeader.decode(in.next(context.options().maxHeaderBytes(), "connection header"));
       stream.withoutDeadline();
       dispatch.serve(new Connection(socket, stream, in, header));
     } catch (ProtocolException e) {

@@ -22,7 +22,7 @@ final class UnregisterCalls {
   void leave(Registration registration) {
     registration.farewell().ifPresent(call -> left.computeIfAbsent(registration, key -> {
       InetSocketAddress address = new InetSocketAddress(master.target().host(), master.target().port());
-      return address.isUnresolved() ? () -> { } : farewells.leave(address, master.words(call));
+      return address.isUnresolved() ? () -> {} : farewells.leave(address, master.words(call));
     }));
   }
 

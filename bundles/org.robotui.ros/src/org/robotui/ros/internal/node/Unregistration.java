@@ -64,7 +64,10 @@ final class Unregistration {
     }
   }
 
-  /** All in one request: a master that is slow, or is left by many nodes at once, has it all the same when our time is over. */
+  /**
+   * All in one request: a master that is slow, or is left by many nodes at once, has it all the same when our time is
+   * over.
+   */
   private void tell(List<Registration> registrations, RosApi api) {
     known.set(registrations.size());
     Outcome<Integer> all = api.callAll(registrations.stream().flatMap(r -> r.farewell().stream()).toList());

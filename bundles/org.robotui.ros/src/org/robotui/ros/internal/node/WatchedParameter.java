@@ -55,7 +55,8 @@ final class WatchedParameter implements Registration {
 
   @Override
   public Optional<MethodCall> farewell() {
-    return Optional.of(new MethodCall("unsubscribeParam", List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(uri), XmlRpcValue.of(key.text()))));
+    return Optional.of(new MethodCall("unsubscribeParam",
+        List.of(XmlRpcValue.of(node.text()), XmlRpcValue.of(uri), XmlRpcValue.of(key.text()))));
   }
 
   /** The system state shows no parameters; a restarted master is known by its run id. */

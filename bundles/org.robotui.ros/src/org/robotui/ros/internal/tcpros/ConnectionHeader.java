@@ -56,7 +56,10 @@ public record ConnectionHeader(Map<String, String> fields) {
     return out.toByteArray();
   }
 
-  /** Parses a header without its length. Definitions of old packages are not always UTF-8; they are read as far as they are. */
+  /**
+   * Parses a header without its length. Definitions of old packages are not always UTF-8; they are read as far as they
+   * are.
+   */
   public static ConnectionHeader decode(byte[] bytes) throws ProtocolException {
     ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     Map<String, String> fields = new LinkedHashMap<>();

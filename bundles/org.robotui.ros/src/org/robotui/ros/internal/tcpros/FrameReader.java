@@ -6,8 +6,8 @@ import java.io.InputStream;
 import java.util.Arrays;
 
 /**
- * Reads frames, each a 32-bit length and so many bytes. Small frames share reads through a buffer; of a large one
- * all but its start goes straight from the socket into the array that is handed over. Memory grows with the bytes that
+ * Reads frames, each a 32-bit length and so many bytes. Small frames share reads through a buffer; of a large one all
+ * but its start goes straight from the socket into the array that is handed over. Memory grows with the bytes that
  * arrive: a length alone allocates no more than this peer proved to send before.
  */
 public final class FrameReader {
@@ -28,7 +28,7 @@ public final class FrameReader {
   /**
    * Reads the next frame into a fresh array.
    *
-   * @throws EOFException      if the peer closed between two frames
+   * @throws EOFException if the peer closed between two frames
    * @throws ProtocolException if the length is above the limit or the frame is cut off
    */
   public byte[] next(long maxBytes, String what) throws IOException {
@@ -67,7 +67,8 @@ public final class FrameReader {
       compact();
       int n = in.read(buffer, limit, buffer.length - limit);
       if (n < 0) {
-        throw have == 0 ? new EOFException("closed by the peer") : new ProtocolException("cut off in the length of " + what);
+        throw have == 0 ? new EOFException("closed by the peer")
+            : new ProtocolException("cut off in the length of " + what);
       }
       limit += n;
       have += n;

@@ -83,7 +83,9 @@ public final class OutQueue {
     waiting = false;
   }
 
-  /** Whether nothing waits and whoever takes the frames is done with those that it took; so it is for ever when closed. */
+  /**
+   * Whether nothing waits and whoever takes the frames is done with those that it took; so it is for ever when closed.
+   */
   public boolean isIdle() {
     lock.lock();
     try {

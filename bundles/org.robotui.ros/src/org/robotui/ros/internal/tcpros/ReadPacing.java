@@ -1,8 +1,9 @@
 package org.robotui.ros.internal.tcpros;
 
 /**
- * Decides when a reader pauses so that small messages gather: in a flood of them, one read for many costs far less than a read and
- * a change of threads for each. What comes at an ordinary rate, or in large messages, is read at once. Used by one thread.
+ * Decides when a reader pauses so that small messages gather: in a flood of them, one read for many costs far less than
+ * a read and a change of threads for each. What comes at an ordinary rate, or in large messages, is read at once. Used
+ * by one thread.
  */
 public final class ReadPacing {
 
@@ -10,8 +11,9 @@ public final class ReadPacing {
   public static final long PAUSE_NANOS = 50_000;
 
   private static final long WINDOW_NANOS = 1_000_000;
-  private static final int FLOOD = 20;          // messages in a window: 20 000 a second
-  private static final int SMALL_BYTES = 1024;  // of the mean message; larger ones fill the system's buffers during a pause
+  private static final int FLOOD = 20; // messages in a window: 20 000 a second
+  private static final int SMALL_BYTES = 1024; // of the mean message; larger ones fill the system's buffers during a
+                                               // pause
 
   private long windowStart;
   private int messages;

@@ -15,8 +15,7 @@ final class Body {
     void grow(int bytes) throws IOException;
   }
 
-  private Body() {
-  }
+  private Body() {}
 
   /** Reads exactly so many bytes. */
   static byte[] read(InputStream in, int length, Growth growth) throws IOException {

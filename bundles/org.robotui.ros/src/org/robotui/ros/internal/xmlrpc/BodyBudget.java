@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * The memory that the large bodies of all connections of a server may take together. Small ones are free, as the number of
- * connections bounds them: whoever sends large ones cannot keep others from being answered.
+ * The memory that the large bodies of all connections of a server may take together. Small ones are free, as the number
+ * of connections bounds them: whoever sends large ones cannot keep others from being answered.
  */
 final class BodyBudget {
 

@@ -50,7 +50,8 @@ public final class XmlRpcClient implements Closeable {
   }
 
   /** Calls and waits so long at most, once for connecting and once for the answer. */
-  public XmlRpcValue call(String method, List<XmlRpcValue> arguments, Duration timeout) throws IOException, XmlRpcFault {
+  public XmlRpcValue call(String method, List<XmlRpcValue> arguments, Duration timeout)
+      throws IOException, XmlRpcFault {
     byte[] request = XmlRpcWriter.call(new MethodCall(method, arguments));
     return XmlRpcReader.response(exchange(request, method, timeout));
   }
@@ -98,7 +99,7 @@ public final class XmlRpcClient implements Closeable {
       connection.in().within(timeout);
       send(body, connection.socket());
       HttpHead head = HttpHead.read(connection.in());
-      byte[] answer = Body.read(connection.in(), head.contentLength(limits.maxBody()), bytes -> { });
+      byte[] answer = Body.read(connection.in(), head.contentLength(limits.maxBody()), bytes -> {});
       requireOk(head);
       done = head.keepsAlive();
       return answer;

@@ -34,7 +34,8 @@ public final class XmlRpcServer implements Closeable {
   private final LogThrottle malformed = new LogThrottle();
   private final LogThrottle crowded = new LogThrottle();
 
-  public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name) throws IOException {
+  public XmlRpcServer(InetAddress bind, int port, XmlRpcLimits limits, Workers workers, String name)
+      throws IOException {
     this.limits = limits;
     budget = new BodyBudget(limits.maxBodies());
     this.workers = workers;

@@ -10,8 +10,7 @@ public final class XmlRpcWriter {
 
   private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\"?>\n");
 
-  private XmlRpcWriter() {
-  }
+  private XmlRpcWriter() {}
 
   /** Writes a request. */
   public static byte[] call(MethodCall call) {
@@ -72,7 +71,7 @@ public final class XmlRpcWriter {
   private static String real(double value) {
     return Double.isNaN(value) ? "nan"
         : Double.isInfinite(value) ? (value > 0 ? "inf" : "-inf")
-        : Double.toString(value);
+            : Double.toString(value);
   }
 
   private void array(XmlRpcValue.Array array) {

@@ -7,7 +7,7 @@ import org.robotui.ros.message.MessageType;
  *
  * @param goalId the goal
  * @param status one of the constants, such as {@link #ACTIVE}
- * @param text   the state in words
+ * @param text the state in words
  */
 @MessageType("actionlib_msgs/GoalStatus")
 public record GoalStatus(GoalID goalId, int status, String text) {

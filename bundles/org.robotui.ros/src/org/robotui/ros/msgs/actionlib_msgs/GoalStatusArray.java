@@ -8,7 +8,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * States of an action server's goals ({@code actionlib_msgs/GoalStatusArray}).
  *
- * @param header     time
+ * @param header time
  * @param statusList the states
  */
 @MessageType("actionlib_msgs/GoalStatusArray")

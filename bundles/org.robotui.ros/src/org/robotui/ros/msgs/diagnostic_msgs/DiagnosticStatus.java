@@ -7,11 +7,11 @@ import org.robotui.ros.message.MessageType;
 /**
  * State of one part of a robot ({@code diagnostic_msgs/DiagnosticStatus}).
  *
- * @param level      {@link #OK}, {@link #WARN}, {@link #ERROR} or {@link #STALE}
- * @param name       the part
- * @param message    the state in words
+ * @param level {@link #OK}, {@link #WARN}, {@link #ERROR} or {@link #STALE}
+ * @param name the part
+ * @param message the state in words
  * @param hardwareId the device
- * @param values     details
+ * @param values details
  */
 @MessageType("diagnostic_msgs/DiagnosticStatus")
 public record DiagnosticStatus(int level, String name, String message, String hardwareId, List<KeyValue> values) {

@@ -5,9 +5,8 @@ import org.robotui.ros.message.MessageType;
 /**
  * A truth value of a configuration ({@code dynamic_reconfigure/BoolParameter}).
  *
- * @param name  the parameter
+ * @param name the parameter
  * @param value its value
  */
 @MessageType("dynamic_reconfigure/BoolParameter")
-public record BoolParameter(String name, boolean value) {
-}
+public record BoolParameter(String name, boolean value) {}

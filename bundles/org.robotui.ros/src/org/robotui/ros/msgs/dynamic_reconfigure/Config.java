@@ -7,14 +7,15 @@ import org.robotui.ros.message.MessageType;
 /**
  * Values of parameters ({@code dynamic_reconfigure/Config}).
  *
- * @param bools   truth values
- * @param ints    whole numbers
- * @param strs    texts
+ * @param bools truth values
+ * @param ints whole numbers
+ * @param strs texts
  * @param doubles numbers
- * @param groups  states of groups
+ * @param groups states of groups
  */
 @MessageType("dynamic_reconfigure/Config")
-public record Config(List<BoolParameter> bools, List<IntParameter> ints, List<StrParameter> strs, List<DoubleParameter> doubles, List<GroupState> groups) {
+public record Config(List<BoolParameter> bools, List<IntParameter> ints, List<StrParameter> strs,
+    List<DoubleParameter> doubles, List<GroupState> groups) {
 
   /** Keeps immutable copies of lists. */
   public Config {

@@ -8,9 +8,9 @@ import org.robotui.ros.message.MessageType;
  * Describes all parameters of a server ({@code dynamic_reconfigure/ConfigDescription}).
  *
  * @param groups the parameters, in groups
- * @param max    highest values
- * @param min    lowest values
- * @param dflt   values at the start
+ * @param max highest values
+ * @param min lowest values
+ * @param dflt values at the start
  */
 @MessageType("dynamic_reconfigure/ConfigDescription")
 public record ConfigDescription(List<Group> groups, Config max, Config min, Config dflt) {

@@ -5,9 +5,8 @@ import org.robotui.ros.message.MessageType;
 /**
  * A number of a configuration ({@code dynamic_reconfigure/DoubleParameter}).
  *
- * @param name  the parameter
+ * @param name the parameter
  * @param value its value
  */
 @MessageType("dynamic_reconfigure/DoubleParameter")
-public record DoubleParameter(String name, double value) {
-}
+public record DoubleParameter(String name, double value) {}

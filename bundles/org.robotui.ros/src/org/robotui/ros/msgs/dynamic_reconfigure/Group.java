@@ -7,11 +7,11 @@ import org.robotui.ros.message.MessageType;
 /**
  * A group of parameters ({@code dynamic_reconfigure/Group}).
  *
- * @param name       the group
- * @param type       how it is shown; empty for the usual way
+ * @param name the group
+ * @param type how it is shown; empty for the usual way
  * @param parameters what is in it
- * @param parent     number of the group that holds it; its own for the outermost
- * @param id         number of the group
+ * @param parent number of the group that holds it; its own for the outermost
+ * @param id number of the group
  */
 @MessageType("dynamic_reconfigure/Group")
 public record Group(String name, String type, List<ParamDescription> parameters, int parent, int id) {

@@ -5,9 +5,8 @@ import org.robotui.ros.message.MessageType;
 /**
  * A whole number of a configuration ({@code dynamic_reconfigure/IntParameter}).
  *
- * @param name  the parameter
+ * @param name the parameter
  * @param value its value
  */
 @MessageType("dynamic_reconfigure/IntParameter")
-public record IntParameter(String name, int value) {
-}
+public record IntParameter(String name, int value) {}

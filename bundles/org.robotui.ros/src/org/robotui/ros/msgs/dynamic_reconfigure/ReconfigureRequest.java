@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param config what is to change
  */
 @MessageType("dynamic_reconfigure/ReconfigureRequest")
-public record ReconfigureRequest(Config config) {
-}
+public record ReconfigureRequest(Config config) {}

@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param config all values as they are now
  */
 @MessageType("dynamic_reconfigure/ReconfigureResponse")
-public record ReconfigureResponse(Config config) {
-}
+public record ReconfigureResponse(Config config) {}

@@ -5,9 +5,8 @@ import org.robotui.ros.message.MessageType;
 /**
  * A text of a configuration ({@code dynamic_reconfigure/StrParameter}).
  *
- * @param name  the parameter
+ * @param name the parameter
  * @param value its value
  */
 @MessageType("dynamic_reconfigure/StrParameter")
-public record StrParameter(String name, String value) {
-}
+public record StrParameter(String name, String value) {}

@@ -10,5 +10,4 @@ import org.robotui.ros.message.MessageType;
  * @param z metres
  */
 @MessageType("geometry_msgs/Point")
-public record Point(double x, double y, double z) {
-}
+public record Point(double x, double y, double z) {}

@@ -10,5 +10,4 @@ import org.robotui.ros.message.MessageType;
  * @param z metres
  */
 @MessageType("geometry_msgs/Point32")
-public record Point32(float x, float y, float z) {
-}
+public record Point32(float x, float y, float z) {}

@@ -6,9 +6,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * An outline with time and frame ({@code geometry_msgs/PolygonStamped}).
  *
- * @param header  time and frame
+ * @param header time and frame
  * @param polygon the outline
  */
 @MessageType("geometry_msgs/PolygonStamped")
-public record PolygonStamped(Header header, Polygon polygon) {
-}
+public record PolygonStamped(Header header, Polygon polygon) {}

@@ -5,9 +5,8 @@ import org.robotui.ros.message.MessageType;
 /**
  * A position and an orientation ({@code geometry_msgs/Pose}).
  *
- * @param position    the position, metres
+ * @param position the position, metres
  * @param orientation the orientation
  */
 @MessageType("geometry_msgs/Pose")
-public record Pose(Point position, Quaternion orientation) {
-}
+public record Pose(Point position, Quaternion orientation) {}

@@ -9,7 +9,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * Several poses ({@code geometry_msgs/PoseArray}).
  *
  * @param header time and frame
- * @param poses  the poses
+ * @param poses the poses
  */
 @MessageType("geometry_msgs/PoseArray")
 public record PoseArray(Header header, List<Pose> poses) {

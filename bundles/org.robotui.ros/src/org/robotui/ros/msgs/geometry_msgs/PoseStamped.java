@@ -7,8 +7,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * A pose with time and frame ({@code geometry_msgs/PoseStamped}).
  *
  * @param header time and frame
- * @param pose   the pose
+ * @param pose the pose
  */
 @MessageType("geometry_msgs/PoseStamped")
-public record PoseStamped(Header header, Pose pose) {
-}
+public record PoseStamped(Header header, Pose pose) {}

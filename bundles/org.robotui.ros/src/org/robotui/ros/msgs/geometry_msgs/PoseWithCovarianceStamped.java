@@ -7,8 +7,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * An uncertain pose with time and frame ({@code geometry_msgs/PoseWithCovarianceStamped}).
  *
  * @param header time and frame
- * @param pose   the pose
+ * @param pose the pose
  */
 @MessageType("geometry_msgs/PoseWithCovarianceStamped")
-public record PoseWithCovarianceStamped(Header header, PoseWithCovariance pose) {
-}
+public record PoseWithCovarianceStamped(Header header, PoseWithCovariance pose) {}

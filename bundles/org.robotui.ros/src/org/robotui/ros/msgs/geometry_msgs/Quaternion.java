@@ -11,5 +11,4 @@ import org.robotui.ros.message.MessageType;
  * @param w real part
  */
 @MessageType("geometry_msgs/Quaternion")
-public record Quaternion(double x, double y, double z, double w) {
-}
+public record Quaternion(double x, double y, double z, double w) {}

@@ -6,8 +6,7 @@ import org.robotui.ros.message.MessageType;
  * A rotation followed by a translation ({@code geometry_msgs/Transform}).
  *
  * @param translation origin of the child frame in the parent frame, metres
- * @param rotation    orientation of the child frame in the parent frame
+ * @param rotation orientation of the child frame in the parent frame
  */
 @MessageType("geometry_msgs/Transform")
-public record Transform(Vector3 translation, Quaternion rotation) {
-}
+public record Transform(Vector3 translation, Quaternion rotation) {}

@@ -6,10 +6,9 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Where a child frame is in its parent frame at a time ({@code geometry_msgs/TransformStamped}).
  *
- * @param header       time and parent frame
+ * @param header time and parent frame
  * @param childFrameId the child frame
- * @param transform    parent from child
+ * @param transform parent from child
  */
 @MessageType("geometry_msgs/TransformStamped")
-public record TransformStamped(Header header, String childFrameId, Transform transform) {
-}
+public record TransformStamped(Header header, String childFrameId, Transform transform) {}

@@ -10,5 +10,4 @@ import org.robotui.ros.message.MessageType;
  * @param z along z
  */
 @MessageType("geometry_msgs/Vector3")
-public record Vector3(double x, double y, double z) {
-}
+public record Vector3(double x, double y, double z) {}

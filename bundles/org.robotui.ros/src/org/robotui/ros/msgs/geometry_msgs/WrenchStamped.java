@@ -10,5 +10,4 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param wrench the force and the torque
  */
 @MessageType("geometry_msgs/WrenchStamped")
-public record WrenchStamped(Header header, Wrench wrench) {
-}
+public record WrenchStamped(Header header, Wrench wrench) {}

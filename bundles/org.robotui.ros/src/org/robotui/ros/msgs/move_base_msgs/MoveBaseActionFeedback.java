@@ -7,10 +7,9 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Carries a feedback to the clients ({@code move_base_msgs/MoveBaseActionFeedback}).
  *
- * @param header   time
- * @param status   names the goal, and its state
+ * @param header time
+ * @param status names the goal, and its state
  * @param feedback the feedback
  */
 @MessageType("move_base_msgs/MoveBaseActionFeedback")
-public record MoveBaseActionFeedback(Header header, GoalStatus status, MoveBaseFeedback feedback) {
-}
+public record MoveBaseActionFeedback(Header header, GoalStatus status, MoveBaseFeedback feedback) {}

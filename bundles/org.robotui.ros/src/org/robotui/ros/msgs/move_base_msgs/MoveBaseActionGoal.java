@@ -9,8 +9,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  *
  * @param header time
  * @param goalId names the goal
- * @param goal   the goal
+ * @param goal the goal
  */
 @MessageType("move_base_msgs/MoveBaseActionGoal")
-public record MoveBaseActionGoal(Header header, GoalID goalId, MoveBaseGoal goal) {
-}
+public record MoveBaseActionGoal(Header header, GoalID goalId, MoveBaseGoal goal) {}

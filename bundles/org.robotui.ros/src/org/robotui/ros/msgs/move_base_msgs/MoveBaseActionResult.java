@@ -12,5 +12,4 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param result the result
  */
 @MessageType("move_base_msgs/MoveBaseActionResult")
-public record MoveBaseActionResult(Header header, GoalStatus status, MoveBaseResult result) {
-}
+public record MoveBaseActionResult(Header header, GoalStatus status, MoveBaseResult result) {}

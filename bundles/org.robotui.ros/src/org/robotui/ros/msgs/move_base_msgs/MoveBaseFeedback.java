@@ -9,5 +9,4 @@ import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
  * @param basePosition where the robot is
  */
 @MessageType("move_base_msgs/MoveBaseFeedback")
-public record MoveBaseFeedback(PoseStamped basePosition) {
-}
+public record MoveBaseFeedback(PoseStamped basePosition) {}

@@ -9,5 +9,4 @@ import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
  * @param targetPose the place
  */
 @MessageType("move_base_msgs/MoveBaseGoal")
-public record MoveBaseGoal(PoseStamped targetPose) {
-}
+public record MoveBaseGoal(PoseStamped targetPose) {}

@@ -4,5 +4,4 @@ import org.robotui.ros.message.MessageType;
 
 /** Ends a drive; says nothing ({@code move_base_msgs/MoveBaseResult}). */
 @MessageType("move_base_msgs/MoveBaseResult")
-public record MoveBaseResult() {
-}
+public record MoveBaseResult() {}

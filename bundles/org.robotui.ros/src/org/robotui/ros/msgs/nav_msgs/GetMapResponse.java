@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param map the map
  */
 @MessageType("nav_msgs/GetMapResponse")
-public record GetMapResponse(OccupancyGrid map) {
-}
+public record GetMapResponse(OccupancyGrid map) {}

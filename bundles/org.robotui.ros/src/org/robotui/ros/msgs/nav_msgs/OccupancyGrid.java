@@ -9,8 +9,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * A grid map ({@code nav_msgs/OccupancyGrid}).
  *
  * @param header time and frame
- * @param info   size and place
- * @param data   row by row from the origin: 0 to 100 percent occupied, -1 unknown
+ * @param info size and place
+ * @param data row by row from the origin: 0 to 100 percent occupied, -1 unknown
  */
 @MessageType("nav_msgs/OccupancyGrid")
 public record OccupancyGrid(Header header, MapMetaData info, ByteBuffer data) {

@@ -8,11 +8,10 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Pose and velocity as the robot estimates them ({@code nav_msgs/Odometry}).
  *
- * @param header       time and frame of the pose
+ * @param header time and frame of the pose
  * @param childFrameId frame of the velocity
- * @param pose         the pose
- * @param twist        the velocity
+ * @param pose the pose
+ * @param twist the velocity
  */
 @MessageType("nav_msgs/Odometry")
-public record Odometry(Header header, String childFrameId, PoseWithCovariance pose, TwistWithCovariance twist) {
-}
+public record Odometry(Header header, String childFrameId, PoseWithCovariance pose, TwistWithCovariance twist) {}

@@ -10,7 +10,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * Poses to follow or followed ({@code nav_msgs/Path}).
  *
  * @param header time and frame
- * @param poses  in order
+ * @param poses in order
  */
 @MessageType("nav_msgs/Path")
 public record Path(Header header, List<PoseStamped> poses) {

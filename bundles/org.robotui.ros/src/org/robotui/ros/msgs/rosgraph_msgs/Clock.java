@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param clock now, nanoseconds since the epoch of the sender's clock
  */
 @MessageType("rosgraph_msgs/Clock")
-public record Clock(long clock) {
-}
+public record Clock(long clock) {}

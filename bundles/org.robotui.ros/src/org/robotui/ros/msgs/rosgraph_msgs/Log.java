@@ -8,19 +8,18 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * A log entry of a node ({@code rosgraph_msgs/Log}).
  *
- * @param header   time
- * @param level    one of the constants, such as {@link #INFO}
- * @param name     the node
- * @param msg      the text
- * @param file     source file
+ * @param header time
+ * @param level one of the constants, such as {@link #INFO}
+ * @param name the node
+ * @param msg the text
+ * @param file source file
  * @param function function in it
- * @param line     line in it
- * @param topics   topics the node publishes
+ * @param line line in it
+ * @param topics topics the node publishes
  */
 @MessageType("rosgraph_msgs/Log")
 public record Log(
-    Header header, int level, String name, String msg, String file, String function, long line, List<String>
-    topics) {
+    Header header, int level, String name, String msg, String file, String function, long line, List<String> topics) {
 
   /** The constant {@code DEBUG} of the definition. */
   public static final int DEBUG = 1;

@@ -6,27 +6,27 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * State of a battery ({@code sensor_msgs/BatteryState}).
  *
- * @param header                time
- * @param voltage               volts
- * @param temperature           degrees Celsius, NaN if not measured
- * @param current               amperes, negative while discharging, NaN if not measured
- * @param charge                ampere hours now, NaN if not measured
- * @param capacity              ampere hours at the last full charge, NaN if not measured
- * @param designCapacity        ampere hours by design, NaN if not known
- * @param percentage            0 to 1, NaN if not measured
- * @param powerSupplyStatus     one of the constants {@code POWER_SUPPLY_STATUS_...}
- * @param powerSupplyHealth     one of the constants {@code POWER_SUPPLY_HEALTH_...}
+ * @param header time
+ * @param voltage volts
+ * @param temperature degrees Celsius, NaN if not measured
+ * @param current amperes, negative while discharging, NaN if not measured
+ * @param charge ampere hours now, NaN if not measured
+ * @param capacity ampere hours at the last full charge, NaN if not measured
+ * @param designCapacity ampere hours by design, NaN if not known
+ * @param percentage 0 to 1, NaN if not measured
+ * @param powerSupplyStatus one of the constants {@code POWER_SUPPLY_STATUS_...}
+ * @param powerSupplyHealth one of the constants {@code POWER_SUPPLY_HEALTH_...}
  * @param powerSupplyTechnology one of the constants {@code POWER_SUPPLY_TECHNOLOGY_...}
- * @param present               whether a battery is there
- * @param cellVoltage           volts of each cell, or empty
- * @param cellTemperature       degrees Celsius of each cell, or empty
- * @param location              where the battery sits
- * @param serialNumber          the battery's serial number
+ * @param present whether a battery is there
+ * @param cellVoltage volts of each cell, or empty
+ * @param cellTemperature degrees Celsius of each cell, or empty
+ * @param location where the battery sits
+ * @param serialNumber the battery's serial number
  */
 @MessageType("sensor_msgs/BatteryState")
 public record BatteryState(
-    Header header, float voltage, float temperature, float current, float charge, float capacity, float
-    designCapacity, float percentage, int powerSupplyStatus, int powerSupplyHealth, int powerSupplyTechnology,
+    Header header, float voltage, float temperature, float current, float charge, float capacity, float designCapacity,
+    float percentage, int powerSupplyStatus, int powerSupplyHealth, int powerSupplyTechnology,
     boolean present, float[] cellVoltage, float[] cellTemperature, String location, String serialNumber) {
 
   /** The constant {@code POWER_SUPPLY_STATUS_UNKNOWN} of the definition. */

@@ -10,7 +10,7 @@ import org.robotui.ros.msgs.std_msgs.Header;
  *
  * @param header time of exposure and optical frame
  * @param format such as {@code jpeg}
- * @param data   the compressed bytes
+ * @param data the compressed bytes
  */
 @MessageType("sensor_msgs/CompressedImage")
 public record CompressedImage(Header header, String format, ByteBuffer data) {

@@ -8,13 +8,13 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * An uncompressed image ({@code sensor_msgs/Image}).
  *
- * @param header      time of exposure and optical frame
- * @param height      rows
- * @param width       columns
- * @param encoding    meaning of the bytes, such as {@code rgb8}
+ * @param header time of exposure and optical frame
+ * @param height rows
+ * @param width columns
+ * @param encoding meaning of the bytes, such as {@code rgb8}
  * @param isBigendian whether numbers of more than a byte are big-endian, 0 or 1
- * @param step        bytes of a row
- * @param data        {@code step * height} bytes
+ * @param step bytes of a row
+ * @param data {@code step * height} bytes
  */
 @MessageType("sensor_msgs/Image")
 public record Image(

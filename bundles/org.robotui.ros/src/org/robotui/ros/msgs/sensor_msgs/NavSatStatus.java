@@ -5,7 +5,7 @@ import org.robotui.ros.message.MessageType;
 /**
  * Kind of a satellite fix ({@code sensor_msgs/NavSatStatus}).
  *
- * @param status  one of the constants {@code STATUS_...}
+ * @param status one of the constants {@code STATUS_...}
  * @param service sum of the constants {@code SERVICE_...}
  */
 @MessageType("sensor_msgs/NavSatStatus")

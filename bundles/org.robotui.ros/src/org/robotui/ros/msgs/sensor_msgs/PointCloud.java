@@ -9,8 +9,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Points with optional channels: the older type, still used for sonars ({@code sensor_msgs/PointCloud}).
  *
- * @param header   time and frame
- * @param points   the points
+ * @param header time and frame
+ * @param points the points
  * @param channels further values of the points
  */
 @MessageType("sensor_msgs/PointCloud")

@@ -9,20 +9,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Points of any fields ({@code sensor_msgs/PointCloud2}).
  *
- * @param header      time and frame
- * @param height      rows; 1 for an unordered cloud
- * @param width       points of a row
- * @param fields      what a point holds
+ * @param header time and frame
+ * @param height rows; 1 for an unordered cloud
+ * @param width points of a row
+ * @param fields what a point holds
  * @param isBigendian whether numbers are big-endian
- * @param pointStep   bytes of a point
- * @param rowStep     bytes of a row
- * @param data        {@code row_step * height} bytes
- * @param isDense     whether all points are valid
+ * @param pointStep bytes of a point
+ * @param rowStep bytes of a row
+ * @param data {@code row_step * height} bytes
+ * @param isDense whether all points are valid
  */
 @MessageType("sensor_msgs/PointCloud2")
 public record PointCloud2(
-    Header header, long height, long width, List<PointField> fields, boolean isBigendian, long pointStep, long
-    rowStep, ByteBuffer data, boolean isDense) {
+    Header header, long height, long width, List<PointField> fields, boolean isBigendian, long pointStep, long rowStep,
+    ByteBuffer data, boolean isDense) {
 
   /** Keeps immutable copies of lists and read-only views of bytes. */
   public PointCloud2 {

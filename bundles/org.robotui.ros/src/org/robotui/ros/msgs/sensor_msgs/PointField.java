@@ -5,10 +5,10 @@ import org.robotui.ros.message.MessageType;
 /**
  * One field of the points of a {@link PointCloud2} ({@code sensor_msgs/PointField}).
  *
- * @param name     such as {@code x}
- * @param offset   bytes from the start of a point
+ * @param name such as {@code x}
+ * @param offset bytes from the start of a point
  * @param datatype one of the constants, such as {@link #FLOAT32}
- * @param count    how many elements
+ * @param count how many elements
  */
 @MessageType("sensor_msgs/PointField")
 public record PointField(String name, long offset, int datatype, long count) {

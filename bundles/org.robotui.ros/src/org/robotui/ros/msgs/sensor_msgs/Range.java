@@ -6,12 +6,12 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * One reading of an ultrasonic or infrared sensor ({@code sensor_msgs/Range}).
  *
- * @param header        time and frame: the cone opens along x
+ * @param header time and frame: the cone opens along x
  * @param radiationType {@link #ULTRASOUND} or {@link #INFRARED}
- * @param fieldOfView   opening angle of the cone, radians
- * @param minRange      shortest valid distance, metres
- * @param maxRange      longest valid distance, metres
- * @param range         the distance, metres
+ * @param fieldOfView opening angle of the cone, radians
+ * @param minRange shortest valid distance, metres
+ * @param maxRange longest valid distance, metres
+ * @param range the distance, metres
  */
 @MessageType("sensor_msgs/Range")
 public record Range(

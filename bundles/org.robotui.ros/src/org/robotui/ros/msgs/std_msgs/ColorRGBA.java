@@ -11,5 +11,4 @@ import org.robotui.ros.message.MessageType;
  * @param a opacity, 0 to 1
  */
 @MessageType("std_msgs/ColorRGBA")
-public record ColorRGBA(float r, float g, float b, float a) {
-}
+public record ColorRGBA(float r, float g, float b, float a) {}

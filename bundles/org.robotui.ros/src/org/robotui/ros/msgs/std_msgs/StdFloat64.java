@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param data the value
  */
 @MessageType("std_msgs/Float64")
-public record StdFloat64(double data) {
-}
+public record StdFloat64(double data) {}

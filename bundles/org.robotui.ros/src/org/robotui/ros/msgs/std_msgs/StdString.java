@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param data the text
  */
 @MessageType("std_msgs/String")
-public record StdString(String data) {
-}
+public record StdString(String data) {}

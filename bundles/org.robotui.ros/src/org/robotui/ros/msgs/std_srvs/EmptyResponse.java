@@ -4,5 +4,4 @@ import org.robotui.ros.message.MessageType;
 
 /** Says that the action was done ({@code std_srvs/EmptyResponse}). */
 @MessageType("std_srvs/EmptyResponse")
-public record EmptyResponse() {
-}
+public record EmptyResponse() {}

@@ -8,5 +8,4 @@ import org.robotui.ros.message.MessageType;
  * @param data on or off
  */
 @MessageType("std_srvs/SetBoolRequest")
-public record SetBoolRequest(boolean data) {
-}
+public record SetBoolRequest(boolean data) {}

@@ -9,5 +9,4 @@ import org.robotui.ros.message.MessageType;
  * @param message why not, or what was done
  */
 @MessageType("std_srvs/SetBoolResponse")
-public record SetBoolResponse(boolean success, String message) {
-}
+public record SetBoolResponse(boolean success, String message) {}

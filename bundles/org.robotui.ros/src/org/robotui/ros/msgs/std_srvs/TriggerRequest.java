@@ -4,5 +4,4 @@ import org.robotui.ros.message.MessageType;
 
 /** Triggers an action ({@code std_srvs/TriggerRequest}). */
 @MessageType("std_srvs/TriggerRequest")
-public record TriggerRequest() {
-}
+public record TriggerRequest() {}

@@ -9,5 +9,4 @@ import org.robotui.ros.message.MessageType;
  * @param message why not, or what was done
  */
 @MessageType("std_srvs/TriggerResponse")
-public record TriggerResponse(boolean success, String message) {
-}
+public record TriggerResponse(boolean success, String message) {}

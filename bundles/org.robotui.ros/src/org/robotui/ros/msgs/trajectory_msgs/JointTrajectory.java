@@ -8,9 +8,9 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * How joints move over time ({@code trajectory_msgs/JointTrajectory}).
  *
- * @param header     time and frame
+ * @param header time and frame
  * @param jointNames in the order of the numbers of the points
- * @param points     in the order of time
+ * @param points in the order of time
  */
 @MessageType("trajectory_msgs/JointTrajectory")
 public record JointTrajectory(Header header, List<String> jointNames, List<JointTrajectoryPoint> points) {

@@ -5,10 +5,10 @@ import org.robotui.ros.message.MessageType;
 /**
  * What joints do at a time ({@code trajectory_msgs/JointTrajectoryPoint}).
  *
- * @param positions     one a joint, radians or metres; or none
- * @param velocities    one a joint, per second; or none
+ * @param positions one a joint, radians or metres; or none
+ * @param velocities one a joint, per second; or none
  * @param accelerations one a joint, per second squared; or none
- * @param effort        one a joint, newton metres or newton; or none
+ * @param effort one a joint, newton metres or newton; or none
  * @param timeFromStart nanoseconds since the start
  */
 @MessageType("trajectory_msgs/JointTrajectoryPoint")
@@ -17,5 +17,4 @@ public record JointTrajectoryPoint(
     double[] velocities,
     double[] accelerations,
     double[] effort,
-    long timeFromStart) {
-}
+    long timeFromStart) {}

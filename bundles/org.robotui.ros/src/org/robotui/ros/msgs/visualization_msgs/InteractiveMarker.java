@@ -9,13 +9,13 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * A marker that is moved by hand ({@code visualization_msgs/InteractiveMarker}).
  *
- * @param header      time and frame
- * @param pose        where it is
- * @param name        unique at its server
+ * @param header time and frame
+ * @param pose where it is
+ * @param name unique at its server
  * @param description shown above it
- * @param scale       size of the usual controls, metres
+ * @param scale size of the usual controls, metres
  * @param menuEntries its menu
- * @param controls    how it is moved
+ * @param controls how it is moved
  */
 @MessageType("visualization_msgs/InteractiveMarker")
 public record InteractiveMarker(

@@ -8,14 +8,14 @@ import org.robotui.ros.msgs.geometry_msgs.Quaternion;
 /**
  * How an interactive marker is moved by hand ({@code visualization_msgs/InteractiveMarkerControl}).
  *
- * @param name                         unique within the marker
- * @param orientation                  its x axis is the axis that is moved along or turned about, y and z span the plane
- * @param orientationMode              what the orientation is relative to
- * @param interactionMode              what dragging does
- * @param alwaysVisible                whether it is seen also while nobody interacts
- * @param markers                      what is seen; empty for the usual look
+ * @param name unique within the marker
+ * @param orientation its x axis is the axis that is moved along or turned about, y and z span the plane
+ * @param orientationMode what the orientation is relative to
+ * @param interactionMode what dragging does
+ * @param alwaysVisible whether it is seen also while nobody interacts
+ * @param markers what is seen; empty for the usual look
  * @param independentMarkerOrientation whether the markers keep their orientation where the control faces the viewer
- * @param description                  a hint for users
+ * @param description a hint for users
  */
 @MessageType("visualization_msgs/InteractiveMarkerControl")
 public record InteractiveMarkerControl(

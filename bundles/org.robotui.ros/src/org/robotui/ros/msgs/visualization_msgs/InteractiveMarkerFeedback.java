@@ -8,14 +8,14 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * What a user does with an interactive marker ({@code visualization_msgs/InteractiveMarkerFeedback}).
  *
- * @param header          time and frame
- * @param clientId        who it is
- * @param markerName      which marker
- * @param controlName     which of its controls; may be empty
- * @param eventType       what was done
- * @param pose            where the user moved it
- * @param menuEntryId     what was chosen; 0 for nothing
- * @param mousePoint      what the pointer hit
+ * @param header time and frame
+ * @param clientId who it is
+ * @param markerName which marker
+ * @param controlName which of its controls; may be empty
+ * @param eventType what was done
+ * @param pose where the user moved it
+ * @param menuEntryId what was chosen; 0 for nothing
+ * @param mousePoint what the pointer hit
  * @param mousePointValid whether that is so
  */
 @MessageType("visualization_msgs/InteractiveMarkerFeedback")

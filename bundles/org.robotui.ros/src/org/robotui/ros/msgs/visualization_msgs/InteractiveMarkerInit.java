@@ -8,8 +8,8 @@ import org.robotui.ros.message.MessageType;
  * All interactive markers of a server ({@code visualization_msgs/InteractiveMarkerInit}).
  *
  * @param serverId of the server
- * @param seqNum   number of the last update that is in it
- * @param markers  all there are
+ * @param seqNum number of the last update that is in it
+ * @param markers all there are
  */
 @MessageType("visualization_msgs/InteractiveMarkerInit")
 public record InteractiveMarkerInit(String serverId, long seqNum, List<InteractiveMarker> markers) {

@@ -8,9 +8,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * Where an interactive marker is now ({@code visualization_msgs/InteractiveMarkerPose}).
  *
  * @param header time and frame
- * @param pose   where it is
- * @param name   of the marker
+ * @param pose where it is
+ * @param name of the marker
  */
 @MessageType("visualization_msgs/InteractiveMarkerPose")
-public record InteractiveMarkerPose(Header header, Pose pose, String name) {
-}
+public record InteractiveMarkerPose(Header header, Pose pose, String name) {}

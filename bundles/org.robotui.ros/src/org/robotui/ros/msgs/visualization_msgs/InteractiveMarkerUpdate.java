@@ -8,11 +8,11 @@ import org.robotui.ros.message.MessageType;
  * What changed at a server of interactive markers ({@code visualization_msgs/InteractiveMarkerUpdate}).
  *
  * @param serverId of the server
- * @param seqNum   counts updates; a sign of life carries the number of the last one
- * @param type     update or sign of life
- * @param markers  new and changed ones
- * @param poses    of those that only moved
- * @param erases   names of those that are gone
+ * @param seqNum counts updates; a sign of life carries the number of the last one
+ * @param type update or sign of life
+ * @param markers new and changed ones
+ * @param poses of those that only moved
+ * @param erases names of those that are gone
  */
 @MessageType("visualization_msgs/InteractiveMarkerUpdate")
 public record InteractiveMarkerUpdate(

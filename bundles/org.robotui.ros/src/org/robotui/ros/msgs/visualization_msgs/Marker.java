@@ -9,20 +9,20 @@ import org.robotui.ros.msgs.std_msgs.Header;
 /**
  * Something to be shown in space ({@code visualization_msgs/Marker}).
  *
- * @param header                   time and frame
- * @param ns                       with the id, the name of the marker
- * @param id                       with the namespace, the name of the marker
- * @param type                     what it looks like, one of the types
- * @param action                   what becomes of it, one of the actions
- * @param pose                     where it is
- * @param scale                    its size, metres; what each number means depends on the type
- * @param color                    its colour
- * @param lifetime                 nanoseconds until it goes by itself; 0 for never
- * @param frameLocked              whether it moves with its frame
- * @param points                   x, y, z in turn, for the types that have points
- * @param colors                   red, green, blue, alpha in turn, one colour a point or none
- * @param text                     of texts
- * @param meshResource             address of the file of a mesh
+ * @param header time and frame
+ * @param ns with the id, the name of the marker
+ * @param id with the namespace, the name of the marker
+ * @param type what it looks like, one of the types
+ * @param action what becomes of it, one of the actions
+ * @param pose where it is
+ * @param scale its size, metres; what each number means depends on the type
+ * @param color its colour
+ * @param lifetime nanoseconds until it goes by itself; 0 for never
+ * @param frameLocked whether it moves with its frame
+ * @param points x, y, z in turn, for the types that have points
+ * @param colors red, green, blue, alpha in turn, one colour a point or none
+ * @param text of texts
+ * @param meshResource address of the file of a mesh
  * @param meshUseEmbeddedMaterials whether the file's own colours count
  */
 @MessageType("visualization_msgs/Marker")

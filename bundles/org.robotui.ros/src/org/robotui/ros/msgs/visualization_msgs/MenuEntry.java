@@ -5,10 +5,10 @@ import org.robotui.ros.message.MessageType;
 /**
  * An entry of the menu of an interactive marker ({@code visualization_msgs/MenuEntry}).
  *
- * @param id          names it, not 0
- * @param parentId    the entry above it; 0 for none
- * @param title       what is read
- * @param command     what is run, for the types that run something
+ * @param id names it, not 0
+ * @param parentId the entry above it; 0 for none
+ * @param title what is read
+ * @param command what is run, for the types that run something
  * @param commandType what happens when it is chosen
  */
 @MessageType("visualization_msgs/MenuEntry")

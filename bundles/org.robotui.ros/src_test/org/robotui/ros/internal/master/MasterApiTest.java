@@ -37,7 +37,8 @@ class MasterApiTest {
   void start() throws Exception {
     master = RosMaster.open(new MasterOptions(threads, java.util.Optional.empty(), 0, false));
     client = new XmlRpcClient(HostPort.ofUri(master.uri().toString(), "http"), XmlRpcLimits.standard());
-    node = new XmlRpcServer(InetAddress.getByName("127.0.0.1"), 0, XmlRpcLimits.standard(), new Workers(threads), "node");
+    node =
+        new XmlRpcServer(InetAddress.getByName("127.0.0.1"), 0, XmlRpcLimits.standard(), new Workers(threads), "node");
     node.start(call -> {
       told.add(call.method() + " " + text(new XmlRpcValue.Array(call.arguments().subList(1, call.arguments().size()))));
       return ApiMethods.success("", 0);
@@ -179,7 +180,8 @@ class MasterApiTest {
         Eventually.await("the update", () -> told.stream().anyMatch(message -> message.contains(publisher)));
         assertTrue(System.nanoTime() - start < Duration.ofSeconds(1).toNanos(), "held up");
         int most = Notifier.PROVEN_THREADS + Notifier.OTHER_THREADS;
-        assertTrue(threads.alive().stream().filter(name -> name.contains(" to ")).count() <= most, threads.alive().toString());
+        assertTrue(threads.alive().stream().filter(name -> name.contains(" to ")).count() <= most,
+            threads.alive().toString());
       }
     }
   }

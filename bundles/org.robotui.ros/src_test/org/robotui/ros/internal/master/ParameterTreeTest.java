@@ -18,7 +18,8 @@ class ParameterTreeTest {
   @Test
   void namespacesAreTreesOfParameters() {
     ParameterTree tree = ParameterTree.empty().set("/a/b", ONE).set("/a/c/d", ONE);
-    assertEquals(Optional.of(new XmlRpcValue.Struct(Map.of("b", ONE, "c", new XmlRpcValue.Struct(Map.of("d", ONE))))), tree.get("/a"));
+    assertEquals(Optional.of(new XmlRpcValue.Struct(Map.of("b", ONE, "c", new XmlRpcValue.Struct(Map.of("d", ONE))))),
+        tree.get("/a"));
     assertEquals(List.of("/a/b", "/a/c/d"), tree.names());
     assertEquals(Optional.empty(), tree.get("/a/b/c"));
   }
@@ -47,7 +48,8 @@ class ParameterTreeTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"/r/n,speed,/r/speed", "/n,speed,/speed", "/r/n,speed/max,/r/speed/max", "/r/n,/speed,/speed", "/r/n,none,", "/,speed,/speed"})
+  @CsvSource({"/r/n,speed,/r/speed", "/n,speed,/speed", "/r/n,speed/max,/r/speed/max", "/r/n,/speed,/speed",
+      "/r/n,none,", "/,speed,/speed"})
   void theNearestParameterIsFound(String namespace, String key, String found) {
     ParameterTree tree = ParameterTree.empty().set("/speed", ONE).set("/r/speed/min", ONE);
     assertEquals(Optional.ofNullable(found), tree.search(namespace, key));

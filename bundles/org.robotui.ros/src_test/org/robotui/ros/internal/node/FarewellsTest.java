@@ -41,7 +41,8 @@ class FarewellsTest {
   @BeforeEach
   void open() throws IOException {
     master = RosMaster.open(MasterOptions.standard(Thread::new));
-    node = RosNode.open(RosEnvironment.of(Map.of("ROS_MASTER_URI", master.uri().toString(), "ROS_IP", "127.0.0.1"), List.of()),
+    node = RosNode.open(
+        RosEnvironment.of(Map.of("ROS_MASTER_URI", master.uri().toString(), "ROS_IP", "127.0.0.1"), List.of()),
         GraphName.of("/careful"), NodeOptions.standard(Thread::new).withCare(SocketFactory.getDefault(), this::leave));
   }
 
@@ -63,7 +64,8 @@ class FarewellsTest {
       try (Socket socket = new Socket("127.0.0.1", master.uri().getPort())) {
         socket.setSoTimeout(5000);
         socket.getOutputStream().write(words);
-        String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8); // to the end: the master closes
+        String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8); // to the end: the
+                                                                                                    // master closes
         assertTrue(answer.startsWith("HTTP/1.1 200"), answer);
       }
     }
@@ -76,7 +78,7 @@ class FarewellsTest {
   @Test
   void the_master_forgets_what_is_said_to_it_and_is_told_again_by_a_node_that_lives() throws Exception {
     node.publisher("/said", RecordCodec.of(StdString.class), PublisherOptions.standard());
-    node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (value, reception) -> { });
+    node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (value, reception) -> {});
     assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
     assertEquals(List.of("/careful"), state().publishers().get("/said"));
     assertEquals(List.of("/careful"), state().subscribers().get("/heard"));
@@ -94,7 +96,8 @@ class FarewellsTest {
 
   @Test
   void nothing_is_left_of_what_the_node_ended_itself() throws Exception {
-    Subscriber subscriber = node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (value, reception) -> { });
+    Subscriber subscriber = node.subscriber("/heard", RecordCodec.of(StdString.class), SubscriberOptions.standard(),
+        (value, reception) -> {});
     assertTrue(node.awaitRegistered(Duration.ofSeconds(5)));
     int before = left.size();
     subscriber.close();

@@ -133,7 +133,8 @@ class LeftoversTest {
   void aNodeThatAnswersIsNotTouchedWhateverTheProcessTableSays() throws Exception {
     Owner same = Owner.current();
     Path file = folder.resolve("node-1-3" + NodeRecord.SUFFIX);
-    new NodeRecord("/witness", witness.uri(), DEAD_RPC, master(), new Owner(same.host(), same.pid(), Instant.EPOCH), List.of()).write(file);
+    new NodeRecord("/witness", witness.uri(), DEAD_RPC, master(), new Owner(same.host(), same.pid(), Instant.EPOCH),
+        List.of()).write(file);
     assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
     assertEquals(List.of("/witness"), state().publishers().get("/chatter"));
     assertTrue(Files.exists(file));
@@ -151,17 +152,19 @@ class LeftoversTest {
 
   @Test
   void aNodeIsNotedWhileItIsRegisteredAndNoLonger() throws Exception {
-    RosNode node = graph.open(RosEnvironment.of(graph.master().uri()), "noted", graph.options().withRecords(folder.resolve("new/state")));
-    node.subscriber("/other", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, from) -> { });
+    RosNode node = graph.open(RosEnvironment.of(graph.master().uri()), "noted",
+        graph.options().withRecords(folder.resolve("new/state")));
+    node.subscriber("/other", RecordCodec.of(StdString.class), SubscriberOptions.standard(), (text, from) -> {});
     node.serviceServer("~s", StandardServices.EMPTY, (request, caller) -> new EmptyResponse());
-    node.parameters().subscribe("/limits", (key, value) -> { });
+    node.parameters().subscribe("/limits", (key, value) -> {});
     assertTrue(node.awaitRegistered(TIME));
     NodeRecord note = NodeRecord.read(only(folder.resolve("new/state")));
     assertEquals("/noted", note.node());
     assertEquals(node.uri(), note.uri());
     assertEquals(List.of("/limits", "/use_sim_time"), note.parameters());
     assertTrue(note.process().isAlive() && note.process().isOnThisHost());
-    assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder.resolve("new/state"), TIME));
+    assertEquals(new StaleRegistrations.Cleared(List.of(), true),
+        StaleRegistrations.clear(folder.resolve("new/state"), TIME));
     node.close();
     try (Stream<Path> files = Files.list(folder.resolve("new/state"))) {
       assertEquals(List.of(), files.toList());

@@ -14,7 +14,8 @@ import org.robotui.testkit.Effort;
 class ConnectionHeaderTest {
 
   private static final ConnectionHeader HEADER = ConnectionHeader.of("/node")
-      .with(new MessageInfo("std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1", "string data # a=b\n")).with("topic", "/chatter");
+      .with(new MessageInfo("std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1", "string data # a=b\n"))
+      .with("topic", "/chatter");
 
   private static byte[] body(ConnectionHeader header) {
     byte[] encoded = header.encode();
@@ -46,7 +47,8 @@ class ConnectionHeaderTest {
     byte[] once = body(ConnectionHeader.of("/a"));
     byte[] twice = Arrays.copyOf(once, once.length * 2);
     System.arraycopy(once, 0, twice, once.length, once.length);
-    assertTrue(assertThrows(ProtocolException.class, () -> ConnectionHeader.decode(twice)).getMessage().contains("'callerid' comes twice"));
+    assertTrue(assertThrows(ProtocolException.class, () -> ConnectionHeader.decode(twice)).getMessage()
+        .contains("'callerid' comes twice"));
   }
 
   @Test

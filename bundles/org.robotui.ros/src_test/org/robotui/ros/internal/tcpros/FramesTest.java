@@ -36,7 +36,7 @@ class FramesTest {
     List<byte[]> sent = new ArrayList<>();
     ByteArrayOutputStream wire = new ByteArrayOutputStream();
     FrameWriter out = new FrameWriter(wire);
-    for (int size : new int[] {0, 1, 3, 4, 5, 100, 4095, 4096, 16_380, 16_384, 70_000, 3_000_000, 0, 7, 2_000_000, 9}) {
+    for (int size : new int[]{0, 1, 3, 4, 5, 100, 4095, 4096, 16_380, 16_384, 70_000, 3_000_000, 0, 7, 2_000_000, 9}) {
       byte[] frame = new byte[size];
       random.nextBytes(frame);
       sent.add(frame);
@@ -60,7 +60,8 @@ class FramesTest {
   }
 
   private static long allocated() {
-    com.sun.management.ThreadMXBean bean = (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
+    com.sun.management.ThreadMXBean bean =
+        (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
     return bean.getThreadAllocatedBytes(Thread.currentThread().threadId());
   }
 
@@ -69,7 +70,7 @@ class FramesTest {
     LongAdder dropped = new LongAdder();
     OutQueue queue = new OutQueue(3, 1000, dropped);
     for (int i = 0; i < 5; i++) {
-      queue.offer(ByteBuffer.wrap(new byte[] {(byte) i}));
+      queue.offer(ByteBuffer.wrap(new byte[]{(byte) i}));
     }
     List<ByteBuffer> batch = new ArrayList<>();
     assertTrue(queue.take(batch));

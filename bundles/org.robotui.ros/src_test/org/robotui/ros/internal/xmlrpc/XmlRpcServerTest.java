@@ -97,13 +97,15 @@ class XmlRpcServerTest {
   @Test
   void aMethodThatCrashesAnswersAFaultAndTheConnectionGoesOn() throws Exception {
     assertTrue(assertThrows(XmlRpcFault.class, () -> client.call("crash", arguments())).getMessage().contains("crash"));
-    assertTrue(assertThrows(XmlRpcFault.class, () -> client.call("nothing", arguments())).getMessage().contains("'nothing'"));
+    assertTrue(
+        assertThrows(XmlRpcFault.class, () -> client.call("nothing", arguments())).getMessage().contains("'nothing'"));
     assertEquals(ApiMethods.success("", 3), client.call("echo", arguments(XmlRpcValue.of(3))));
   }
 
   @Test
   void wrongArgumentsAreAnsweredWithWhatIsExpected() throws Exception {
-    assertEquals(ApiMethods.error("echo takes (Text, XmlRpcValue)", XmlRpcValue.of(0)), client.call("echo", arguments()));
+    assertEquals(ApiMethods.error("echo takes (Text, XmlRpcValue)", XmlRpcValue.of(0)),
+        client.call("echo", arguments()));
   }
 
   @Test
@@ -165,7 +167,8 @@ class XmlRpcServerTest {
       Eventually.await("two halves of large bodies", () -> server.bodies() == 262_144);
       String refused = raw("POST / HTTP/1.1\r\nContent-Length: 150000\r\n\r\n" + " ".repeat(65_537));
       assertTrue(refused.startsWith("HTTP/1.1 503 "), refused);
-      assertTrue(refused.contains("no room for a body of 131072 bytes: the bodies of all connections may take 300000"), refused);
+      assertTrue(refused.contains("no room for a body of 131072 bytes: the bodies of all connections may take 300000"),
+          refused);
       assertEquals(ApiMethods.success("", 5), client.call("echo", arguments(XmlRpcValue.of(5))));
     }
     Eventually.await("the memory is given back", () -> server.bodies() == 0);
@@ -175,7 +178,8 @@ class XmlRpcServerTest {
 
   private Socket half() throws IOException {
     Socket socket = new Socket("127.0.0.1", server.port());
-    socket.getOutputStream().write(("POST / HTTP/1.1\r\nContent-Length: 150000\r\n\r\n" + " ".repeat(70_000)).getBytes(StandardCharsets.UTF_8));
+    socket.getOutputStream().write(
+        ("POST / HTTP/1.1\r\nContent-Length: 150000\r\n\r\n" + " ".repeat(70_000)).getBytes(StandardCharsets.UTF_8));
     return socket;
   }
 

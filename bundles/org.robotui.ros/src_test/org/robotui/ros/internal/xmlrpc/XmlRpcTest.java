@@ -57,14 +57,16 @@ class XmlRpcTest {
 
   @Test
   void aCallOfRoscppIsRead() throws Exception {
-    MethodCall call = XmlRpcReader.call(utf8("<?xml version=\"1.0\"?>\r\n<methodCall><methodName>getPid</methodName>\r\n"
-        + "<params><param><value>/node</value></param></params></methodCall>\r\n"));
+    MethodCall call =
+        XmlRpcReader.call(utf8("<?xml version=\"1.0\"?>\r\n<methodCall><methodName>getPid</methodName>\r\n"
+            + "<params><param><value>/node</value></param></params></methodCall>\r\n"));
     assertEquals(new MethodCall("getPid", List.of(XmlRpcValue.of("/node"))), call);
   }
 
   @Test
   void aCallWithoutParametersIsRead() throws Exception {
-    assertEquals(new MethodCall("a", List.of()), XmlRpcReader.call(utf8("<methodCall><methodName>a</methodName></methodCall>")));
+    assertEquals(new MethodCall("a", List.of()),
+        XmlRpcReader.call(utf8("<methodCall><methodName>a</methodName></methodCall>")));
   }
 
   @ParameterizedTest
@@ -88,7 +90,8 @@ class XmlRpcTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"<int>1.5</int>", "<int>99999999999</int>", "<int/>", "<boolean>2</boolean>", "<double>x</double>",
+  @ValueSource(strings = {"<int>1.5</int>", "<int>99999999999</int>", "<int/>", "<boolean>2</boolean>",
+      "<double>x</double>",
       "<base64>*</base64>", "<i9>1</i9>", "<int a='1'>1</int>", "<array></array>", "<struct><member/></struct>",
       "<int>1", "<string>&unknown;</string>", "<string>&</string>", "<string>&#x110000;</string>", "<!--"})
   void malformedValuesAreRefused(String xml) {
@@ -97,24 +100,27 @@ class XmlRpcTest {
 
   @Test
   void documentTypesAreRefusedSoThatNothingExpands() {
-    assertTrue(problem("<?xml version='1.0'?><!DOCTYPE a [<!ENTITY b \"cc\">]><methodCall/>").contains("document types"));
+    assertTrue(
+        problem("<?xml version='1.0'?><!DOCTYPE a [<!ENTITY b \"cc\">]><methodCall/>").contains("document types"));
   }
 
   @Test
   void nestingIsBounded() {
     String deep = "<value><array><data>".repeat(100_000);
-    assertTrue(problem("<methodCall><methodName>a</methodName><params><param>" + deep).contains("nested deeper than 64"));
+    assertTrue(
+        problem("<methodCall><methodName>a</methodName><params><param>" + deep).contains("nested deeper than 64"));
   }
 
   @Test
   void otherEncodingsThanUtf8AreRefused() {
-    assertThrows(XmlRpcException.class, () -> XmlRpcReader.call(new byte[] {(byte) 0xff, (byte) 0xfe, 0}));
+    assertThrows(XmlRpcException.class, () -> XmlRpcReader.call(new byte[]{(byte) 0xff, (byte) 0xfe, 0}));
   }
 
   @Test
   void errorsTellThePlace() {
     assertEquals("expected <methodCall> at character 2", problem("  <x/>"));
-    assertTrue(problem("<methodCall><methodName>a</methodName></methodCall>x").startsWith("unexpected content after the document"));
+    assertTrue(problem("<methodCall><methodName>a</methodName></methodCall>x")
+        .startsWith("unexpected content after the document"));
   }
 
   @Test
@@ -123,7 +129,8 @@ class XmlRpcTest {
     for (int i = 0; i < 2_000; i++) {
       XmlRpcValue value = randomValue(random, 0);
       assertEquals(value, XmlRpcReader.response(XmlRpcWriter.response(value)));
-      assertEquals(new MethodCall("m", List.of(value, value)), XmlRpcReader.call(XmlRpcWriter.call(new MethodCall("m", List.of(value, value)))));
+      assertEquals(new MethodCall("m", List.of(value, value)),
+          XmlRpcReader.call(XmlRpcWriter.call(new MethodCall("m", List.of(value, value)))));
     }
   }
 

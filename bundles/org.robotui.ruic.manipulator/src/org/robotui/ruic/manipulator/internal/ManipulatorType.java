@@ -10,9 +10,10 @@ import org.robotui.api.layout.Layout.Tabs;
 import org.robotui.api.layout.Layout;
 
 /**
- * The interface of a robot with joints under real-time control, an arm or a humanoid: the joints, and below them the robot in space as it
- * moves, have most of the window; behind the picture lies what it measures and says. Beside them are the plugins that drive the joints and how
- * well they keep their time. The text view is for terminals, the sound view for ears; both have no place in the window's layout.
+ * The interface of a robot with joints under real-time control, an arm or a humanoid: the joints, and below them the
+ * robot in space as it moves, have most of the window; behind the picture lies what it measures and says. Beside them
+ * are the plugins that drive the joints and how well they keep their time. The text view is for terminals, the sound
+ * view for ears; both have no place in the window's layout.
  */
 @Component(service = RuicType.class)
 public final class ManipulatorType extends FixedRuicType {

@@ -20,7 +20,8 @@ class ManipulatorTypeTest {
     double all = split.weights().stream().mapToDouble(w -> w).sum();
 
     Split main = (Split) split.parts().getFirst();
-    assertEquals(List.of("jointcontrol", "scene3d"), main.parts().stream().map(part -> part.views().getFirst()).toList());
+    assertEquals(List.of("jointcontrol", "scene3d"),
+        main.parts().stream().map(part -> part.views().getFirst()).toList());
     assertTrue(split.weights().getFirst() > all / 2);
   }
 

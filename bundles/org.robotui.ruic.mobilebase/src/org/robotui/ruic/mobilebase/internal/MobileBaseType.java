@@ -11,13 +11,15 @@ import org.robotui.api.layout.Layout.View;
 import org.robotui.api.layout.Layout;
 
 /**
- * The interface of a robot that drives: the map has most of the window, beside it what the robot sees, how it is driven and how it is
- * doing; below it what it measures and says. Behind the map lie the scene in space, its frames, the graph of its programs, and what one
- * asks a robot less often. The text view is for terminals and has no place in the window's layout.
+ * The interface of a robot that drives: the map has most of the window, beside it what the robot sees, how it is driven
+ * and how it is doing; below it what it measures and says. Behind the map lie the scene in space, its frames, the graph
+ * of its programs, and what one asks a robot less often. The text view is for terminals and has no place in the
+ * window's layout.
  */
 @Component(service = RuicType.class)
 public final class MobileBaseType extends FixedRuicType {
-  private static final Tabs PLACES = new Tabs(List.of("map", "scene3d", "tftree", "graph", "topics", "parameters", "services", "actions"));
+  private static final Tabs PLACES =
+      new Tabs(List.of("map", "scene3d", "tftree", "graph", "topics", "parameters", "services", "actions"));
   private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "diagnostics", "joints", "gps", "alerts"));
   private static final Tabs STATE = new Tabs(List.of("status", "connections"));
 

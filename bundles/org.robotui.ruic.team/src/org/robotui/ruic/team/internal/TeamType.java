@@ -11,14 +11,15 @@ import org.robotui.api.layout.Layout.Tabs;
 import org.robotui.api.layout.Layout.View;
 
 /**
- * The interface of a group or a swarm, whatever its robots run: all of them on one map, and in a table that commands one, some, or all. What
- * one robot has in detail is seen in an interface of its own, which opens from the table.
+ * The interface of a group or a swarm, whatever its robots run: all of them on one map, and in a table that commands
+ * one, some, or all. What one robot has in detail is seen in an interface of its own, which opens from the table.
  */
 @Component(service = RuicType.class)
 public final class TeamType extends FixedRuicType {
   private static final Tabs PLACES = new Tabs(List.of("map", "scene3d"));
   private static final Tabs RECORDS = new Tabs(List.of("plot", "log", "alerts", "connections"));
-  private static final Layout SIDE = new Split(Direction.COLUMN, List.of(new View("team"), RECORDS), List.of(68.0, 32.0));
+  private static final Layout SIDE =
+      new Split(Direction.COLUMN, List.of(new View("team"), RECORDS), List.of(68.0, 32.0));
   private static final Layout LAYOUT = new Split(Direction.ROW, List.of(PLACES, SIDE), List.of(52.0, 48.0));
 
   /** Made by the framework. */

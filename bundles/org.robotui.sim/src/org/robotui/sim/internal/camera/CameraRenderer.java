@@ -52,7 +52,9 @@ public final class CameraRenderer implements AutoCloseable {
     return lens;
   }
 
-  /** Takes a picture of what the robot sees, unless one is being taken; {@code taken} is called on the studio's thread. */
+  /**
+   * Takes a picture of what the robot sees, unless one is being taken; {@code taken} is called on the studio's thread.
+   */
   public void offer(RobotState state, Consumer<Shot> taken) {
     darkroom.offer(() -> taken.accept(take(state)));
   }

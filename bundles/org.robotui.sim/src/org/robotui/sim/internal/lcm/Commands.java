@@ -41,7 +41,8 @@ final class Commands {
 
   private void go(LcmRecord message) {
     String id = message.text("id").filter(text -> !text.isEmpty()).orElseGet(() -> "lcm-" + unnamed.incrementAndGet());
-    place(message, "pose.").ifPresentOrElse(place -> submit(new Command.Goal(id, place)), () -> ignored("goal", message, "pose."));
+    place(message, "pose.").ifPresentOrElse(place -> submit(new Command.Goal(id, place)),
+        () -> ignored("goal", message, "pose."));
   }
 
   private void cancel(LcmRecord message) {
@@ -50,18 +51,21 @@ final class Commands {
   }
 
   private void believe(LcmRecord message) {
-    place(message, "").ifPresentOrElse(place -> submit(new Command.InitialPose(place)), () -> ignored("initial pose", message, ""));
+    place(message, "").ifPresentOrElse(place -> submit(new Command.InitialPose(place)),
+        () -> ignored("initial pose", message, ""));
   }
 
   private void ignored(String what, LcmRecord message, String path) {
-    channels.tell("a " + what + " was ignored: it is not finite, or its frame '" + message.text(path + "frame").orElse("")
-        + "' is neither map nor odom nor base");
+    channels
+        .tell("a " + what + " was ignored: it is not finite, or its frame '" + message.text(path + "frame").orElse("")
+            + "' is neither map nor odom nor base");
   }
 
   /** Into the map; a pose without a frame is taken to be there. */
   private Optional<Pose2> place(LcmRecord message, String path) {
     double[] turn = IntStream.range(0, 4).mapToDouble(i -> number(message, path + "orientation[" + i + "]")).toArray();
-    double yaw = Math.atan2(2 * (turn[0] * turn[3] + turn[1] * turn[2]), 1 - 2 * (turn[2] * turn[2] + turn[3] * turn[3]));
+    double yaw =
+        Math.atan2(2 * (turn[0] * turn[3] + turn[1] * turn[2]), 1 - 2 * (turn[2] * turn[2] + turn[3] * turn[3]));
     Pose2 pose = new Pose2(number(message, path + "position[0]"), number(message, path + "position[1]"), yaw);
     if (!Double.isFinite(pose.x() + pose.y() + yaw)) {
       return Optional.empty();

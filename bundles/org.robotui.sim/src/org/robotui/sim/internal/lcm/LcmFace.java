@@ -66,7 +66,8 @@ public final class LcmFace implements Face {
     LcmRecords telling = new LcmRecords(types, robot);
     robot.events().listen(event -> channels.send("LOG", telling.log(event, utime)));
     new Commands(robot, channels);
-    shown = Optional.of(new Shown(robot, channels, telling, new CameraRenderer(robot.simulation().world(), robot.model().lens())));
+    shown = Optional
+        .of(new Shown(robot, channels, telling, new CameraRenderer(robot.simulation().world(), robot.model().lens())));
   }
 
   @Override

@@ -43,7 +43,8 @@ final class LcmRecords {
     Pose2 at = state.odometry();
     return types.make("odometry_t", utime).text("frame", ODOMETRY).text("child_frame", BASE)
         .numbers("position", at.x(), at.y(), 0).numbers("orientation", Types.turned(at.yaw()))
-        .numbers("linear_velocity", state.speed().linear(), 0, 0).numbers("angular_velocity", 0, 0, state.speed().angular()).build();
+        .numbers("linear_velocity", state.speed().linear(), 0, 0)
+        .numbers("angular_velocity", 0, 0, state.speed().angular()).build();
   }
 
   LcmRecord transforms(RobotState state, long utime) {
@@ -59,20 +60,25 @@ final class LcmRecords {
   /** Looks along its z axis, with x to the right. */
   private LcmRecord camera(long utime) {
     return types.make("transform_t", utime).text("parent", BASE).text("child", "camera")
-        .numbers("position", robot.lens().forward(), 0, robot.lens().above()).numbers("orientation", 0.5, -0.5, 0.5, -0.5).build();
+        .numbers("position", robot.lens().forward(), 0, robot.lens().above())
+        .numbers("orientation", 0.5, -0.5, 0.5, -0.5).build();
   }
 
   private LcmRecord head(Head head, long utime) {
     double pan = head.pan() / 2;
     double tilt = head.tilt() / 2;
-    return types.make("transform_t", utime).text("parent", BASE).text("child", "head").numbers("position", 0, 0, Head.HEIGHT + Head.NECK)
-        .numbers("orientation", Math.cos(pan) * Math.cos(tilt), -Math.sin(pan) * Math.sin(tilt), Math.cos(pan) * Math.sin(tilt),
-            Math.sin(pan) * Math.cos(tilt)).build();
+    return types.make("transform_t", utime).text("parent", BASE).text("child", "head")
+        .numbers("position", 0, 0, Head.HEIGHT + Head.NECK)
+        .numbers("orientation", Math.cos(pan) * Math.cos(tilt), -Math.sin(pan) * Math.sin(tilt),
+            Math.cos(pan) * Math.sin(tilt),
+            Math.sin(pan) * Math.cos(tilt))
+        .build();
   }
 
   LcmRecord laser(float[] ranges, long utime) {
     LaserSpec spec = robot.laser();
-    return types.make("laser_t", utime).text("frame", "laser").real("angle_min", spec.angleMin()).real("angle_increment", spec.increment())
+    return types.make("laser_t", utime).text("frame", "laser").real("angle_min", spec.angleMin())
+        .real("angle_increment", spec.increment())
         .real("range_min", spec.rangeMin()).real("range_max", spec.rangeMax()).real("scan_time", 1 / spec.frequency())
         .numbers("ranges", doubles(ranges)).numbers("intensities").build();
   }
@@ -91,7 +97,8 @@ final class LcmRecords {
     Arrays.fill(heights, spec.height());
     return types.make("ranges_t", utime).text("frame", BASE).real("field_of_view", spec.cone())
         .real("range_min", spec.rangeMin()).real("range_max", spec.rangeMax()).numbers("ranges", ranges)
-        .numbers("x", spec.mounts().stream().mapToDouble(Pose2::x).toArray()).numbers("y", spec.mounts().stream().mapToDouble(Pose2::y).toArray())
+        .numbers("x", spec.mounts().stream().mapToDouble(Pose2::x).toArray())
+        .numbers("y", spec.mounts().stream().mapToDouble(Pose2::y).toArray())
         .numbers("z", heights).numbers("yaw", spec.mounts().stream().mapToDouble(Pose2::yaw).toArray()).build();
   }
 
@@ -102,23 +109,27 @@ final class LcmRecords {
 
   LcmRecord imu(Imu imu, long utime) {
     return types.make("imu_t", utime).text("frame", BASE).numbers("orientation", Types.turned(imu.heading()))
-        .numbers("angular_velocity", 0, 0, imu.turnRate()).numbers("acceleration", imu.forward(), imu.sideways(), Imu.GRAVITY).build();
+        .numbers("angular_velocity", 0, 0, imu.turnRate())
+        .numbers("acceleration", imu.forward(), imu.sideways(), Imu.GRAVITY).build();
   }
 
   LcmRecord battery(RobotState state, long utime) {
     BatteryReading battery = state.battery();
-    return types.make("battery_t", utime).real("level", battery.level()).real("voltage", battery.voltage()).real("current", battery.current())
+    return types.make("battery_t", utime).real("level", battery.level()).real("voltage", battery.voltage())
+        .real("current", battery.current())
         .real("charge", battery.charge() * SECONDS_AN_HOUR).real("capacity", Battery.CAPACITY * SECONDS_AN_HOUR)
         .flag("charging", battery.charging()).build();
   }
 
   LcmRecord picture(byte[] jpeg, long utime) {
-    return types.make("image_t", utime).text("frame", "camera").whole("width", robot.lens().width()).whole("height", robot.lens().height())
+    return types.make("image_t", utime).text("frame", "camera").whole("width", robot.lens().width())
+        .whole("height", robot.lens().height())
         .text("encoding", "jpeg").bytes("data", ByteBuffer.wrap(jpeg)).build();
   }
 
   LcmRecord map(GridMap map, long utime) {
-    return types.make("map_t", utime).text("frame", MAP).real("resolution", map.resolution()).numbers("origin", map.originX(), map.originY(), 0)
+    return types.make("map_t", utime).text("frame", MAP).real("resolution", map.resolution())
+        .numbers("origin", map.originX(), map.originY(), 0)
         .whole("width", map.width()).whole("height", map.height()).bytes("cells", ByteBuffer.wrap(map.cells())).build();
   }
 
@@ -135,12 +146,14 @@ final class LcmRecords {
       case ABORTED -> "FAILED";
       case REJECTED -> "REFUSED";
     };
-    return types.make("goal_status_t", utime).text("id", status.id()).whole("status", types.constant("goal_status_t", name))
+    return types.make("goal_status_t", utime).text("id", status.id())
+        .whole("status", types.constant("goal_status_t", name))
         .text("text", status.text()).build();
   }
 
   LcmRecord log(Event event, long utime) {
-    return types.make("log_t", utime).whole("level", types.constant("log_t", event.severity().name())).text("source", event.source())
+    return types.make("log_t", utime).whole("level", types.constant("log_t", event.severity().name()))
+        .text("source", event.source())
         .text("text", event.text()).build();
   }
 }

@@ -19,8 +19,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where messages go: multicast that does not leave this machine, on a port that nobody else uses, or a server of our own where there
- * is no multicast.
+ * Where messages go: multicast that does not leave this machine, on a port that nobody else uses, or a server of our
+ * own where there is no multicast.
  *
  * @param lcm the connection
  * @param server the server, if there is one
@@ -58,7 +58,8 @@ record LcmTransport(Lcm lcm, Optional<TcpqServer> server) implements AutoCloseab
   private static LcmTransport served(ThreadFactory threads) throws IOException {
     TcpqServer server = TcpqServer.open(TcpqServerOptions.loopback(threads, 0));
     try {
-      return new LcmTransport(working(LcmUrl.of("tcpq://127.0.0.1:" + server.address().getPort()), threads), Optional.of(server));
+      return new LcmTransport(working(LcmUrl.of("tcpq://127.0.0.1:" + server.address().getPort()), threads),
+          Optional.of(server));
     } catch (IOException e) {
       server.close();
       throw e;

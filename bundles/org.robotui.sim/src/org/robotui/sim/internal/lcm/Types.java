@@ -34,14 +34,16 @@ final class Types {
   /** @throws IllegalArgumentException if there is no file of the type */
   LcmType type(String name) {
     return library.type(PACKAGE + name).orElseThrow(() -> new IllegalArgumentException(
-        "the type " + PACKAGE + name + " is in no file of " + folder + "; give the folder with the types of the package robotui"));
+        "the type " + PACKAGE + name + " is in no file of " + folder
+            + "; give the folder with the types of the package robotui"));
   }
 
   /** @throws IllegalArgumentException if the type has no such constant */
   long constant(String typeName, String constant) {
     return type(typeName).definition().constants().stream().filter(each -> each.name().equals(constant)).findFirst()
         .map(each -> each.value().longValue())
-        .orElseThrow(() -> new IllegalArgumentException("the type " + PACKAGE + typeName + " in " + folder + " has no constant " + constant));
+        .orElseThrow(() -> new IllegalArgumentException(
+            "the type " + PACKAGE + typeName + " in " + folder + " has no constant " + constant));
   }
 
   /** A record with its time, microseconds since 1970. */
@@ -50,7 +52,8 @@ final class Types {
   }
 
   LcmRecord pose(long utime, String frame, Pose2 pose) {
-    return make("pose_t", utime).text("frame", frame).numbers("position", pose.x(), pose.y(), 0).numbers("orientation", turned(pose.yaw())).build();
+    return make("pose_t", utime).text("frame", frame).numbers("position", pose.x(), pose.y(), 0)
+        .numbers("orientation", turned(pose.yaw())).build();
   }
 
   /** A place on the robot, or of a frame in another. */
@@ -61,6 +64,6 @@ final class Types {
 
   /** A turn about the vertical axis: w, x, y, z. */
   static double[] turned(double yaw) {
-    return new double[] {Math.cos(yaw / 2), 0, 0, Math.sin(yaw / 2)};
+    return new double[]{Math.cos(yaw / 2), 0, 0, Math.sin(yaw / 2)};
   }
 }

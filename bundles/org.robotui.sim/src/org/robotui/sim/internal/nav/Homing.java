@@ -5,7 +5,9 @@ import java.util.Optional;
 import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.world.Pose2;
 
-/** Drives straight to a place of odometry, as simple bases do: nothing is planned and nothing avoided. For one thread. */
+/**
+ * Drives straight to a place of odometry, as simple bases do: nothing is planned and nothing avoided. For one thread.
+ */
 public final class Homing {
   private final PathFollower follower;
 

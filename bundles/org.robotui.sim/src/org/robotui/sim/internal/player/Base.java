@@ -15,8 +15,8 @@ import org.robotui.sim.internal.robot.Speed;
 import org.robotui.sim.internal.world.Pose2;
 
 /**
- * {@code position2d:0}. A velocity holds for two seconds, as with a Pioneer's own watchdog, and when the last client goes the
- * robot stops.
+ * {@code position2d:0}. A velocity holds for two seconds, as with a Pioneer's own watchdog, and when the last client
+ * goes the robot stops.
  */
 final class Base implements Part {
   private static final Rate RATE = new Rate(20);
@@ -57,7 +57,8 @@ final class Base implements Part {
     if (Poses.isFinite(place) && Poses.isFinite(velocity)) {
       driven.set(true);
       Speed cruise = bench.state().tuning().cruise();
-      bench.submit(new Command.Approach(Poses.planar(place), new Speed(most(velocity.x(), cruise.linear()), most(velocity.yaw(), cruise.angular()))));
+      bench.submit(new Command.Approach(Poses.planar(place),
+          new Speed(most(velocity.x(), cruise.linear()), most(velocity.yaw(), cruise.angular()))));
     }
   }
 
@@ -83,7 +84,8 @@ final class Base implements Part {
   public void step(long step, RobotState state, double stamp) {
     if (RATE.isDue(step)) {
       Pose2d velocity = new Pose2d(state.speed().linear(), 0, state.speed().angular());
-      device.publish(Position2d.STATE, new Position2d.State(Poses.of(state.odometry()), velocity, state.bumped()), stamp);
+      device.publish(Position2d.STATE, new Position2d.State(Poses.of(state.odometry()), velocity, state.bumped()),
+          stamp);
     }
   }
 }

@@ -23,7 +23,7 @@ record Bench(Layouts layouts, PlayerServer server, SimulatedRobot robot) {
   }
 
   TypedHandler handler() {
-    return handler(clients -> { });
+    return handler(clients -> {});
   }
 
   TypedHandler handler(IntConsumer clients) {
@@ -43,7 +43,8 @@ record Bench(Layouts layouts, PlayerServer server, SimulatedRobot robot) {
   Optional<Empty> done(Command command) {
     CountDownLatch done = new CountDownLatch(1);
     try {
-      boolean taken = robot.simulation().submit(command, done::countDown) && done.await(PATIENCE_SECONDS, TimeUnit.SECONDS);
+      boolean taken =
+          robot.simulation().submit(command, done::countDown) && done.await(PATIENCE_SECONDS, TimeUnit.SECONDS);
       return taken ? Optional.of(new Empty()) : Optional.empty();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -19,13 +19,15 @@ final class Bumpers implements Part {
   Bumpers(Bench bench) {
     RobotModel robot = bench.robot().model();
     List<Bumper.Part> parts = robot.bumpers().stream().map(bumper -> part(bumper, robot)).toList();
-    device = bench.add("bumper", 0, bench.handler().on(Bumper.GET_GEOMETRY, none -> Optional.of(new Bumper.Geometry(parts))));
+    device = bench.add("bumper", 0,
+        bench.handler().on(Bumper.GET_GEOMETRY, none -> Optional.of(new Bumper.Geometry(parts))));
   }
 
   private static Bumper.Part part(BumperSpec bumper, RobotModel robot) {
     double bearing = bumper.middle();
     Pose2 middle = new Pose2(robot.radius() * Math.cos(bearing), robot.radius() * Math.sin(bearing), bearing);
-    return new Bumper.Part(Poses.mount(middle, robot.height() / 2), (float) bumper.length(robot.radius()), (float) robot.radius());
+    return new Bumper.Part(Poses.mount(middle, robot.height() / 2), (float) bumper.length(robot.radius()),
+        (float) robot.radius());
   }
 
   @Override

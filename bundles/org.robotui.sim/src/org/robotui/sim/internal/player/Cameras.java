@@ -9,7 +9,10 @@ import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.camera.CameraRenderer;
 import org.robotui.sim.internal.camera.Lens;
 
-/** The camera: pixels as {@code camera:0}, JPEG as {@code camera:1}. Pictures are only made while somebody has one of them open. */
+/**
+ * The camera: pixels as {@code camera:0}, JPEG as {@code camera:1}. Pictures are only made while somebody has one of
+ * them open.
+ */
 final class Cameras implements Part {
   private static final Rate RATE = new Rate(10);
   private static final int BITS = 24;

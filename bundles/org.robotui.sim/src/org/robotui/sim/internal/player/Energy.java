@@ -23,7 +23,8 @@ final class Energy implements Part {
     if (RATE.isDue(step)) {
       BatteryReading battery = state.battery();
       device.publish(Power.STATE, new Power.State(ALL, (float) battery.voltage(), (float) (100 * battery.level()),
-          (float) (battery.charge() * SECONDS_AN_HOUR * battery.voltage()), (float) (battery.voltage() * battery.current()),
+          (float) (battery.charge() * SECONDS_AN_HOUR * battery.voltage()),
+          (float) (battery.voltage() * battery.current()),
           battery.charging() ? 1 : 0), stamp);
     }
   }

@@ -63,13 +63,19 @@ final class Inertia implements Part {
     Pose3d pose = new Pose3d(0, 0, 0, 0, 0, yaw);
     switch (type) {
       case CALIBRATED -> device.publish(org.robotui.player.interfaces.Imu.CALIBRATED, measured, stamp);
-      case QUATERNION -> device.publish(org.robotui.player.interfaces.Imu.QUATERNION, new org.robotui.player.interfaces.Imu.Quaternion(
-          measured, (float) Math.cos(yaw / 2), 0, 0, (float) Math.sin(yaw / 2)), stamp);
+      case QUATERNION -> device.publish(org.robotui.player.interfaces.Imu.QUATERNION,
+          new org.robotui.player.interfaces.Imu.Quaternion(
+              measured, (float) Math.cos(yaw / 2), 0, 0, (float) Math.sin(yaw / 2)),
+          stamp);
       case EULER -> device.publish(org.robotui.player.interfaces.Imu.EULER,
           new org.robotui.player.interfaces.Imu.Euler(measured, new Angles(0, 0, (float) yaw)), stamp);
-      case FULL_STATE -> device.publish(org.robotui.player.interfaces.Imu.FULL_STATE, new org.robotui.player.interfaces.Imu.FullState(
-          pose, new Pose3d(state.speed().linear(), 0, 0, 0, 0, imu.turnRate()), new Pose3d(imu.forward(), imu.sideways(), Imu.GRAVITY, 0, 0, 0)), stamp);
-      default -> device.publish(org.robotui.player.interfaces.Imu.STATE, new org.robotui.player.interfaces.Imu.State(pose), stamp);
+      case FULL_STATE -> device.publish(org.robotui.player.interfaces.Imu.FULL_STATE,
+          new org.robotui.player.interfaces.Imu.FullState(
+              pose, new Pose3d(state.speed().linear(), 0, 0, 0, 0, imu.turnRate()),
+              new Pose3d(imu.forward(), imu.sideways(), Imu.GRAVITY, 0, 0, 0)),
+          stamp);
+      default -> device.publish(org.robotui.player.interfaces.Imu.STATE,
+          new org.robotui.player.interfaces.Imu.State(pose), stamp);
     }
   }
 }

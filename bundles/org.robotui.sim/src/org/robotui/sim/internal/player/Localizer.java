@@ -28,7 +28,7 @@ final class Localizer implements Part {
     }
 
     double[] covariance() {
-      return new double[] {place, place, heading, 0, 0, 0};
+      return new double[]{place, place, heading, 0, 0, 0};
     }
   }
 
@@ -40,7 +40,8 @@ final class Localizer implements Part {
   }
 
   private Optional<Empty> believe(Localize.Estimate there) {
-    return Poses.isFinite(there.mean()) ? bench.done(new Command.InitialPose(Poses.planar(there.mean()))) : Optional.empty();
+    return Poses.isFinite(there.mean()) ? bench.done(new Command.InitialPose(Poses.planar(there.mean())))
+        : Optional.empty();
   }
 
   /** The spread as a cloud, as a filter would have it. */
@@ -49,7 +50,8 @@ final class Localizer implements Part {
     Random random = new Random(SEED);
     List<Localize.Particle> all = new ArrayList<>();
     for (int i = 0; i < PARTICLES; i++) {
-      Pose2 off = new Pose2(Math.sqrt(spread.place()) * random.nextGaussian(), Math.sqrt(spread.place()) * random.nextGaussian(),
+      Pose2 off = new Pose2(Math.sqrt(spread.place()) * random.nextGaussian(),
+          Math.sqrt(spread.place()) * random.nextGaussian(),
           Math.sqrt(spread.heading()) * random.nextGaussian());
       all.add(new Localize.Particle(Poses.of(state.estimate().times(off)), 1.0 / PARTICLES));
     }

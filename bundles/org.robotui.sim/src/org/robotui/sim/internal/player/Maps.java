@@ -27,7 +27,8 @@ final class Maps implements Part {
   private Optional<PlayerMap.Tile> tile(PlayerMap.Tile asked) {
     boolean within = asked.column() + asked.width() <= map.width() && asked.row() + asked.height() <= map.height();
     return Optional.of(asked).filter(tile -> within && tile.width() > 0 && tile.height() > 0)
-        .map(tile -> new PlayerMap.Tile(tile.column(), tile.row(), tile.width(), tile.height(), RANGE, compressed(tile)));
+        .map(tile -> new PlayerMap.Tile(tile.column(), tile.row(), tile.width(), tile.height(), RANGE,
+            compressed(tile)));
   }
 
   private byte[] compressed(PlayerMap.Tile tile) {

@@ -56,7 +56,8 @@ final class Neck implements Part {
 
   /** As far as the neck can turn. */
   private static Look onwards(Ptz.Move wish) {
-    return new Look(Math.copySign(Math.PI, wish.panSpeed()), Math.copySign(Math.PI, -wish.tiltSpeed()), Math.abs(wish.panSpeed()), Math.abs(wish.tiltSpeed()));
+    return new Look(Math.copySign(Math.PI, wish.panSpeed()), Math.copySign(Math.PI, -wish.tiltSpeed()),
+        Math.abs(wish.panSpeed()), Math.abs(wish.tiltSpeed()));
   }
 
   @Override
@@ -64,7 +65,9 @@ final class Neck implements Part {
     if (RATE.isDue(step)) {
       float zoom = (float) bench.robot().model().lens().fieldOfView();
       state.head().ifPresent(head -> device.publish(Ptz.STATE,
-          new Ptz.State((float) head.pan(), (float) -head.tilt(), zoom, (float) head.panSpeed(), (float) -head.tiltSpeed(), 0), stamp));
+          new Ptz.State((float) head.pan(), (float) -head.tilt(), zoom, (float) head.panSpeed(),
+              (float) -head.tiltSpeed(), 0),
+          stamp));
     }
   }
 }

@@ -12,6 +12,5 @@ interface Part extends AutoCloseable {
   void step(long step, RobotState state, double stamp);
 
   @Override
-  default void close() {
-  }
+  default void close() {}
 }

@@ -71,7 +71,8 @@ final class Planning implements Part {
     if (way.size() <= MOST_WAYPOINTS) {
       return way;
     }
-    return IntStream.range(0, MOST_WAYPOINTS).mapToObj(i -> way.get((int) ((long) i * (way.size() - 1) / (MOST_WAYPOINTS - 1)))).toList();
+    return IntStream.range(0, MOST_WAYPOINTS)
+        .mapToObj(i -> way.get((int) ((long) i * (way.size() - 1) / (MOST_WAYPOINTS - 1)))).toList();
   }
 
   @Override
@@ -86,8 +87,10 @@ final class Planning implements Part {
     Pose2 here = state.estimate();
     int next = Math.min(nearest(way, here) + 1, way.size() - 1);
     Pose2 goal = state.goal().orElse(here);
-    boolean done = state.goal().isEmpty() && state.goalStatus().number() > 0 && state.goalStatus().phase() == GoalStatus.Phase.SUCCEEDED;
-    return new Planner.State(!way.isEmpty(), done, Poses.of(here), Poses.of(goal), Poses.of(next < 0 ? here : way.get(next)), next, way.size());
+    boolean done = state.goal().isEmpty() && state.goalStatus().number() > 0
+        && state.goalStatus().phase() == GoalStatus.Phase.SUCCEEDED;
+    return new Planner.State(!way.isEmpty(), done, Poses.of(here), Poses.of(goal),
+        Poses.of(next < 0 ? here : way.get(next)), next, way.size());
   }
 
   private static int nearest(List<Pose2> way, Pose2 here) {

@@ -25,12 +25,17 @@ final class Scanner implements Part {
     spec = bench.robot().model().laser();
     laser = bench.add("laser", 0, bench.handler()
         .on(Laser.GET_GEOMETRY, none -> Optional.of(body()))
-        .on(Laser.GET_CONFIG, none -> Optional.of(new Laser.Config((float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(),
-            (float) spec.rangeMax(), (float) RESOLUTION, false, (float) spec.frequency()))));
+        .on(Laser.GET_CONFIG,
+            none -> Optional
+                .of(new Laser.Config((float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(),
+                    (float) spec.rangeMax(), (float) RESOLUTION, false, (float) spec.frequency()))));
     ranger = bench.add("ranger", rangerIndex, bench.handler()
-        .on(Ranger.GET_GEOMETRY, none -> Optional.of(new Ranger.Geometry(body().pose(), body().size(), List.of(Poses.ahead(0, 0)), List.of(body().size()))))
+        .on(Ranger.GET_GEOMETRY,
+            none -> Optional.of(
+                new Ranger.Geometry(body().pose(), body().size(), List.of(Poses.ahead(0, 0)), List.of(body().size()))))
         .on(Ranger.GET_CONFIG, none -> Optional.of(new Ranger.Config(
-            spec.angleMin(), -spec.angleMin(), spec.increment(), spec.rangeMin(), spec.rangeMax(), RESOLUTION, spec.frequency()))));
+            spec.angleMin(), -spec.angleMin(), spec.increment(), spec.rangeMin(), spec.rangeMax(), RESOLUTION,
+            spec.frequency()))));
   }
 
   private Body body() {
@@ -49,8 +54,11 @@ final class Scanner implements Part {
       same[i] = ranges[i];
     }
     sweeps++;
-    laser.publish(Laser.SCAN, new Laser.Scan((float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(), (float) spec.rangeMax(),
-        ranges, new byte[0], sweeps), stamp);
+    laser.publish(Laser.SCAN,
+        new Laser.Scan((float) spec.angleMin(), (float) -spec.angleMin(), (float) spec.increment(),
+            (float) spec.rangeMax(),
+            ranges, new byte[0], sweeps),
+        stamp);
     ranger.publish(Ranger.RANGES, new Ranger.Ranges(same), stamp);
   }
 }

@@ -32,10 +32,13 @@ final class Sonars implements Part {
         .on(Sonar.GET_GEOMETRY, none -> Optional.of(new Sonar.Geometry(mounts))));
     double diameter = 2 * bench.robot().model().radius();
     ranger = bench.add("ranger", 0, bench.handler()
-        .on(Ranger.GET_GEOMETRY, none -> Optional.of(new Ranger.Geometry(Poses.ahead(0, 0), new Size3d(diameter, diameter, SIZE.height()), mounts,
-            Collections.nCopies(spec.count(), SIZE))))
+        .on(Ranger.GET_GEOMETRY,
+            none -> Optional
+                .of(new Ranger.Geometry(Poses.ahead(0, 0), new Size3d(diameter, diameter, SIZE.height()), mounts,
+                    Collections.nCopies(spec.count(), SIZE))))
         .on(Ranger.GET_CONFIG, none -> Optional.of(new Ranger.Config(
-            -spec.cone() / 2, spec.cone() / 2, spec.cone(), spec.rangeMin(), spec.rangeMax(), RESOLUTION, RATE.hertz()))));
+            -spec.cone() / 2, spec.cone() / 2, spec.cone(), spec.rangeMin(), spec.rangeMax(), RESOLUTION,
+            RATE.hertz()))));
   }
 
   @Override
@@ -43,7 +46,8 @@ final class Sonars implements Part {
     if (!RATE.isDue(step) || sonar.clients() + ranger.clients() == 0) {
       return;
     }
-    double[] ranges = IntStream.range(0, spec.count()).mapToDouble(i -> Math.min(bench.robot().sensors().sonar(i), spec.rangeMax())).toArray();
+    double[] ranges = IntStream.range(0, spec.count())
+        .mapToDouble(i -> Math.min(bench.robot().sensors().sonar(i), spec.rangeMax())).toArray();
     float[] same = new float[ranges.length];
     for (int i = 0; i < same.length; i++) {
       same[i] = (float) ranges[i];

@@ -57,7 +57,10 @@ final class BaseMessages {
     return covariance;
   }
 
-  /** The moving edges of the tree: the map to odometry, odometry to the base, and the base to the head and to the wheels. */
+  /**
+   * The moving edges of the tree: the map to odometry, odometry to the base, and the base to the head and to the
+   * wheels.
+   */
   TFMessage transforms(RobotState state, Stamp stamp) {
     Header map = stamp.header(Frames.MAP);
     Header odometry = stamp.header(frames.odometry());
@@ -81,7 +84,8 @@ final class BaseMessages {
 
   private static RigidTransform turned(double height, double pitch, double yaw) {
     return new RigidTransform(
-        new org.robotui.geometry.Vector3(0, 0, height), org.robotui.geometry.Quaternion.fromRollPitchYaw(0, pitch, yaw));
+        new org.robotui.geometry.Vector3(0, 0, height),
+        org.robotui.geometry.Quaternion.fromRollPitchYaw(0, pitch, yaw));
   }
 
   PoseWithCovarianceStamped estimate(RobotState state, Stamp stamp) {
@@ -113,10 +117,10 @@ final class BaseMessages {
     double right = (speed.linear() + half) / robot.wheels().radius();
     return state.head()
         .map(head -> joints(stamp, List.of("left_wheel_joint", "right_wheel_joint", "pan_joint", "tilt_joint"),
-            new double[] {state.leftWheel(), state.rightWheel(), head.pan(), head.tilt()},
-            new double[] {left, right, head.panSpeed(), head.tiltSpeed()}))
+            new double[]{state.leftWheel(), state.rightWheel(), head.pan(), head.tilt()},
+            new double[]{left, right, head.panSpeed(), head.tiltSpeed()}))
         .orElseGet(() -> joints(stamp, List.of("left_wheel_joint", "right_wheel_joint"),
-            new double[] {state.leftWheel(), state.rightWheel()}, new double[] {left, right}));
+            new double[]{state.leftWheel(), state.rightWheel()}, new double[]{left, right}));
   }
 
   private static JointState joints(Stamp stamp, List<String> names, double[] positions, double[] velocities) {
@@ -133,7 +137,7 @@ final class BaseMessages {
   }
 
   private static double[] diagonal(double x, double y, double z) {
-    return new double[] {x, 0, 0, 0, y, 0, 0, 0, z};
+    return new double[]{x, 0, 0, 0, y, 0, 0, 0, z};
   }
 
   BatteryState battery(RobotState state, Stamp stamp) {

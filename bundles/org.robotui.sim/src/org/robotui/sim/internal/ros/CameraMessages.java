@@ -27,18 +27,21 @@ final class CameraMessages {
       bytes[3 * i + 2] = (byte) pixels[i];
     }
     return new Image(
-        stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "rgb8", 0, 3L * lens.width(), ByteBuffer.wrap(bytes));
+        stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "rgb8", 0, 3L * lens.width(),
+        ByteBuffer.wrap(bytes));
   }
 
   /** @param millimetres as unsigned numbers, zero where nothing was measured */
   Image depth(short[] millimetres, Stamp stamp) {
     ByteBuffer bytes = ByteBuffer.allocate(Short.BYTES * millimetres.length).order(ByteOrder.LITTLE_ENDIAN);
     bytes.asShortBuffer().put(millimetres);
-    return new Image(stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "16UC1", 0, (long) Short.BYTES * lens.width(), bytes);
+    return new Image(stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "16UC1", 0,
+        (long) Short.BYTES * lens.width(), bytes);
   }
 
   CompressedImage compressed(byte[] jpeg, Stamp stamp) {
-    return new CompressedImage(stamp.header(frames.cameraOptical()), "rgb8; jpeg compressed bgr8", ByteBuffer.wrap(jpeg));
+    return new CompressedImage(stamp.header(frames.cameraOptical()), "rgb8; jpeg compressed bgr8",
+        ByteBuffer.wrap(jpeg));
   }
 
   CameraInfo info(Stamp stamp) {
@@ -47,9 +50,9 @@ final class CameraMessages {
     double cy = lens.centreY() - 0.5;
     return new CameraInfo(
         stamp.header(frames.cameraOptical()), lens.height(), lens.width(), "plumb_bob", new double[5],
-        new double[] {f, 0, cx, 0, f, cy, 0, 0, 1},
-        new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1},
-        new double[] {f, 0, cx, 0, 0, f, cy, 0, 0, 0, 1, 0},
+        new double[]{f, 0, cx, 0, f, cy, 0, 0, 1},
+        new double[]{1, 0, 0, 0, 1, 0, 0, 0, 1},
+        new double[]{f, 0, cx, 0, 0, f, cy, 0, 0, 0, 1, 0},
         0, 0, new RegionOfInterest(0, 0, 0, 0, false));
   }
 }

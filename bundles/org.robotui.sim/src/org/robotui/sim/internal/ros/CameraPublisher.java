@@ -34,7 +34,8 @@ final class CameraPublisher implements AutoCloseable {
     PublisherOptions options = PublisherOptions.standard().withQueue(QUEUE);
     raw = node.publisher("camera/image_raw", RecordCodec.of(Image.class), options);
     compressed = node.publisher("camera/image_raw/compressed", RecordCodec.of(CompressedImage.class), options);
-    shutter = new Shutter("camera", Rate.CAMERA, messages, node.publisher("camera/camera_info", RecordCodec.of(CameraInfo.class), options),
+    shutter = new Shutter("camera", Rate.CAMERA, messages,
+        node.publisher("camera/camera_info", RecordCodec.of(CameraInfo.class), options),
         () -> raw.numSubscribers() + compressed.numSubscribers() > 0, this::take);
   }
 

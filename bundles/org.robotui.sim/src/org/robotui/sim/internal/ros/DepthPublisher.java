@@ -30,7 +30,8 @@ final class DepthPublisher implements AutoCloseable {
     messages = new CameraMessages(frames, lens);
     PublisherOptions options = PublisherOptions.standard().withQueue(QUEUE);
     raw = node.publisher("camera/depth/image_raw", RecordCodec.of(Image.class), options);
-    shutter = new Shutter("depth camera", Rate.DEPTH, messages, node.publisher("camera/depth/camera_info", RecordCodec.of(CameraInfo.class), options),
+    shutter = new Shutter("depth camera", Rate.DEPTH, messages,
+        node.publisher("camera/depth/camera_info", RecordCodec.of(CameraInfo.class), options),
         () -> raw.numSubscribers() > 0, this::take);
   }
 

@@ -8,8 +8,8 @@ import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.robot.Head;
 
 /**
- * What the robot is made of, as URDF: solids only, so that nobody needs files for it. Links are named as the frames are, with the
- * robot's namespace, and fixed joints are the static transforms.
+ * What the robot is made of, as URDF: solids only, so that nobody needs files for it. Links are named as the frames
+ * are, with the robot's namespace, and fixed joints are the static transforms.
  */
 final class Description {
   private static final String DARK = "dark";
@@ -114,7 +114,8 @@ final class Description {
 
   private void turning(String joint, String parent, String child, double height, String axis, double reach) {
     add("<joint name=\"%s\" type=\"revolute\"><parent link=\"%s\"/><child link=\"%s\"/><origin xyz=\"0 0 %s\"/><axis xyz=\"%s\"/>"
-        + "<limit lower=\"%s\" upper=\"%s\" effort=\"2\" velocity=\"1.5\"/></joint>", joint, parent, child, height, axis, -reach, reach);
+        + "<limit lower=\"%s\" upper=\"%s\" effort=\"2\" velocity=\"1.5\"/></joint>", joint, parent, child, height,
+        axis, -reach, reach);
   }
 
   private void sensor(String link) {

@@ -41,9 +41,9 @@ final class DiagnosticMessages {
   private DiagnosticStatus battery(RobotState state) {
     double level = state.battery().level();
     KeyValue[] values = {
-      value("charge (%)", "%.1f", 100 * level),
-      value("voltage (V)", "%.2f", state.battery().voltage()),
-      value("current (A)", "%.2f", state.battery().current())
+        value("charge (%)", "%.1f", 100 * level),
+        value("voltage (V)", "%.2f", state.battery().voltage()),
+        value("current (A)", "%.2f", state.battery().current())
     };
     if (level <= 0) {
       return status(DiagnosticStatus.ERROR, "battery", "empty, motors off", values);

@@ -62,14 +62,18 @@ final class DriveGoals {
     return meant;
   }
 
-  /** Follows the robot; answers the goals that ended with this. Those that came before the one it drives to are replaced. */
+  /**
+   * Follows the robot; answers the goals that ended with this. Those that came before the one it drives to are
+   * replaced.
+   */
   List<DriveGoal> follow(org.robotui.sim.internal.GoalStatus robot, long now) {
     List<DriveGoal> ended = new ArrayList<>();
     int current = indexOf(robot.id());
     for (int i = 0; i <= current; i++) {
       DriveGoal before = goals.get(i);
       if (!before.isOver()) {
-        DriveGoal after = i < current ? before.with(GoalStatus.PREEMPTED, "goal replaced", now) : followed(before, robot, now);
+        DriveGoal after =
+            i < current ? before.with(GoalStatus.PREEMPTED, "goal replaced", now) : followed(before, robot, now);
         goals.set(i, after);
         if (after.isOver()) {
           ended.add(after);

@@ -20,7 +20,8 @@ final class LidarPublisher implements AutoCloseable {
   private static final int QUEUE = 2;
   private static final int FLOAT32 = 7;
   private static final int STEP = Lidar.NUMBERS * Float.BYTES;
-  private static final List<PointField> FIELDS = List.of(field("x", 0), field("y", 1), field("z", 2), field("intensity", 3));
+  private static final List<PointField> FIELDS =
+      List.of(field("x", 0), field("y", 1), field("z", 2), field("intensity", 3));
 
   private final Lidar lidar;
   private final String frame;
@@ -31,7 +32,8 @@ final class LidarPublisher implements AutoCloseable {
   LidarPublisher(RosNode node, Lidar lidar, Frames frames) {
     this.lidar = lidar;
     frame = frames.lidar();
-    points = node.publisher("lidar/points", RecordCodec.of(PointCloud2.class), PublisherOptions.standard().withQueue(QUEUE));
+    points =
+        node.publisher("lidar/points", RecordCodec.of(PointCloud2.class), PublisherOptions.standard().withQueue(QUEUE));
   }
 
   /** @param world with everybody in it at this moment */

@@ -18,7 +18,10 @@ import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.Simulation;
 
-/** Serves the action {@code move_base}, and takes simple goals as goals of it. Locked, as goals come on threads of their links. */
+/**
+ * Serves the action {@code move_base}, and takes simple goals as goals of it. Locked, as goals come on threads of their
+ * links.
+ */
 final class MoveBase {
   private final Simulation simulation;
   private final Places places;
@@ -41,7 +44,8 @@ final class MoveBase {
     feedback = Topic.plain(node, "move_base/feedback", RecordCodec.of(MoveBaseActionFeedback.class));
     result = Topic.plain(node, "move_base/result", RecordCodec.of(MoveBaseActionResult.class));
     SubscriberOptions options = SubscriberOptions.standard();
-    node.subscriber("move_base/goal", RecordCodec.of(MoveBaseActionGoal.class), options, (goal, from) -> take(named(goal), goal.goal().targetPose()));
+    node.subscriber("move_base/goal", RecordCodec.of(MoveBaseActionGoal.class), options,
+        (goal, from) -> take(named(goal), goal.goal().targetPose()));
     node.subscriber("move_base/cancel", RecordCodec.of(GoalID.class), options, (id, from) -> cancel(id));
     node.subscriber("move_base_simple/goal", RecordCodec.of(PoseStamped.class), options, (goal, from) -> drive(goal));
   }
@@ -99,7 +103,8 @@ final class MoveBase {
   }
 
   private void publishResult(DriveGoal goal) {
-    result.publish(clock.nanos(), stamp -> new MoveBaseActionResult(stamp.header(""), goal.message(), new MoveBaseResult()));
+    result.publish(clock.nanos(),
+        stamp -> new MoveBaseActionResult(stamp.header(""), goal.message(), new MoveBaseResult()));
     publishStatus(clock.nanos());
   }
 

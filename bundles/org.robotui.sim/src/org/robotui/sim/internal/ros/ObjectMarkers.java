@@ -14,7 +14,10 @@ import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.Thing;
 import org.robotui.sim.internal.world.World;
 
-/** What stands around, as something that recognises objects would say it: boxes, cylinders, their names, and who walks by. */
+/**
+ * What stands around, as something that recognises objects would say it: boxes, cylinders, their names, and who walks
+ * by.
+ */
 final class ObjectMarkers {
   private static final double LETTERS = 0.16;
   private static final float GLASS = 0.45f;
@@ -41,14 +44,17 @@ final class ObjectMarkers {
     List<Marker> all = new ArrayList<>(things);
     state.person().ifPresent(place -> {
       Header map = stamp.header(Frames.MAP);
-      all.add(body(map, "people", 0, Marker.CYLINDER, place, new Vector3(PERSON_WIDTH, PERSON_WIDTH, PERSON_HEIGHT), COAT, 2 * SECOND));
+      all.add(body(map, "people", 0, Marker.CYLINDER, place, new Vector3(PERSON_WIDTH, PERSON_WIDTH, PERSON_HEIGHT),
+          COAT, 2 * SECOND));
       all.add(name(map, things.size(), place, PERSON_HEIGHT, "person", 2 * SECOND));
     });
     return new MarkerArray(all);
   }
 
-  private static Marker body(Header header, String namespace, int id, int type, Pose2 place, Vector3 size, int colour, long lifetime) {
-    ColorRGBA paint = new ColorRGBA((colour >> 16 & 0xff) / 255f, (colour >> 8 & 0xff) / 255f, (colour & 0xff) / 255f, GLASS);
+  private static Marker body(Header header, String namespace, int id, int type, Pose2 place, Vector3 size, int colour,
+      long lifetime) {
+    ColorRGBA paint =
+        new ColorRGBA((colour >> 16 & 0xff) / 255f, (colour >> 8 & 0xff) / 255f, (colour & 0xff) / 255f, GLASS);
     return marker(header, namespace, id, type, at(place, size.z() / 2), size, paint, lifetime, "");
   }
 
@@ -61,7 +67,9 @@ final class ObjectMarkers {
     return new Pose(new Point(place.x(), place.y(), height), Poses.yaw(place.yaw()));
   }
 
-  private static Marker marker(Header header, String namespace, int id, int type, Pose pose, Vector3 size, ColorRGBA paint, long lifetime, String text) {
-    return new Marker(header, namespace, id, type, Marker.ADD, pose, size, paint, lifetime, false, new double[0], new float[0], text, "", false);
+  private static Marker marker(Header header, String namespace, int id, int type, Pose pose, Vector3 size,
+      ColorRGBA paint, long lifetime, String text) {
+    return new Marker(header, namespace, id, type, Marker.ADD, pose, size, paint, lifetime, false, new double[0],
+        new float[0], text, "", false);
   }
 }

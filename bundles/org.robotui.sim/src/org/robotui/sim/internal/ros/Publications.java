@@ -67,7 +67,8 @@ final class Publications {
     tf = Topic.plain(node, "/tf", RecordCodec.of(TFMessage.class));
     odometry = Topic.plain(node, "odom", RecordCodec.of(Odometry.class));
     scan = Topic.plain(node, "scan", RecordCodec.of(LaserScan.class));
-    sonar = sonars.count() == 0 ? Optional.empty() : Optional.of(Topic.plain(node, "sonar", RecordCodec.of(Range.class)));
+    sonar =
+        sonars.count() == 0 ? Optional.empty() : Optional.of(Topic.plain(node, "sonar", RecordCodec.of(Range.class)));
     imu = Topic.plain(node, "imu/data", RecordCodec.of(Imu.class));
     joints = Topic.plain(node, "joint_states", RecordCodec.of(JointState.class));
     battery = Topic.latched(node, "battery_state", RecordCodec.of(BatteryState.class));

@@ -39,7 +39,8 @@ public final class RosFace implements Face {
    */
   public static RosFace open(RosOptions options, ThreadFactory threads, Runnable gone) throws IOException {
     DemoMaster master = DemoMaster.open(options, threads);
-    RosNode node = RosNode.open(master.environment(arguments(options)), GraphName.of(options.name()), NodeOptions.standard(threads));
+    RosNode node = RosNode.open(master.environment(arguments(options)), GraphName.of(options.name()),
+        NodeOptions.standard(threads));
     RosFace face = new RosFace(master, node, options);
     try {
       face.awaitMaster();
@@ -62,7 +63,8 @@ public final class RosFace implements Face {
   /** The first time for the parameters of the command line, which the robot reads; then for all it advertises. */
   private void awaitMaster() throws IOException {
     if (!node.awaitRegistered(REGISTRATION)) {
-      throw new IOException("the master at " + master.uri() + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
+      throw new IOException(
+          "the master at " + master.uri() + " did not take the robot within " + REGISTRATION.toSeconds() + " s");
     }
   }
 

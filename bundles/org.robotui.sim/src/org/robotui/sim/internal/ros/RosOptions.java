@@ -14,7 +14,8 @@ import java.util.Optional;
  * @param simTime whether {@code /clock} is published for all nodes
  * @param arguments remappings and private parameters, as every ROS program takes them
  */
-public record RosOptions(int port, String namespace, String name, Optional<URI> realMaster, boolean simTime, List<String> arguments) {
+public record RosOptions(int port, String namespace, String name, Optional<URI> realMaster, boolean simTime,
+    List<String> arguments) {
   public RosOptions {
     arguments = List.copyOf(arguments);
   }

@@ -39,7 +39,7 @@ final class SensorMessages {
     return new NavSatFix(
         stamp.header(frames.satellites()), new NavSatStatus(NavSatStatus.STATUS_FIX, NavSatStatus.SERVICE_GPS),
         fix.latitude(), fix.longitude(), fix.altitude(),
-        new double[] {variance, 0, 0, 0, variance, 0, 0, 0, 4 * variance}, NavSatFix.COVARIANCE_TYPE_DIAGONAL_KNOWN);
+        new double[]{variance, 0, 0, 0, variance, 0, 0, 0, 4 * variance}, NavSatFix.COVARIANCE_TYPE_DIAGONAL_KNOWN);
   }
 
   OccupancyGrid map(GridMap map, Stamp stamp) {

@@ -18,7 +18,8 @@ final class Shutter implements AutoCloseable {
   private final PictureWorker darkroom;
   private long sequence;
 
-  Shutter(String name, Rate rate, CameraMessages messages, Publisher<CameraInfo> info, BooleanSupplier wanted, BiConsumer<RobotState, Stamp> take) {
+  Shutter(String name, Rate rate, CameraMessages messages, Publisher<CameraInfo> info, BooleanSupplier wanted,
+      BiConsumer<RobotState, Stamp> take) {
     this.rate = rate;
     this.messages = messages;
     this.info = info;

@@ -54,7 +54,8 @@ final class TuningMessages {
   /** The choices in the form that dynamic_reconfigure's generator gives them. */
   private static String styles() {
     return Arrays.stream(Style.values())
-        .map(style -> "{'name': '" + title(style) + "', 'type': 'int', 'value': " + style.ordinal() + ", 'description': '"
+        .map(style -> "{'name': '" + title(style) + "', 'type': 'int', 'value': " + style.ordinal()
+            + ", 'description': '"
             + style.description() + "', 'ctype': 'int', 'cconsttype': 'const int', 'srcline': 0, 'srcfile': ''}")
         .collect(Collectors.joining(", ", "{'enum': [", "], 'enum_description': 'How it drives to goals'}"));
   }
@@ -83,18 +84,22 @@ final class TuningMessages {
     DriveLimits merged = new DriveLimits(
         number(wish, LINEAR, limits.linear(), LOWEST.linear(), HIGHEST.linear()),
         number(wish, ANGULAR, limits.angular(), LOWEST.angular(), HIGHEST.angular()),
-        number(wish, LINEAR_ACCELERATION, limits.linearAcceleration(), LOWEST.linearAcceleration(), HIGHEST.linearAcceleration()),
-        number(wish, ANGULAR_ACCELERATION, limits.angularAcceleration(), LOWEST.angularAcceleration(), HIGHEST.angularAcceleration()));
+        number(wish, LINEAR_ACCELERATION, limits.linearAcceleration(), LOWEST.linearAcceleration(),
+            HIGHEST.linearAcceleration()),
+        number(wish, ANGULAR_ACCELERATION, limits.angularAcceleration(), LOWEST.angularAcceleration(),
+            HIGHEST.angularAcceleration()));
     int style = wish.ints().stream().filter(each -> each.name().equals(STYLE)).mapToInt(IntParameter::value).findFirst()
         .orElse(now.style().ordinal());
-    boolean walks = wish.bools().stream().filter(each -> each.name().equals(WALKS)).map(BoolParameter::value).findFirst()
-        .orElse(now.personWalks());
+    boolean walks =
+        wish.bools().stream().filter(each -> each.name().equals(WALKS)).map(BoolParameter::value).findFirst()
+            .orElse(now.personWalks());
     return new Tuning(merged, Style.values()[Math.clamp(style, 0, Style.values().length - 1)], walks);
   }
 
   private static double number(Config wish, String name, double now, double lowest, double highest) {
-    OptionalDouble value = wish.doubles().stream().filter(each -> each.name().equals(name)).mapToDouble(DoubleParameter::value)
-        .filter(Double::isFinite).findFirst();
+    OptionalDouble value =
+        wish.doubles().stream().filter(each -> each.name().equals(name)).mapToDouble(DoubleParameter::value)
+            .filter(Double::isFinite).findFirst();
     return value.isPresent() ? Math.clamp(value.getAsDouble(), lowest, highest) : now;
   }
 }

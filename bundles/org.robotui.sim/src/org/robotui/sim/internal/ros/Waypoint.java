@@ -19,8 +19,8 @@ import org.robotui.sim.internal.world.Pose2;
 import org.robotui.sim.internal.world.World;
 
 /**
- * Serves an interactive marker: a waypoint that users move over the floor of the building, and to which the robot drives when they choose so
- * in its menu. Locked, as feedback comes on threads of its links.
+ * Serves an interactive marker: a waypoint that users move over the floor of the building, and to which the robot
+ * drives when they choose so in its menu. Locked, as feedback comes on threads of its links.
  */
 final class Waypoint {
   private static final int QUEUE = 100;
@@ -44,9 +44,12 @@ final class Waypoint {
     this.events = events;
     server = node.name().text() + "/waypoint";
     place = world.start().times(new Pose2(AHEAD, 0, 0));
-    update = node.publisher("waypoint/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard().withQueue(QUEUE));
-    all = node.publisher("waypoint/update_full", RecordCodec.of(InteractiveMarkerInit.class), PublisherOptions.latched().withQueue(QUEUE));
-    node.subscriber("waypoint/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(), (m, from) -> take(m));
+    update = node.publisher("waypoint/update", RecordCodec.of(InteractiveMarkerUpdate.class),
+        PublisherOptions.standard().withQueue(QUEUE));
+    all = node.publisher("waypoint/update_full", RecordCodec.of(InteractiveMarkerInit.class),
+        PublisherOptions.latched().withQueue(QUEUE));
+    node.subscriber("waypoint/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(),
+        (m, from) -> take(m));
     publishAll();
   }
 
@@ -61,7 +64,7 @@ final class Waypoint {
     switch (feedback.eventType()) {
       case InteractiveMarkerFeedback.POSE_UPDATE -> follow(feedback);
       case InteractiveMarkerFeedback.MENU_SELECT -> choose((int) feedback.menuEntryId());
-      default -> { }
+      default -> {}
     }
   }
 
@@ -77,8 +80,10 @@ final class Waypoint {
       place = wish;
     }
     number++;
-    InteractiveMarkerPose pose = new InteractiveMarkerPose(new Header(0, 0, Frames.MAP), Poses.pose(place), WaypointMarker.NAME);
-    update.publish(new InteractiveMarkerUpdate(server, number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(pose), List.of()));
+    InteractiveMarkerPose pose =
+        new InteractiveMarkerPose(new Header(0, 0, Frames.MAP), Poses.pose(place), WaypointMarker.NAME);
+    update.publish(new InteractiveMarkerUpdate(server, number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(pose),
+        List.of()));
     publishAll();
   }
 
@@ -93,7 +98,8 @@ final class Waypoint {
   /** Lets clients see that it is there, and that they missed nothing. */
   synchronized void publish(long step) {
     if (Rate.SIGN_OF_LIFE.isDue(step)) {
-      update.publish(new InteractiveMarkerUpdate(server, number, InteractiveMarkerUpdate.KEEP_ALIVE, List.of(), List.of(), List.of()));
+      update.publish(new InteractiveMarkerUpdate(server, number, InteractiveMarkerUpdate.KEEP_ALIVE, List.of(),
+          List.of(), List.of()));
     }
   }
 }

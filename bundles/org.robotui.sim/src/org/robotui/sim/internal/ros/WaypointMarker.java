@@ -33,7 +33,8 @@ final class WaypointMarker {
         control("along", new Quaternion(0, 0, 0, 1), InteractiveMarkerControl.MOVE_AXIS, List.of()),
         control("across", new Quaternion(0, 0, HALF, HALF), InteractiveMarkerControl.MOVE_AXIS, List.of()),
         control("menu", new Quaternion(0, 0, 0, 1), InteractiveMarkerControl.MENU, List.of(knob())));
-    return new InteractiveMarker(new Header(0, 0, Frames.MAP), Poses.pose(place), NAME, "Waypoint", 0.8f, menu, controls);
+    return new InteractiveMarker(new Header(0, 0, Frames.MAP), Poses.pose(place), NAME, "Waypoint", 0.8f, menu,
+        controls);
   }
 
   private static InteractiveMarkerControl control(String name, Quaternion turn, int mode, List<Marker> look) {
@@ -54,6 +55,7 @@ final class WaypointMarker {
 
   private static Marker marker(int type, Point place, Vector3 size, ColorRGBA colour) {
     Pose pose = new Pose(place, new Quaternion(0, 0, 0, 1));
-    return new Marker(new Header(0, 0, ""), "", 0, type, Marker.ADD, pose, size, colour, 0, false, new double[0], new float[0], "", "", false);
+    return new Marker(new Header(0, 0, ""), "", 0, type, Marker.ADD, pose, size, colour, 0, false, new double[0],
+        new float[0], "", "", false);
   }
 }

@@ -67,7 +67,8 @@ public final class Lidar {
     }
     for (Solid solid : world.present()) {
       if (solid.clip(eye.x(), eye.y(), dx, dy, span) && span.enter() < spec.rangeMax()) {
-        double facing = span.edge() < 0 ? 1 : Math.abs(solid.normalX(span.edge()) * dx + solid.normalY(span.edge()) * dy);
+        double facing =
+            span.edge() < 0 ? 1 : Math.abs(solid.normalX(span.edge()) * dx + solid.normalY(span.edge()) * dy);
         hit(solid, brightness(solid.colour()), facing);
       }
     }
@@ -81,11 +82,13 @@ public final class Lidar {
       double z = spec.height() + slope * side;
       boolean above = z >= solid.top();
       boolean below = z < solid.bottom();
-      double at = above ? (solid.top() - spec.height()) / slope : below ? (solid.bottom() - spec.height()) / slope : side;
+      double at =
+          above ? (solid.top() - spec.height()) / slope : below ? (solid.bottom() - spec.height()) / slope : side;
       boolean met = at >= side && at <= span.exit() && at < nearest[ring];
       if (met) {
         nearest[ring] = at;
-        echo[ring] = brightness * (above || below ? Math.abs(Math.sin(spec.elevation(ring))) : facing * Math.cos(spec.elevation(ring)));
+        echo[ring] = brightness
+            * (above || below ? Math.abs(Math.sin(spec.elevation(ring))) : facing * Math.cos(spec.elevation(ring)));
       }
     }
   }

@@ -30,7 +30,8 @@ public record LidarSpec(
 
   public LidarSpec {
     if (columns < 1 || rings < 2 || !(lowest < highest) || !(rangeMin >= 0 && rangeMin < rangeMax)) {
-      throw new IllegalArgumentException("a lidar needs a column, two rings, and lowest and rangeMin below their opposites");
+      throw new IllegalArgumentException(
+          "a lidar needs a column, two rings, and lowest and rangeMin below their opposites");
     }
   }
 

@@ -14,12 +14,14 @@ import org.robotui.sim.internal.world.Pose2;
  * @param noise standard deviation, metres
  * @param height above the floor, metres
  */
-public record SonarSpec(List<Pose2> mounts, double cone, double rangeMin, double rangeMax, double noise, double height) {
+public record SonarSpec(List<Pose2> mounts, double cone, double rangeMin, double rangeMax, double noise,
+    double height) {
   /** No sonars at all. */
   public static final SonarSpec NONE = new SonarSpec(List.of(), Math.toRadians(26), 0.1, 5, 0, 0.1);
   /** Sixteen, eight to the front and eight to the rear, at the angles of a Pioneer 3-DX. */
   public static final SonarSpec PIONEER = new SonarSpec(
-      ring(0.21, 90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90), Math.toRadians(26), 0.10, 5.0, 0.01, 0.22);
+      ring(0.21, 90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90), Math.toRadians(26),
+      0.10, 5.0, 0.01, 0.22);
 
   public SonarSpec {
     mounts = List.copyOf(mounts);
@@ -30,7 +32,8 @@ public record SonarSpec(List<Pose2> mounts, double cone, double rangeMin, double
   }
 
   private static List<Pose2> ring(double radius, double... degrees) {
-    return IntStream.range(0, degrees.length).mapToObj(index -> mount(radius, degrees[index], index < degrees.length / 2)).toList();
+    return IntStream.range(0, degrees.length)
+        .mapToObj(index -> mount(radius, degrees[index], index < degrees.length / 2)).toList();
   }
 
   /** Those that look sideways sit before and behind the wheels. */

@@ -22,7 +22,8 @@ final class HallMap {
 
   /** Until the node ends. */
   static void publish(RosNode node, Hall hall, long stamp) {
-    Publisher<OccupancyGrid> map = node.publisher("/map", RecordCodec.of(OccupancyGrid.class), PublisherOptions.latched());
+    Publisher<OccupancyGrid> map =
+        node.publisher("/map", RecordCodec.of(OccupancyGrid.class), PublisherOptions.latched());
     map.publish(map(hall, stamp));
   }
 
@@ -37,6 +38,7 @@ final class HallMap {
       }
     }
     Pose origin = new Pose(new Point(-WALL * RESOLUTION, -WALL * RESOLUTION, 0), new Quaternion(0, 0, 0, 1));
-    return new OccupancyGrid(new Header(0, stamp, "map"), new MapMetaData(stamp, (float) RESOLUTION, width, height, origin), cells.flip());
+    return new OccupancyGrid(new Header(0, stamp, "map"),
+        new MapMetaData(stamp, (float) RESOLUTION, width, height, origin), cells.flip());
   }
 }

@@ -14,8 +14,8 @@ import org.robotui.sim.internal.ros.DemoMaster;
 import org.robotui.sim.internal.ros.RosOptions;
 
 /**
- * Many cheap robots at one master, in namespaces {@code r1}, {@code r2} and so on: each a node with odometry, transforms, a scan of few beams and
- * a battery, which takes velocities and goals. One thread lets time pass for all.
+ * Many cheap robots at one master, in namespaces {@code r1}, {@code r2} and so on: each a node with odometry,
+ * transforms, a scan of few beams and a battery, which takes velocities and goals. One thread lets time pass for all.
  */
 public final class Swarm implements AutoCloseable {
   /** As many as one process carries. */
@@ -70,7 +70,8 @@ public final class Swarm implements AutoCloseable {
       String name = "r" + (i + 1);
       double x = hall.width() * (i % columns + 0.5) / columns;
       double y = Hall.HEIGHT * (i / columns + 0.5) / rows;
-      robots.add(new SwarmRobot(name, open(master, "/" + name, "robot", nodes), walker(hall, x, y, new Random(seed + i))));
+      robots.add(
+          new SwarmRobot(name, open(master, "/" + name, "robot", nodes), walker(hall, x, y, new Random(seed + i))));
     }
     for (RosNode node : nodes) {
       if (!node.awaitRegistered(REGISTRATION)) {
@@ -89,8 +90,10 @@ public final class Swarm implements AutoCloseable {
     return new Walker(hall, freeX, y, random);
   }
 
-  private static RosNode open(DemoMaster master, String namespace, String name, List<RosNode> nodes) throws IOException {
-    RosNode node = RosNode.open(master.environment(List.of("__ns:=" + namespace)), GraphName.of(name), NodeOptions.standard(Swarm::thread));
+  private static RosNode open(DemoMaster master, String namespace, String name, List<RosNode> nodes)
+      throws IOException {
+    RosNode node = RosNode.open(master.environment(List.of("__ns:=" + namespace)), GraphName.of(name),
+        NodeOptions.standard(Swarm::thread));
     nodes.add(node);
     return node;
   }

@@ -69,7 +69,8 @@ final class SwarmMessages {
 
   BatteryState battery(long stamp) {
     float charge = (float) walker.charge();
-    return new BatteryState(header(stamp, base), (float) (EMPTY_VOLTAGE + charge * (FULL_VOLTAGE - EMPTY_VOLTAGE)), Float.NaN, -1, charge * 10, 10, 10,
+    return new BatteryState(header(stamp, base), (float) (EMPTY_VOLTAGE + charge * (FULL_VOLTAGE - EMPTY_VOLTAGE)),
+        Float.NaN, -1, charge * 10, 10, 10,
         charge, BatteryState.POWER_SUPPLY_STATUS_DISCHARGING, BatteryState.POWER_SUPPLY_HEALTH_GOOD,
         BatteryState.POWER_SUPPLY_TECHNOLOGY_UNKNOWN, true, new float[0], new float[0], "base", "");
   }
@@ -100,9 +101,10 @@ final class SwarmMessages {
 
   Path plan(long stamp) {
     Header map = header(stamp, MAP);
-    List<PoseStamped> way = walker.task() != Walker.Task.GOING ? List.of() : walker.goal().stream()
-        .flatMap(g -> List.of(new Point(walker.x(), walker.y(), 0), new Point(g.x(), g.y(), 0)).stream())
-        .map(p -> new PoseStamped(map, new Pose(p, STRAIGHT))).toList();
+    List<PoseStamped> way = walker.task() != Walker.Task.GOING ? List.of()
+        : walker.goal().stream()
+            .flatMap(g -> List.of(new Point(walker.x(), walker.y(), 0), new Point(g.x(), g.y(), 0)).stream())
+            .map(p -> new PoseStamped(map, new Pose(p, STRAIGHT))).toList();
     return new Path(map, way);
   }
 }

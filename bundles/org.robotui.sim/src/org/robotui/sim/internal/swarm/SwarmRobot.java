@@ -16,7 +16,10 @@ import org.robotui.ros.msgs.sensor_msgs.BatteryState;
 import org.robotui.ros.msgs.sensor_msgs.LaserScan;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
-/** A robot of a swarm as a ROS node in a namespace of its own. Ended by {@code rosnode kill}, it is gone, and the others go on. */
+/**
+ * A robot of a swarm as a ROS node in a namespace of its own. Ended by {@code rosnode kill}, it is gone, and the others
+ * go on.
+ */
 final class SwarmRobot {
   private static final int BEAMS = 36;
   private static final int ODOMETRY = 2;
@@ -44,8 +47,10 @@ final class SwarmRobot {
     battery = node.publisher("battery_state", RecordCodec.of(BatteryState.class), options);
     status = node.publisher("move_base/status", RecordCodec.of(GoalStatusArray.class), options);
     plan = node.publisher("plan", RecordCodec.of(Path.class), options);
-    node.subscriber("cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (twist, from) -> drive(twist));
-    node.subscriber("move_base_simple/goal", RecordCodec.of(PoseStamped.class), SubscriberOptions.standard(), (goal, from) -> go(goal));
+    node.subscriber("cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(),
+        (twist, from) -> drive(twist));
+    node.subscriber("move_base_simple/goal", RecordCodec.of(PoseStamped.class), SubscriberOptions.standard(),
+        (goal, from) -> go(goal));
     node.whenClosed().thenRun(() -> gone = true);
   }
 

@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 
 /**
- * One robot of a swarm: a disc that drives to goals, keeps off from what is near, and does as it is told. All of it is for the one thread that
- * lets time pass, but for the commands.
+ * One robot of a swarm: a disc that drives to goals, keeps off from what is near, and does as it is told. All of it is
+ * for the one thread that lets time pass, but for the commands.
  */
 final class Walker {
   /** Metres. */
@@ -131,7 +131,7 @@ final class Walker {
     if (driven > PATIENCE) {
       task = Task.STANDING;
     }
-    return driven > PATIENCE ? new double[2] : new double[] {toldLinear, toldAngular};
+    return driven > PATIENCE ? new double[2] : new double[]{toldLinear, toldAngular};
   }
 
   private double[] toGoal(double seconds, List<Walker> all) {
@@ -149,7 +149,7 @@ final class Walker {
     double off = wrap(Math.atan2(way[1], way[0]) - yaw);
     double speed = Math.abs(off) > 1 ? 0 : Math.min(SPEED, 0.15 + left) * Math.cos(off);
     blocked = Math.abs(linear) < 0.05 ? blocked + seconds : 0;
-    return new double[] {speed, Math.clamp(GAIN * off, -TURN, TURN)};
+    return new double[]{speed, Math.clamp(GAIN * off, -TURN, TURN)};
   }
 
   /** Turns the way off from what is near, to the right of those who come. */
@@ -197,7 +197,8 @@ final class Walker {
 
   /** What each of some beams all around meets, from the front on, counter-clockwise, metres. */
   float[] scan(int beams, List<Walker> all) {
-    List<Walker> near = all.stream().filter(o -> o != this && Math.hypot(o.x - x, o.y - y) < Hall.SIGHT + RADIUS).toList();
+    List<Walker> near =
+        all.stream().filter(o -> o != this && Math.hypot(o.x - x, o.y - y) < Hall.SIGHT + RADIUS).toList();
     float[] ranges = new float[beams];
     for (int i = 0; i < beams; i++) {
       double angle = yaw + 2 * Math.PI * i / beams;

@@ -161,7 +161,8 @@ public final class FloorPlanReader {
   private void box(Words words) {
     int colour = words.colour();
     Line across = words.line();
-    add(words, colour, (across.x1() + across.x2()) / 2, (across.y1() + across.y2()) / 2, Math.abs(across.x2() - across.x1()),
+    add(words, colour, (across.x1() + across.x2()) / 2, (across.y1() + across.y2()) / 2,
+        Math.abs(across.x2() - across.x1()),
         Math.abs(across.y2() - across.y1()), false);
   }
 

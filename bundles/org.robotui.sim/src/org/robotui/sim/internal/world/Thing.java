@@ -12,7 +12,8 @@ package org.robotui.sim.internal.world;
  * @param height metres
  * @param colour 0xrrggbb
  */
-public record Thing(String name, boolean round, double x, double y, double width, double depth, double height, int colour) {
+public record Thing(String name, boolean round, double x, double y, double width, double depth, double height,
+    int colour) {
   Solid solid() {
     return round
         ? Shapes.column(Solid.Kind.OBJECT, colour, x, y, width / 2, 0, height)

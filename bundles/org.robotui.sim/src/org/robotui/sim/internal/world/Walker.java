@@ -74,7 +74,8 @@ public final class Walker {
   public static List<Solid> figure(Pose2 place) {
     return List.of(
         part(TROUSERS, place, 0.13, 0, 0.82), part(COAT, place, RADIUS, 0.82, 1.45),
-        part(SKIN, place, 0.06, 1.45, 1.50), part(SKIN, place, 0.10, 1.50, 1.66), part(HAIR, place, 0.105, 1.66, HEIGHT));
+        part(SKIN, place, 0.06, 1.45, 1.50), part(SKIN, place, 0.10, 1.50, 1.66),
+        part(HAIR, place, 0.105, 1.66, HEIGHT));
   }
 
   private static Solid part(int colour, Pose2 place, double radius, double bottom, double top) {

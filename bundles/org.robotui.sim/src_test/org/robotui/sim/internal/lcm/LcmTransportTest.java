@@ -23,14 +23,15 @@ class LcmTransportTest {
   @Test
   void withoutMulticastAServerCarriesTheMessages() throws Exception {
     BlockingQueue<Byte> heard = new LinkedBlockingQueue<>();
-    try (LcmTransport air = LcmTransport.orServed(LcmUrl.of("udpm://239.255.76.67:7667?ttl=0&interface=nosuch0"), THREADS)) {
+    try (LcmTransport air =
+        LcmTransport.orServed(LcmUrl.of("udpm://239.255.76.67:7667?ttl=0&interface=nosuch0"), THREADS)) {
       assertEquals("tcpq", air.lcm().url().provider());
       assertTrue(air.server().isPresent());
       try (Lcm client = Lcm.open(air.lcm().url(), LcmOptions.standard(THREADS))) {
         client.subscribe("X", SubscriptionOptions.direct(), message -> heard.add(message.data().get()));
         Optional<Byte> first = Optional.empty();
         for (int i = 0; i < 200 && first.isEmpty(); i++) {
-          air.lcm().publish("X", ByteBuffer.wrap(new byte[] {7}));
+          air.lcm().publish("X", ByteBuffer.wrap(new byte[]{7}));
           first = Optional.ofNullable(heard.poll(50, TimeUnit.MILLISECONDS));
         }
         assertEquals(Optional.of((byte) 7), first);

@@ -107,7 +107,8 @@ class MessagesTest {
     assertEquals(tuning, TuningMessages.merge(Tuning.of(DriveLimits.DEMO), TuningMessages.config(tuning)));
     Config evil = new Config(List.of(), List.of(new IntParameter("driving_style", -7)), List.of(),
         List.of(new DoubleParameter("max_linear_speed", 1e9), new DoubleParameter("max_angular_speed", Double.NaN),
-            new DoubleParameter("max_linear_acceleration", -1), new DoubleParameter("unknown", 1)), List.of());
+            new DoubleParameter("max_linear_acceleration", -1), new DoubleParameter("unknown", 1)),
+        List.of());
     Tuning kept = TuningMessages.merge(tuning, evil);
     assertEquals(new Tuning(new DriveLimits(1.5, 1.5, 0.1, 2), Tuning.Style.CAREFUL, false), kept);
   }

@@ -15,7 +15,8 @@ class SatelliteReceiverTest {
     Fix north = SatelliteReceiver.at(0, 1000, 0);
     Fix east = SatelliteReceiver.at(1000, 0, 0);
     assertEquals(1000 / 111_200.0, north.latitude() - origin.latitude(), 2e-5);
-    assertEquals(1000 / (111_320.0 * Math.cos(Math.toRadians(origin.latitude()))), east.longitude() - origin.longitude(), 5e-5);
+    assertEquals(1000 / (111_320.0 * Math.cos(Math.toRadians(origin.latitude()))),
+        east.longitude() - origin.longitude(), 5e-5);
     assertEquals(origin.longitude(), north.longitude());
   }
 

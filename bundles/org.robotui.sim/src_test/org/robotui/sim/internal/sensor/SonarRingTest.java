@@ -28,7 +28,8 @@ class SonarRingTest {
 
   @Test
   void theConeFindsAThingBesideItsAxis() {
-    SonarRing ring = new SonarRing(() -> TestWorlds.of(ROOM + "column 00ff00 6.5 3.0 0.1 1\n"), SonarSpec.PIONEER, new Random(1));
+    SonarRing ring =
+        new SonarRing(() -> TestWorlds.of(ROOM + "column 00ff00 6.5 3.0 0.1 1\n"), SonarSpec.PIONEER, new Random(1));
     Pose2 robot = new Pose2(5, 3, Math.toRadians(-10) - Math.toRadians(8));
     double withColumn = ring.measure(robot, 3);
     double without = new SonarRing(() -> TestWorlds.of(ROOM), SonarSpec.PIONEER, new Random(1)).measure(robot, 3);

@@ -33,7 +33,8 @@ import org.robotui.sim.internal.ros.RosOptions;
 
 class SwarmTest {
   private static RosNode node(Swarm swarm, String namespace, String name) throws Exception {
-    return RosNode.open(swarm.master().environment(List.of("__ns:=" + namespace)), GraphName.of(name), NodeOptions.standard(SwarmTest::thread));
+    return RosNode.open(swarm.master().environment(List.of("__ns:=" + namespace)), GraphName.of(name),
+        NodeOptions.standard(SwarmTest::thread));
   }
 
   private static Thread thread(Runnable task) {
@@ -61,12 +62,16 @@ class SwarmTest {
     try (Swarm swarm = Swarm.start(3, at(Optional.empty()), 1); RosNode client = node(swarm, "/", "client")) {
       client.subscriber("/r2/move_base/status", RecordCodec.of(GoalStatusArray.class), SubscriberOptions.standard(),
           (m, r) -> task.set(m.statusList().getFirst().text()));
-      client.subscriber("/r1/odom", RecordCodec.of(Odometry.class), SubscriberOptions.standard(), (m, r) -> first.incrementAndGet());
-      client.subscriber("/r2/odom", RecordCodec.of(Odometry.class), SubscriberOptions.standard(), (m, r) -> second.incrementAndGet());
-      client.subscriber("/map", RecordCodec.of(OccupancyGrid.class), SubscriberOptions.standard(), (m, r) -> map.set(m));
+      client.subscriber("/r1/odom", RecordCodec.of(Odometry.class), SubscriberOptions.standard(),
+          (m, r) -> first.incrementAndGet());
+      client.subscriber("/r2/odom", RecordCodec.of(Odometry.class), SubscriberOptions.standard(),
+          (m, r) -> second.incrementAndGet());
+      client.subscriber("/map", RecordCodec.of(OccupancyGrid.class), SubscriberOptions.standard(),
+          (m, r) -> map.set(m));
       await(() -> "patrolling".equals(task.get()) && first.get() > 3 && map.get() != null, "nothing comes");
       assertEquals(246, map.get().info().width());
-      Publisher<PoseStamped> goal = client.publisher("/r2/move_base_simple/goal", RecordCodec.of(PoseStamped.class), PublisherOptions.standard());
+      Publisher<PoseStamped> goal =
+          client.publisher("/r2/move_base_simple/goal", RecordCodec.of(PoseStamped.class), PublisherOptions.standard());
       await(() -> goal.numSubscribers() == 1, "nobody takes goals");
       goal.publish(new PoseStamped(new Header(0, 0, "map"), new Pose(new Point(4, 12, 0), new Quaternion(0, 0, 0, 1))));
       await(() -> "going to 4.0 12.0".equals(task.get()), task.get());
@@ -83,10 +88,13 @@ class SwarmTest {
   @Test
   void whereThereIsARealMasterItHasTheSwarmForAsLongAsThatRuns() throws Exception {
     try (RosMaster master = RosMaster.open(MasterOptions.standard(SwarmTest::thread))) {
-      try (Swarm swarm = Swarm.start(2, at(Optional.of(master.uri())), 1); RosNode client = node(swarm, "/", "client")) {
-        assertTrue(client.master().systemState().toOptional().orElseThrow().nodes().containsAll(List.of("/map_server", "/r1/robot", "/r2/robot")));
+      try (Swarm swarm = Swarm.start(2, at(Optional.of(master.uri())), 1);
+          RosNode client = node(swarm, "/", "client")) {
+        assertTrue(client.master().systemState().toOptional().orElseThrow().nodes()
+            .containsAll(List.of("/map_server", "/r1/robot", "/r2/robot")));
       }
-      try (Swarm another = Swarm.start(1, at(Optional.of(master.uri())), 1); RosNode client = node(another, "/", "client")) {
+      try (Swarm another = Swarm.start(1, at(Optional.of(master.uri())), 1);
+          RosNode client = node(another, "/", "client")) {
         assertFalse(client.master().systemState().toOptional().orElseThrow().nodes().contains("/r2/robot"));
       }
     }

@@ -32,7 +32,7 @@ final class ActionAsker implements Asker {
     Optional<String> held = held(entry);
     if (held.isPresent()) {
       report.end(Health.BAD, held.get(), Optional.empty());
-      return () -> { };
+      return () -> {};
     }
     Duration timeout = Duration.ofSeconds(Math.round(context.settings().current().number(ActionsType.TIMEOUT)));
     SourceId target = caller.targets().stream().filter(t -> t.component().equals(entry.robot().component())).findFirst()
@@ -75,9 +75,10 @@ final class ActionAsker implements Asker {
     switch (outcome) {
       case CallOutcome.Replied<ActionReply> r -> tell(r.reply(), report);
       case CallOutcome.Failed<ActionReply> f -> report.end(Health.BAD, f.reason(), Optional.empty());
-      case CallOutcome.TimedOut<ActionReply> t -> report.end(Health.BAD, "not done in time; cancelled", Optional.empty());
-      case CallOutcome.Cancelled<ActionReply> c ->
-          report.end(Health.WARNING, "cancelled; the robot has not said how it ended", Optional.empty());
+      case CallOutcome.TimedOut<ActionReply> t -> report.end(Health.BAD, "not done in time; cancelled",
+          Optional.empty());
+      case CallOutcome.Cancelled<ActionReply> c -> report.end(Health.WARNING,
+          "cancelled; the robot has not said how it ended", Optional.empty());
     }
   }
 

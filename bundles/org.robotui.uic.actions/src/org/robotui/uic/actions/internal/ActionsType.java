@@ -30,7 +30,8 @@ public final class ActionsType implements UicType {
   private static final AskWords WORDS = new AskWords(Kind.ACTION, "actions", "Send goal", "Goal", "Result", true);
   private static final double RATE_HZ = 10;
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(TIMEOUT, new ValueType.Num(1, 86_400, "s"), 3600.0, "How long a goal may take; then it is cancelled."));
+      Setting.of(TIMEOUT, new ValueType.Num(1, 86_400, "s"), 3600.0,
+          "How long a goal may take; then it is cancelled."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("actions", "Actions",
       "Sends goals to the actions of a robot from a form, with feedback, result and cancelling.",

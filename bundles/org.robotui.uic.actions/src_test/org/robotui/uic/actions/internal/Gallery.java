@@ -33,8 +33,10 @@ record Gallery(GalleryWindow window, Theme theme) {
       new RecordShape.Field("x", new FieldShape.Real(64)), new RecordShape.Field("y", new FieldShape.Real(64)),
       new RecordShape.Field("z", new FieldShape.Real(64))), List.of());
   private static final RecordShape GOAL = new RecordShape("move_base_msgs/MoveBaseGoal", List.of(
-      new RecordShape.Field("frame_id", new FieldShape.Text()), new RecordShape.Field("position", new FieldShape.Nested(POINT)),
-      new RecordShape.Field("tolerance", new FieldShape.Real(32)), new RecordShape.Field("retry", new FieldShape.Flag())), List.of());
+      new RecordShape.Field("frame_id", new FieldShape.Text()),
+      new RecordShape.Field("position", new FieldShape.Nested(POINT)),
+      new RecordShape.Field("tolerance", new FieldShape.Real(32)),
+      new RecordShape.Field("retry", new FieldShape.Flag())), List.of());
 
   private record Robot(List<Item> items, Optional<String> refusal) implements Browser {
     @Override
@@ -47,7 +49,8 @@ record Gallery(GalleryWindow window, Theme theme) {
 
     @Override
     public Description describe(Item item) {
-      return new Description(item, Map.of("type", item.type(), "servers", "/move_base"), Optional.empty(), Optional.of(GOAL),
+      return new Description(item, Map.of("type", item.type(), "servers", "/move_base"), Optional.empty(),
+          Optional.of(GOAL),
           Optional.empty());
     }
 
@@ -79,7 +82,8 @@ record Gallery(GalleryWindow window, Theme theme) {
 
   private static List<Browser.Item> items() {
     return List.of(new Browser.Item(Browser.Kind.ACTION, "/move_base", "move_base_msgs/MoveBaseAction"),
-        new Browser.Item(Browser.Kind.ACTION, "/arm/follow_joint_trajectory", "control_msgs/FollowJointTrajectoryAction"),
+        new Browser.Item(Browser.Kind.ACTION, "/arm/follow_joint_trajectory",
+            "control_msgs/FollowJointTrajectoryAction"),
         new Browser.Item(Browser.Kind.ACTION, "/dock", "kobuki_msgs/AutoDockingAction"));
   }
 
@@ -89,9 +93,9 @@ record Gallery(GalleryWindow window, Theme theme) {
       model.choose(move);
       ask(model, move);
     });
-    cell(1006, 0, 594, 330, items(), Optional.empty(), model -> { });
-    cell(1006, 336, 594, 224, items(), Optional.of("the master at robot:11311 does not answer"), model -> { });
-    cell(0, 566, 262, 434, List.of(), Optional.empty(), model -> { });
+    cell(1006, 0, 594, 330, items(), Optional.empty(), model -> {});
+    cell(1006, 336, 594, 224, items(), Optional.of("the master at robot:11311 does not answer"), model -> {});
+    cell(0, 566, 262, 434, List.of(), Optional.empty(), model -> {});
     cell(606, 566, 500, 434, items(), Optional.empty(), model -> {
       model.choose(move);
       model.questions().ask(move, Map.of());
@@ -110,24 +114,28 @@ record Gallery(GalleryWindow window, Theme theme) {
   }
 
   private void cell(
-      int x, int y, int width, int height, List<Browser.Item> items, Optional<String> refusal, Consumer<AskModel> prepare) {
+      int x, int y, int width, int height, List<Browser.Item> items, Optional<String> refusal,
+      Consumer<AskModel> prepare) {
     FakeUicContext context = new FakeUicContext("actions", new ActionsType().schema());
     context.robots(List.of(new BrowseInput.Robot(GRAPH, new Robot(items, refusal))));
     AskModel model = new AskModel(
-        new Catalogue(context.browse(ActionsType.GRAPH), context.background(), Browser.Kind.ACTION), new Questions((entry, values, report) -> {
+        new Catalogue(context.browse(ActionsType.GRAPH), context.background(), Browser.Kind.ACTION),
+        new Questions((entry, values, report) -> {
           int end = (int) values.getOrDefault("end", 2);
           report.progress(end == 2 ? "active" : "sent");
           report.feedback(new MapRecord("Feedback", Map.of("distance", new FieldValue.Num(2.4, "2.4"),
               "frame_id", new FieldValue.Text("map"))));
           if (end < 2) {
-            report.end(end == 0 ? Health.OK : Health.BAD, end == 0 ? "succeeded" : "aborted: no way leads there", Optional.empty());
+            report.end(end == 0 ? Health.OK : Health.BAD, end == 0 ? "succeeded" : "aborted: no way leads there",
+                Optional.empty());
           }
-          return () -> { };
+          return () -> {};
         }));
     model.tick(System.nanoTime());
     Composite cell = window.cell(x, y, width, height);
     prepare.accept(model);
-    new AskPane(cell, UiContext.of(theme, text -> { }), model, new AskWords(Browser.Kind.ACTION, "actions", "Send goal", "Goal", "Result", true));
+    new AskPane(cell, UiContext.of(theme, text -> {}), model,
+        new AskWords(Browser.Kind.ACTION, "actions", "Send goal", "Goal", "Result", true));
     cell.layout(true, true);
   }
 }

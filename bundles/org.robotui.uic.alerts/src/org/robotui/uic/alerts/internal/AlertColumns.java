@@ -30,7 +30,8 @@ record AlertColumns(AlertWords words) {
         Column.<Alert>words("At", Alert::source).weight(SOURCE_SHARE).role(Role.DIM).from(ROOM_FOR_SOURCE)
             .order(Comparator.comparing(Alert::source)),
         Column.<Alert>words("Condition", Alert::condition).role(Role.DIM).from(ROOM_FOR_CONDITION),
-        Column.<Alert>figures("Since", words::since).width(TIME_WIDTH).role(AlertColumns::role).order(Comparator.comparing(Alert::since)),
+        Column.<Alert>figures("Since", words::since).width(TIME_WIDTH).role(AlertColumns::role)
+            .order(Comparator.comparing(Alert::since)),
         Column.<Alert>words("State", words::state).weight(STATE_SHARE).role(AlertColumns::role).from(ROOM_FOR_STATE)
             .order(Comparator.comparing(words::state)));
   }

@@ -41,8 +41,9 @@ final class AlertsSurface {
     this.bar = Boxes.bar(root, context.theme(), 2);
     this.muteAll = new QuietButton(bar, context.theme(), this::pressMute).text("Mute all");
     muteAll.setLayoutData(Boxes.middle());
-    this.acknowledge = new QuietButton(bar, context.theme(), () -> hands.acknowledge(page.alerts())).text("Acknowledge all")
-        .hint("Acknowledges all: they are silent, and are removed when they are over");
+    this.acknowledge =
+        new QuietButton(bar, context.theme(), () -> hands.acknowledge(page.alerts())).text("Acknowledge all")
+            .hint("Acknowledges all: they are silent, and are removed when they are over");
     acknowledge.setLayoutData(new GridData(SWT.END, SWT.CENTER, true, false));
     this.table = new RowTable<>(root, context.theme(), new AlertColumns(words).all(), Alert::id);
     table.control().setLayoutData(Boxes.fill());
@@ -65,12 +66,14 @@ final class AlertsSurface {
     }
     page = next;
     context.note(next.note());
-    muteAll.text(next.mutedUntil().map(until -> "All " + words.muted(until)).orElse("Mute all")).checked(next.mutedUntil().isPresent());
+    muteAll.text(next.mutedUntil().map(until -> "All " + words.muted(until)).orElse("Mute all"))
+        .checked(next.mutedUntil().isPresent());
     muteAll.hint(next.mutedUntil().isPresent() ? "Unmutes them" : "Mutes all for " + next.snooze() + " min");
     bar.layout();
     acknowledge.setEnabled(next.waiting() > 0);
     if (next.alerts().isEmpty()) {
-      table.list().message(Health.OK, "No alerts", "The conditions that raise alerts are in the settings of the sound view.");
+      table.list().message(Health.OK, "No alerts",
+          "The conditions that raise alerts are in the settings of the sound view.");
     } else {
       table.list().noMessage();
     }
@@ -86,7 +89,7 @@ final class AlertsSurface {
     switch (Character.toLowerCase(e.character)) {
       case 'a' -> hands.acknowledge(selected);
       case 'm' -> hands.mute(selected, muted(selected) ? HEARD : Optional.of(page.snooze()));
-      default -> { }
+      default -> {}
     }
   }
 
@@ -98,7 +101,8 @@ final class AlertsSurface {
     List<ViewAction> actions = new ArrayList<>();
     if (!selected.isEmpty()) {
       actions.add(action("acknowledge", "Acknowledge\tA", () -> hands.acknowledge(selected)));
-      actions.add(action("mute", "Mute for " + page.snooze() + " min\tM", () -> hands.mute(selected, Optional.of(page.snooze()))));
+      actions.add(action("mute", "Mute for " + page.snooze() + " min\tM",
+          () -> hands.mute(selected, Optional.of(page.snooze()))));
       actions.add(action("mute_hour", "Mute for an hour", () -> hands.mute(selected, Optional.of(HOUR))));
       actions.add(action("mute_endless", "Mute until it is unmuted", () -> hands.mute(selected, ENDLESS)));
       if (selected.stream().anyMatch(alert -> alert.mutedUntil().isPresent())) {

@@ -18,7 +18,8 @@ public final class AlertsType implements UicType {
   static final String SNOOZE = "snooze";
 
   static final Schema SCHEMA = Schema.of(
-      Setting.of(SNOOZE, new ValueType.Num(1, 1440, "min"), 10.0, "For how long one press keeps alerts from being heard."));
+      Setting.of(SNOOZE, new ValueType.Num(1, 1440, "min"), 10.0,
+          "For how long one press keeps alerts from being heard."));
 
   private static final double RATE_HZ = 4;
   private static final Descriptor DESCRIPTOR = new Descriptor("alerts", "Alerts",

@@ -91,10 +91,12 @@ final class AlertsUic implements SwtUic, AlertActions {
   }
 
   private Page look() {
-    return new Page(board.alerts(), board.allMutedUntil(), Math.round(context.settings().current().number(AlertsType.SNOOZE)));
+    return new Page(board.alerts(), board.allMutedUntil(),
+        Math.round(context.settings().current().number(AlertsType.SNOOZE)));
   }
 
   private Optional<Instant> until(Optional<Long> minutes) {
-    return minutes.isEmpty() ? Optional.of(Instant.MAX) : minutes.filter(m -> m > 0).map(m -> clock.instant().plus(Duration.ofMinutes(m)));
+    return minutes.isEmpty() ? Optional.of(Instant.MAX)
+        : minutes.filter(m -> m > 0).map(m -> clock.instant().plus(Duration.ofMinutes(m)));
   }
 }

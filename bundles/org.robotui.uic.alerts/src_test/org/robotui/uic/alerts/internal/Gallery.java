@@ -31,7 +31,7 @@ record Gallery(GalleryWindow window, Theme theme) {
       alerts.muteAll(Optional.of(NOW.plusSeconds(600)));
     });
     cell(0, 326, 380, 320, Gallery::typical);
-    cell(386, 326, 560, 320, alerts -> { });
+    cell(386, 326, 560, 320, alerts -> {});
     cell(952, 326, 280, 320, alerts -> {
       typical(alerts);
       alerts.muteAll(Optional.of(Instant.MAX));
@@ -40,16 +40,21 @@ record Gallery(GalleryWindow window, Theme theme) {
 
   private static void typical(FakeAlerts alerts) {
     show(alerts, "Battery low", "battery charge < 0.2", "battery.charge", "0.18", 95, 1, true, false, Optional.empty());
-    show(alerts, "scan stale", "scan stale", "scan", "nothing for 4.2 s", 4, 3, true, false, Optional.of(NOW.plusSeconds(300)));
-    show(alerts, "Motor hot", "diagnostics motor >= WARNING", "Left motor driver", "WARNING: 71 degrees, current limited", 1800, 1, true, true,
+    show(alerts, "scan stale", "scan stale", "scan", "nothing for 4.2 s", 4, 3, true, false,
+        Optional.of(NOW.plusSeconds(300)));
+    show(alerts, "Motor hot", "diagnostics motor >= WARNING", "Left motor driver",
+        "WARNING: 71 degrees, current limited", 1800, 1, true, true,
         Optional.empty());
-    show(alerts, "log >= ERROR", "log >= ERROR", "/move_base", "ERROR: Aborting because a valid plan could not be found", 61, 12, false, false,
+    show(alerts, "log >= ERROR", "log >= ERROR", "/move_base",
+        "ERROR: Aborting because a valid plan could not be found", 61, 12, false, false,
         Optional.empty());
   }
 
-  private static void show(FakeAlerts alerts, String name, String condition, String source, String value, long ago, int times, boolean lasting,
+  private static void show(FakeAlerts alerts, String name, String condition, String source, String value, long ago,
+      int times, boolean lasting,
       boolean acknowledged, Optional<Instant> muted) {
-    alerts.show(new Alert(new AlertId(FakeAlerts.VIEW, name), condition, source, value, NOW.minusSeconds(ago), times, lasting, acknowledged, muted));
+    alerts.show(new Alert(new AlertId(FakeAlerts.VIEW, name), condition, source, value, NOW.minusSeconds(ago), times,
+        lasting, acknowledged, muted));
   }
 
   private void cell(int x, int y, int width, int height, Consumer<FakeAlerts> prepare) {

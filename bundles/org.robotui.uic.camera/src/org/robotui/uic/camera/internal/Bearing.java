@@ -25,7 +25,8 @@ record Bearing(double right, double down) {
     }
     double column = (x + 0.5) * info.width() / width;
     double row = (y + 0.5) * info.height() / height;
-    return Optional.of(new Bearing(Math.atan((column - k.get(CX)) / k.get(FX)), Math.atan((row - k.get(CY)) / k.get(FY))));
+    return Optional
+        .of(new Bearing(Math.atan((column - k.get(CX)) / k.get(FX)), Math.atan((row - k.get(CY)) / k.get(FY))));
   }
 
   String text() {

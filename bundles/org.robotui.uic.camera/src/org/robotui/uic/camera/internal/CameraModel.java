@@ -53,7 +53,8 @@ final class CameraModel {
     factor = blocks;
     InputState state = input.state();
     boolean unconnected = state instanceof InputState.Unconnected;
-    return new Shot(broken.filter(why -> state instanceof InputState.Live).<InputState>map(InputState.Failed::new).orElse(state),
+    return new Shot(
+        broken.filter(why -> state instanceof InputState.Live).<InputState>map(InputState.Failed::new).orElse(state),
         shown, info.latest().map(Envelope::value), unconnected ? candidates() : List.of(), Optional.empty());
   }
 

@@ -23,7 +23,8 @@ import org.robotui.entity.image.Span;
  * @param details whether size, encoding, rate and age are told
  * @param legend whether the colours of numbers are explained
  */
-record CameraOptions(boolean smooth, ZoomMode zoom, Rendering rendering, boolean readOut, boolean details, boolean legend) {
+record CameraOptions(boolean smooth, ZoomMode zoom, Rendering rendering, boolean readOut, boolean details,
+    boolean legend) {
   static final String SMOOTH = "smooth";
   static final String ZOOM = "zoom";
   static final String COLOR_MAP = "color_map";
@@ -56,7 +57,8 @@ record CameraOptions(boolean smooth, ZoomMode zoom, Rendering rendering, boolean
             "Whether the colours follow the numbers or span range_min to range_max."),
         Setting.of(RANGE_MIN, NUMBER, 0.0, "The number of the first colour, metres for depth."),
         Setting.of(RANGE_MAX, NUMBER, 10.0, "The number of the last colour, metres for depth."),
-        Setting.of(DEPTH, FLAG, true, "Whether 16UC1 and 32FC1 are depth in millimetres and metres; else plain numbers."),
+        Setting.of(DEPTH, FLAG, true,
+            "Whether 16UC1 and 32FC1 are depth in millimetres and metres; else plain numbers."),
         Setting.of(READ_OUT, FLAG, true, "Tell place, value and colour of the pixel under the pointer."),
         Setting.of(DETAILS, FLAG, false, "Tell size, encoding, rate, age and frame of the pictures."),
         Setting.of(LEGEND, FLAG, true, "Explain the colours of pictures of numbers."));
@@ -64,7 +66,8 @@ record CameraOptions(boolean smooth, ZoomMode zoom, Rendering rendering, boolean
 
   static CameraOptions of(Settings s) {
     String map = s.text(COLOR_MAP);
-    Optional<ColorMap> chosen = map.equals(AUTO) ? Optional.empty() : Optional.of(ColorMap.valueOf(map.toUpperCase(Locale.ROOT)));
+    Optional<ColorMap> chosen =
+        map.equals(AUTO) ? Optional.empty() : Optional.of(ColorMap.valueOf(map.toUpperCase(Locale.ROOT)));
     Rendering rendering = new Rendering(chosen, s.flag(REVERSED), range(s), s.flag(DEPTH));
     return new CameraOptions(
         s.flag(SMOOTH), ZoomMode.of(s.text(ZOOM)), rendering, s.flag(READ_OUT), s.flag(DETAILS), s.flag(LEGEND));

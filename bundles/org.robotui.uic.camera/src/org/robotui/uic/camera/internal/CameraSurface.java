@@ -57,7 +57,8 @@ final class CameraSurface {
    * @param chosen is given what the user wants connected
    * @param seenFrom is given the edge of blocks of pixels that are one on the screen
    */
-  CameraSurface(Composite parent, UiContext context, CameraChoices choices, Saver saver, Consumer<SourceId> chosen, IntConsumer seenFrom) {
+  CameraSurface(Composite parent, UiContext context, CameraChoices choices, Saver saver, Consumer<SourceId> chosen,
+      IntConsumer seenFrom) {
     this.context = context;
     this.choices = choices;
     this.saver = saver;

@@ -15,7 +15,8 @@ import org.robotui.data.image.Image;
 /** Shows what a camera sees. */
 @Component(service = UicType.class)
 public final class CameraType implements UicType {
-  static final StreamPort<Image> IMAGE = new StreamPort<>("image", Image.class, Arity.ONE, "the pictures, raw or compressed");
+  static final StreamPort<Image> IMAGE =
+      new StreamPort<>("image", Image.class, Arity.ONE, "the pictures, raw or compressed");
   static final StreamPort<CameraInfo> CAMERA_INFO = new StreamPort<>(
       "camera_info", CameraInfo.class, Arity.OPTIONAL, "the calibration, to tell in which direction a pixel lies");
 

@@ -72,7 +72,8 @@ final class HoverBar {
   private void paint(GC gc, Cell cell, Rectangle place, Optional<Point> pointer) {
     boolean hot = pointer.filter(place::contains).isPresent();
     if (cell.on() || hot) {
-      gc.setBackground(theme.mix(cell.on() ? Role.ACCENT : Role.TEXT, Role.GROUND, hot && cell.on() ? 0.3 : cell.on() ? 0.22 : 0.12));
+      gc.setBackground(theme.mix(cell.on() ? Role.ACCENT : Role.TEXT, Role.GROUND,
+          hot && cell.on() ? 0.3 : cell.on() ? 0.22 : 0.12));
       gc.fillRoundRectangle(place.x + 2, place.y + 2, place.width - 4, place.height - 3, CORNER, CORNER);
     }
     gc.setForeground(theme.color(cell.on() ? Role.ACCENT : hot ? Role.TEXT : Role.DIM));

@@ -61,7 +61,8 @@ final class Labels {
         "frame " + (shown.frame().isEmpty() ? Figures.UNKNOWN : shown.frame()));
     gc.setFont(theme.font(Face.SMALL_FIGURES));
     int width = lines.stream().mapToInt(l -> gc.textExtent(l).x).max().orElse(0) + 4 * Theme.STEP;
-    Rectangle pill = new Rectangle(area.x + Theme.EDGE, area.y + Theme.EDGE, width, lines.size() * ROW + 2 * Theme.STEP);
+    Rectangle pill =
+        new Rectangle(area.x + Theme.EDGE, area.y + Theme.EDGE, width, lines.size() * ROW + 2 * Theme.STEP);
     states.pill(gc, pill);
     for (int i = 0; i < lines.size(); i++) {
       gc.setForeground(theme.color(i == 0 ? Role.TEXT : Role.DIM));

@@ -14,7 +14,9 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 
-/** What the colours mean: a bar at the right with its numbers, on which the wheel moves the nearer end. Display thread. */
+/**
+ * What the colours mean: a bar at the right with its numbers, on which the wheel moves the nearer end. Display thread.
+ */
 final class LegendBar {
   private static final int TALLEST = 200;
   private static final int LEAST_AREA = 230;
@@ -39,12 +41,14 @@ final class LegendBar {
     if (Math.min(area.width, area.height) >= LEAST_AREA) {
       gc.setFont(theme.font(Face.SMALL_FIGURES));
       String widest = label(legend, legend.span().high()).length() > label(legend, legend.span().low()).length()
-          ? label(legend, legend.span().high()) : label(legend, legend.span().low());
+          ? label(legend, legend.span().high())
+          : label(legend, legend.span().low());
       String nothing = nothing(legend);
       int words = Math.max(gc.textExtent(widest).x, legend.gaps() ? gc.textExtent(nothing).x : 0);
       int width = words + BAR + 5 * Theme.STEP;
       int left = area.x + area.width - Theme.EDGE - width;
-      place = new Rectangle(left, area.y + (area.height - height) / 2, width, height + (legend.gaps() ? ROW + 3 * Theme.STEP : 3 * Theme.STEP));
+      place = new Rectangle(left, area.y + (area.height - height) / 2, width,
+          height + (legend.gaps() ? ROW + 3 * Theme.STEP : 3 * Theme.STEP));
       states.pill(gc, place);
       bar(gc, legend, height);
       if (legend.gaps()) {

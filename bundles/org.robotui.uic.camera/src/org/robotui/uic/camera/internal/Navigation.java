@@ -9,8 +9,8 @@ import org.eclipse.swt.widgets.Canvas;
 import org.eclipse.swt.widgets.Event;
 
 /**
- * Zoom and pan by mouse and keys: wheel at the pointer, drag with the middle or left button, double click back, plus, minus and
- * arrows. Display thread.
+ * Zoom and pan by mouse and keys: wheel at the pointer, drag with the middle or left button, double click back, plus,
+ * minus and arrows. Display thread.
  */
 final class Navigation {
   private static final double STEP = 1.25;
@@ -33,7 +33,8 @@ final class Navigation {
     canvas.addListener(SWT.MouseUp, e -> grabbed = Optional.empty());
     canvas.addListener(SWT.MouseExit, e -> leave());
     canvas.addListener(SWT.KeyDown, this::key);
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
 
   PictureView view() {
@@ -101,7 +102,7 @@ final class Navigation {
       case SWT.ARROW_RIGHT -> pan(-KEY_POINTS, 0);
       case SWT.ARROW_UP -> pan(0, KEY_POINTS);
       case SWT.ARROW_DOWN -> pan(0, -KEY_POINTS);
-      default -> { }
+      default -> {}
     }
   }
 

@@ -3,8 +3,8 @@ package org.robotui.uic.camera.internal;
 import org.eclipse.swt.graphics.Point;
 
 /**
- * Which part of a picture is seen: pure, and independent of the sizes of picture and window, so that it stays when these
- * change.
+ * Which part of a picture is seen: pure, and independent of the sizes of picture and window, so that it stays when
+ * these change.
  *
  * @param mode how large it is without zoom
  * @param zoom beyond that, 1 for none

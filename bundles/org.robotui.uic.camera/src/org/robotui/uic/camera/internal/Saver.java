@@ -48,7 +48,8 @@ final class Saver {
 
   private static String write(Picture picture, Part part, String file) {
     try {
-      Optional<byte[]> bytes = part == Part.COLORS ? Optional.of(PicturePng.seen(picture)) : PicturePng.numbers(picture);
+      Optional<byte[]> bytes =
+          part == Part.COLORS ? Optional.of(PicturePng.seen(picture)) : PicturePng.numbers(picture);
       if (bytes.isEmpty()) {
         return "cannot save " + file + ": the picture holds no numbers of 16 bits";
       }

@@ -8,8 +8,9 @@ import org.eclipse.swt.graphics.Image;
 import org.eclipse.swt.graphics.ImageData;
 
 /**
- * Holds the newest picture in the form in which the platform paints it. Making that form takes longer than painting it, so the tick makes
- * it before it is asked for. An image belongs to whoever holds it: the tick until the display takes it, then the display.
+ * Holds the newest picture in the form in which the platform paints it. Making that form takes longer than painting it,
+ * so the tick makes it before it is asked for. An image belongs to whoever holds it: the tick until the display takes
+ * it, then the display.
  */
 final class Screen {
   /** A picture in the platform's form. */
@@ -45,14 +46,15 @@ final class Screen {
   }
 
   /**
-   * The platform's image of a picture, or of a newer one of the same size that the tick has made ready meanwhile; owned by this.
-   * Display thread.
+   * The platform's image of a picture, or of a newer one of the same size that the tick has made ready meanwhile; owned
+   * by this. Display thread.
    */
   Image image(ImageData pixels) {
     if (asked != pixels) {
       asked = pixels;
       Optional<Made> ready = next.get();
-      while (ready.filter(r -> sameSize(r.pixels(), pixels)).isPresent() && !next.compareAndSet(ready, Optional.empty())) {
+      while (ready.filter(r -> sameSize(r.pixels(), pixels)).isPresent()
+          && !next.compareAndSet(ready, Optional.empty())) {
         ready = next.get();
       }
       show(pixels, ready.filter(r -> sameSize(r.pixels(), pixels)));
@@ -60,7 +62,10 @@ final class Screen {
     return shown.orElseThrow().image();
   }
 
-  /** What is ready is newer. Where it was shown already, or nothing is, the picture itself is made now where it is not shown. */
+  /**
+   * What is ready is newer. Where it was shown already, or nothing is, the picture itself is made now where it is not
+   * shown.
+   */
   private void show(ImageData pixels, Optional<Made> ready) {
     if (ready.isPresent() || shown.filter(s -> s.pixels() == pixels).isEmpty()) {
       shown.ifPresent(Made::dispose);

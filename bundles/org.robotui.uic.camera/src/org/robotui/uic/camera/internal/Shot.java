@@ -25,7 +25,8 @@ record Shot(
     List<SourceId> candidates,
     Optional<String> message) {
   static final Shot NOTHING =
-      new Shot(new InputState.Unconnected("not looked for yet"), Optional.empty(), Optional.empty(), List.of(), Optional.empty());
+      new Shot(new InputState.Unconnected("not looked for yet"), Optional.empty(), Optional.empty(), List.of(),
+          Optional.empty());
 
   /**
    * A picture and what is painted of it.

@@ -72,7 +72,8 @@ class CameraSwtTest {
 
   @Test
   void theWheelOnTheLegendMovesTheNearerEnd() {
-    double before = CameraOptions.of(stage.context.settings().current()).rendering().range().map(r -> r.high()).orElse(0.0);
+    double before =
+        CameraOptions.of(stage.context.settings().current()).rendering().range().map(r -> r.high()).orElse(0.0);
     assertEquals(0.0, before);
     stage.wheel(1, 620, 150);
     assertTrue(CameraOptions.of(stage.context.settings().current()).rendering().range().isPresent());
@@ -80,7 +81,7 @@ class CameraSwtTest {
 
   @Test
   void closeUpPixelsAreCrisp() {
-    stage.context.input(CameraType.IMAGE).put(Pictures.raw(PixelEncoding.MONO8, 2, 1, new byte[] {0, (byte) 200}));
+    stage.context.input(CameraType.IMAGE).put(Pictures.raw(PixelEncoding.MONO8, 2, 1, new byte[]{0, (byte) 200}));
     stage.show();
     stage.show();
     ImageData seen = stage.picture();

@@ -81,7 +81,8 @@ class CameraUicTest {
     input.put(new CompressedImage(new FrameId("Keira", "camera"), "jpeg", Bytes.of(new byte[3])));
     Shot shot = look();
     assertInstanceOf(InputState.Failed.class, shot.state());
-    assertEquals("base.data: the picture (format 'jpeg', 3 bytes) cannot be decoded: it is neither JPEG nor PNG", shot.state().explanation());
+    assertEquals("base.data: the picture (format 'jpeg', 3 bytes) cannot be decoded: it is neither JPEG nor PNG",
+        shot.state().explanation());
     assertEquals(Optional.empty(), shot.shown());
     input.put(Pictures.room(8, 8));
     assertInstanceOf(InputState.Live.class, look().state());
@@ -123,7 +124,8 @@ class CameraUicTest {
     choices.zoom(ZoomMode.ACTUAL);
     choices.toggle(CameraOptions.DETAILS);
     CameraOptions options = CameraOptions.of(context.settings().current());
-    assertEquals(new Rendering(Optional.of(ColorMap.VIRIDIS), false, Optional.of(new Span(0.5, 4)), true), options.rendering());
+    assertEquals(new Rendering(Optional.of(ColorMap.VIRIDIS), false, Optional.of(new Span(0.5, 4)), true),
+        options.rendering());
     assertEquals(ZoomMode.ACTUAL, options.zoom());
     assertTrue(options.details());
     choices.range(Optional.empty());
@@ -144,7 +146,8 @@ class CameraUicTest {
     Saver saver = new Saver(Runnable::run);
     saver.save(room, Saver.Part.COLORS, file.toString());
     assertEquals(Optional.of("saved " + file), saver.tick(0));
-    Picture again = decoded(new CompressedImage(new FrameId("Keira", "camera"), "png", Bytes.of(Files.readAllBytes(file))));
+    Picture again =
+        decoded(new CompressedImage(new FrameId("Keira", "camera"), "png", Bytes.of(Files.readAllBytes(file))));
     assertEquals(room.values().at(7, 5), again.values().at(7, 5));
     assertEquals(Optional.empty(), saver.tick(5_000_000_000L));
     saver.save(room, Saver.Part.COLORS, folder.resolve("none/room.png").toString());
@@ -158,13 +161,15 @@ class CameraUicTest {
   }
 
   private static RawImage depth() {
-    return Pictures.raw(PixelEncoding.U16C1, 2, 1, new byte[] {1, 4, 0, 8});
+    return Pictures.raw(PixelEncoding.U16C1, 2, 1, new byte[]{1, 4, 0, 8});
   }
 
   private void match(MatchState state, List<SourceId> candidates) {
     RuicSnapshot now = context.ruic().snapshot();
-    Match match = new Match(PORT, PortKind.STREAM, "Image", Arity.ONE, state, List.of(), candidates, "two pictures fit");
+    Match match =
+        new Match(PORT, PortKind.STREAM, "Image", Arity.ONE, state, List.of(), candidates, "two pictures fit");
     context.ruic().snapshot(
-        new RuicSnapshot(now.name(), now.state(), now.reason(), now.link(), now.components(), now.ports(), List.of(match)));
+        new RuicSnapshot(now.name(), now.state(), now.reason(), now.link(), now.components(), now.ports(),
+            List.of(match)));
   }
 }

@@ -57,28 +57,30 @@ final class Gallery {
   }
 
   private void states() throws IOException {
-    picture("live", 528, 328, c -> put(c, Pictures.room(320, 240)), s -> { });
+    picture("live", 528, 328, c -> put(c, Pictures.room(320, 240)), s -> {});
     picture("stale", 528, 328, c -> {
       put(c, Pictures.room(320, 240));
       c.input(CameraType.IMAGE).state(new InputState.Stale(2.1, "the link is lost"));
     }, s -> s.mouse(SWT.MouseMove, 300, 150));
-    picture("ambiguous", 528, 328, Gallery::ambiguous, s -> { });
-    picture("empty", 528, 328, c -> { }, s -> { });
+    picture("ambiguous", 528, 328, Gallery::ambiguous, s -> {});
+    picture("empty", 528, 328, c -> {}, s -> {});
     picture("waiting", 528, 328, c -> c.input(CameraType.IMAGE).state(
-        new InputState.Waiting("/camera/image_raw has a publisher, no picture came yet")), s -> { });
+        new InputState.Waiting("/camera/image_raw has a publisher, no picture came yet")), s -> {});
     picture("broken", 528, 328,
-        c -> put(c, new CompressedImage(new FrameId("Keira", "camera"), "jpeg", Bytes.of(new byte[3]))), s -> { });
+        c -> put(c, new CompressedImage(new FrameId("Keira", "camera"), "jpeg", Bytes.of(new byte[3]))), s -> {});
     picture("near", 528, 328, c -> put(c, Pictures.room(64, 48)), s -> {
       for (int i = 0; i < 6; i++) {
         s.wheel(3, 330, 90);
       }
       s.mouse(SWT.MouseMove, 330, 90);
     });
-    picture("narrow", 260, 200, c -> put(c, Scenes.depth(PixelEncoding.U16C1, 320, 240)), s -> s.mouse(SWT.MouseMove, 130, 150));
+    picture("narrow", 260, 200, c -> put(c, Scenes.depth(PixelEncoding.U16C1, 320, 240)),
+        s -> s.mouse(SWT.MouseMove, 130, 150));
   }
 
   private void depth() throws IOException {
-    picture("depth", 700, 440, c -> put(c, Scenes.depth(PixelEncoding.U16C1, 640, 400)), s -> s.mouse(SWT.MouseMove, 410, 270));
+    picture("depth", 700, 440, c -> put(c, Scenes.depth(PixelEncoding.U16C1, 640, 400)),
+        s -> s.mouse(SWT.MouseMove, 410, 270));
     picture("viridis", 700, 440, c -> {
       put(c, Scenes.depth(PixelEncoding.F32C1, 640, 400));
       c.settings().set(CameraOptions.DETAILS, true);
@@ -91,7 +93,7 @@ final class Gallery {
       put(c, Scenes.depth(PixelEncoding.F32C1, 640, 400));
       c.settings().set(CameraOptions.COLOR_MAP, "grey");
       c.settings().set(CameraOptions.ZOOM, "actual");
-    }, s -> { });
+    }, s -> {});
     CameraStage speed = new CameraStage(display, theme, 700, 440);
     speed.open();
     StringBuilder times = new StringBuilder();
@@ -101,14 +103,16 @@ final class Gallery {
       speed.uic.tick(start);
       double ticked = (System.nanoTime() - start) * 1e-6;
       speed.show();
-      times.append(String.format(Locale.ROOT, "tick %.1f ms, paint %.1f ms%n", ticked, speed.canvas().paintNanos() * 1e-6));
+      times.append(
+          String.format(Locale.ROOT, "tick %.1f ms, paint %.1f ms%n", ticked, speed.canvas().paintNanos() * 1e-6));
     }
     Files.writeString(folder.resolve("timing-" + theme.id() + ".txt"), times);
     speed.close();
   }
 
   private void real(byte[] file) throws IOException {
-    picture("jpeg", 800, 600, c -> put(c, new CompressedImage(new FrameId("Keira", "left_optical"), "jpeg", Bytes.of(file))),
+    picture("jpeg", 800, 600,
+        c -> put(c, new CompressedImage(new FrameId("Keira", "left_optical"), "jpeg", Bytes.of(file))),
         s -> s.mouse(SWT.MouseMove, 400, 300));
     picture("bayer", 800, 600, c -> put(c, Scenes.bayer(file)), s -> s.mouse(SWT.MouseMove, 400, 300));
     picture("bayer-near", 800, 600, c -> put(c, Scenes.bayer(file)), s -> {
@@ -125,11 +129,15 @@ final class Gallery {
 
   private static void ambiguous(FakeUicContext context) {
     RuicSnapshot now = context.ruic().snapshot();
-    Match match = new Match(new SourceId("camera", "image"), PortKind.STREAM, "Image", Arity.ONE, MatchState.AMBIGUOUS, List.of(),
-        List.of(new SourceId("ros", "/camera/left/image_raw"), new SourceId("ros", "/camera/right/image_raw/compressed"),
-            new SourceId("player", "camera")), "camera needs one Image, three are offered");
+    Match match =
+        new Match(new SourceId("camera", "image"), PortKind.STREAM, "Image", Arity.ONE, MatchState.AMBIGUOUS, List.of(),
+            List.of(new SourceId("ros", "/camera/left/image_raw"),
+                new SourceId("ros", "/camera/right/image_raw/compressed"),
+                new SourceId("player", "camera")),
+            "camera needs one Image, three are offered");
     context.ruic().snapshot(
-        new RuicSnapshot(now.name(), now.state(), now.reason(), now.link(), now.components(), now.ports(), List.of(match)));
+        new RuicSnapshot(now.name(), now.state(), now.reason(), now.link(), now.components(), now.ports(),
+            List.of(match)));
     context.input(CameraType.IMAGE).state(new InputState.Unconnected("camera needs one Image, three are offered"));
   }
 
@@ -143,7 +151,7 @@ final class Gallery {
     stage.show();
     Optional<ImageData> data = Optional.of(stage.picture());
     ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[] {data.get()};
+    loader.data = new ImageData[]{data.get()};
     loader.save(folder.resolve(name + "-" + theme.id() + ".png").toString(), SWT.IMAGE_PNG);
     stage.close();
   }

@@ -30,7 +30,8 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
   ConnectionsUic(UicContext context) {
     this.context = context;
     this.actions = List.of(
-        new ViewAction("copy", "Copy all of the list as text", Icon.COPY.id(), Optional.empty(), () -> surface.ifPresent(ConnectionsSurface::copy)),
+        new ViewAction("copy", "Copy all of the list as text", Icon.COPY.id(), Optional.empty(),
+            () -> surface.ifPresent(ConnectionsSurface::copy)),
         new ViewAction("fold", "Collapse all robots", Icon.CLOSED.id(), Optional.empty(), () -> foldAll(true)),
         new ViewAction("unfold", "Expand all", Icon.OPEN.id(), Optional.empty(), () -> foldAll(false)));
     model.filter(wanted());
@@ -102,12 +103,14 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
 
   @Override
   public void connect(String ruic, SourceId port, SourceId peer) {
-    context.ruics().stream().filter(view -> view.name().equals(ruic)).findFirst().ifPresent(view -> view.connect(port, peer));
+    context.ruics().stream().filter(view -> view.name().equals(ruic)).findFirst()
+        .ifPresent(view -> view.connect(port, peer));
   }
 
   /** The menus of the ports of a RUIC; views of another one are seen when that is shown. */
   private Optional<SubjectMenu> subjects(String ruic, Theme theme) {
-    return Optional.of(context.ruic()).filter(own -> own.name().equals(ruic)).map(own -> new SubjectMenu(own, theme, context.background()));
+    return Optional.of(context.ruic()).filter(own -> own.name().equals(ruic))
+        .map(own -> new SubjectMenu(own, theme, context.background()));
   }
 
   @Override

@@ -44,6 +44,7 @@ class ConnectionsUicTest {
   void whatIsListedIsKept() {
     uic.problems(true);
     uic.robot("Natalie");
-    assertEquals(Map.of(ConnectionsType.PROBLEMS, true, ConnectionsType.ROBOT, "Natalie"), context.settings().current().values());
+    assertEquals(Map.of(ConnectionsType.PROBLEMS, true, ConnectionsType.ROBOT, "Natalie"),
+        context.settings().current().values());
   }
 }

@@ -29,18 +29,23 @@ record Gallery(GalleryWindow window, Theme theme) {
   private void fill() {
     cell(0, 0, 980, 620, Select.of("Keira\nSTREAM camera.image"), robots());
     cell(986, 0, 614, 300, Select.NONE, robots(), c -> c.settings().set(ConnectionsType.PROBLEMS, true));
-    cell(986, 306, 614, 314, Select.of("Keira\nSTREAM base./diagnostics"), robots(), c -> c.settings().set(ConnectionsType.ROBOT, "Keira"));
+    cell(986, 306, 614, 314, Select.of("Keira\nSTREAM base./diagnostics"), robots(),
+        c -> c.settings().set(ConnectionsType.ROBOT, "Keira"));
     cell(0, 626, 420, 374, Select.of("Natalie\nbase"), List.of(Robots.plain("Natalie", Robots.DOWN), Robots.keira()));
     cell(426, 626, 380, 180, Select.NONE, List.of());
-    cell(812, 626, 380, 180, Select.NONE, List.of(Robots.plain("Keira", Robots.UP)), c -> c.settings().set(ConnectionsType.PROBLEMS, true));
-    cell(1198, 626, 402, 374, Select.NONE, IntStream.range(0, 50).mapToObj(i -> Robots.large("robot" + i, 50)).toList());
-    cell(426, 812, 766, 188, Select.NONE, List.of(new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Robots.UP,
-        List.of(), List.of(), List.of()), Robots.plain("Natalie", new LinkState.Connecting("10.0.0.7:11311"))));
+    cell(812, 626, 380, 180, Select.NONE, List.of(Robots.plain("Keira", Robots.UP)),
+        c -> c.settings().set(ConnectionsType.PROBLEMS, true));
+    cell(1198, 626, 402, 374, Select.NONE,
+        IntStream.range(0, 50).mapToObj(i -> Robots.large("robot" + i, 50)).toList());
+    cell(426, 812, 766, 188, Select.NONE,
+        List.of(new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Robots.UP,
+            List.of(), List.of(), List.of()), Robots.plain("Natalie", new LinkState.Connecting("10.0.0.7:11311"))));
   }
 
   private static List<RuicSnapshot> robots() {
     return List.of(Robots.keira(), Robots.plain("Natalie", Robots.DOWN),
-        Robots.plain("Otto", new LinkState.Degraded("otto:11311", "/scan has the type foo/Scan, expected sensor_msgs/LaserScan")));
+        Robots.plain("Otto",
+            new LinkState.Degraded("otto:11311", "/scan has the type foo/Scan, expected sensor_msgs/LaserScan")));
   }
 
   private record Select(Optional<String> key) {
@@ -52,10 +57,11 @@ record Gallery(GalleryWindow window, Theme theme) {
   }
 
   private void cell(int x, int y, int width, int height, Select select, List<RuicSnapshot> robots) {
-    cell(x, y, width, height, select, robots, c -> { });
+    cell(x, y, width, height, select, robots, c -> {});
   }
 
-  private void cell(int x, int y, int width, int height, Select select, List<RuicSnapshot> robots, Consumer<FakeUicContext> prepare) {
+  private void cell(int x, int y, int width, int height, Select select, List<RuicSnapshot> robots,
+      Consumer<FakeUicContext> prepare) {
     FakeUicContext context = new FakeUicContext("connections", new ConnectionsType().schema());
     context.ruics(robots.stream().map(Gallery::view).toList());
     prepare.accept(context);

@@ -15,8 +15,10 @@ final class DiagnosticsPreferences {
   private DiagnosticsPreferences() {}
 
   static Ask read(Settings settings) {
-    Ask ask = Ask.DEFAULT.source(settings.text(DiagnosticsType.SOURCE)).problems(settings.flag(DiagnosticsType.PROBLEMS));
-    return new Ask(ask.source(), texts(settings.list(DiagnosticsType.OPENED)), texts(settings.list(DiagnosticsType.CLOSED)),
+    Ask ask =
+        Ask.DEFAULT.source(settings.text(DiagnosticsType.SOURCE)).problems(settings.flag(DiagnosticsType.PROBLEMS));
+    return new Ask(ask.source(), texts(settings.list(DiagnosticsType.OPENED)),
+        texts(settings.list(DiagnosticsType.CLOSED)),
         ask.problems(), ask.search(), ask.selected(), ask.slot());
   }
 

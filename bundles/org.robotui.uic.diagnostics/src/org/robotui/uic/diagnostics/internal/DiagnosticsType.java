@@ -30,7 +30,8 @@ public final class DiagnosticsType implements UicType {
   private static final double RATE_HZ = 10;
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(STALE_AFTER, new ValueType.Num(0.5, 3600, "s"), 5.0, "After how long without a report a part is stale."),
+      Setting.of(STALE_AFTER, new ValueType.Num(0.5, 3600, "s"), 5.0,
+          "After how long without a report a part is stale."),
       Setting.of(HISTORY, new ValueType.Int(1, 240), 10L, "How many minutes are looked back on."),
       Setting.of(PROBLEMS, new ValueType.Flag(), false, "Whether parts that are OK are left out."),
       Setting.of(SOURCE, new ValueType.Text(), "",

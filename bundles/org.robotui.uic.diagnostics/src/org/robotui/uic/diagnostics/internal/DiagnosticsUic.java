@@ -33,7 +33,8 @@ final class DiagnosticsUic implements SwtUic {
     this.model = new DiagnosticsModel(input, context.settings().current().integer(DiagnosticsType.HISTORY));
     model.ask(DiagnosticsPreferences.read(context.settings().current()));
     this.frame = frame();
-    this.actions = List.of(new ViewAction("forget", "Forget parts that do not report any more", "minus", Optional.empty(), hands::forgetSilent));
+    this.actions = List.of(new ViewAction("forget", "Forget parts that do not report any more", "minus",
+        Optional.empty(), hands::forgetSilent));
   }
 
   @Override

@@ -70,12 +70,14 @@ class DiagnosticsSwtTest {
   void aClickOnAStripShowsThatMomentAndThePillLeadsBack() {
     say(300, Diagnostics.Level.ERROR);
     say(600, Diagnostics.Level.OK);
-    assertTrue(Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance).noneMatch(Control::getVisible));
+    assertTrue(Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance)
+        .noneMatch(Control::getVisible));
     press(700 - 12 - 75, 36, 600);
     assertTrue(pill().getVisible());
     pill().press();
     tick(600);
-    assertTrue(Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance).noneMatch(Control::getVisible));
+    assertTrue(Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance)
+        .noneMatch(Control::getVisible));
   }
 
   @Test
@@ -94,7 +96,9 @@ class DiagnosticsSwtTest {
 
   private void say(int second, Diagnostics.Level level) {
     context.input(DiagnosticsType.DIAGNOSTICS).put(SOURCE,
-        new Diagnostics(List.of(new Diagnostics.Item("/Robot/Motor", "", level, "message", Map.of("Temperature", "40")))), second * SECOND,
+        new Diagnostics(
+            List.of(new Diagnostics.Item("/Robot/Motor", "", level, "message", Map.of("Temperature", "40")))),
+        second * SECOND,
         Optional.empty());
     tick(second);
   }
@@ -105,17 +109,21 @@ class DiagnosticsSwtTest {
   }
 
   private QuietButton pill() {
-    return Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance).map(QuietButton.class::cast).findFirst().orElseThrow();
+    return Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance)
+        .map(QuietButton.class::cast).findFirst().orElseThrow();
   }
 
   private Scrollable list() {
-    return all(shell).filter(PaintedCanvas.class::isInstance).map(Scrollable.class::cast).filter(c -> c.getVerticalBar() != null)
-        .filter(c -> Stream.of(c.getParent().getChildren()).anyMatch(QuietButton.class::isInstance)).findFirst().orElseThrow();
+    return all(shell).filter(PaintedCanvas.class::isInstance).map(Scrollable.class::cast)
+        .filter(c -> c.getVerticalBar() != null)
+        .filter(c -> Stream.of(c.getParent().getChildren()).anyMatch(QuietButton.class::isInstance)).findFirst()
+        .orElseThrow();
   }
 
   private static Stream<Control> all(Control control) {
     return control instanceof Composite composite
-        ? Stream.concat(Stream.of(control), Stream.of(composite.getChildren()).flatMap(DiagnosticsSwtTest::all)) : Stream.of(control);
+        ? Stream.concat(Stream.of(control), Stream.of(composite.getChildren()).flatMap(DiagnosticsSwtTest::all))
+        : Stream.of(control);
   }
 
   private void press(int x, int y, int second) {

@@ -52,11 +52,14 @@ final class Gallery {
         new InputState.Waiting("/diagnostics has 3 publishers, nothing came yet")), false);
     cell(0, 506, 560, 494, c -> c.settings().set(DiagnosticsType.PROBLEMS, true), true);
     press(3, 420, 62);
-    cell(566, 506, 560, 244, c -> { }, true, c -> c.input(DiagnosticsType.DIAGNOSTICS).state(new InputState.Stale(12.3, "the link is lost")));
-    cell(566, 756, 560, 244, c -> c.settings().set(DiagnosticsType.PROBLEMS, true), false, c -> c.input(DiagnosticsType.DIAGNOSTICS).put(
-        SORTED, new Diagnostics(List.of(item("/Robot/Motor", Diagnostics.Level.OK, "fine"))), now, Optional.empty()));
-    cell(1132, 506, 300, 494, c -> { }, true);
-    cell(1438, 506, 162, 494, c -> { }, true);
+    cell(566, 506, 560, 244, c -> {}, true,
+        c -> c.input(DiagnosticsType.DIAGNOSTICS).state(new InputState.Stale(12.3, "the link is lost")));
+    cell(566, 756, 560, 244, c -> c.settings().set(DiagnosticsType.PROBLEMS, true), false,
+        c -> c.input(DiagnosticsType.DIAGNOSTICS).put(
+            SORTED, new Diagnostics(List.of(item("/Robot/Motor", Diagnostics.Level.OK, "fine"))), now,
+            Optional.empty()));
+    cell(1132, 506, 300, 494, c -> {}, true);
+    cell(1438, 506, 162, 494, c -> {}, true);
   }
 
   private void press(int part, int x, int y) {
@@ -98,8 +101,10 @@ final class Gallery {
     List<Diagnostics.Item> items = new java.util.ArrayList<>();
     double heat = 46 + 20 * Math.sin(ago / 60.0);
     boolean hot = heat > 60;
-    items.add(item("/Robot/Base/Motor left", hot ? Diagnostics.Level.WARNING : Diagnostics.Level.OK, hot ? "Temperature high" : "OK",
-        "Temperature", String.format(java.util.Locale.ROOT, "%.1f C", heat), "Current", "1.32 A", "Voltage", "24.1 V", "Encoder", "182113",
+    items.add(item("/Robot/Base/Motor left", hot ? Diagnostics.Level.WARNING : Diagnostics.Level.OK,
+        hot ? "Temperature high" : "OK",
+        "Temperature", String.format(java.util.Locale.ROOT, "%.1f C", heat), "Current", "1.32 A", "Voltage", "24.1 V",
+        "Encoder", "182113",
         "Firmware", "2.4.1", "Errors since start", "0"));
     items.add(item("/Robot/Base/Motor right", Diagnostics.Level.OK, "OK", "Temperature", "44.0 C"));
     items.add(item("/Robot/Base/Battery", Diagnostics.Level.OK, "87 %", "Charge", "87 %"));
@@ -107,8 +112,10 @@ final class Gallery {
       items.add(item("/Robot/Sensors/Laser front", ago % 200 < 25 ? Diagnostics.Level.ERROR : Diagnostics.Level.OK,
           ago % 200 < 25 ? "No data from device /dev/ttyACM0" : "Streaming", "Rate", "40 Hz"));
     }
-    items.add(item("/Robot/Sensors/Camera", Diagnostics.Level.ERROR, "Desired frequency not met: 3.1 Hz instead of 30 Hz", "Rate", "3.1 Hz"));
-    items.add(item("/Robot/Computer/CPU", ago % 97 < 6 ? Diagnostics.Level.WARNING : Diagnostics.Level.OK, "Load 0.61"));
+    items.add(item("/Robot/Sensors/Camera", Diagnostics.Level.ERROR,
+        "Desired frequency not met: 3.1 Hz instead of 30 Hz", "Rate", "3.1 Hz"));
+    items
+        .add(item("/Robot/Computer/CPU", ago % 97 < 6 ? Diagnostics.Level.WARNING : Diagnostics.Level.OK, "Load 0.61"));
     items.add(item("/Robot/Computer/Disk", Diagnostics.Level.OK, "41 GB free"));
     items.add(item("/Robot/Computer/Clock", Diagnostics.Level.OK, "Offset 3 us"));
     items.add(item("/Other/arm_driver: Joint 1", Diagnostics.Level.OK, "Homed"));
@@ -124,10 +131,11 @@ final class Gallery {
   }
 
   private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> before, boolean live) {
-    cell(x, y, width, height, before, live, c -> { });
+    cell(x, y, width, height, before, live, c -> {});
   }
 
-  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> before, boolean live, Consumer<FakeUicContext> after) {
+  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> before, boolean live,
+      Consumer<FakeUicContext> after) {
     FakeUicContext context = new FakeUicContext("diagnostics", new DiagnosticsType().schema());
     before.accept(context);
     Composite part = window.cell(x, y, width, height);

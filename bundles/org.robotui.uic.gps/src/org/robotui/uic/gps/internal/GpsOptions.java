@@ -22,7 +22,8 @@ import org.robotui.entity.gps.GeoPoint;
  * @param grid whether the grid is drawn
  */
 public record GpsOptions(
-    boolean follow, String followed, Optional<GeoPoint> origin, long trailNanos, Ways ways, boolean sexagesimal, boolean grid) {
+    boolean follow, String followed, Optional<GeoPoint> origin, long trailNanos, Ways ways, boolean sexagesimal,
+    boolean grid) {
   public static final String FOLLOW = "follow";
   public static final String FOLLOWED = "followed";
   public static final String ORIGIN = "origin";
@@ -70,13 +71,15 @@ public record GpsOptions(
   public static Schema schema() {
     return Schema.of(
         Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep a receiver in the middle."),
-        Setting.of(FOLLOWED, new ValueType.Text(TextRule.SOURCE.orEmpty("\"\"")), "", "Which receiver is followed, as component.port; empty for the first."),
+        Setting.of(FOLLOWED, new ValueType.Text(TextRule.SOURCE.orEmpty("\"\"")), "",
+            "Which receiver is followed, as component.port; empty for the first."),
         Setting.of(ORIGIN, new ValueType.Choice(List.of(FIRST_FIX, FIXED)), FIRST_FIX,
             "Where metres are counted from: the first fix, or origin_latitude and origin_longitude."),
         Setting.of(ORIGIN_LATITUDE, new ValueType.Num(-90, 90, "\u00b0"), 0.0, "Degrees, north is positive."),
         Setting.of(ORIGIN_LONGITUDE, new ValueType.Num(-180, 180, "\u00b0"), 0.0, "Degrees, east is positive."),
         Setting.of(TRAIL_MINUTES, new ValueType.Num(0, LONGEST_MINUTES, "min"), 240.0, "How long tracks are kept."),
-        Setting.of(WAY_COLORS, new ValueType.Choice(List.of(Ways.AUTO.id(), Ways.RECEIVER.id(), Ways.QUALITY.id())), Ways.AUTO.id(),
+        Setting.of(WAY_COLORS, new ValueType.Choice(List.of(Ways.AUTO.id(), Ways.RECEIVER.id(), Ways.QUALITY.id())),
+            Ways.AUTO.id(),
             "Colour of tracks: by quality of the fixes, by receiver, or auto: by quality where there is one receiver."),
         Setting.of(COORDINATES, new ValueType.Choice(List.of(DECIMAL, DMS)), DECIMAL,
             "Show coordinates in degrees, or in degrees, minutes and seconds."),
@@ -86,7 +89,8 @@ public record GpsOptions(
   /** Reads checked settings. */
   public static GpsOptions of(Settings s) {
     Optional<GeoPoint> origin = s.text(ORIGIN).equals(FIXED)
-        ? Optional.of(GeoPoint.degrees(s.number(ORIGIN_LATITUDE), s.number(ORIGIN_LONGITUDE))) : Optional.empty();
+        ? Optional.of(GeoPoint.degrees(s.number(ORIGIN_LATITUDE), s.number(ORIGIN_LONGITUDE)))
+        : Optional.empty();
     return new GpsOptions(s.flag(FOLLOW), s.text(FOLLOWED), origin, (long) (s.number(TRAIL_MINUTES) * NANOS_PER_MINUTE),
         Ways.valueOf(s.text(WAY_COLORS).toUpperCase(Locale.ROOT)), s.text(COORDINATES).equals(DMS), s.flag(SHOW_GRID));
   }

@@ -16,8 +16,8 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 
 /**
- * Paints the view in all its states into files, for people to look at: {@code GpsGallery FOLDER [FIXES]}, where a line of the
- * file has time, latitude, longitude in degrees and status, variance of a NavSatFix.
+ * Paints the view in all its states into files, for people to look at: {@code GpsGallery FOLDER [FIXES]}, where a line
+ * of the file has time, latitude, longitude in degrees and status, variance of a NavSatFix.
  */
 final class GpsGallery {
   private final Display display;
@@ -50,15 +50,18 @@ final class GpsGallery {
   private void states() throws IOException {
     GpsStage stage = new GpsStage(display, theme, 520, 300);
     stage.open();
-    stage.context.input(GpsType.FIX).state(new InputState.Unconnected("gps needs GpsFix on 'fix'; no robot interface offers one"));
+    stage.context.input(GpsType.FIX)
+        .state(new InputState.Unconnected("gps needs GpsFix on 'fix'; no robot interface offers one"));
     save(stage, "empty");
     stage.context.input(GpsType.FIX).state(new InputState.Waiting("/fix has a publisher, nothing came yet"));
     save(stage, "waiting");
     stage.put("base", GpsStage.fix("Keira", GpsFix.Quality.NO_FIX, Double.NaN, Double.NaN, Double.NaN));
     save(stage, "never");
     for (int i = 0; i < 40; i++) {
-      stage.put("base", GpsStage.fix("Keira", i < 15 ? GpsFix.Quality.FIX : i < 28 ? GpsFix.Quality.SATELLITE_AUGMENTED
-          : GpsFix.Quality.GROUND_AUGMENTED, 51.4934 + 2e-6 * i, 7.4197 + 2e-5 * Math.sin(i * 0.15), i < 15 ? 2.4 : 0.4));
+      stage.put("base", GpsStage.fix("Keira", i < 15 ? GpsFix.Quality.FIX
+          : i < 28 ? GpsFix.Quality.SATELLITE_AUGMENTED
+              : GpsFix.Quality.GROUND_AUGMENTED,
+          51.4934 + 2e-6 * i, 7.4197 + 2e-5 * Math.sin(i * 0.15), i < 15 ? 2.4 : 0.4));
     }
     save(stage, "live");
     stage.put("base", GpsStage.fix("Keira", GpsFix.Quality.NO_FIX, Double.NaN, Double.NaN, Double.NaN));
@@ -72,8 +75,10 @@ final class GpsGallery {
     GpsStage stage = new GpsStage(display, theme, 700, 440);
     stage.open();
     for (int i = 0; i < 120; i++) {
-      stage.put("keira", GpsStage.fix("Keira", GpsFix.Quality.GROUND_AUGMENTED, -17.8 + 3e-6 * i, 179.9999 + 1e-5 * Math.sin(i * 0.05), 0.02));
-      stage.put("rover", GpsStage.fix("Rover", GpsFix.Quality.FIX, -17.8 + 3e-4 * Math.cos(i * 0.02), -179.9995 + 3e-4 * Math.sin(i * 0.02), 4.2));
+      stage.put("keira", GpsStage.fix("Keira", GpsFix.Quality.GROUND_AUGMENTED, -17.8 + 3e-6 * i,
+          179.9999 + 1e-5 * Math.sin(i * 0.05), 0.02));
+      stage.put("rover", GpsStage.fix("Rover", GpsFix.Quality.FIX, -17.8 + 3e-4 * Math.cos(i * 0.02),
+          -179.9995 + 3e-4 * Math.sin(i * 0.02), 4.2));
       stage.put("far", GpsStage.fix("Zeppelin", GpsFix.Quality.SATELLITE_AUGMENTED, 51.4, 7.4, 1));
     }
     stage.put("dog", GpsStage.fix("Dog", GpsFix.Quality.FIX, -17.8002, 179.9997, 12));
@@ -94,7 +99,8 @@ final class GpsGallery {
     int count = 4 * 36_000;
     for (int i = 0; i < count; i++) {
       double t = i * 1e-3;
-      stage.put("base", GpsStage.fix("Keira", GpsFix.Quality.FIX, 51.49 + 2e-3 * Math.sin(t * 0.31), 7.41 + 2e-3 * Math.cos(t * 0.17), 1));
+      stage.put("base", GpsStage.fix("Keira", GpsFix.Quality.FIX, 51.49 + 2e-3 * Math.sin(t * 0.31),
+          7.41 + 2e-3 * Math.cos(t * 0.17), 1));
     }
     double tick = (System.nanoTime() - start) * 1e-3 / count;
     save(stage, "hours");
@@ -127,7 +133,7 @@ final class GpsGallery {
   private void save(GpsStage stage, String name) throws IOException {
     stage.tick();
     ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[] {stage.picture()};
+    loader.data = new ImageData[]{stage.picture()};
     loader.save(folder.resolve(name + "-" + theme.id() + ".png").toString(), SWT.IMAGE_PNG);
   }
 }

@@ -32,7 +32,8 @@ final class GpsStage {
   }
 
   static GpsFix fix(String robot, GpsFix.Quality quality, double latitude, double longitude, double accuracy) {
-    return new GpsFix(new FrameId(robot, "gps"), quality, Math.toRadians(latitude), Math.toRadians(longitude), 7.3, accuracy);
+    return new GpsFix(new FrameId(robot, "gps"), quality, Math.toRadians(latitude), Math.toRadians(longitude), 7.3,
+        accuracy);
   }
 
   void put(String component, GpsFix fix) {

@@ -92,7 +92,8 @@ class GpsSwtTest {
   }
 
   private boolean checked(String id) {
-    return stage.uic.actions().stream().filter(a -> a.id().equals(id)).anyMatch(a -> a.checked().orElseThrow().getAsBoolean());
+    return stage.uic.actions().stream().filter(a -> a.id().equals(id))
+        .anyMatch(a -> a.checked().orElseThrow().getAsBoolean());
   }
 
   private GpsOptions options() {

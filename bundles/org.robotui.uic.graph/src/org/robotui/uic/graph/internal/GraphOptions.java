@@ -30,13 +30,18 @@ public record GraphOptions(long periodNanos, int measured, int boxes) {
   /** The settings. */
   public static Schema schema() {
     return Schema.of(
-        Setting.of(SHOW, new ValueType.Choice(List.of(NODES, ALL)), ALL, "Whether topics have boxes, or are wires from node to node."),
-        Setting.of(DEBUG, new ValueType.Flag(), true, "Whether tools (rviz, rqt, recorders, RobotUI itself) and their topics, such as /rosout, are left out."),
+        Setting.of(SHOW, new ValueType.Choice(List.of(NODES, ALL)), ALL,
+            "Whether topics have boxes, or are wires from node to node."),
+        Setting.of(DEBUG, new ValueType.Flag(), true,
+            "Whether tools (rviz, rqt, recorders, RobotUI itself) and their topics, such as /rosout, are left out."),
         Setting.of(TF, new ValueType.Flag(), true, "Whether /tf and /tf_static are left out."),
-        Setting.of(ENDS, new ValueType.Flag(), true, "Whether dead ends, which are topics without a publisher or without a subscriber, are left out."),
+        Setting.of(ENDS, new ValueType.Flag(), true,
+            "Whether dead ends, which are topics without a publisher or without a subscriber, are left out."),
         Setting.of(GROUPS, new ValueType.Flag(), true, "Whether a frame is drawn around what lies in one namespace."),
-        Setting.of(BOXES, new ValueType.Int(10, 1000), 120L, "From how many boxes on namespaces are closed until they are opened."),
-        Setting.of(PERIOD, new ValueType.Num(0.5, 60, "s"), 2.0, "How often the robot is asked what it has, while the view is seen."),
+        Setting.of(BOXES, new ValueType.Int(10, 1000), 120L,
+            "From how many boxes on namespaces are closed until they are opened."),
+        Setting.of(PERIOD, new ValueType.Num(0.5, 60, "s"), 2.0,
+            "How often the robot is asked what it has, while the view is seen."),
         Setting.of(MEASURED, new ValueType.Int(1, 100), 20L, "How many topics may be measured at once."));
   }
 

@@ -10,9 +10,11 @@ import org.robotui.data.Data;
 
 /** The ports of the view. */
 public final class GraphPorts {
-  public static final BrowsePort GRAPH = new BrowsePort("graph", Arity.MANY, "what the robot has, and how it is connected");
+  public static final BrowsePort GRAPH =
+      new BrowsePort("graph", Arity.MANY, "what the robot has, and how it is connected");
 
-  public static final StreamPort<Data> ALL = new StreamPort<>("all", Data.class, Arity.MANY, "what is measured", Intake.CHOSEN);
+  public static final StreamPort<Data> ALL =
+      new StreamPort<>("all", Data.class, Arity.MANY, "what is measured", Intake.CHOSEN);
 
   private GraphPorts() {}
 

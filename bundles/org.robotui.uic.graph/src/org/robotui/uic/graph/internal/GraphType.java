@@ -15,7 +15,8 @@ public final class GraphType implements UicType {
   private static final double RATE_HZ = 10;
 
   private static final Descriptor DESCRIPTOR = new Descriptor("graph", "Graph",
-      "The nodes of a robot and the topics between them, laid out, with rates where they are measured.", GraphOptions.schema(), GraphPorts.all());
+      "The nodes of a robot and the topics between them, laid out, with rates where they are measured.",
+      GraphOptions.schema(), GraphPorts.all());
 
   @Override
   public Descriptor descriptor() {

@@ -29,9 +29,11 @@ final class GraphUic implements SwtUic, GraphSurface.Wishes {
     this.model = new GraphModel(context);
     model.ask(GraphPreferences.read(context.settings().current()));
     this.actions = List.of(
-        new ViewAction("fit", "Show the whole graph", Icon.FIT.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::fit)),
+        new ViewAction("fit", "Show the whole graph", Icon.FIT.id(), Optional.empty(),
+            () -> surface.ifPresent(GraphSurface::fit)),
         new ViewAction("anew", "Refresh, and lay out from scratch", Icon.RESTART.id(), Optional.empty(), model::anew),
-        new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(), () -> surface.ifPresent(GraphSurface::save)));
+        new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(),
+            () -> surface.ifPresent(GraphSurface::save)));
   }
 
   @Override

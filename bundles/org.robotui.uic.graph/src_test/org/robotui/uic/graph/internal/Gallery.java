@@ -26,8 +26,9 @@ record Gallery(GalleryWindow window, Theme theme) {
     Vertex scan = new Vertex(Vertex.Kind.TOPIC, "base", "/scan");
     cell(0, 0, 1100, 480, Optional.of(Robots.base()), ask -> ask);
     cell(1106, 0, 494, 480, Optional.of(Robots.base()), ask -> ask.search("detector"));
-    cell(0, 486, 800, 514, Optional.of(Robots.base()), ask -> ask.show(false, true, true, true, true).select(Optional.of(
-        new Vertex(Vertex.Kind.NODE, "base", "/move_base"))));
+    cell(0, 486, 800, 514, Optional.of(Robots.base()),
+        ask -> ask.show(false, true, true, true, true).select(Optional.of(
+            new Vertex(Vertex.Kind.NODE, "base", "/move_base"))));
     cell(806, 486, 400, 250, Optional.of(Robots.many(200, 2000)), ask -> ask);
     cell(1212, 486, 388, 250, Optional.empty(), ask -> ask);
     cell(806, 742, 400, 258, Optional.of(Robots.base()), ask -> ask.select(Optional.of(scan)).measure(true));

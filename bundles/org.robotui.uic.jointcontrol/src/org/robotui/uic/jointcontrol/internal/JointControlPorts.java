@@ -12,11 +12,13 @@ import org.robotui.data.joint.JointModel;
 /** The ports of the view. */
 final class JointControlPorts {
   static final StreamPort<JointControl> CONTROL =
-      new StreamPort<>("control", JointControl.class, Arity.ONE, "how the joints are driven: references beside what is measured");
+      new StreamPort<>("control", JointControl.class, Arity.ONE,
+          "how the joints are driven: references beside what is measured");
   static final StreamPort<JointModel> MODEL =
       new StreamPort<>("model", JointModel.class, Arity.ONE, "the joints with their limits, and their chains");
   static final CommandPort<JointCommand> COMMAND =
-      new CommandPort<>("joint_command", JointCommand.class, Arity.OPTIONAL, "the joints to drive, once the user has taken control");
+      new CommandPort<>("joint_command", JointCommand.class, Arity.OPTIONAL,
+          "the joints to drive, once the user has taken control");
 
   static final List<Port> ALL = List.of(CONTROL, MODEL, COMMAND);
 

@@ -29,9 +29,11 @@ final class JointControlUic implements SwtUic, Wishes {
   JointControlUic(UicContext context) {
     settings = context.settings();
     driver = new JointDriver(context.output(JointControlPorts.COMMAND), context.principal(), this::speed);
-    model = new ControlModel(context.input(JointControlPorts.CONTROL), context.input(JointControlPorts.MODEL), driver, this::degrees);
+    model = new ControlModel(context.input(JointControlPorts.CONTROL), context.input(JointControlPorts.MODEL), driver,
+        this::degrees);
     actions = List.of(
-        new ViewAction("drive", "Drive joints", Icon.STEER.id(), Optional.of(() -> model.look().drive().driving()), this::drive));
+        new ViewAction("drive", "Drive joints", Icon.STEER.id(), Optional.of(() -> model.look().drive().driving()),
+            this::drive));
   }
 
   @Override

@@ -49,9 +49,11 @@ final class Gallery {
       Robots.put(c, Robots.armModel(), Robots.arm());
       c.input(JointControlPorts.CONTROL).state(new InputState.Stale(4.2, "silent"));
     });
-    cell(506, 812, 360, 188, "", (c, u) -> { });
-    cell(872, 812, 360, 188, "", (c, u) -> c.input(JointControlPorts.CONTROL).state(new InputState.Waiting("base.control: nothing came yet")));
-    cell(1238, 812, 362, 188, "", (c, u) -> c.input(JointControlPorts.CONTROL).put(new SourceId("base", "control"), new JointControl(List.of()), 0, Optional.empty()));
+    cell(506, 812, 360, 188, "", (c, u) -> {});
+    cell(872, 812, 360, 188, "",
+        (c, u) -> c.input(JointControlPorts.CONTROL).state(new InputState.Waiting("base.control: nothing came yet")));
+    cell(1238, 812, 362, 188, "", (c, u) -> c.input(JointControlPorts.CONTROL).put(new SourceId("base", "control"),
+        new JointControl(List.of()), 0, Optional.empty()));
   }
 
   private void second() {
@@ -92,7 +94,8 @@ final class Gallery {
       driving(c, u);
       u.driver().end("Not driving any more: the view lost the focus");
     });
-    cell(800, 754, 394, 246, "", (c, u) -> c.input(JointControlPorts.CONTROL).put(new SourceId("base", "control"), Robots.arm(), 0, Optional.empty()));
+    cell(800, 754, 394, 246, "", (c, u) -> c.input(JointControlPorts.CONTROL).put(new SourceId("base", "control"),
+        Robots.arm(), 0, Optional.empty()));
     cell(1200, 754, 400, 246, "", (c, u) -> {
       Robots.put(c, Robots.armModel(), Robots.arm());
       c.output(JointControlPorts.COMMAND).state(new InputState.Unconnected("nothing there takes commands for joints"));
@@ -112,7 +115,8 @@ final class Gallery {
     }
   }
 
-  private void cell(int x, int y, int width, int height, String selected, BiConsumer<FakeUicContext, JointControlUic> prepare) {
+  private void cell(int x, int y, int width, int height, String selected,
+      BiConsumer<FakeUicContext, JointControlUic> prepare) {
     FakeUicContext context = new FakeUicContext("jointcontrol", new JointControlType().schema());
     Composite part = window.cell(x, y, width, height);
     JointControlUic uic = new JointControlUic(context);

@@ -39,9 +39,12 @@ final class JointsUic implements SwtUic {
     this.look = look(System.nanoTime());
     this.actions = List.of(
         new ViewAction("degrees", "Angles in degrees", "", Optional.of(this::degrees), () -> degrees(!degrees())),
-        new ViewAction("forget", "Forget ranges and silent joints", Icon.RESTART.id(), Optional.empty(), () -> forget.set(true)),
-        new ViewAction("yaml", "Copy as YAML", Icon.COPY.id(), Optional.empty(), () -> surface.ifPresent(JointsSurface::copyYaml)),
-        new ViewAction("csv", "Copy as CSV", Icon.TEXT.id(), Optional.empty(), () -> surface.ifPresent(JointsSurface::copyCsv)));
+        new ViewAction("forget", "Forget ranges and silent joints", Icon.RESTART.id(), Optional.empty(),
+            () -> forget.set(true)),
+        new ViewAction("yaml", "Copy as YAML", Icon.COPY.id(), Optional.empty(),
+            () -> surface.ifPresent(JointsSurface::copyYaml)),
+        new ViewAction("csv", "Copy as CSV", Icon.TEXT.id(), Optional.empty(),
+            () -> surface.ifPresent(JointsSurface::copyCsv)));
   }
 
   @Override

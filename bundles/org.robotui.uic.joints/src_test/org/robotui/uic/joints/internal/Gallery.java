@@ -53,16 +53,19 @@ record Gallery(GalleryWindow window, Theme theme) {
       arm(c);
       c.input(JointsType.JOINTS).state(new InputState.Stale(4.2, "silent"));
     });
-    cell(772, 722, 270, 278, c -> { });
-    cell(1048, 722, 270, 278, c -> c.input(JointsType.JOINTS).state(new InputState.Waiting("base./joint_states: nothing came yet")));
+    cell(772, 722, 270, 278, c -> {});
+    cell(1048, 722, 270, 278,
+        c -> c.input(JointsType.JOINTS).state(new InputState.Waiting("base./joint_states: nothing came yet")));
     cell(1324, 722, 276, 278, c -> c.input(JointsType.JOINTS).put(ARM, new JointState(List.of()), 0, Optional.empty()));
   }
 
   static void configured(FakeUicContext context) {
-    context.settings().set(JointsType.UNITS, Map.of("shoulder_pan_joint", "rad", "shoulder_lift_joint", "rad", "elbow_joint", "rad",
-        "wrist_1_joint", "rad", "wrist_2_joint", "rad", "wrist_3_joint", "rad", "lift_joint", "m"));
-    context.settings().set(JointsType.LIMITS, Map.of("shoulder_pan_joint", limits(-3.14, 3.14), "elbow_joint", limits(-1, 1),
-        "lift_joint", limits(0, 0.4)));
+    context.settings().set(JointsType.UNITS,
+        Map.of("shoulder_pan_joint", "rad", "shoulder_lift_joint", "rad", "elbow_joint", "rad",
+            "wrist_1_joint", "rad", "wrist_2_joint", "rad", "wrist_3_joint", "rad", "lift_joint", "m"));
+    context.settings().set(JointsType.LIMITS,
+        Map.of("shoulder_pan_joint", limits(-3.14, 3.14), "elbow_joint", limits(-1, 1),
+            "lift_joint", limits(0, 0.4)));
   }
 
   private static Settings limits(double min, double max) {
@@ -91,8 +94,10 @@ record Gallery(GalleryWindow window, Theme theme) {
 
   private static void gripper(FakeUicContext context) {
     for (int i = 0; i < 60; i++) {
-      context.input(JointsType.JOINTS).put(GRIPPER, new JointState(List.of(new Joint("finger_left", 0.01 + i * 1e-4, 0.002, 1.1),
-          new Joint("finger_right", 0.01 + i * 1e-4, 0.002, 1.1))), i * 100 * MS, Optional.empty());
+      context.input(JointsType.JOINTS).put(GRIPPER,
+          new JointState(List.of(new Joint("finger_left", 0.01 + i * 1e-4, 0.002, 1.1),
+              new Joint("finger_right", 0.01 + i * 1e-4, 0.002, 1.1))),
+          i * 100 * MS, Optional.empty());
     }
     context.input(JointsType.JOINTS).state(GRIPPER, new InputState.Stale(3.1, "silent"));
   }

@@ -27,7 +27,8 @@ final class LogPreferences {
   /** Keeps what differs from what was kept before. */
   static void write(SettingsStore store, LogFilter filter) {
     Settings current = store.current();
-    keep(store, current, LogType.LEVELS, Arrays.stream(Severity.values()).filter(filter.levels()::contains).map(LogType::word).toList());
+    keep(store, current, LogType.LEVELS,
+        Arrays.stream(Severity.values()).filter(filter.levels()::contains).map(LogType::word).toList());
     keep(store, current, LogType.ONLY_NODES, List.copyOf(new TreeSet<>(filter.only())));
     keep(store, current, LogType.HIDDEN_NODES, List.copyOf(new TreeSet<>(filter.hidden())));
     keep(store, current, LogType.SEARCH, filter.search().text());

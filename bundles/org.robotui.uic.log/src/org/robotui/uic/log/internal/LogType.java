@@ -31,18 +31,23 @@ public final class LogType implements UicType {
   static final String COLLAPSE = "collapse";
   static final String NODES = "nodes";
 
-  static final StreamPort<LogEntry> LOG = new StreamPort<>("log", LogEntry.class, Arity.MANY, "the entries of the robot's log");
+  static final StreamPort<LogEntry> LOG =
+      new StreamPort<>("log", LogEntry.class, Arity.MANY, "the entries of the robot's log");
 
   private static final double RATE_HZ = 20;
   private static final List<String> WORDS = Arrays.stream(Severity.values()).map(LogType::word).toList();
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(CAPACITY, new ValueType.Int(1000, 1_000_000), 50_000L, "How many entries are kept; twice as many during a pause."),
-      Setting.of(MEMORY, new ValueType.Int(1, 1024), 64L, "How much memory entries may take, MiB; the oldest go first."),
+      Setting.of(CAPACITY, new ValueType.Int(1000, 1_000_000), 50_000L,
+          "How many entries are kept; twice as many during a pause."),
+      Setting.of(MEMORY, new ValueType.Int(1, 1024), 64L,
+          "How much memory entries may take, MiB; the oldest go first."),
       Setting.of(LEVELS, new ValueType.ListOf(new ValueType.Choice(WORDS)), WORDS, "The levels that are shown."),
-      Setting.of(ONLY_NODES, new ValueType.ListOf(new ValueType.Text()), List.of(), "Shows these nodes alone; empty shows all."),
+      Setting.of(ONLY_NODES, new ValueType.ListOf(new ValueType.Text()), List.of(),
+          "Shows these nodes alone; empty shows all."),
       Setting.of(HIDDEN_NODES, new ValueType.ListOf(new ValueType.Text()), List.of(), "Nodes that are not shown."),
-      Setting.of(SEARCH, new ValueType.Text(), "", "Shows entries alone that contain this in message, node or location."),
+      Setting.of(SEARCH, new ValueType.Text(), "",
+          "Shows entries alone that contain this in message, node or location."),
       Setting.of(EXPRESSION, new ValueType.Flag(), false, "Whether the search is a regular expression."),
       Setting.of(COLLAPSE, new ValueType.Flag(), false, "Whether equal entries in a row are one line with a count."),
       Setting.of(NODES, new ValueType.Flag(), false, "Whether the list of nodes is shown."));

@@ -49,10 +49,13 @@ final class LogUic implements SwtUic {
     this.frame = frame();
     this.actions = List.of(
         new ViewAction("pause", "Pause", "pause", Optional.of(model::paused), () -> hands.pause(!model.paused())),
-        new ViewAction("collapse", "Collapse equal entries in a row", "layers", Optional.of(() -> model.filter().collapse()),
+        new ViewAction("collapse", "Collapse equal entries in a row", "layers",
+            Optional.of(() -> model.filter().collapse()),
             () -> hands.filter(model.filter().collapse(!model.filter().collapse()))),
-        new ViewAction("show_all", "Show all levels and nodes, and end the search", "eye", Optional.empty(), hands::showAll),
-        new ViewAction("save", "Save what is shown as text\u2026", "save", Optional.empty(), () -> surface.ifPresent(LogSurface::save)),
+        new ViewAction("show_all", "Show all levels and nodes, and end the search", "eye", Optional.empty(),
+            hands::showAll),
+        new ViewAction("save", "Save what is shown as text\u2026", "save", Optional.empty(),
+            () -> surface.ifPresent(LogSurface::save)),
         new ViewAction("clear", "Clear", "restart", Optional.empty(), hands::clear));
   }
 
@@ -109,7 +112,8 @@ final class LogUic implements SwtUic {
 
   private Frame frame() {
     InputState state = input.state();
-    return new Frame(model.current(), model.filter(), state, model.paused(), context.settings().current().flag(LogType.NODES),
+    return new Frame(model.current(), model.filter(), state, model.paused(),
+        context.settings().current().flag(LogType.NODES),
         told.map(Told::words).orElse(""));
   }
 
@@ -148,7 +152,8 @@ final class LogUic implements SwtUic {
 
     @Override
     public void save(List<LogLine> lines, Path file) {
-      context.background().execute(() -> told = Optional.of(new Told(LogFile.write(lines, wording, file), System.nanoTime())));
+      context.background()
+          .execute(() -> told = Optional.of(new Told(LogFile.write(lines, wording, file), System.nanoTime())));
     }
 
     private void now() {

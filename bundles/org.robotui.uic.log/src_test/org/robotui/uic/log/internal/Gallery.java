@@ -22,13 +22,18 @@ import org.robotui.ui.UiContext;
 
 /** Shows the view in all its states side by side, for a person to look at: {@code Gallery dark|light}. */
 record Gallery(GalleryWindow window, Theme theme) {
-  private static final String[] NODES = {"/amcl", "/move_base", "/hokuyo_node", "/robot_state_publisher", "/arm/controller_manager"};
+  private static final String[] NODES =
+      {"/amcl", "/move_base", "/hokuyo_node", "/robot_state_publisher", "/arm/controller_manager"};
   private static final String[] TEXTS = {
-      "Subscribed to map topic.", "Got new plan with 132 poses", "Control loop missed its desired rate of 20.0000Hz... the loop actually took 0.0812 seconds",
-      "Buffer under-run; scan 18231 was dropped", "Costmap2DROS transform timeout. Current time: 1433.22, global_pose stamp: 1432.64",
-      "Rotate recovery behavior started.\nThe robot could not find a way for 10.0 s.\n  cells cleared: 132\n  radius: 0.55 m", "goal reached"};
-  private static final Severity[] LEVELS = {Severity.INFO, Severity.DEBUG, Severity.WARNING, Severity.ERROR, Severity.WARNING,
-      Severity.INFO, Severity.INFO};
+      "Subscribed to map topic.", "Got new plan with 132 poses",
+      "Control loop missed its desired rate of 20.0000Hz... the loop actually took 0.0812 seconds",
+      "Buffer under-run; scan 18231 was dropped",
+      "Costmap2DROS transform timeout. Current time: 1433.22, global_pose stamp: 1432.64",
+      "Rotate recovery behavior started.\nThe robot could not find a way for 10.0 s.\n  cells cleared: 132\n  radius: 0.55 m",
+      "goal reached"};
+  private static final Severity[] LEVELS =
+      {Severity.INFO, Severity.DEBUG, Severity.WARNING, Severity.ERROR, Severity.WARNING,
+          Severity.INFO, Severity.INFO};
 
   public static void main(String[] arguments) {
     GalleryWindow.show(display -> Themes.of(display, arguments[0]), theme -> theme.color(Role.LINE),
@@ -40,8 +45,10 @@ record Gallery(GalleryWindow window, Theme theme) {
       c.settings().set(LogType.NODES, true);
       talk(c, 4321);
     });
-    cell(1066, 0, 534, 216, c -> c.input(LogType.LOG).state(new InputState.Unconnected("log needs LogEntry; base offers none.")));
-    cell(1066, 222, 534, 218, c -> c.input(LogType.LOG).state(new InputState.Waiting("/rosout has 5 publishers, nothing was said yet")));
+    cell(1066, 0, 534, 216,
+        c -> c.input(LogType.LOG).state(new InputState.Unconnected("log needs LogEntry; base offers none.")));
+    cell(1066, 222, 534, 218,
+        c -> c.input(LogType.LOG).state(new InputState.Waiting("/rosout has 5 publishers, nothing was said yet")));
     LogUic chosen = cell(0, 446, 760, 330, c -> {
       c.settings().set(LogType.SEARCH, "rec[ov]+ery|loop");
       c.settings().set(LogType.EXPRESSION, true);
@@ -64,7 +71,8 @@ record Gallery(GalleryWindow window, Theme theme) {
     cell(506, 782, 500, 218, c -> {
       c.settings().set(LogType.LEVELS, List.of("warning", "fatal"));
       talk(c, 60);
-      c.input(LogType.LOG).put(new LogEntry(Severity.FATAL, "/base_driver", "Emergency stop: motor controller does not answer", ""));
+      c.input(LogType.LOG)
+          .put(new LogEntry(Severity.FATAL, "/base_driver", "Emergency stop: motor controller does not answer", ""));
       c.input(LogType.LOG).state(new InputState.Stale(12.3, "the link to localhost:11311 is lost"));
     });
     LogUic paused = cell(1012, 782, 588, 218, c -> talk(c, 90));
@@ -105,7 +113,8 @@ record Gallery(GalleryWindow window, Theme theme) {
       int times = kind == 3 ? 4 : 1;
       for (int k = 0; k < times; k++) {
         context.input(LogType.LOG).put(new SourceId("base", "/rosout"),
-            new LogEntry(LEVELS[kind], NODES[kind % NODES.length], TEXTS[kind], "src/planner_core.cpp:" + (100 + kind)), System.nanoTime(),
+            new LogEntry(LEVELS[kind], NODES[kind % NODES.length], TEXTS[kind], "src/planner_core.cpp:" + (100 + kind)),
+            System.nanoTime(),
             Optional.of(new Stamp(now - (count - i) * 120_000_000L, ClockKind.ROBOT)));
       }
     }

@@ -73,7 +73,8 @@ class LogSwtTest {
     context.input(LogType.LOG).put(new LogEntry(Severity.ERROR, "/node", "first\nsecond\nthird", "a.cpp:3"));
     tick();
     press(list(), 300, 10);
-    Text body = all(shell).filter(Text.class::isInstance).map(Text.class::cast).filter(t -> (t.getStyle() & SWT.MULTI) != 0).findFirst().orElseThrow();
+    Text body = all(shell).filter(Text.class::isInstance).map(Text.class::cast)
+        .filter(t -> (t.getStyle() & SWT.MULTI) != 0).findFirst().orElseThrow();
     assertEquals("first\nsecond\nthird", body.getText());
     assertTrue(body.getParent().getSize().y > 0);
     Event escape = new Event();
@@ -137,18 +138,22 @@ class LogSwtTest {
   }
 
   private QuietButton pill() {
-    return Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance).map(QuietButton.class::cast).findFirst().orElseThrow();
+    return Stream.of(list().getParent().getChildren()).filter(QuietButton.class::isInstance)
+        .map(QuietButton.class::cast).findFirst().orElseThrow();
   }
 
   /** The list is the one beside the pill. */
   private Scrollable list() {
-    return all(shell).filter(PaintedCanvas.class::isInstance).map(Scrollable.class::cast).filter(c -> c.getVerticalBar() != null)
-        .filter(c -> List.of(c.getParent().getChildren()).stream().anyMatch(QuietButton.class::isInstance)).findFirst().orElseThrow();
+    return all(shell).filter(PaintedCanvas.class::isInstance).map(Scrollable.class::cast)
+        .filter(c -> c.getVerticalBar() != null)
+        .filter(c -> List.of(c.getParent().getChildren()).stream().anyMatch(QuietButton.class::isInstance)).findFirst()
+        .orElseThrow();
   }
 
   private static Stream<Control> all(Control control) {
     return control instanceof Composite composite
-        ? Stream.concat(Stream.of(control), Stream.of(composite.getChildren()).flatMap(LogSwtTest::all)) : Stream.of(control);
+        ? Stream.concat(Stream.of(control), Stream.of(composite.getChildren()).flatMap(LogSwtTest::all))
+        : Stream.of(control);
   }
 
   private static void press(Control control, int x, int y) {

@@ -31,7 +31,8 @@ class LogUicTest {
 
   @Test
   void theFilterIsKeptAsSettingsAndComesBack() {
-    LogFilter filter = LogFilter.ALL.level(Severity.DEBUG, false).onlyOrigin("/a").search(Search.of("x+", true)).collapse(true);
+    LogFilter filter =
+        LogFilter.ALL.level(Severity.DEBUG, false).onlyOrigin("/a").search(Search.of("x+", true)).collapse(true);
     LogPreferences.write(context.settings(), filter);
     assertEquals(filter, LogPreferences.read(context.settings().current()));
     assertEquals(List.of("info", "warning", "error", "fatal"), context.settings().current().list(LogType.LEVELS));

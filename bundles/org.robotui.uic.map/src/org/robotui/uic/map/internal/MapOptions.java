@@ -51,7 +51,8 @@ public record MapOptions(
         "The fixed frame; 'auto' takes map, else odom, else the first root."));
     settings.add(Setting.of(FOLLOW, new ValueType.Flag(), false, "Keep the robot in the middle."));
     for (Kind kind : Kind.values()) {
-      settings.add(Setting.of(kind.setting(), new ValueType.Flag(), true, "Show: " + kind.label().toLowerCase(Locale.ROOT) + "."));
+      settings.add(Setting.of(kind.setting(), new ValueType.Flag(), true,
+          "Show: " + kind.label().toLowerCase(Locale.ROOT) + "."));
     }
     settings.add(Setting.of(SHOW_FAN, new ValueType.Flag(), true, "Show the free space that laser beams crossed."));
     settings.add(Setting.of(SHOW_UNCERTAINTY, new ValueType.Flag(), false,

@@ -43,14 +43,17 @@ public final class MapPorts {
   public static final CommandPort<PoseEstimate> INITIAL_POSE =
       new CommandPort<>("initial_pose", PoseEstimate.class, Arity.OPTIONAL, "Tells localisation where the robot is.");
   public static final CommandPort<PoseEstimate> INITIAL_POSES = new CommandPort<>(
-      "initial_poses", PoseEstimate.class, Arity.MANY, "Of several robots: tells the localisation of the selected one where it is.");
+      "initial_poses", PoseEstimate.class, Arity.MANY,
+      "Of several robots: tells the localisation of the selected one where it is.");
 
   /** All of them. */
   public static final List<Port> ALL =
-      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, NAVIGATION, GOAL, GOALS, INITIAL_POSE, INITIAL_POSES);
+      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, NAVIGATION, GOAL, GOALS, INITIAL_POSE,
+          INITIAL_POSES);
 
   /** The data that are layers of their own. */
-  public static final List<Class<? extends Data>> SHOWN = List.of(MAP.type(), SCAN.type(), SONAR.type(), BUMPER.type(), ODOM.type(), PATH.type(), POSE.type());
+  public static final List<Class<? extends Data>> SHOWN =
+      List.of(MAP.type(), SCAN.type(), SONAR.type(), BUMPER.type(), ODOM.type(), PATH.type(), POSE.type());
 
   private MapPorts() {}
 }

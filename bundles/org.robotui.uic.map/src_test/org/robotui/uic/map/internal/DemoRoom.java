@@ -141,7 +141,8 @@ public final class DemoRoom {
 
   private static Bumper bumper(double bearing, boolean pressed) {
     double radius = 0.25;
-    return new Bumper(RigidTransform.planar(radius * Math.cos(bearing), radius * Math.sin(bearing), bearing), 1.4 * radius, radius, pressed);
+    return new Bumper(RigidTransform.planar(radius * Math.cos(bearing), radius * Math.sin(bearing), bearing),
+        1.4 * radius, radius, pressed);
   }
 
   private static double cast(RigidTransform laser, double angle, double limit, int noise) {

@@ -99,10 +99,12 @@ final class MapGallery {
     empty.open();
     empty.tick();
     save(empty, "empty");
-    empty.context.input(MapPorts.SCAN).state(new InputState.Waiting("Connected to base.scan; nothing came yet. Is the laser on?"));
+    empty.context.input(MapPorts.SCAN)
+        .state(new InputState.Waiting("Connected to base.scan; nothing came yet. Is the laser on?"));
     empty.tick();
     save(empty, "waiting");
-    empty.context.input(MapPorts.SCAN).state(new InputState.Failed("/scan: the publisher closed the connection (md5 differs)"));
+    empty.context.input(MapPorts.SCAN)
+        .state(new InputState.Failed("/scan: the publisher closed the connection (md5 differs)"));
     empty.tick();
     save(empty, "failed");
     empty.close();
@@ -139,7 +141,8 @@ final class MapGallery {
     c[1] = 0.02;
     c[35] = 0.01;
     stage.context.input(MapPorts.POSE).put(DemoRoom.source("amcl_pose"), new PoseEstimate(DemoRoom.MAP,
-        DemoRoom.ROBOT_AT.times(RigidTransform.planar(0.2, 0.1, 0.05)), Doubles.wrap(c)), System.nanoTime(), Optional.empty());
+        DemoRoom.ROBOT_AT.times(RigidTransform.planar(0.2, 0.1, 0.05)), Doubles.wrap(c)), System.nanoTime(),
+        Optional.empty());
     stage.key((char) 27);
     stage.context.settings().set(MapOptions.FOLLOW, true);
     stage.context.settings().set(MapOptions.SHOW_UNCERTAINTY, true);

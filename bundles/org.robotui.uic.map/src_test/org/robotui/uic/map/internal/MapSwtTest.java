@@ -179,7 +179,8 @@ class MapSwtTest {
     }
     Arrays.sort(bytes);
     assertEquals(bytes.length, stage.canvas().paints() - before);
-    assertTrue(bytes[bytes.length / 2] < MOST_PAINT_BYTES, () -> "painting allocates " + Arrays.toString(bytes) + " bytes");
+    assertTrue(bytes[bytes.length / 2] < MOST_PAINT_BYTES,
+        () -> "painting allocates " + Arrays.toString(bytes) + " bytes");
   }
 
   @Test

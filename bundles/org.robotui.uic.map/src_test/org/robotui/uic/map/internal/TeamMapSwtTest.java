@@ -77,17 +77,22 @@ class TeamMapSwtTest {
   private void give() {
     for (int step = 0; step <= 30; step++) {
       for (int i = 0; i < 2; i++) {
-        Odometry odometry = new Odometry(frame(i, "odom"), frame(i, "base_link"), RigidTransform.planar(step / 10.0, 0, 0), Doubles.EMPTY,
+        Odometry odometry = new Odometry(frame(i, "odom"), frame(i, "base_link"),
+            RigidTransform.planar(step / 10.0, 0, 0), Doubles.EMPTY,
             new Vector3(0.3, 0, 0), Vector3.ZERO, Doubles.EMPTY);
-        stage.context.input(MapPorts.ODOM).put(new SourceId(INTERFACES.get(i), "odom"), odometry, System.nanoTime(), Optional.empty());
+        stage.context.input(MapPorts.ODOM).put(new SourceId(INTERFACES.get(i), "odom"), odometry, System.nanoTime(),
+            Optional.empty());
       }
       stage.uic.tick(System.nanoTime());
     }
     for (int i = 0; i < 2; i++) {
-      LaserScan scan = new LaserScan(frame(i, "base_link"), -1, 0.1, 0.05, 10, 0.1, Floats.wrap(new float[] {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}), Floats.EMPTY);
-      stage.context.input(MapPorts.SCAN).put(new SourceId(INTERFACES.get(i), "scan"), scan, System.nanoTime(), Optional.empty());
+      LaserScan scan = new LaserScan(frame(i, "base_link"), -1, 0.1, 0.05, 10, 0.1,
+          Floats.wrap(new float[]{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}), Floats.EMPTY);
+      stage.context.input(MapPorts.SCAN).put(new SourceId(INTERFACES.get(i), "scan"), scan, System.nanoTime(),
+          Optional.empty());
       stage.context.input(MapPorts.PATH).put(new SourceId(INTERFACES.get(i), "plan"),
-          new Path(frame(i, "map"), List.of(RigidTransform.planar(3, 0, 0), RigidTransform.planar(5, 2, 0))), System.nanoTime(), Optional.empty());
+          new Path(frame(i, "map"), List.of(RigidTransform.planar(3, 0, 0), RigidTransform.planar(5, 2, 0))),
+          System.nanoTime(), Optional.empty());
     }
     stage.tick();
     stage.act("fit");
@@ -133,7 +138,8 @@ class TeamMapSwtTest {
     }
     assertEquals(0, count(picture, theme.traces().get(2)));
     assertEquals(0, count(picture, theme.color(Role.LASER)), "with several robots a colour says who, not what");
-    assertTrue(places(picture, theme.traces().get(0).getRGB()).stream().anyMatch(p -> p.x > 600 && p.y < 60), "the legend");
+    assertTrue(places(picture, theme.traces().get(0).getRGB()).stream().anyMatch(p -> p.x > 600 && p.y < 60),
+        "the legend");
   }
 
   @Test

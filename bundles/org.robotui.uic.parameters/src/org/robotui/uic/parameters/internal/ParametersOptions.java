@@ -20,7 +20,8 @@ public record ParametersOptions(Duration names, Duration values) {
 
   public static Schema schema() {
     return Schema.of(
-        Setting.of(NAMES, new ValueType.Num(1, 600, "s"), 5.0, "How often the robot is asked which parameters it has, while the view is seen."),
+        Setting.of(NAMES, new ValueType.Num(1, 600, "s"), 5.0,
+            "How often the robot is asked which parameters it has, while the view is seen."),
         Setting.of(VALUES, new ValueType.Num(0.5, 600, "s"), 3.0, "How often what is seen is read again."));
   }
 

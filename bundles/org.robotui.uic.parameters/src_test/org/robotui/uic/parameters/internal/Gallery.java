@@ -52,25 +52,29 @@ record Gallery(GalleryWindow window, Theme theme) {
       model.tuning(true);
       model.tune(Optional.of(new Key("base", "/camera_driver")));
     });
-    cell(1052, 502, 548, 160, c -> { }, (stage, model) -> { });
+    cell(1052, 502, 548, 160, c -> {}, (stage, model) -> {});
     cell(1052, 668, 548, 160, c -> {
       FakeRobot robot = new FakeRobot();
       robot.fail(Optional.of("localhost:11311 refuses the connection"));
       c.robots(List.of(robot.robot("base")));
-    }, (stage, model) -> { });
+    }, (stage, model) -> {});
     cell(1052, 834, 548, 166, Gallery::typical, (stage, model) -> stage.filter("nothing like this"));
   }
 
   private static void open(ParametersModel model) {
-    List.of("/camera_driver", "/move_base", "/move_base/controller").forEach(name -> model.open(new Key("base", name), true));
+    List.of("/camera_driver", "/move_base", "/move_base/controller")
+        .forEach(name -> model.open(new Key("base", name), true));
   }
 
   private static void typical(FakeUicContext context) {
-    FakeRobot robot = new FakeRobot().with("/camera_driver/frame_id", "camera_optical_frame").with("/camera_driver/exposure", 120L)
-        .with("/move_base/max_vel_x", 0.4).with("/move_base/footprint", List.of(List.of(0.2, 0.1), List.of(0.2, -0.1), List.of(-0.2, 0.0)))
+    FakeRobot robot = new FakeRobot().with("/camera_driver/frame_id", "camera_optical_frame")
+        .with("/camera_driver/exposure", 120L)
+        .with("/move_base/max_vel_x", 0.4)
+        .with("/move_base/footprint", List.of(List.of(0.2, 0.1), List.of(0.2, -0.1), List.of(-0.2, 0.0)))
         .with("/move_base/controller/gains", Map.of("p", 1.2)).with("/move_base/controller/enabled", true)
         .with("/robot_description", "<?xml version=\"1.0\"?>\n<robot name=\"keira\">").with("/rosdistro", "noetic\n")
-        .with("/run_id", "5b1a").with("/use_sim_time", false).with("/amcl/min_particles", 100L).with("/amcl/max_particles", 500L)
+        .with("/run_id", "5b1a").with("/use_sim_time", false).with("/amcl/min_particles", 100L)
+        .with("/amcl/max_particles", 500L)
         .server("/camera_driver",
             FakeRobot.plain("auto_exposure", "", false, true, "Lets the camera choose the exposure"),
             FakeRobot.whole("exposure", "", 120, 120, 1, 500, "Exposure time in units of 100 microseconds"),
@@ -79,16 +83,18 @@ record Gallery(GalleryWindow window, Theme theme) {
                 new Choice("HD", 1L, "1280 x 720 at 30 Hz"), new Choice("Full", 2L, "1920 x 1080 at 15 Hz")),
             FakeRobot.plain("frame_id", "Output", "camera_optical_frame", "camera", "Frame of the pictures"),
             FakeRobot.number("time_offset", "Output", 0, 0, -1e308, 1e308, "Seconds added to each stamp"))
-        .server("/move_base/DWAPlanner", FakeRobot.number("max_vel_x", "", 0.4, 0.55, 0, 1, "")).server("/move_base/local_costmap");
+        .server("/move_base/DWAPlanner", FakeRobot.number("max_vel_x", "", 0.4, 0.55, 0, 1, ""))
+        .server("/move_base/local_costmap");
     context.robots(List.of(robot.robot("base")));
   }
 
-  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare, BiConsumer<Stage, ParametersModel> act) {
+  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare,
+      BiConsumer<Stage, ParametersModel> act) {
     FakeUicContext context = new FakeUicContext("parameters", ParametersOptions.schema());
     prepare.accept(context);
     Composite part = window.cell(x, y, width, height);
     ParametersModel model = new ParametersModel(context);
-    ParametersSurface surface = new ParametersSurface(part, UiContext.of(theme, text -> { }), model);
+    ParametersSurface surface = new ParametersSurface(part, UiContext.of(theme, text -> {}), model);
     part.layout(true, true);
     Stage stage = new Stage(surface, model, () -> ParametersOptions.of(context.settings().current()));
     stage.settle();

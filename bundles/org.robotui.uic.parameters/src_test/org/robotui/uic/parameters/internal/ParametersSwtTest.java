@@ -33,8 +33,10 @@ class ParametersSwtTest {
 
   private final FakeUicContext context = new FakeUicContext("parameters", ParametersOptions.schema());
   private final ParametersModel model = new ParametersModel(context);
-  private final FakeRobot robot = new FakeRobot().with("/speed", 0.5).with("/gains", List.of(1.0, 2.0)).with("/flag", true)
-      .server("/camera", FakeRobot.whole("exposure", "", 120, 120, 0, 500, "help"), FakeRobot.plain("frame", "Output", "a", "b", ""));
+  private final FakeRobot robot =
+      new FakeRobot().with("/speed", 0.5).with("/gains", List.of(1.0, 2.0)).with("/flag", true)
+          .server("/camera", FakeRobot.whole("exposure", "", 120, 120, 0, 500, "help"),
+              FakeRobot.plain("frame", "Output", "a", "b", ""));
   private Display display;
   private Theme theme;
   private Shell shell;

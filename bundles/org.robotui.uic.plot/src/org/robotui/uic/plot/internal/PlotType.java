@@ -21,7 +21,8 @@ import org.robotui.uic.plot.internal.model.PlotOptions;
 @Component(service = UicType.class)
 public final class PlotType implements UicType {
   static final StreamPort<Data> VALUES = new StreamPort<>(
-      "values", Data.class, Arity.MANY, "whatever has numbers; a robot is asked only for what is plotted", Intake.CHOSEN);
+      "values", Data.class, Arity.MANY, "whatever has numbers; a robot is asked only for what is plotted",
+      Intake.CHOSEN);
 
   private static final double RATE_HZ = 30;
 

@@ -58,7 +58,8 @@ final class PlotUic implements SwtUic {
     this.scene = engine.begin(System.nanoTime());
     this.actions = List.of(
         action("add", "Add a trace", Icon.PLUS, PlotSurface::toggleChooser),
-        new ViewAction("pause", "Pause", Icon.PAUSE.id(), Optional.of(() -> !state.isLive()), () -> surface.ifPresent(PlotSurface::pause)),
+        new ViewAction("pause", "Pause", Icon.PAUSE.id(), Optional.of(() -> !state.isLive()),
+            () -> surface.ifPresent(PlotSurface::pause)),
         new ViewAction("cursors", "Cursors", Icon.RULER.id(), Optional.of(() -> state.cursors().isPresent()),
             () -> surface.ifPresent(PlotSurface::cursors)),
         action("live", "Back to live", Icon.FIT, PlotSurface::live),
@@ -85,7 +86,8 @@ final class PlotUic implements SwtUic {
   /** Whether time went on so far that it is seen. */
   private boolean moved(PlotScene next) {
     double window = next.spec().window() == 0 ? ALL_WINDOW : next.spec().window();
-    return state.isLive() && !next.spec().isEmpty() && Math.abs(next.now() - shownNow) >= window / STEPS * TimeSpan.SECOND;
+    return state.isLive() && !next.spec().isEmpty()
+        && Math.abs(next.now() - shownNow) >= window / STEPS * TimeSpan.SECOND;
   }
 
   /** What words are seen of the traces. */

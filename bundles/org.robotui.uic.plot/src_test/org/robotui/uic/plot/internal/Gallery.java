@@ -46,16 +46,19 @@ final class Gallery {
   }
 
   private void fill() {
-    cell(0, 0, 960, 560, Gallery::typical, c -> { });
-    cell(966, 0, 634, 277, c -> simple(c, "base./odom:linear.x", "base./odom:angular.z"), s -> mouse(s, SWT.MouseMove, 250, 120, 0));
-    cell(966, 283, 634, 277, Gallery::broken, c -> { });
-    cell(0, 566, 500, 200, c -> { }, c -> { });
+    cell(0, 0, 960, 560, Gallery::typical, c -> {});
+    cell(966, 0, 634, 277, c -> simple(c, "base./odom:linear.x", "base./odom:angular.z"),
+        s -> mouse(s, SWT.MouseMove, 250, 120, 0));
+    cell(966, 283, 634, 277, Gallery::broken, c -> {});
+    cell(0, 566, 500, 200, c -> {}, c -> {});
     cell(506, 566, 454, 200, c -> {
       simple(c, "base./odom:linear.x");
       c.input(PlotType.VALUES).state(new InputState.Stale(4.2, "the link is lost"));
-    }, c -> { });
-    cell(966, 566, 634, 434, c -> simple(c, "arm./joint_states:joints[0].position", "arm./joint_states:joints[1].position",
-        "arm./joint_states:joints[2].position"), Gallery::choosing);
+    }, c -> {});
+    cell(966, 566, 634, 434,
+        c -> simple(c, "arm./joint_states:joints[0].position", "arm./joint_states:joints[1].position",
+            "arm./joint_states:joints[2].position"),
+        Gallery::choosing);
     cell(0, 772, 500, 228, c -> simple(c, "base./odom:linear.x"), s -> {
       key(s, 'c');
       key(s, 'p');
@@ -63,7 +66,7 @@ final class Gallery {
     cell(506, 772, 454, 228, c -> {
       Robots.candidates(c.input(PlotType.VALUES));
       c.settings().set(PlotOptions.AXES, List.of(Map.of("traces", List.of("base./scan:ranges[3]"))));
-    }, c -> { });
+    }, c -> {});
   }
 
   private void fillMore() {
@@ -75,30 +78,33 @@ final class Gallery {
       simple(c);
       c.settings().set(PlotOptions.AXES, List.of(Map.of("traces", List.of("base./odom:linear.x"))));
       FakeInput<Data> lossy = c.input(PlotType.VALUES);
-      lossy.drain(e -> { });
+      lossy.drain(e -> {});
       Robots.drive(lossy, 3000);
     }, s -> mouse(s, SWT.MouseMove, 340, 160, 0));
     cell(0, 336, 400, 320, c -> {
       simple(c, "base./sonar:readings[0].range", "arm./joint_states:joints[1].position");
       c.settings().set(PlotOptions.STYLE, "step");
       c.settings().set(PlotOptions.WINDOW, 4.0);
-    }, s -> { });
+    }, s -> {});
     cell(406, 336, 390, 320, c -> {
       simple(c, "base./sonar:readings[0].range", "arm./joint_states:joints[1].position");
       c.settings().set(PlotOptions.STYLE, "dots");
-    }, s -> { });
+    }, s -> {});
     cell(802, 336, 798, 320, c -> {
       simple(c, "base./odom:linear.x");
       c.settings().set(PlotOptions.LINKED, false);
       c.settings().set(PlotOptions.AXES, List.of(Map.of("traces", List.of("base./odom:linear.x")),
-          Map.of("traces", List.of(Map.of("signal", "base./odom:angular.z", "hidden", true), "arm./joint_states:joints[0].velocity"))));
-    }, s -> { });
-    cell(0, 662, 260, 338, Gallery::typical, s -> { });
+          Map.of("traces", List.of(Map.of("signal", "base./odom:angular.z", "hidden", true),
+              "arm./joint_states:joints[0].velocity"))));
+    }, s -> {});
+    cell(0, 662, 260, 338, Gallery::typical, s -> {});
     cell(266, 662, 530, 338, c -> {
-      simple(c, Stream.of("position", "velocity", "effort").flatMap(q -> Stream.of(0, 1, 2).map(i -> "arm./joint_states:joints[" + i + "]." + q))
-          .toArray(String[]::new));
+      simple(c,
+          Stream.of("position", "velocity", "effort")
+              .flatMap(q -> Stream.of(0, 1, 2).map(i -> "arm./joint_states:joints[" + i + "]." + q))
+              .toArray(String[]::new));
       c.settings().set(PlotOptions.LEGEND, "side");
-    }, s -> { });
+    }, s -> {});
     cell(802, 662, 798, 338, c -> simple(c, "base./odom:linear.x", "scale(base./odom:linear.x, 1, 0.4)"), s -> {
       Event event = new Event();
       event.stateMask = SWT.SHIFT;
@@ -118,7 +124,9 @@ final class Gallery {
     smooth.put("scale", "right");
     Robots.drive(context.input(PlotType.VALUES));
     context.settings().set(PlotOptions.AXES, List.of(
-        Map.of("traces", List.of("base./odom:linear.x", "base./odom:angular.z", "difference(base./odom:linear.x, base./odom:angular.z)")),
+        Map.of("traces",
+            List.of("base./odom:linear.x", "base./odom:angular.z",
+                "difference(base./odom:linear.x, base./odom:angular.z)")),
         Map.of("traces", List.of("base./sonar:readings[0].range", smooth), "range", List.of(0L, 4L)),
         Map.of("traces", List.of("arm./joint_states:joints[0].position", "arm./joint_states:joints[1].position"))));
   }
@@ -130,7 +138,8 @@ final class Gallery {
   }
 
   private static void broken(FakeUicContext context) {
-    simple(context, "base./odom:linear.x", "base./odom:twist.speed", "base./imu:angular.z", "sine(base./odom:linear.x)");
+    simple(context, "base./odom:linear.x", "base./odom:twist.speed", "base./imu:angular.z",
+        "sine(base./odom:linear.x)");
   }
 
   private static void choosing(Composite part) {
@@ -138,7 +147,7 @@ final class Gallery {
     key(part, 'a');
     part.layout(true, true);
     Control list = ((Composite) inside[1]).getChildren()[2];
-    for (int code : new int[] {SWT.HOME, SWT.ARROW_RIGHT, SWT.ARROW_DOWN, SWT.ARROW_DOWN}) {
+    for (int code : new int[]{SWT.HOME, SWT.ARROW_RIGHT, SWT.ARROW_DOWN, SWT.ARROW_DOWN}) {
       Event event = new Event();
       event.keyCode = code;
       list.notifyListeners(SWT.KeyDown, event);

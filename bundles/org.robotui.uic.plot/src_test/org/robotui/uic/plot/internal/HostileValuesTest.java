@@ -14,7 +14,8 @@ class HostileValuesTest {
   @Test
   void whateverIsSentIsPainted() {
     List<String> signals = List.of("base.Odometry:pose.translation.x", "base.Odometry:linear.x", "base.Battery:voltage",
-        "base.JointState:joints[0].position", "derivative(base.Wrench:force.z)", "integral(base.Battery:current)", "base.MapRecord:x");
+        "base.JointState:joints[0].position", "derivative(base.Wrench:force.z)", "integral(base.Battery:current)",
+        "base.MapRecord:x");
     for (String time : List.of(PlotOptions.BY_RECEIPT, PlotOptions.BY_STAMP)) {
       ViewTrial.of(new PlotType(), context -> {
         context.settings().set(PlotOptions.TIME, time);

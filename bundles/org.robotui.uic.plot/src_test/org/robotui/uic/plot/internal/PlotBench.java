@@ -31,8 +31,8 @@ import org.robotui.uic.plot.internal.trace.TimeSpan;
 import org.robotui.uic.plot.internal.view.PlotScreen;
 
 /**
- * How long paints take while the user pans and zooms over a million samples a trace, with one trace and with ten on two axes:
- * {@code PlotBench [ROUNDS]} prints median and 95th percentile, then a line of JSON for each. Beside the time
+ * How long paints take while the user pans and zooms over a million samples a trace, with one trace and with ten on two
+ * axes: {@code PlotBench [ROUNDS]} prints median and 95th percentile, then a line of JSON for each. Beside the time
  * that went by stands that of the processor, which other programs do not make longer.
  */
 public final class PlotBench {
@@ -56,9 +56,10 @@ public final class PlotBench {
   }
 
   private void run() {
-    System.out.printf(Locale.ROOT, "%-22s %8s %10s %10s %10s %10s%n", "", "", "median ms", "p95 ms", "CPU median", "CPU p95");
-    for (int traces : new int[] {1, 10}) {
-      for (boolean noisy : new boolean[] {false, true}) {
+    System.out.printf(Locale.ROOT, "%-22s %8s %10s %10s %10s %10s%n", "", "", "median ms", "p95 ms", "CPU median",
+        "CPU p95");
+    for (int traces : new int[]{1, 10}) {
+      for (boolean noisy : new boolean[]{false, true}) {
         measure(scene(traces, noisy), traces + " x 1 M " + (noisy ? "noise" : "smooth"));
       }
     }
@@ -72,7 +73,8 @@ public final class PlotBench {
       long length = all.length() / 2;
       return TimeView.LIVE.hold(new TimeSpan(0, length).moved(all.from() + length * (i % 200) / 200));
     });
-    measure(scene, name, "zoom", i -> TimeView.LIVE.hold(all.zoomed(Math.pow(0.95, i % 200), all.from() + all.length() / 3)));
+    measure(scene, name, "zoom",
+        i -> TimeView.LIVE.hold(all.zoomed(Math.pow(0.95, i % 200), all.from() + all.length() / 3)));
   }
 
   private interface Step {
@@ -107,8 +109,9 @@ public final class PlotBench {
     int p95 = Math.min(rounds - 1, rounds * 95 / 100);
     System.out.printf(Locale.ROOT, "%-22s %8s %10.2f %10.2f %10.2f %10.2f%n",
         name, what, millis[rounds / 2], millis[p95], cpu[rounds / 2], cpu[p95]);
-    System.out.printf(Locale.ROOT, "{\"bench\":\"plot\",\"case\":\"%s\",\"what\":\"%s\",\"median_ms\":%.3f,\"p95_ms\":%.3f,"
-        + "\"cpu_median_ms\":%.3f,\"cpu_p95_ms\":%.3f,\"limit_ms\":33}%n",
+    System.out.printf(Locale.ROOT,
+        "{\"bench\":\"plot\",\"case\":\"%s\",\"what\":\"%s\",\"median_ms\":%.3f,\"p95_ms\":%.3f,"
+            + "\"cpu_median_ms\":%.3f,\"cpu_p95_ms\":%.3f,\"limit_ms\":33}%n",
         name, what, millis[rounds / 2], millis[p95], cpu[rounds / 2], cpu[p95]);
   }
 
@@ -144,8 +147,10 @@ public final class PlotBench {
       axes.add(views.subList(from, Math.min(count, from + each)));
     }
     List<AxisSpec> specs = axes.stream()
-        .map(a -> new AxisSpec(a.stream().map(TraceView::spec).toList(), new YRange.Auto(), new YRange.Auto())).toList();
-    return new PlotScene(new PlotSpec(specs, 60, true, true, LineStyle.LINE, PlotSpec.LegendPlace.AUTO), axes, SAMPLES * EVERY);
+        .map(a -> new AxisSpec(a.stream().map(TraceView::spec).toList(), new YRange.Auto(), new YRange.Auto()))
+        .toList();
+    return new PlotScene(new PlotSpec(specs, 60, true, true, LineStyle.LINE, PlotSpec.LegendPlace.AUTO), axes,
+        SAMPLES * EVERY);
   }
 
   private static TraceView view(int index, boolean noisy) {
@@ -155,9 +160,11 @@ public final class PlotBench {
       double wave = Math.sin(i * (1 + index) / 60_000.0) + index * 0.3;
       series.add(i * EVERY, noisy ? wave + random.nextGaussian() * 0.3 : wave);
     }
-    TraceSpec spec = new TraceSpec("bench.s" + index + ":value", Optional.empty(), Optional.empty(), OptionalInt.of(index % 7),
-        Optional.empty(), false, false);
-    return new TraceView(spec, index % 7, "s" + index, "bench", "m/s", Optional.of(series), new InputState.Live(1000, 0),
+    TraceSpec spec =
+        new TraceSpec("bench.s" + index + ":value", Optional.empty(), Optional.empty(), OptionalInt.of(index % 7),
+            Optional.empty(), false, false);
+    return new TraceView(spec, index % 7, "s" + index, "bench", "m/s", Optional.of(series),
+        new InputState.Live(1000, 0),
         Optional.empty(), List.of(), 0);
   }
 }

@@ -133,7 +133,8 @@ class PlotSwtTest {
     step();
     input.put(Robots.ODOM, Robots.odometry(0.3, 0), System.nanoTime(), Optional.empty());
     step();
-    keys(list, SWT.ARROW_LEFT, SWT.ARROW_RIGHT, SWT.ARROW_DOWN, SWT.ARROW_DOWN, SWT.ARROW_DOWN, SWT.ARROW_DOWN, SWT.ARROW_DOWN,
+    keys(list, SWT.ARROW_LEFT, SWT.ARROW_RIGHT, SWT.ARROW_DOWN, SWT.ARROW_DOWN, SWT.ARROW_DOWN, SWT.ARROW_DOWN,
+        SWT.ARROW_DOWN,
         SWT.ARROW_RIGHT, SWT.ARROW_DOWN, SWT.CR);
     assertEquals(List.of(SPEED), spec().signals().toList());
   }
@@ -235,7 +236,8 @@ class PlotSwtTest {
   @Test
   void everyStateCanBePainted() {
     plot(SPEED, "base./odom:nothing", "arm./joint_states:joints[0].position", "sine(x)");
-    for (InputState state : List.of(new InputState.Waiting("w"), new InputState.Unconnected("u"), new InputState.Stale(2, "s"),
+    for (InputState state : List.of(new InputState.Waiting("w"), new InputState.Unconnected("u"),
+        new InputState.Stale(2, "s"),
         new InputState.Failed("f"))) {
       input.state(state);
       long before = canvas().paints();
@@ -255,7 +257,7 @@ class PlotSwtTest {
     plot(SPEED, "base./odom:nothing", "arm./joint_states:joints[0].position");
     keys(canvas(), 'c');
     long before = canvas().paints();
-    for (int[] size : new int[][] {{10, 10}, {60, 300}, {130, 40}, {600, 20}, {240, 180}, {1, 1}}) {
+    for (int[] size : new int[][]{{10, 10}, {60, 300}, {130, 40}, {600, 20}, {240, 180}, {1, 1}}) {
       shell.setSize(size[0], size[1]);
       settle();
       mouse(SWT.MouseMove, size[0] / 2, size[1] / 2, 0, 0);
@@ -342,7 +344,8 @@ class PlotSwtTest {
   }
 
   private Composite panel() {
-    return (Composite) Arrays.stream(root().getChildren()).filter(Predicate.not(PaintedCanvas.class::isInstance)).findFirst().orElseThrow();
+    return (Composite) Arrays.stream(root().getChildren()).filter(Predicate.not(PaintedCanvas.class::isInstance))
+        .findFirst().orElseThrow();
   }
 
   private static <T> T find(Composite within, Class<T> type) {

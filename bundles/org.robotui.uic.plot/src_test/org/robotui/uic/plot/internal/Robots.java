@@ -46,7 +46,8 @@ public final class Robots {
   public static void candidates(FakeInput<Data> input) {
     input.candidates(List.of(new Input.Candidate(ODOM, "Odometry"), new Input.Candidate(JOINTS, "JointState"),
         new Input.Candidate(SONAR, "RangeReadings"), new Input.Candidate(new SourceId("base", "/scan"), "LaserScan"),
-        new Input.Candidate(new SourceId("base", "/battery"), "Battery"), new Input.Candidate(new SourceId("base", "/turtle1/pose"), "turtlesim/Pose")));
+        new Input.Candidate(new SourceId("base", "/battery"), "Battery"),
+        new Input.Candidate(new SourceId("base", "/turtle1/pose"), "turtlesim/Pose")));
   }
 
   /** A minute of driving that ends now. */
@@ -66,10 +67,12 @@ public final class Robots {
         input.skip(ODOM, 1);
         continue;
       }
-      input.put(ODOM, odometry(0.28 * Math.sin(s / 4) + 0.12 + noise, 0.35 * Math.cos(s / 5) - 0.1 - noise), now + ms * MILLI, Optional.empty());
+      input.put(ODOM, odometry(0.28 * Math.sin(s / 4) + 0.12 + noise, 0.35 * Math.cos(s / 5) - 0.1 - noise),
+          now + ms * MILLI, Optional.empty());
       if (ms % 100 == 0) {
         input.put(JOINTS, joints(s / 6), now + ms * MILLI, Optional.empty());
-        RangeReading reading = new RangeReading(new FrameId("Keira", "sonar"), RangeReading.Kind.ULTRASOUND, 0.3, 0.1, 4, 2 + Math.sin(s / 3) + noise * 20);
+        RangeReading reading = new RangeReading(new FrameId("Keira", "sonar"), RangeReading.Kind.ULTRASOUND, 0.3, 0.1,
+            4, 2 + Math.sin(s / 3) + noise * 20);
         input.put(SONAR, new RangeReadings(List.of(reading)), now + ms * MILLI, Optional.empty());
       }
     }

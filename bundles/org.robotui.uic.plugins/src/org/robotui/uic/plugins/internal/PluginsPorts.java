@@ -15,9 +15,11 @@ final class PluginsPorts {
   static final StreamPort<ControlPlugins> PLUGINS =
       new StreamPort<>("plugins", ControlPlugins.class, Arity.ONE, "the plugins of the control and how they are doing");
   static final StreamPort<LoopTiming> TIMING =
-      new StreamPort<>("timing", LoopTiming.class, Arity.OPTIONAL, "how well the threads of the control keep their time");
-  static final CallPort<PluginRequest, PluginReply> VERBS = new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class,
-      Arity.OPTIONAL, "starts, stops and reloads plugins", true);
+      new StreamPort<>("timing", LoopTiming.class, Arity.OPTIONAL,
+          "how well the threads of the control keep their time");
+  static final CallPort<PluginRequest, PluginReply> VERBS =
+      new CallPort<>("plugin_verbs", PluginRequest.class, PluginReply.class,
+          Arity.OPTIONAL, "starts, stops and reloads plugins", true);
 
   static final List<Port> ALL = List.of(PLUGINS, TIMING, VERBS);
 

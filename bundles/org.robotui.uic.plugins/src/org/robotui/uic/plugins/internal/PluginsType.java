@@ -19,7 +19,8 @@ public final class PluginsType implements UicType {
   private static final double LONGEST_WAIT = 120;
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(TIMEOUT, new ValueType.Num(0.1, LONGEST_WAIT, "s"), 10.0, "How long the control may take to start, stop or reload a plugin."));
+      Setting.of(TIMEOUT, new ValueType.Num(0.1, LONGEST_WAIT, "s"), 10.0,
+          "How long the control may take to start, stop or reload a plugin."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("plugins", "Plugins",
       "Switches and reloads the plugins of a control, and shows how well its threads keep their time.",

@@ -26,7 +26,8 @@ final class PluginsUic implements SwtUic {
   PluginsUic(UicContext context) {
     SettingsStore settings = context.settings();
     model = new PluginsModel(context, context.input(PluginsPorts.PLUGINS), context.input(PluginsPorts.TIMING),
-        context.caller(PluginsPorts.VERBS), () -> Duration.ofNanos((long) (settings.current().number(PluginsType.TIMEOUT) * NANOS)));
+        context.caller(PluginsPorts.VERBS),
+        () -> Duration.ofNanos((long) (settings.current().number(PluginsType.TIMEOUT) * NANOS)));
     actions = List.of(
         new ViewAction("reset", "Reset the figures", Icon.RESTART.id(), Optional.empty(), () -> reset()),
         new ViewAction("start", "Figures since the start", Icon.UNDO.id(), Optional.empty(), () -> sinceStart()));

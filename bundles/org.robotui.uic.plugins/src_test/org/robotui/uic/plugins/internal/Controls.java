@@ -25,7 +25,8 @@ public final class Controls {
   public static final long MILLI = 1_000_000;
 
   private static final int BUCKETS = 96;
-  private static final List<Long> LOWER = IntStream.range(0, BUCKETS).mapToObj(i -> i == 0 ? 0L : Math.round(100 * Math.pow(2, i / 4.0))).toList();
+  private static final List<Long> LOWER =
+      IntStream.range(0, BUCKETS).mapToObj(i -> i == 0 ? 0L : Math.round(100 * Math.pow(2, i / 4.0))).toList();
   private static final String ERROR = """
       the library libcartesian.so could not be loaded
       /opt/plugins/libcartesian.so: undefined symbol: _ZN7robotui2rt5Model6updateEv
@@ -37,10 +38,12 @@ public final class Controls {
   /** Durations around one, with a long tail to another, as a real loop has them. */
   public static Histogram durations(long count, double typical, double longest) {
     double middle = Math.log(typical);
-    double[] weights = LOWER.stream().mapToDouble(l -> Math.exp(-Math.pow((Math.log(Math.max(50, l)) - middle) / 0.35, 2))
-        + (l > typical && l < longest ? 2e-4 / (1 + 4 * Math.log(l / typical)) : 0)).toArray();
+    double[] weights =
+        LOWER.stream().mapToDouble(l -> Math.exp(-Math.pow((Math.log(Math.max(50, l)) - middle) / 0.35, 2))
+            + (l > typical && l < longest ? 2e-4 / (1 + 4 * Math.log(l / typical)) : 0)).toArray();
     double all = Arrays.stream(weights).sum();
-    List<Long> counts = new ArrayList<>(IntStream.range(0, BUCKETS).mapToObj(i -> Math.round(count * weights[i] / all)).toList());
+    List<Long> counts =
+        new ArrayList<>(IntStream.range(0, BUCKETS).mapToObj(i -> Math.round(count * weights[i] / all)).toList());
     int last = (int) LOWER.stream().filter(l -> l <= longest).count() - 1;
     counts.set(last, counts.get(last) + 1);
     return new Histogram(counts, LOWER, (long) longest);
@@ -51,8 +54,10 @@ public final class Controls {
     return new Histogram(LongStream.range(0, BUCKETS).mapToObj(i -> 0L).toList(), LOWER, 0);
   }
 
-  public static Plugin plugin(String name, String process, String thread, State state, String status, String error, Histogram busy) {
-    return new Plugin(name, "lib" + name + ".so", process, thread, state, status, error, state == State.FAILED ? 3 : 0, MILLI, busy.count(), busy);
+  public static Plugin plugin(String name, String process, String thread, State state, String status, String error,
+      Histogram busy) {
+    return new Plugin(name, "lib" + name + ".so", process, thread, state, status, error, state == State.FAILED ? 3 : 0,
+        MILLI, busy.count(), busy);
   }
 
   /** An arm's control at 1 kHz: one host with two threads. */
@@ -62,17 +67,21 @@ public final class Controls {
         plugin("gravity", "motion", "fast", State.RUNNING, "7 joints, KDL", "", durations(120_000, 64_000, 210_000)),
         plugin("sine", "motion", "fast", State.STOPPED, "", "", nothing()),
         plugin("cartesian", "motion", "slow", State.FAILED, "", ERROR, nothing()),
-        plugin("logging", "motion", "slow", State.RUNNING, "arm-2026-11-21.mcap, 14 MB", "", durations(12_000, 6_000, 61_000)),
+        plugin("logging", "motion", "slow", State.RUNNING, "arm-2026-11-21.mcap, 14 MB", "",
+            durations(12_000, 6_000, 61_000)),
         plugin("communication", "links", "io", State.STARTING, "", "", durations(400, 9_000, 22_000))));
   }
 
   public static LoopTiming timing(boolean realTime) {
     return new LoopTiming(realTime, List.of(
-        new Loop("hal", "HAL", new Schedule(MILLI, realTime ? 90 : 0, 1), new Counts(120_431, 0, 2, 0, 0), durations(120_431, 4_200, 41_000),
+        new Loop("hal", "HAL", new Schedule(MILLI, realTime ? 90 : 0, 1), new Counts(120_431, 0, 2, 0, 0),
+            durations(120_431, 4_200, 41_000),
             durations(120_431, 180_000, 390_000)),
-        new Loop("fast", "motion", new Schedule(MILLI, realTime ? 70 : 0, 1), new Counts(120_400, 0, 0, 0, 0), durations(120_400, 9_800, 92_000),
+        new Loop("fast", "motion", new Schedule(MILLI, realTime ? 70 : 0, 1), new Counts(120_400, 0, 0, 0, 0),
+            durations(120_400, 9_800, 92_000),
             durations(120_400, 110_000, 340_000)),
-        new Loop("slow", "motion", new Schedule(10 * MILLI, realTime ? 60 : 0, -1), new Counts(12_040, 3, 0, 17, 2), durations(12_040, 14_000, 2_300_000),
+        new Loop("slow", "motion", new Schedule(10 * MILLI, realTime ? 60 : 0, -1), new Counts(12_040, 3, 0, 17, 2),
+            durations(12_040, 14_000, 2_300_000),
             durations(12_040, 60_000, 11_700_000))));
   }
 

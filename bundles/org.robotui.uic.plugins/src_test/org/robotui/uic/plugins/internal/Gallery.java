@@ -67,14 +67,17 @@ final class Gallery {
       answer(u, new PluginReply(true, "speed is 0.4"));
     });
     cell(0, 546, 396, 454, "plugin gravity", (c, u) -> Controls.put(c, Controls.arm(), Controls.timing(true)));
-    cell(402, 546, 394, 224, "", (c, u) -> { });
+    cell(402, 546, 394, 224, "", (c, u) -> {});
     cell(802, 546, 394, 224, "", (c, u) -> {
       Controls.put(c, Controls.arm(), Controls.timing(true));
       c.input(PluginsPorts.PLUGINS).state(new InputState.Stale(3.4, "silent"));
     });
-    cell(1202, 546, 398, 224, "", (c, u) -> c.input(PluginsPorts.PLUGINS).put(Controls.PLUGINS, new ControlPlugins(List.of()), 0, Optional.empty()));
-    cell(402, 776, 394, 224, "", (c, u) -> c.input(PluginsPorts.PLUGINS).state(new InputState.Failed("the control speaks version 9, this is version 4")));
-    cell(802, 776, 798, 224, "plugin homing", (c, u) -> c.input(PluginsPorts.PLUGINS).put(Controls.PLUGINS, Controls.arm(), 0, Optional.empty()));
+    cell(1202, 546, 398, 224, "", (c, u) -> c.input(PluginsPorts.PLUGINS).put(Controls.PLUGINS,
+        new ControlPlugins(List.of()), 0, Optional.empty()));
+    cell(402, 776, 394, 224, "", (c, u) -> c.input(PluginsPorts.PLUGINS)
+        .state(new InputState.Failed("the control speaks version 9, this is version 4")));
+    cell(802, 776, 798, 224, "plugin homing",
+        (c, u) -> c.input(PluginsPorts.PLUGINS).put(Controls.PLUGINS, Controls.arm(), 0, Optional.empty()));
   }
 
   private void third() {
@@ -92,7 +95,8 @@ final class Gallery {
     uic.tick(0);
   }
 
-  private void cell(int x, int y, int width, int height, String selected, BiConsumer<FakeUicContext, PluginsUic> prepare) {
+  private void cell(int x, int y, int width, int height, String selected,
+      BiConsumer<FakeUicContext, PluginsUic> prepare) {
     FakeUicContext context = new FakeUicContext("plugins", new PluginsType().schema());
     caller = new FakeCaller<>(Controls.VERBS);
     context.caller(PluginsPorts.VERBS, caller);

@@ -25,15 +25,16 @@ import org.robotui.gl.render.Gl;
 import org.robotui.uic.scene3d.internal.model.DisplayFaults;
 
 /**
- * The scene in space. Graphics and kinds of displays come and go while it runs; they are taken as handles, so that none of them is
- * started before the first scene is looked at.
+ * The scene in space. Graphics and kinds of displays come and go while it runs; they are taken as handles, so that none
+ * of them is started before the first scene is looked at.
  */
 @Component(service = UicType.class)
 public final class Scene3dType implements UicType {
   private static final double RATE_HZ = 30;
 
   private static final Descriptor DESCRIPTOR = new Descriptor("scene3d", "Scene",
-      "Robots and what they sense in space; measures, selects, sends goals and initial poses.", SceneOptions.schema(), ScenePorts.ALL);
+      "Robots and what they sense in space; measures, selects, sends goals and initial poses.", SceneOptions.schema(),
+      ScenePorts.ALL);
 
   private final BundleContext bundles;
   private final Map<ServiceReference<?>, Object> taken = new HashMap<>();
@@ -68,7 +69,8 @@ public final class Scene3dType implements UicType {
   @Override
   public List<Showing> showings() {
     return List.of(
-        Showing.streams("display", "Show in Scene", kinds().stream().<Class<? extends Data>>flatMap(kind -> kind.accepts().stream()).distinct().toList()),
+        Showing.streams("display", "Show in Scene",
+            kinds().stream().<Class<? extends Data>>flatMap(kind -> kind.accepts().stream()).distinct().toList()),
         Showing.frames("frame", "Show in Scene"));
   }
 

@@ -30,7 +30,10 @@ import org.robotui.uic.scene3d.internal.waypoint.Tour;
 import org.robotui.uic.scene3d.internal.waypoint.WaypointSender;
 import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
 
-/** A scene: ticks prepare it, the studio has it drawn, the surface paints pictures. While nobody sees it, it asks for nothing. */
+/**
+ * A scene: ticks prepare it, the studio has it drawn, the surface paints pictures. While nobody sees it, it asks for
+ * nothing.
+ */
 final class Scene3dUic implements SwtUic {
   private static final long PROBE_NANOS = 500_000_000L;
   private static final long LONG_NANOS = 30_000_000L;
@@ -64,10 +67,12 @@ final class Scene3dUic implements SwtUic {
     CameraMotion rig = new CameraMotion(edits.start().orElse(CameraPose.START));
     fits = edits.start().isPresent() ? 2 : 0;
     FrameScheduler studio = new FrameScheduler(graphics, rig, System::nanoTime,
-        (picture, from) -> surface.ifPresent(s -> s.take(picture, from)), () -> surface.ifPresent(SceneSurface::paintSoon));
+        (picture, from) -> surface.ifPresent(s -> s.take(picture, from)),
+        () -> surface.ifPresent(SceneSurface::paintSoon));
     followed = new Followed(context.frames(), rig);
     parts = new SceneParts(model, studio, rig, new Picks(), edits, commander, waypoints,
-        new WaypointSender(commander, context.output(ScenePorts.PATH), context.output(ScenePorts.POSES)), context.settings(), kinds,
+        new WaypointSender(commander, context.output(ScenePorts.PATH), context.output(ScenePorts.POSES)),
+        context.settings(), kinds,
         context.background());
   }
 
@@ -97,9 +102,12 @@ final class Scene3dUic implements SwtUic {
     return changed;
   }
 
-  /** While the camera moves, what takes long to prepare gets half of the time at most: pictures for the hand come first. */
+  /**
+   * While the camera moves, what takes long to prepare gets half of the time at most: pictures for the hand come first.
+   */
   private boolean leavesRoom(long nowNanos) {
-    return preparing > LONG_NANOS && parts.studio().moves() && nowNanos - preparedNanos < Math.min(preparing, MOST_ROOM_NANOS);
+    return preparing > LONG_NANOS && parts.studio().moves()
+        && nowNanos - preparedNanos < Math.min(preparing, MOST_ROOM_NANOS);
   }
 
   /** In the scene where it is seen, else wherever the workbench says such things. */
@@ -169,9 +177,10 @@ final class Scene3dUic implements SwtUic {
   public void show(String showing, Subject subject) {
     switch (subject) {
       case Subject.Stream stream -> surface.ifPresent(s -> s.show(stream.port()));
-      case Subject.Frame frame -> followed.where(frame.frame(), parts.settings().current(), parts.model().stage().fixed())
+      case Subject.Frame frame -> followed
+          .where(frame.frame(), parts.settings().current(), parts.model().stage().fixed())
           .ifPresent(place -> surface.ifPresent(s -> s.look(place.translation())));
-      case Subject.Node node -> { }
+      case Subject.Node node -> {}
     }
   }
 

@@ -40,10 +40,13 @@ public final class SceneOptions {
   private static final ValueType NUMBER = new ValueType.Num(-FAR, FAR, "m");
   private static final ValueType ANGLE = new ValueType.Num(-FAR, FAR, "rad");
   private static final ValueType PLAIN = new ValueType.AnyOf(List.of(new ValueType.Flag(),
-      new ValueType.Int(Long.MIN_VALUE, Long.MAX_VALUE), new ValueType.Num(-Double.MAX_VALUE, Double.MAX_VALUE, ""), new ValueType.Text()));
+      new ValueType.Int(Long.MIN_VALUE, Long.MAX_VALUE), new ValueType.Num(-Double.MAX_VALUE, Double.MAX_VALUE, ""),
+      new ValueType.Text()));
   private static final ValueType ANY =
-      new ValueType.WithPlace(new ValueType.AnyOf(List.of(PLAIN, new ValueType.ListOf(PLAIN), new ValueType.MapOf(PLAIN))));
-  private static final TextRule KIND_WORD = TextRule.matching("the kind of a display, such as laserscan", "[a-z][a-z0-9_]{0,99}");
+      new ValueType.WithPlace(
+          new ValueType.AnyOf(List.of(PLAIN, new ValueType.ListOf(PLAIN), new ValueType.MapOf(PLAIN))));
+  private static final TextRule KIND_WORD =
+      TextRule.matching("the kind of a display, such as laserscan", "[a-z][a-z0-9_]{0,99}");
   private static final TextRule ROBOT_FRAME = TextRule.matching("a frame of a robot, such as Natalie/map", "[^/]+/.+");
   private static final TextRule ROBOT_COLOR = TextRule.matching("a colour, such as \"#4da3ff\"", "#[0-9a-fA-F]{6}");
   private static final ValueType FRAME_OR_NONE = new ValueType.Text(TextRule.FRAME.orEmpty("\"\""));
@@ -76,7 +79,8 @@ public final class SceneOptions {
       Setting.of("yaw", ANGLE, 0.0, "Where the robot looks."));
 
   private static final List<Setting> POSE = List.of(
-      Setting.of(KIND, new ValueType.Choice(List.of(CameraKind.ORBIT.word(), CameraKind.FLY.word(), CameraKind.TOP.word())),
+      Setting.of(KIND,
+          new ValueType.Choice(List.of(CameraKind.ORBIT.word(), CameraKind.FLY.word(), CameraKind.TOP.word())),
           CameraKind.ORBIT.word(), "How it is moved."),
       Setting.of("x", NUMBER, 0.0, "What it looks at."),
       Setting.of("y", NUMBER, 0.0, "What it looks at."),
@@ -93,15 +97,21 @@ public final class SceneOptions {
           "The fixed frame; auto takes map, else odom, else the first root."),
       Setting.of(FRAMES, new ValueType.ListOf(new ValueType.Section(FRAME)), List.of(),
           "Transforms between the frames of robots that no robot publishes."),
-      Setting.of(COLORS, new ValueType.MapOf(new ValueType.Text(ROBOT_COLOR)), Map.of(), "Colours of robots by name, as #4da3ff."),
-      Setting.of(VIEWS, new ValueType.MapOf(new ValueType.Section(new Schema(POSE))), Map.of(), "Views by name; the one that is named start is where the scene begins."),
+      Setting.of(COLORS, new ValueType.MapOf(new ValueType.Text(ROBOT_COLOR)), Map.of(),
+          "Colours of robots by name, as #4da3ff."),
+      Setting.of(VIEWS, new ValueType.MapOf(new ValueType.Section(new Schema(POSE))), Map.of(),
+          "Views by name; the one that is named start is where the scene begins."),
       Setting.of(FOLLOW, FRAME_OR_NONE, "", "The frame that the camera keeps up with; empty for none."),
       Setting.of(FOLLOW_YAW, new ValueType.Flag(), false, "Whether the camera also turns with it."),
-      Setting.of(WAYPOINTS, new ValueType.ListOf(new ValueType.Section(WAYPOINT)), List.of(), "Poses to drive to, one after the other."),
-      Setting.of(WAYPOINT_FRAME, FRAME_OR_NONE, "", "The frame of the waypoints as robot/frame; empty for the fixed frame."),
+      Setting.of(WAYPOINTS, new ValueType.ListOf(new ValueType.Section(WAYPOINT)), List.of(),
+          "Poses to drive to, one after the other."),
+      Setting.of(WAYPOINT_FRAME, FRAME_OR_NONE, "",
+          "The frame of the waypoints as robot/frame; empty for the fixed frame."),
       Setting.of(WAYPOINT_SIZE, new ValueType.Num(0.02, 100, "m"), 0.4, "How large waypoints are drawn."),
-      Setting.of(WAYPOINT_TOLERANCE, new ValueType.Num(0.01, 100, "m"), 0.3, "How near the robot must come before it is sent to the next waypoint."),
-      Setting.of(THINNING, new ValueType.Flag(), true, "Whether clouds are thinned while the camera moves, so that it moves fluidly."),
+      Setting.of(WAYPOINT_TOLERANCE, new ValueType.Num(0.01, 100, "m"), 0.3,
+          "How near the robot must come before it is sent to the next waypoint."),
+      Setting.of(THINNING, new ValueType.Flag(), true,
+          "Whether clouds are thinned while the camera moves, so that it moves fluidly."),
       Setting.of(TREE, new ValueType.Flag(), true, "Whether the list of displays is seen."));
 
   private SceneOptions() {}

@@ -29,5 +29,6 @@ import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
  * @param kinds of displays that are there
  * @param background for files
  */
-public record SceneParts(SceneModel model, FrameScheduler studio, CameraMotion rig, Picks picks, Edits edits, Commander commander, Waypoints waypoints,
+public record SceneParts(SceneModel model, FrameScheduler studio, CameraMotion rig, Picks picks, Edits edits,
+    Commander commander, Waypoints waypoints,
     WaypointSender sender, SettingsStore settings, Supplier<List<DisplayType>> kinds, Executor background) {}

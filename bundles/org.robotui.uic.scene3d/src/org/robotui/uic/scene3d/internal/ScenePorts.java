@@ -22,7 +22,8 @@ public final class ScenePorts {
   public static final CommandPort<PoseEstimate> INITIAL_POSE =
       new CommandPort<>("initial_pose", PoseEstimate.class, Arity.OPTIONAL, "Tells localisation where the robot is.");
   public static final CommandPort<MarkerFeedback> MARKERS =
-      new CommandPort<>("marker_feedback", MarkerFeedback.class, Arity.OPTIONAL, "What the user does with interactive markers.");
+      new CommandPort<>("marker_feedback", MarkerFeedback.class, Arity.OPTIONAL,
+          "What the user does with interactive markers.");
 
   public static final CommandPort<Path> PATH =
       new CommandPort<>("path", Path.class, Arity.OPTIONAL, "The waypoints of the scene, as a path.");

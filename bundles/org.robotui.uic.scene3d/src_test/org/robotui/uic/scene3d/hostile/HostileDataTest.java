@@ -45,11 +45,17 @@ import org.robotui.testkit.display.DisplayProbe;
 import org.robotui.testkit.values.Spoiler;
 import org.robotui.testkit.values.ValidValues;
 
-/** Whatever a robot sends, displays show it, or say what is wrong with it; they neither throw nor take much memory, and what they show can be drawn. */
+/**
+ * Whatever a robot sends, displays show it, or say what is wrong with it; they neither throw nor take much memory, and
+ * what they show can be drawn.
+ */
 class HostileDataTest {
-  private static final List<DisplayType> TYPES = List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
-      new PoseEstimateType(), new StampedPoseType(), new GoalType(), new PathType(), new PoseArrayType(), new MarkersType(), new InteractiveType(),
-      new ImageType(), new CameraType(), new SonarType(), new BumperType(), new WrenchType(), new RobotModelType(new ModelShelf()), new TrajectoryType(new ModelShelf()));
+  private static final List<DisplayType> TYPES =
+      List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
+          new PoseEstimateType(), new StampedPoseType(), new GoalType(), new PathType(), new PoseArrayType(),
+          new MarkersType(), new InteractiveType(),
+          new ImageType(), new CameraType(), new SonarType(), new BumperType(), new WrenchType(),
+          new RobotModelType(new ModelShelf()), new TrajectoryType(new ModelShelf()));
   private static final int ROUNDS = 250;
   private static final int CHANGES = 4;
   /** A hundred times of what the sound data need, and lists of twenty thousand. */
@@ -61,7 +67,8 @@ class HostileDataTest {
   }
 
   private static List<Data> sound(DisplayType type) {
-    return ValidValues.all().stream().filter(value -> type.accepts().stream().anyMatch(accepted -> accepted.isInstance(value))).toList();
+    return ValidValues.all().stream()
+        .filter(value -> type.accepts().stream().anyMatch(accepted -> accepted.isInstance(value))).toList();
   }
 
   @ParameterizedTest
@@ -139,7 +146,8 @@ class HostileDataTest {
         for (int round = 0; round < ROUNDS / DRAWN_EVERY; round++) {
           try (DisplayProbe probe = open(type)) {
             List<Part> parts = show(probe, type, sound.stream().map(value -> spoil(spoiler, value)).toList()).parts();
-            Rendered made = pictures.render(ScenePictures.request(parts, ScenePictures.eye(new Vector3(-3, -2, 3), Vector3.ZERO)));
+            Rendered made =
+                pictures.render(ScenePictures.request(parts, ScenePictures.eye(new Vector3(-3, -2, 3), Vector3.ZERO)));
             assertTrue(made instanceof Rendered.Picture, () -> type.id() + ": " + made);
           }
         }

@@ -17,7 +17,8 @@ record CountedGl(Gl gl, AtomicLong pictures) implements Gl {
     return new Renderer() {
       @Override
       public CompletionStage<Rendered> render(RenderRequest request) {
-        return renderer.render(request).whenComplete((made, error) -> pictures.addAndGet(made instanceof Rendered.Picture ? 1 : 0));
+        return renderer.render(request)
+            .whenComplete((made, error) -> pictures.addAndGet(made instanceof Rendered.Picture ? 1 : 0));
       }
 
       @Override

@@ -60,7 +60,8 @@ final class GalleryData {
     covariance[0] = 0.04;
     covariance[7] = 0.01;
     covariance[35] = 0.02;
-    return new Odometry(frame("odom"), BASE, RigidTransform.planar(1, -0.5, 0.6), Doubles.wrap(covariance), new Vector3(0.4, 0, 0),
+    return new Odometry(frame("odom"), BASE, RigidTransform.planar(1, -0.5, 0.6), Doubles.wrap(covariance),
+        new Vector3(0.4, 0, 0),
         Vector3.ZERO, Doubles.EMPTY);
   }
 
@@ -88,7 +89,8 @@ final class GalleryData {
       double alongY = ((dy > 0 ? HALF : -HALF) - at.translation().y()) / dy;
       ranges[i] = (float) Math.min(alongX, alongY);
     }
-    return new LaserScan(LASER, Math.toRadians(-135), Math.toRadians(0.5), 0.1, 30, 0.1, Floats.wrap(ranges), Floats.EMPTY);
+    return new LaserScan(LASER, Math.toRadians(-135), Math.toRadians(0.5), 0.1, 30, 0.1, Floats.wrap(ranges),
+        Floats.EMPTY);
   }
 
   private static PointCloud cloud(int count) {
@@ -97,11 +99,13 @@ final class GalleryData {
       double turn = i * 0.0137;
       double height = (i % 977) / 977.0 * 2.4;
       double radius = 2.6 + 0.5 * Math.sin(3 * turn) + 0.2 * Math.sin(height * 4);
-      points.putFloat((float) (radius * Math.cos(turn))).putFloat((float) (radius * Math.sin(turn))).putFloat((float) height)
+      points.putFloat((float) (radius * Math.cos(turn))).putFloat((float) (radius * Math.sin(turn)))
+          .putFloat((float) height)
           .putFloat((float) (height * 40));
     }
     List<PointField> fields = List.of(field("x", 0), field("y", 4), field("z", 8), field("intensity", 12));
-    return new PointCloud(MAP, count, 1, fields, 16, 16 * count, ByteOrder.LITTLE_ENDIAN, true, Bytes.wrap(points.array(), 0, count * 16));
+    return new PointCloud(MAP, count, 1, fields, 16, 16 * count, ByteOrder.LITTLE_ENDIAN, true,
+        Bytes.wrap(points.array(), 0, count * 16));
   }
 
   private static PointField field(String name, int offset) {

@@ -22,7 +22,10 @@ import org.robotui.gl.render.OpenGl;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 
-/** Paints the scene in its states into files, for people to look at: {@code SceneGallery FOLDER POINTS DISPLAYTYPE...}, class names. */
+/**
+ * Paints the scene in its states into files, for people to look at: {@code SceneGallery FOLDER POINTS DISPLAYTYPE...},
+ * class names.
+ */
 final class SceneGallery {
   private final Display display;
   private final Theme theme;
@@ -65,9 +68,11 @@ final class SceneGallery {
     save(window, "nothing");
     Map<SourceId, Data> data = GalleryData.all(points);
     window.context.input(ScenePorts.DATA).candidates(
-        data.entrySet().stream().map(e -> new Input.Candidate(e.getKey(), DataType.of(e.getValue().getClass()).name())).toList());
+        data.entrySet().stream().map(e -> new Input.Candidate(e.getKey(), DataType.of(e.getValue().getClass()).name()))
+            .toList());
     settle(window, 5);
-    data.forEach((source, value) -> window.context.input(ScenePorts.DATA).put(source, value, System.nanoTime(), Optional.empty()));
+    data.forEach((source, value) -> window.context.input(ScenePorts.DATA).put(source, value, System.nanoTime(),
+        Optional.empty()));
     settle(window, 150);
     save(window, "live");
     window.choose(0);
@@ -109,7 +114,8 @@ final class SceneGallery {
       settle(window, 1);
       paints.add(window.canvas().paintNanos());
     }
-    String words = window.note() + "; half of all paints take at most " + paints.stream().sorted().toList().get(paints.size() / 2) * 1e-6 + " ms\n";
+    String words = window.note() + "; half of all paints take at most "
+        + paints.stream().sorted().toList().get(paints.size() / 2) * 1e-6 + " ms\n";
     save(window, "dragged");
     window.hands().mouse(SWT.MouseUp, 1, 300, 300);
     Files.writeString(folder.resolve("figures-" + theme.id() + ".txt"), words);
@@ -130,7 +136,7 @@ final class SceneGallery {
 
   private void save(SceneWindow window, String name) {
     ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[] {window.picture()};
+    loader.data = new ImageData[]{window.picture()};
     int zoom = display.getPrimaryMonitor().getZoom();
     loader.save(folder.resolve(name + "-" + theme.id() + "-" + zoom + ".png").toString(), SWT.IMAGE_PNG);
   }

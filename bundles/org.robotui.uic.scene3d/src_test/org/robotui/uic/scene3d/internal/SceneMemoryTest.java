@@ -53,7 +53,8 @@ class SceneMemoryTest {
   /** A scene with its first picture. */
   private SceneWindow open(int width, int height) {
     long before = counted.pictures().get();
-    SceneWindow window = new SceneWindow(display, theme, width, height, List.of(new FakeKind("grid", List.of())), () -> Optional.of(counted));
+    SceneWindow window = new SceneWindow(display, theme, width, height, List.of(new FakeKind("grid", List.of())),
+        () -> Optional.of(counted));
     assertTrue(window.until(() -> counted.pictures().get() > before), "no picture came");
     return window;
   }
@@ -114,7 +115,8 @@ class SceneMemoryTest {
     rounds(ALL - FIRST);
     // A picture may be in work still, which is thrown away when it is made.
     awaitFor(PATIENCE_MS, () -> resources() <= resources);
-    assertTrue(resources() <= resources, () -> resources() + " and not " + resources + " images, fonts, colours of the toolkit");
+    assertTrue(resources() <= resources,
+        () -> resources() + " and not " + resources + " images, fonts, colours of the toolkit");
     assertEquals(Map.of(), gl.held(), "objects of OpenGL");
     assertEquals(running, Thread.activeCount(), "threads");
     assertTrue(heap() < heap + 4 * MIB, "the heap grew from " + heap + " to " + heap());

@@ -37,9 +37,11 @@ import org.robotui.uic.scene3d.internal.model.DisplaySpec;
 /** Which objects of OpenGL an open scene holds while its displays come and go, and after its context was lost. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)
 class SceneObjectsTest {
-  private static final List<DisplayType> KINDS = List.of(new GridType(), new AxesType(), new GridMapType(), new LaserScanType(), new PointCloudType(),
-      new PathType(), new OdometryType());
-  private static final List<DisplaySpec> ALL = KINDS.stream().map(kind -> DisplaySpec.of(kind.id(), kind.id())).toList();
+  private static final List<DisplayType> KINDS =
+      List.of(new GridType(), new AxesType(), new GridMapType(), new LaserScanType(), new PointCloudType(),
+          new PathType(), new OdometryType());
+  private static final List<DisplaySpec> ALL =
+      KINDS.stream().map(kind -> DisplaySpec.of(kind.id(), kind.id())).toList();
   private static final int POINTS = 1000;
   private static final int ROUNDS = 200;
   private static final int LOSSES = 5;
@@ -59,7 +61,8 @@ class SceneObjectsTest {
     window.context.settings().set(SceneOptions.AUTOMATIC, false);
     GalleryData.frames(window.frames);
     window.context.input(ScenePorts.DATA).candidates(
-        data.entrySet().stream().map(e -> new Input.Candidate(e.getKey(), DataType.of(e.getValue().getClass()).name())).toList());
+        data.entrySet().stream().map(e -> new Input.Candidate(e.getKey(), DataType.of(e.getValue().getClass()).name()))
+            .toList());
   }
 
   @AfterEach
@@ -70,11 +73,14 @@ class SceneObjectsTest {
     theme.dispose();
   }
 
-  /** Shows some displays, with data that have just come; what is held when they are drawn, as soon as that is as wanted. */
+  /**
+   * Shows some displays, with data that have just come; what is held when they are drawn, as soon as that is as wanted.
+   */
   private Map<Kind, Integer> show(List<DisplaySpec> displays, Predicate<Map<Kind, Integer>> wanted) {
     window.context.settings().set(SceneOptions.DISPLAYS, DisplayCodec.write(displays));
     window.tick();
-    data.forEach((source, value) -> window.context.input(ScenePorts.DATA).put(source, value, System.nanoTime(), Optional.empty()));
+    data.forEach((source, value) -> window.context.input(ScenePorts.DATA).put(source, value, System.nanoTime(),
+        Optional.empty()));
     window.tick();
     awaitPicture();
     long deadline = System.nanoTime() + PATIENCE_NANOS;

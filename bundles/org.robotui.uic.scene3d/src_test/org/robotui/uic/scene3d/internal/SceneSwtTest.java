@@ -69,7 +69,8 @@ class SceneSwtTest {
     window.context.input(ScenePorts.DATA).candidates(List.of(new Input.Candidate(POSE, "PoseEstimate")));
     window.tick();
     window.context.input(ScenePorts.DATA)
-        .put(POSE, new PoseEstimate(BASE, RigidTransform.IDENTITY, Doubles.wrap(new double[0])), System.nanoTime(), Optional.empty());
+        .put(POSE, new PoseEstimate(BASE, RigidTransform.IDENTITY, Doubles.wrap(new double[0])), System.nanoTime(),
+            Optional.empty());
     window.tick();
     window.hands().settle();
   }
@@ -112,7 +113,9 @@ class SceneSwtTest {
     Vector3 before = eye();
     window.hands().key('m');
     drag(1, 0, 300, 300, 500, 300);
-    assertTrue(window.until(() -> rgb(window.picture(), window.canvas().getLocation().x + 400, 300).equals(theme.palette().rgb(Role.ACCENT))),
+    assertTrue(
+        window.until(() -> rgb(window.picture(), window.canvas().getLocation().x + 400, 300)
+            .equals(theme.palette().rgb(Role.ACCENT))),
         "a line between both ends");
     assertEquals(before, eye());
     window.hands().key((char) SWT.ESC);
@@ -211,7 +214,8 @@ class SceneSwtTest {
   }
 
   private static Part handled(Handle handle) {
-    return new Part("h", FakeKind.line(0).shape(), RigidTransform.IDENTITY, FakeKind.line(0).material(), Describer.of("handle"), Optional.of(handle));
+    return new Part("h", FakeKind.line(0).shape(), RigidTransform.IDENTITY, FakeKind.line(0).material(),
+        Describer.of("handle"), Optional.of(handle));
   }
 
   @Test
@@ -275,10 +279,12 @@ class SceneSwtTest {
     key(SWT.CR, 0);
     window.tick();
     RigidTransform first = route().poses().getFirst();
-    assertEquals(List.of(first), window.context.output(ScenePorts.GOAL).sent().stream().map(s -> s.command().pose()).toList());
+    assertEquals(List.of(first),
+        window.context.output(ScenePorts.GOAL).sent().stream().map(s -> s.command().pose()).toList());
     window.frames.fix(MAP, BASE, first);
     window.tick();
-    assertEquals(route().poses(), window.context.output(ScenePorts.GOAL).sent().stream().map(s -> s.command().pose()).toList());
+    assertEquals(route().poses(),
+        window.context.output(ScenePorts.GOAL).sent().stream().map(s -> s.command().pose()).toList());
     window.context.authority().stop(FakeAuthority.ANNA);
     window.tick();
     window.frames.fix(MAP, BASE, route().poses().getLast());
@@ -314,10 +320,12 @@ class SceneSwtTest {
     menus.getLast().getItem(0).notifyListeners(SWT.Selection, new Event());
     menus.getLast().setVisible(false);
     assertTrue(window.until(window::settingsSeen));
-    assertEquals(List.of("grid", "pose", "grid"), DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::type).toList());
+    assertEquals(List.of("grid", "pose", "grid"),
+        DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::type).toList());
     window.flipChosen();
     window.tick();
-    assertEquals(List.of(true, true, false), DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::shown).toList());
+    assertEquals(List.of(true, true, false),
+        DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::shown).toList());
   }
 
   @Test

@@ -90,7 +90,8 @@ final class SceneWindow {
 
   /** Presses a button above the list, by its hint. */
   void press(String hint) {
-    Control button = Arrays.stream(((Composite) tree().getChildren()[0]).getChildren()).filter(c -> hint.equals(c.getToolTipText())).findFirst().orElseThrow();
+    Control button = Arrays.stream(((Composite) tree().getChildren()[0]).getChildren())
+        .filter(c -> hint.equals(c.getToolTipText())).findFirst().orElseThrow();
     button.notifyListeners(SWT.MouseUp, new Event());
   }
 

@@ -40,11 +40,15 @@ import org.robotui.testkit.recorded.BagReader;
 import org.robotui.testkit.recorded.BagReader.Recorded;
 import org.robotui.testkit.recorded.SharedData;
 
-/** Recorded messages with damaged bytes, from the wire to the displays: refused in words, or shown; nothing else, and within bounds. */
+/**
+ * Recorded messages with damaged bytes, from the wire to the displays: refused in words, or shown; nothing else, and
+ * within bounds.
+ */
 @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)
 class DamagedRecordingsTest {
-  private static final List<DisplayType> TYPES = List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
-      new MarkersType(), new ImageType(), new CameraType());
+  private static final List<DisplayType> TYPES =
+      List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
+          new MarkersType(), new ImageType(), new CameraType());
   private static final FrameNames NAMES = new FrameNames(FakePlaces.ROBOT, ClockKind.ROBOT);
   private static final int ROUNDS = 150;
   private static final int HEAD = 400;
@@ -61,7 +65,8 @@ class DamagedRecordingsTest {
   @Timeout(1_200)
   void damagedMessagesAreRefusedInWordsOrShown(String bag) {
     Map<String, Recorded> byType = new LinkedHashMap<>();
-    BagReader.read(SharedData.files("bags", ".bag").stream().filter(file -> file.endsWith(bag)).findFirst().orElseThrow())
+    BagReader
+        .read(SharedData.files("bags", ".bag").stream().filter(file -> file.endsWith(bag)).findFirst().orElseThrow())
         .forEach(message -> byType.putIfAbsent(message.type(), message));
     int shown = 0;
     int refused = 0;
@@ -79,7 +84,8 @@ class DamagedRecordingsTest {
   private static <M, D extends Data> Optional<D> decode(Adapter<M, D> adapter, Recorded message, byte[] bytes) {
     MessageInfo info = new MessageInfo(message.type(), message.md5(), message.definition());
     try {
-      return adapter.convert().apply(adapter.codec().decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN), info), NAMES);
+      return adapter.convert()
+          .apply(adapter.codec().decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN), info), NAMES);
     } catch (MessageException | IllegalArgumentException e) {
       assertTrue(e.getMessage() != null && !e.getMessage().isBlank(), e::toString);
       return Optional.empty();

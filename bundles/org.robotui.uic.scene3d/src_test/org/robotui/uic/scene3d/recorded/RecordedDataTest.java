@@ -41,16 +41,21 @@ import org.robotui.testkit.recorded.SharedData;
 /** Recordings of real robots, from the bytes of their messages to what is seen. */
 @EnabledIf(value = SharedData.AVAILABLE, disabledReason = SharedData.REASON)
 class RecordedDataTest {
-  private static final List<DisplayType> TYPES = List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
-      new MarkersType(), new ImageType(), new CameraType());
+  private static final List<DisplayType> TYPES =
+      List.of(new LaserScanType(), new PointCloudType(), new GridMapType(), new OdometryType(),
+          new MarkersType(), new ImageType(), new CameraType());
   /** Which displays have something to show of a recording; those of no others do. */
-  private static final Map<String, List<String>> SHOWN = Map.of("sena_loop.bag", List.of("gridmap", "laserscan", "odometry"),
-      "husky_imu_gps_odom.bag", List.of("odometry"), "stereo_jpeg.bag", List.of("camera", "image"), "lidar_clouds.bag", List.of("pointcloud"),
-      "marker_cube.bag", List.of("markers"));
+  private static final Map<String, List<String>> SHOWN =
+      Map.of("sena_loop.bag", List.of("gridmap", "laserscan", "odometry"),
+          "husky_imu_gps_odom.bag", List.of("odometry"), "stereo_jpeg.bag", List.of("camera", "image"),
+          "lidar_clouds.bag", List.of("pointcloud"),
+          "marker_cube.bag", List.of("markers"));
   /** How many messages a recording has, as its page says. */
-  private static final Map<String, Integer> MESSAGES = Map.of("sena_loop.bag", 898, "husky_imu_gps_odom.bag", 16806, "stereo_jpeg.bag", 16,
-      "lidar_clouds.bag", 3, "tiago_joint_states.bag", 8022, "turtlesim.bag", 8647, "turtlesim_bz2.bag", 8647, "turtlesim_lz4.bag", 8647,
-      "marker_cube.bag", 2, "no_messages.bag", 0);
+  private static final Map<String, Integer> MESSAGES =
+      Map.of("sena_loop.bag", 898, "husky_imu_gps_odom.bag", 16806, "stereo_jpeg.bag", 16,
+          "lidar_clouds.bag", 3, "tiago_joint_states.bag", 8022, "turtlesim.bag", 8647, "turtlesim_bz2.bag", 8647,
+          "turtlesim_lz4.bag", 8647,
+          "marker_cube.bag", 2, "no_messages.bag", 0);
   private static final FrameNames NAMES = new FrameNames(FakePlaces.ROBOT, ClockKind.ROBOT);
 
   private final Adapters adapters = new Adapters(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
@@ -71,14 +76,17 @@ class RecordedDataTest {
       decode(adapters.of(message.type()), message).ifPresent(value -> show(message.topic(), value));
     }
     assertEquals(SHOWN.getOrDefault(name, List.of()), List.copyOf(results.keySet()), name);
-    results.forEach((id, result) -> assertTrue(result.parts().size() > 0, () -> name + ", " + id + ": " + result.status().words()));
+    results.forEach(
+        (id, result) -> assertTrue(result.parts().size() > 0, () -> name + ", " + id + ": " + result.status().words()));
     look(name);
     probes.values().forEach(DisplayProbe::close);
   }
 
-  private static <M, D extends Data> Optional<D> decode(Adapter<M, D> adapter, Recorded message) throws MessageException {
+  private static <M, D extends Data> Optional<D> decode(Adapter<M, D> adapter, Recorded message)
+      throws MessageException {
     MessageInfo info = new MessageInfo(message.type(), message.md5(), message.definition());
-    return adapter.convert().apply(adapter.codec().decode(message.bytes().duplicate().order(message.bytes().order()), info), NAMES);
+    return adapter.convert()
+        .apply(adapter.codec().decode(message.bytes().duplicate().order(message.bytes().order()), info), NAMES);
   }
 
   private void show(String topic, Data value) {
@@ -93,7 +101,8 @@ class RecordedDataTest {
 
   /** A camera has to wait for both its picture and its calibration. */
   private static boolean isGood(DisplayStatus status) {
-    return status instanceof DisplayStatus.Shown || status instanceof DisplayStatus.Partly || status instanceof DisplayStatus.NoData;
+    return status instanceof DisplayStatus.Shown || status instanceof DisplayStatus.Partly
+        || status instanceof DisplayStatus.NoData;
   }
 
   private static DisplayProbe probe(DisplayType type) {

@@ -39,8 +39,8 @@ final class ServiceAsker implements Asker {
     switch (outcome) {
       case CallOutcome.Replied<ServiceReply> r -> report.end(Health.OK, "replied", Optional.of(r.reply().value()));
       case CallOutcome.Failed<ServiceReply> f -> report.end(Health.BAD, f.reason(), Optional.empty());
-      case CallOutcome.TimedOut<ServiceReply> t ->
-          report.end(Health.BAD, "no reply within " + timeout.toMillis() / 1e3 + " s", Optional.empty());
+      case CallOutcome.TimedOut<ServiceReply> t -> report.end(Health.BAD,
+          "no reply within " + timeout.toMillis() / 1e3 + " s", Optional.empty());
       case CallOutcome.Cancelled<ServiceReply> c -> report.end(Health.WARNING, "given up", Optional.empty());
     }
   }

@@ -40,7 +40,8 @@ final class AlertReader {
       if (condition.momentary() && item.number(SoundType.FOR) > 0) {
         throw new IllegalArgumentException("an entry of a log does not last; leave out '" + SoundType.FOR + "'");
       }
-      return new AlertConfig(name, item.text(SoundType.WHEN), condition, Sound.parse(item.placed(SoundType.SOUND)), item.number(SoundType.VOLUME),
+      return new AlertConfig(name, item.text(SoundType.WHEN), condition, Sound.parse(item.placed(SoundType.SOUND)),
+          item.number(SoundType.VOLUME),
           nanos(item, SoundType.FOR), nanos(item, SoundType.REPEAT), item.flag(SoundType.MUTED));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException("alert " + number + " (" + name + "): " + e.getMessage(), e);

@@ -21,16 +21,19 @@ final class Mute {
     if (settings.flag(SoundType.MUTED)) {
       return Optional.of(Instant.MAX);
     }
-    return settings.has(SoundType.MUTED_UNTIL) ? Optional.of(time(settings.text(SoundType.MUTED_UNTIL))) : Optional.empty();
+    return settings.has(SoundType.MUTED_UNTIL) ? Optional.of(time(settings.text(SoundType.MUTED_UNTIL)))
+        : Optional.empty();
   }
 
   /** Reads a time; without a zone it is the user's. */
   static Instant time(String text) {
     try {
-      return text.endsWith("Z") ? Instant.parse(text) : LocalDateTime.parse(text).atZone(ZoneId.systemDefault()).toInstant();
+      return text.endsWith("Z") ? Instant.parse(text)
+          : LocalDateTime.parse(text).atZone(ZoneId.systemDefault()).toInstant();
     } catch (DateTimeException e) {
       throw new IllegalArgumentException(
-          SoundType.MUTED_UNTIL + ": '" + text + "' is no time; write for example 2026-11-21T18:00, or with Z for UTC", e);
+          SoundType.MUTED_UNTIL + ": '" + text + "' is no time; write for example 2026-11-21T18:00, or with Z for UTC",
+          e);
     }
   }
 }

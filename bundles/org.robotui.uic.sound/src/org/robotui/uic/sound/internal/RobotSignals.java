@@ -54,11 +54,13 @@ final class RobotSignals implements Signals {
 
   @Override
   public List<Reading> readings(String typeName) {
-    return chosen.stream().filter(c -> c.typeName().equals(typeName)).map(Input.Candidate::id).map(this::reading).toList();
+    return chosen.stream().filter(c -> c.typeName().equals(typeName)).map(Input.Candidate::id).map(this::reading)
+        .toList();
   }
 
   private Reading reading(SourceId id) {
-    List<Envelope<? extends Data>> newest = input.latest(id).stream().<Envelope<? extends Data>>map(envelope -> envelope).toList();
+    List<Envelope<? extends Data>> newest =
+        input.latest(id).stream().<Envelope<? extends Data>>map(envelope -> envelope).toList();
     return new Reading(id.port(), input.state(id), newest);
   }
 

@@ -49,9 +49,12 @@ public final class SoundType implements UicType {
       Setting.optional(NAME, new ValueType.Text(), "What users read; without it, the condition."),
       Setting.required(WHEN, new ValueType.Text(TextRule.readBy("a condition", text -> Conditions.parse(text, 0))),
           "For example battery charge < 0.2, scan stale, link lost, diagnostics >= ERROR, log >= ERROR."),
-      Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0, "By how much a number must come back for the alert to end, in its unit."),
+      Setting.of(HYSTERESIS, new ValueType.Num(0, MOST, ""), 0.0,
+          "By how much a number must come back for the alert to end, in its unit."),
       Setting.of(FOR, new ValueType.Num(0, 3600, "s"), 0.0, "How long the condition must hold before."),
-      Setting.of(SOUND, new ValueType.WithPlace(new ValueType.Text(TextRule.readBy("beep, chime, alarm, or the path of a .wav file", Sound::parse))),
+      Setting.of(SOUND,
+          new ValueType.WithPlace(
+              new ValueType.Text(TextRule.readBy("beep, chime, alarm, or the path of a .wav file", Sound::parse))),
           Placed.nowhere("beep"), "beep, chime, alarm, or the path of a .wav file, relative to the configuration."),
       Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud, 0 to 1."),
       Setting.of(REPEAT, new ValueType.Num(0, 3600, "s"), 10.0, "How often it is heard while it lasts; 0 for once."),
@@ -61,7 +64,8 @@ public final class SoundType implements UicType {
       Setting.of(ALERTS, new ValueType.ListOf(new ValueType.Section(ALERT)), List.of(), "The alerts."),
       Setting.of(VOLUME, new ValueType.Num(0, 1, ""), 1.0, "How loud all of them are, 0 to 1."),
       Setting.of(MUTED, new ValueType.Flag(), false, "Whether all alerts are muted."),
-      Setting.optional(MUTED_UNTIL, new ValueType.Text(TextRule.readBy("a time, such as 2026-11-21T18:00", Mute::time)), "Until when all are muted, for example 2026-11-21T18:00 or with Z for UTC."));
+      Setting.optional(MUTED_UNTIL, new ValueType.Text(TextRule.readBy("a time, such as 2026-11-21T18:00", Mute::time)),
+          "Until when all are muted, for example 2026-11-21T18:00 or with Z for UTC."));
 
   private static final double RATE_HZ = 5;
   private static final Logger LOG = LoggerFactory.getLogger(SoundType.class);
@@ -82,11 +86,13 @@ public final class SoundType implements UicType {
     } catch (IllegalArgumentException e) {
       return List.of(Placed.nowhere("").fault(e.getMessage()));
     }
-    return settings.list(ALERTS).stream().map(Settings.class::cast).flatMap(alert -> fault(alert.placed(SOUND)).stream()).toList();
+    return settings.list(ALERTS).stream().map(Settings.class::cast)
+        .flatMap(alert -> fault(alert.placed(SOUND)).stream()).toList();
   }
 
   private static Optional<SettingFault> fault(Placed sound) {
-    return Sound.parse(sound).fault().map(wrong -> sound.fault("'" + SOUND + "' must be a WAV file: " + sound.value() + " " + wrong));
+    return Sound.parse(sound).fault()
+        .map(wrong -> sound.fault("'" + SOUND + "' must be a WAV file: " + sound.value() + " " + wrong));
   }
 
   @Override

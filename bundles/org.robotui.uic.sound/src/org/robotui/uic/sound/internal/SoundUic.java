@@ -12,7 +12,9 @@ import org.robotui.uic.sound.internal.tone.Player;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Watches the conditions of a robot's alerts, tells the user, which core also writes to the log, and has them heard. */
+/**
+ * Watches the conditions of a robot's alerts, tells the user, which core also writes to the log, and has them heard.
+ */
 final class SoundUic implements Uic {
   private static final Logger LOG = LoggerFactory.getLogger(SoundUic.class);
 
@@ -64,7 +66,7 @@ final class SoundUic implements Uic {
         context.alerts().end(alert.config().name());
       }
       case WRONG -> context.alert("the alert '" + alert.config().name() + "' cannot work: " + alert.detail());
-      case NONE -> { }
+      case NONE -> {}
     }
   }
 
@@ -80,7 +82,8 @@ final class SoundUic implements Uic {
   private void sound(Alert alert) {
     Settings settings = context.settings().current();
     if (!alert.config().muted() && context.alerts().isHeard(alert.config().name())) {
-      player.play(alert.config().name(), alert.config().sound(), alert.config().volume() * settings.number(SoundType.VOLUME));
+      player.play(alert.config().name(), alert.config().sound(),
+          alert.config().volume() * settings.number(SoundType.VOLUME));
     }
   }
 

@@ -20,7 +20,8 @@ import org.robotui.api.config.ValueType;
 
 /** What is wrong with alerts is known when the configuration is read. */
 class SoundFaultsTest {
-  @TempDir Path folder;
+  @TempDir
+  Path folder;
 
   @Test
   void aSoundIsAFileOfItsKindBesideTheConfiguration() throws IOException {
@@ -31,15 +32,18 @@ class SoundFaultsTest {
     assertEquals(List.of(), faults("horn.wav"));
     assertEquals(List.of(), faults(folder.resolve("horn.wav").toString()));
     assertEquals(List.of("robot.yaml:4:9: 'sound' must be a WAV file: secret.wav is none"), faults("secret.wav"));
-    assertEquals(List.of("robot.yaml:4:9: 'sound' must be a WAV file: folder.wav is a folder; name a file"), faults("folder.wav"));
+    assertEquals(List.of("robot.yaml:4:9: 'sound' must be a WAV file: folder.wav is a folder; name a file"),
+        faults("folder.wav"));
     assertEquals(List.of("robot.yaml:4:9: 'sound' must be a WAV file: none.wav is not there"), faults("none.wav"));
   }
 
   @Test
   void theSchemaKnowsConditionsTimesAndSounds() {
     assertEquals(Optional.empty(), fault(SoundType.ALERT, SoundType.WHEN, "battery charge < 0.2"));
-    assertEquals("'battery <<' cannot be read; write a source, a field, a comparison and a value, for example 'battery charge < 0.2', "
-        + "'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'", fault(SoundType.ALERT, SoundType.WHEN, "battery <<").orElseThrow());
+    assertEquals(
+        "'battery <<' cannot be read; write a source, a field, a comparison and a value, for example 'battery charge < 0.2', "
+            + "'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'",
+        fault(SoundType.ALERT, SoundType.WHEN, "battery <<").orElseThrow());
     assertEquals("there is no sound '../../../etc/passwd'; write one of beep, chime, alarm, or the path of a .wav file",
         fault(SoundType.ALERT, SoundType.SOUND, "../../../etc/passwd").orElseThrow());
     assertEquals(Optional.empty(), fault(SoundType.SCHEMA, SoundType.MUTED_UNTIL, "2026-11-21T18:00"));

@@ -42,8 +42,9 @@ class SoundUicTest {
   private final FakeInput<Data> input = context.input(SoundType.SIGNALS);
 
   SoundUicTest() {
-    input.candidates(List.of(new Input.Candidate(BATTERY, "Battery"), new Input.Candidate(new SourceId("base", "scan"), "LaserScan"),
-        new Input.Candidate(LOG, "LogEntry")));
+    input.candidates(
+        List.of(new Input.Candidate(BATTERY, "Battery"), new Input.Candidate(new SourceId("base", "scan"), "LaserScan"),
+            new Input.Candidate(LOG, "LogEntry")));
   }
 
   @Test
@@ -88,7 +89,8 @@ class SoundUicTest {
   void alertsAreMutedUntilATime() {
     context.settings().set(SoundType.MUTED_UNTIL, "2026-11-21T12:00:01Z");
     assertEquals(Optional.of(NOW.plusSeconds(1)), Mute.until(context.settings().current()));
-    context.settings().set(SoundType.MUTED_UNTIL, LocalDateTime.ofInstant(NOW, ZoneId.systemDefault()).plusMinutes(1).toString());
+    context.settings().set(SoundType.MUTED_UNTIL,
+        LocalDateTime.ofInstant(NOW, ZoneId.systemDefault()).plusMinutes(1).toString());
     assertEquals(Optional.of(NOW.plusSeconds(60)), Mute.until(context.settings().current()));
   }
 
@@ -100,7 +102,8 @@ class SoundUicTest {
     charge(0.05);
     uic.tick(1);
     Alert alert = context.alerts().find("Battery low").orElseThrow();
-    assertEquals(List.of("battery charge < 0.2", "battery.charge", "0.05"), List.of(alert.condition(), alert.source(), alert.value()));
+    assertEquals(List.of("battery charge < 0.2", "battery.charge", "0.05"),
+        List.of(alert.condition(), alert.source(), alert.value()));
     assertTrue(alert.lasting());
     charge(0.5);
     uic.tick(2);
@@ -142,7 +145,8 @@ class SoundUicTest {
 
   @Test
   void alertsOfOneNameAreToldApart() {
-    List<String> names = uic(Map.of("when", "link lost"), Map.of("when", "link lost")).alerts().stream().map(a -> a.config().name()).toList();
+    List<String> names = uic(Map.of("when", "link lost"), Map.of("when", "link lost")).alerts().stream()
+        .map(a -> a.config().name()).toList();
     assertEquals(List.of("link lost", "link lost (2)"), names);
   }
 
@@ -184,7 +188,8 @@ class SoundUicTest {
     assertMistake(Map.of("when", "log >= ERROR", "for", 2.0),
         "alert 1 (log >= ERROR): an entry of a log does not last; leave out 'for'");
     Exception e = assertThrows(IllegalArgumentException.class, () -> Mute.time("6 pm"));
-    assertEquals("muted_until: '6 pm' is no time; write for example 2026-11-21T18:00, or with Z for UTC", e.getMessage());
+    assertEquals("muted_until: '6 pm' is no time; write for example 2026-11-21T18:00, or with Z for UTC",
+        e.getMessage());
   }
 
   @Test
@@ -208,8 +213,9 @@ class SoundUicTest {
   @SafeVarargs
   private SoundUic uic(Map<String, Object>... alerts) {
     Settings settings = settings(List.of(alerts).stream().map(SoundUicTest::alert).toList());
-    Player player = new Player(Runnable::run, () -> (sound, volume) -> heard.add(sound.samples().length + " at " + volume),
-        () -> heard.add("bell"), heard::add);
+    Player player =
+        new Player(Runnable::run, () -> (sound, volume) -> heard.add(sound.samples().length + " at " + volume),
+            () -> heard.add("bell"), heard::add);
     return new SoundUic(context, AlertReader.read(settings), player);
   }
 

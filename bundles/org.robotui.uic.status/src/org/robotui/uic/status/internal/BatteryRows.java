@@ -34,7 +34,8 @@ final class BatteryRows {
     }
     String age = health == Health.STALE ? StateView.word(state) : "";
     List<String> texts = battery.map(b -> texts(b, age)).orElseGet(() -> List.of(StateView.word(state)));
-    return new StatusRow.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN), texts,
+    return new StatusRow.Charge("battery " + source, health, name, battery.map(Battery::charge).orElse(Double.NaN),
+        texts,
         source + "\nBattery, charge in % of full, V, A (negative when discharging)\n" + texts.getFirst());
   }
 
@@ -47,7 +48,9 @@ final class BatteryRows {
     String voltage = figure(battery.voltage(), 1, "V");
     String current = figure(battery.current(), 1, "A");
     String status = status(battery.status());
-    return Stream.of(line(age, charge, voltage, current, status), line(age, charge, voltage, status), line(age, charge, status), line(age, charge))
+    return Stream
+        .of(line(age, charge, voltage, current, status), line(age, charge, voltage, status), line(age, charge, status),
+            line(age, charge))
         .distinct().toList();
   }
 

@@ -4,8 +4,8 @@ import org.robotui.ui.HealthDot;
 import org.robotui.ui.Theme;
 
 /**
- * Where the columns of a line are, pixels from its left. Names come first: what was lost, ages and values give way to them, in
- * this order.
+ * Where the columns of a line are, pixels from its left. Names come first: what was lost, ages and values give way to
+ * them, in this order.
  *
  * @param nameEnd where names end
  * @param age whether there is room for ages

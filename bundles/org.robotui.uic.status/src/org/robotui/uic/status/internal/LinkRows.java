@@ -18,6 +18,7 @@ final class LinkRows {
     String name = component.kind() == ComponentStatus.Kind.RFIC ? LinkLook.name(component) : component.id();
     String word = LinkLook.word(component);
     String text = LinkLook.text(component);
-    return new StatusRow.Said("component " + component.id(), LinkLook.health(component), name, word, text, name + "\n" + word + "\n" + text);
+    return new StatusRow.Said("component " + component.id(), LinkLook.health(component), name, word, text,
+        name + "\n" + word + "\n" + text);
   }
 }

@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.robotui.ui.Health;
 
 /**
- * What the view shows. There may be thousands of ports: ticks choose the
- * lines, and the display thread paints what is seen of them.
+ * What the view shows. There may be thousands of ports: ticks choose the lines, and the display thread paints what is
+ * seen of them.
  *
  * @param rows the lines that fit the filter
  * @param trouble what is said in place of lines
@@ -14,7 +14,8 @@ import org.robotui.ui.Health;
  * @param stoppedBy who latched the stop
  * @param connections whether connections are shown in place of ports
  */
-record Page(List<StatusRow> rows, Optional<Trouble> trouble, String note, Optional<String> stoppedBy, boolean connections) {
+record Page(List<StatusRow> rows, Optional<Trouble> trouble, String note, Optional<String> stoppedBy,
+    boolean connections) {
   /**
    * Why there is nothing to list.
    *

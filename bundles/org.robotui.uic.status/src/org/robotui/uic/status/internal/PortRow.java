@@ -58,7 +58,9 @@ record PortRow(PortStatus port, boolean several) implements StatusRow.Item {
   /** Looks at what does not change with every value, so that a line does not come and go while it is sought. */
   @Override
   public boolean says(String words) {
-    return StatusRow.contains(name(), words) || StatusRow.contains(port.port().component(), words) || StatusRow.contains(port.kind().name(), words)
-        || StatusRow.contains(port.typeName(), words) || StatusRow.contains(port.value(), words) || StatusRow.contains(port.problem(), words);
+    return StatusRow.contains(name(), words) || StatusRow.contains(port.port().component(), words)
+        || StatusRow.contains(port.kind().name(), words)
+        || StatusRow.contains(port.typeName(), words) || StatusRow.contains(port.value(), words)
+        || StatusRow.contains(port.problem(), words);
   }
 }

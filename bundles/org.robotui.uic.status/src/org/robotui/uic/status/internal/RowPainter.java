@@ -80,7 +80,8 @@ final class RowPainter implements RowLook<StatusRow> {
     gc.setLineWidth(1);
     gc.drawLine(at.x + Theme.EDGE, at.y + at.height - 1, at.x + at.width - Theme.EDGE, at.y + at.height - 1);
     switch (row) {
-      case StatusRow.Head head -> words.text(gc, at, Theme.EDGE, at.width - 2 * Theme.EDGE, head.key(), Face.SMALL_STRONG, Role.DIM);
+      case StatusRow.Head head -> words.text(gc, at, Theme.EDGE, at.width - 2 * Theme.EDGE, head.key(),
+          Face.SMALL_STRONG, Role.DIM);
       case StatusRow.Note note -> note(gc, at, note);
       case StatusRow.Item item -> item(gc, at, item);
       case StatusRow.Charge charge -> charge(gc, at, charge);
@@ -125,7 +126,8 @@ final class RowPainter implements RowLook<StatusRow> {
       bar(gc, at.x + x, at.y + (at.height - CHARGE_HEIGHT) / 2, charge.charge(), charge.health());
     }
     x += bar ? CHARGE_WIDTH + Columns.GAP : 0;
-    words.first(gc, at, x, at.width - x - Theme.EDGE, charge.texts(), charge.health() == Health.OK ? Role.TEXT : charge.health().role());
+    words.first(gc, at, x, at.width - x - Theme.EDGE, charge.texts(),
+        charge.health() == Health.OK ? Role.TEXT : charge.health().role());
   }
 
   private void bar(GC gc, int x, int y, double share, Health health) {

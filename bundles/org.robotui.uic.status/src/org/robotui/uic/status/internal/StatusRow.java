@@ -96,7 +96,8 @@ sealed interface StatusRow {
    * @param texts charge, voltage, current; each shorter one leaves out what matters least
    * @param details for the tooltip
    */
-  record Charge(String key, Health health, String name, double charge, List<String> texts, String details) implements StatusRow {}
+  record Charge(String key, Health health, String name, double charge, List<String> texts, String details)
+      implements StatusRow {}
 
   /**
    * A sentence.

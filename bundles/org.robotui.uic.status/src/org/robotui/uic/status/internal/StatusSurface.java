@@ -46,7 +46,8 @@ final class StatusSurface {
     connections.setLayoutData(Boxes.middle());
     stretch();
     this.filter = filter(bar, actions);
-    this.stop = button(bar, actions::stop, "Stop " + actions.robots()).hint("Stop " + actions.robots() + " until the stop is released");
+    this.stop = button(bar, actions::stop, "Stop " + actions.robots())
+        .hint("Stop " + actions.robots() + " until the stop is released");
     this.release = button(bar, actions::releaseStop, "Release " + actions.robots()).fill(Role.ACCENT);
     sameWidth(stop, release);
     this.painter = new RowPainter(context.theme());
@@ -55,15 +56,19 @@ final class StatusSurface {
     filter.onDown(list.control()::setFocus);
     bar.addListener(SWT.Resize, e -> fit());
     list.menu((menu, rows) -> rows.forEach(row -> menu(menu, row, subjects)));
-    PortDrag.from(list.control(), at -> Optional.of(new DraggedPorts(ruic, list.selected().stream().flatMap(row -> stream(row).stream()).toList())));
+    PortDrag.from(list.control(), at -> Optional
+        .of(new DraggedPorts(ruic, list.selected().stream().flatMap(row -> stream(row).stream()).toList())));
   }
 
   private static void menu(PopupMenu menu, StatusRow row, SubjectMenu subjects) {
-    stream(row).ifPresentOrElse(stream -> subjects.fill(menu, stream), () -> menu.push("Copy text", () -> Clipboards.copy(row.details())));
+    stream(row).ifPresentOrElse(stream -> subjects.fill(menu, stream),
+        () -> menu.push("Copy text", () -> Clipboards.copy(row.details())));
   }
 
   private static Optional<Subject.Stream> stream(StatusRow row) {
-    return row instanceof PortRow port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
+    return row instanceof PortRow port && port.port().kind() == PortKind.STREAM
+        ? Optional.of(Subject.Stream.of(port.port().port()))
+        : Optional.empty();
   }
 
   Control control() {
@@ -98,9 +103,11 @@ final class StatusSurface {
   /** The stop is never cut: where it is narrow, the filter goes first, then the button of what is shown already. */
   private void fit() {
     int width = bar.getClientArea().width;
-    int buttons = needed(ports) + needed(connections) + ((GridData) stop.getLayoutData()).widthHint + 4 * Theme.STEP + 2 * Theme.STEP;
+    int buttons = needed(ports) + needed(connections) + ((GridData) stop.getLayoutData()).widthHint + 4 * Theme.STEP
+        + 2 * Theme.STEP;
     boolean narrow = width < buttons;
-    boolean tabs = Boxes.seen(ports, !narrow || !ports.isChecked()) | Boxes.seen(connections, !narrow || !connections.isChecked());
+    boolean tabs =
+        Boxes.seen(ports, !narrow || !ports.isChecked()) | Boxes.seen(connections, !narrow || !connections.isChecked());
     boolean filters = width >= buttons + LEAST_FILTER;
     ((GridData) filter.getLayoutData()).widthHint = Math.clamp(width - buttons, LEAST_FILTER, WIDEST_FILTER);
     if (!filters && !filter.words().isEmpty()) {

@@ -20,7 +20,8 @@ public final class StatusType implements UicType {
   static final String CONNECTIONS = "connections";
   static final String LOW_CHARGE = "low_charge";
 
-  static final StreamPort<Battery> BATTERY = new StreamPort<>("battery", Battery.class, Arity.MANY, "the batteries of the robot");
+  static final StreamPort<Battery> BATTERY =
+      new StreamPort<>("battery", Battery.class, Arity.MANY, "the batteries of the robot");
 
   private static final double RATE_HZ = 5;
 

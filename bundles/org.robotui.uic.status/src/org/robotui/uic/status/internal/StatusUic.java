@@ -80,11 +80,13 @@ final class StatusUic implements SwtUic {
     double low = context.settings().current().number(StatusType.LOW_CHARGE);
     List<SourceId> sources = batteries.sources();
     List<StatusRow> rows = sources.stream()
-        .map(source -> BatteryRows.of(source, name(source, sources), batteries.latest(source).map(Envelope::value), batteries.state(source), low))
+        .map(source -> BatteryRows.of(source, name(source, sources), batteries.latest(source).map(Envelope::value),
+            batteries.state(source), low))
         .toList();
     Optional<String> stopped = context.ruic().authorities().stream()
         .flatMap(authority -> authority.stoppedBy().stream()).map(Principal::label).findFirst();
-    return new StatusViewState(context.ruic().snapshot(), rows, stopped, context.settings().current().flag(StatusType.CONNECTIONS));
+    return new StatusViewState(context.ruic().snapshot(), rows, stopped,
+        context.settings().current().flag(StatusType.CONNECTIONS));
   }
 
   /** What the user can do. Display thread. */

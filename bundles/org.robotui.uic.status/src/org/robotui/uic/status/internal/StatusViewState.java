@@ -45,7 +45,8 @@ record StatusViewState(RuicSnapshot ruic, List<StatusRow> batteries, Optional<St
     }
     boolean nothing = ruic.components().isEmpty() && ruic.ports().isEmpty() && ruic.matches().isEmpty();
     return nothing
-        ? Optional.of(new Page.Trouble(Health.NONE, "Nothing configured", "Add a robot interface, for example ros, to " + ruic.name() + "."))
+        ? Optional.of(new Page.Trouble(Health.NONE, "Nothing configured",
+            "Add a robot interface, for example ros, to " + ruic.name() + "."))
         : Optional.empty();
   }
 

@@ -37,15 +37,17 @@ record Gallery(GalleryWindow window, Theme theme) {
     });
     cell(0, 506, 560, 240, c -> c.ruic().snapshot(Snapshots.of(
         new LinkState.Failed("localhost:11311 refuses the connection", Duration.ofSeconds(4)), List.of(), List.of())));
-    cell(566, 506, 560, 240, c -> { });
-    cell(1132, 506, 460, 240, c -> c.ruic().snapshot(Snapshots.of(new LinkState.Connecting("localhost:11311"), List.of(), List.of())));
+    cell(566, 506, 560, 240, c -> {});
+    cell(1132, 506, 460, 240,
+        c -> c.ruic().snapshot(Snapshots.of(new LinkState.Connecting("localhost:11311"), List.of(), List.of())));
   }
 
   private static void typical(FakeUicContext context) {
     context.ruic().snapshot(Snapshots.typical());
     battery(context, "/battery", 0.87);
     battery(context, "/arm/battery", 0.18);
-    context.input(StatusType.BATTERY).state(new SourceId("base", "/gripper/battery"), new InputState.Waiting("no data yet"));
+    context.input(StatusType.BATTERY).state(new SourceId("base", "/gripper/battery"),
+        new InputState.Waiting("no data yet"));
   }
 
   private static void battery(FakeUicContext context, String port, double charge) {

@@ -13,7 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.robotui.api.host.PortStatus;
 import org.robotui.testkit.FakeUicContext;
 
-/** What a tick has to do for a robot of thousands of ports, counted: how long that takes is another matter on every machine. */
+/**
+ * What a tick has to do for a robot of thousands of ports, counted: how long that takes is another matter on every
+ * machine.
+ */
 class ManyPortsTest {
   private static final int PORTS = 2000;
   private static final int LOOKS_AT_EACH = 10;
@@ -94,6 +97,7 @@ class ManyPortsTest {
 
   private static PortStatus port(int i, int age) {
     boolean used = i % 10 == 0;
-    return Snapshots.port("/node_%04d/topic".formatted(i), "LaserScan", used, used ? 10 : 0, used ? age * 0.1 : Double.NaN, false, 0, "");
+    return Snapshots.port("/node_%04d/topic".formatted(i), "LaserScan", used, used ? 10 : 0,
+        used ? age * 0.1 : Double.NaN, false, 0, "");
   }
 }

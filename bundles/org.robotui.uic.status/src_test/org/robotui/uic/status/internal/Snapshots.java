@@ -23,11 +23,14 @@ final class Snapshots {
 
   static RuicSnapshot of(LinkState link, List<PortStatus> ports, List<Match> matches) {
     return new RuicSnapshot("Keira", RuicState.SELECTED, "", link,
-        List.of(new ComponentStatus("base", "ros", Kind.RFIC, RuicState.SELECTED, "", Optional.of(link))), ports, matches);
+        List.of(new ComponentStatus("base", "ros", Kind.RFIC, RuicState.SELECTED, "", Optional.of(link))), ports,
+        matches);
   }
 
-  static PortStatus port(String name, String type, boolean wanted, double rate, double age, boolean stale, long dropped, String value) {
-    return new PortStatus(new SourceId("base", name), PortKind.STREAM, type, wanted, Double.isNaN(age) ? 0 : 100, rate, age,
+  static PortStatus port(String name, String type, boolean wanted, double rate, double age, boolean stale, long dropped,
+      String value) {
+    return new PortStatus(new SourceId("base", name), PortKind.STREAM, type, wanted, Double.isNaN(age) ? 0 : 100, rate,
+        age,
         stale, dropped, "", value);
   }
 
@@ -45,9 +48,11 @@ final class Snapshots {
         port("/camera/image_raw/compressed", "Image", true, 30, 0.021, false, 0, "320\u00d7240 jpeg"),
         port("/rosout", "LogEntry", false, 0, Double.NaN, false, 0, ""),
         port("/imu/data", "Imu", false, 0, Double.NaN, false, 0, "")));
-    ports.add(new PortStatus(new SourceId("base", "/diagnostics"), PortKind.STREAM, "Diagnostics", true, 0, 0, Double.NaN, false, 3,
+    ports.add(new PortStatus(new SourceId("base", "/diagnostics"), PortKind.STREAM, "Diagnostics", true, 0, 0,
+        Double.NaN, false, 3,
         "10.0.0.7:45123 sends foo/Diag, expected diagnostic_msgs/DiagnosticArray", ""));
-    ports.add(new PortStatus(new SourceId("base", "/cmd_vel"), PortKind.COMMAND, "VelocityCommand", true, 8, 20, 0.03, false, 0, "",
+    ports.add(new PortStatus(new SourceId("base", "/cmd_vel"), PortKind.COMMAND, "VelocityCommand", true, 8, 20, 0.03,
+        false, 0, "",
         "0.23 m/s, \u22120.18 rad/s"));
     return of(UP, ports, List.of(
         match("camera", "image", Arity.ONE, MatchState.AMBIGUOUS, List.of(),

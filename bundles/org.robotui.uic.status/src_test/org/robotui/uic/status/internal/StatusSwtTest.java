@@ -31,7 +31,7 @@ class StatusSwtTest {
     context.authority().stop(FakeAuthority.YOU);
     StatusUic uic = new StatusUic(context);
     uic.tick(System.nanoTime());
-    Control control = uic.createControl(shell, UiContext.of(theme, note -> { }));
+    Control control = uic.createControl(shell, UiContext.of(theme, note -> {}));
     shell.open();
     for (int width = 240; width < 520; width += 4) {
       shell.setSize(width, 200);
@@ -48,7 +48,8 @@ class StatusSwtTest {
     for (QuietButton button : Controls.all(control, QuietButton.class)) {
       Composite bar = button.getParent();
       int end = button.getLocation().x + button.getSize().x;
-      assertTrue(!button.isVisible() || end <= bar.getSize().x, () -> button.getToolTipText() + " ends at " + end + " in a view of " + width);
+      assertTrue(!button.isVisible() || end <= bar.getSize().x,
+          () -> button.getToolTipText() + " ends at " + end + " in a view of " + width);
     }
   }
 }

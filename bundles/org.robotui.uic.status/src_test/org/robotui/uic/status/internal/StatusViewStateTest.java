@@ -44,7 +44,8 @@ class StatusViewStateTest {
 
   @Test
   void aFailedPortSaysWhyInPlaceOfAValue() {
-    assertEquals("10.0.0.7:45123 sends foo/Diag, expected diagnostic_msgs/DiagnosticArray", item("/diagnostics").value());
+    assertEquals("10.0.0.7:45123 sends foo/Diag, expected diagnostic_msgs/DiagnosticArray",
+        item("/diagnostics").value());
   }
 
   @Test
@@ -62,7 +63,8 @@ class StatusViewStateTest {
     List<String> notes = look(Snapshots.typical(), false).rows("").stream()
         .filter(StatusRow.Note.class::isInstance).map(StatusRow::details).toList();
     assertEquals(List.of(
-        "camera.image: two ports fit; choose one of base./camera/image_raw and natalie./image in the camera view"), notes);
+        "camera.image: two ports fit; choose one of base./camera/image_raw and natalie./image in the camera view"),
+        notes);
   }
 
   @Test
@@ -80,7 +82,8 @@ class StatusViewStateTest {
         Snapshots.port("/scan", "LaserScan", true, 10, 0.02, false, 0, ""));
     List<StatusRow> rows = look(Snapshots.of(Snapshots.UP, ports, List.of()), false).rows("");
     assertEquals(List.of("/scan", "LOGS OF THE ROBOT'S PROGRAMS", "/rosout", "/rosout_agg"),
-        rows.subList(1, rows.size()).stream().map(row -> row instanceof StatusRow.Item item ? item.name() : row.key()).toList());
+        rows.subList(1, rows.size()).stream().map(row -> row instanceof StatusRow.Item item ? item.name() : row.key())
+            .toList());
   }
 
   @Test
@@ -89,9 +92,11 @@ class StatusViewStateTest {
         Snapshots.port("/scan", "LaserScan", true, 10, 0.02, false, 0, ""),
         Snapshots.port("/imu", "Imu", false, 0, Double.NaN, false, 0, ""),
         new PortStatus(POWER, PortKind.COMMAND, "VelocityCommand", true, 1, 1, 1, false, 0, "", ""),
-        new PortStatus(POWER, PortKind.CALL, "ServiceRequest -> ServiceReply", true, 0, 0, Double.NaN, false, 0, "", ""),
+        new PortStatus(POWER, PortKind.CALL, "ServiceRequest -> ServiceReply", true, 0, 0, Double.NaN, false, 0, "",
+            ""),
         new PortStatus(POWER, PortKind.BROWSE, "Browser", true, 0, 0, Double.NaN, false, 0, "", ""));
-    assertEquals("link connected \u00b7 2 of 3 ports in use", look(Snapshots.of(Snapshots.UP, ports, List.of()), false).note());
+    assertEquals("link connected \u00b7 2 of 3 ports in use",
+        look(Snapshots.of(Snapshots.UP, ports, List.of()), false).note());
   }
 
   @Test
@@ -130,20 +135,24 @@ class StatusViewStateTest {
 
   @Test
   void aSilentBatteryIsWaitingOrStale() {
-    StatusRow.Charge none = (StatusRow.Charge) BatteryRows.of(POWER, "Battery", Optional.empty(), new InputState.Waiting("no value yet"), 0.25);
+    StatusRow.Charge none = (StatusRow.Charge) BatteryRows.of(POWER, "Battery", Optional.empty(),
+        new InputState.Waiting("no value yet"), 0.25);
     assertEquals("waiting", none.texts().getFirst());
     StatusRow.Charge old = (StatusRow.Charge) BatteryRows.of(POWER, "Battery",
-        Optional.of(new Battery(14.1, Double.NaN, 0.87, Battery.Status.CHARGING)), new InputState.Stale(9, "silent"), 0.25);
+        Optional.of(new Battery(14.1, Double.NaN, 0.87, Battery.Status.CHARGING)), new InputState.Stale(9, "silent"),
+        0.25);
     assertEquals(Health.STALE, old.health());
     assertEquals("stale 9.0\u00a0s  87\u00a0%  14.1\u00a0V  charging", old.texts().getFirst());
-    assertEquals(List.of("stale 9.0\u00a0s  87\u00a0%  charging", "stale 9.0\u00a0s  87\u00a0%"), old.texts().subList(1, 3), "where there is little room");
+    assertEquals(List.of("stale 9.0\u00a0s  87\u00a0%  charging", "stale 9.0\u00a0s  87\u00a0%"),
+        old.texts().subList(1, 3), "where there is little room");
   }
 
   @Test
   void emptyAndFailedSayWhatWouldHelp() {
     FakeUicContext context = new FakeUicContext("status", new StatusType().schema());
     assertEquals(Health.NONE, look(context.ruic().snapshot(), false).trouble().orElseThrow().health());
-    RuicSnapshot failed = new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Snapshots.UP, List.of(), List.of(), List.of());
+    RuicSnapshot failed = new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Snapshots.UP,
+        List.of(), List.of(), List.of());
     assertEquals("the type 'ros' is not installed", look(failed, false).trouble().orElseThrow().sentence());
     assertEquals(Optional.empty(), look(Snapshots.typical(), false).trouble());
   }
@@ -180,7 +189,8 @@ class StatusViewStateTest {
 
   private static StatusRow.Charge charge(double share) {
     return (StatusRow.Charge) BatteryRows.of(
-        POWER, "Battery", Optional.of(new Battery(14.1, -1.2, share, Battery.Status.DISCHARGING)), new InputState.Live(1, 0.2), 0.25);
+        POWER, "Battery", Optional.of(new Battery(14.1, -1.2, share, Battery.Status.DISCHARGING)),
+        new InputState.Live(1, 0.2), 0.25);
   }
 
   private static void assertItem(String name, Health health, String word) {

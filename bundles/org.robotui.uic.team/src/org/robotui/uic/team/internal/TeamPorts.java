@@ -15,9 +15,11 @@ import org.robotui.data.sensor.Battery;
 /** The ports of the view. */
 public final class TeamPorts {
   /** Where robots are. */
-  public static final StreamPort<Odometry> ODOM = new StreamPort<>("odom", Odometry.class, Arity.MANY, "Where robots are, and how fast.");
+  public static final StreamPort<Odometry> ODOM =
+      new StreamPort<>("odom", Odometry.class, Arity.MANY, "Where robots are, and how fast.");
   /** What is left. */
-  public static final StreamPort<Battery> BATTERY = new StreamPort<>("battery", Battery.class, Arity.MANY, "What they have left.");
+  public static final StreamPort<Battery> BATTERY =
+      new StreamPort<>("battery", Battery.class, Arity.MANY, "What they have left.");
   /** What they do. */
   public static final StreamPort<DynamicRecord> TASK = new StreamPort<>(
       "task", DynamicRecord.class, Arity.MANY, "What they do: the state of their goals.", Intake.CHOSEN);

@@ -19,8 +19,10 @@ public final class TeamType implements UicType {
 
   private static final double RATE_HZ = 5;
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(LEFT_OUT, new ValueType.ListOf(new ValueType.Text()), List.of(), "Robots that are none, such as a server of maps."),
-      Setting.of(TASK, new ValueType.Text(), "move_base/status", "The end of the names of streams that tell what robots do."));
+      Setting.of(LEFT_OUT, new ValueType.ListOf(new ValueType.Text()), List.of(),
+          "Robots that are none, such as a server of maps."),
+      Setting.of(TASK, new ValueType.Text(), "move_base/status",
+          "The end of the names of streams that tell what robots do."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("team", "Team",
       "How every robot of a team is doing; stops, releases and opens one, some, or all.", SCHEMA, TeamPorts.ALL);

@@ -45,9 +45,11 @@ public final class Squad {
 
   private void tell() {
     List<ComponentStatus> all = new ArrayList<>();
-    links.forEach((id, link) -> all.add(new ComponentStatus(id, id.endsWith("2") ? "player" : "ros", ComponentStatus.Kind.RFIC,
-        RuicState.SELECTED, "", Optional.of(link))));
-    context.ruic().snapshot(new RuicSnapshot("Team", RuicState.SELECTED, "", new LinkState.Connected(""), all, List.of(), List.of()));
+    links.forEach(
+        (id, link) -> all.add(new ComponentStatus(id, id.endsWith("2") ? "player" : "ros", ComponentStatus.Kind.RFIC,
+            RuicState.SELECTED, "", Optional.of(link))));
+    context.ruic().snapshot(
+        new RuicSnapshot("Team", RuicState.SELECTED, "", new LinkState.Connected(""), all, List.of(), List.of()));
   }
 
   public FakeAuthority robot(int number) {
@@ -55,7 +57,8 @@ public final class Squad {
   }
 
   public Squad lose(int number) {
-    links.put("base" + number, new LinkState.Failed("r" + number + ":11311 refuses the connection", Duration.ofSeconds(4)));
+    links.put("base" + number,
+        new LinkState.Failed("r" + number + ":11311 refuses the connection", Duration.ofSeconds(4)));
     tell();
     return this;
   }
@@ -80,21 +83,24 @@ public final class Squad {
   }
 
   public Squad charged(int number, double charge) {
-    context.input(TeamPorts.BATTERY).put(source(number, "battery"), new Battery(24, -1, charge, Battery.Status.DISCHARGING), System.nanoTime(),
+    context.input(TeamPorts.BATTERY).put(source(number, "battery"),
+        new Battery(24, -1, charge, Battery.Status.DISCHARGING), System.nanoTime(),
         Optional.empty());
     return this;
   }
 
   public Squad does(int number, int status, String text) {
     SourceId source = source(number, "move_base/status");
-    MapRecord goal = new MapRecord("actionlib_msgs/GoalStatus", Map.of("status", new FieldValue.Num(status, Integer.toString(status)),
-        "text", new FieldValue.Text(text)));
+    MapRecord goal = new MapRecord("actionlib_msgs/GoalStatus",
+        Map.of("status", new FieldValue.Num(status, Integer.toString(status)),
+            "text", new FieldValue.Text(text)));
     List<Input.Candidate> known = new ArrayList<>(context.input(TeamPorts.TASK).candidates());
     known.add(new Input.Candidate(source, "DynamicRecord"));
     known.add(new Input.Candidate(source(number, "other/state"), "DynamicRecord"));
     context.input(TeamPorts.TASK).candidates(known);
     context.input(TeamPorts.TASK).put(source, new MapRecord("actionlib_msgs/GoalStatusArray",
-        Map.of("status_list", new FieldValue.Items(List.of(new FieldValue.Nested(goal))))), System.nanoTime(), Optional.empty());
+        Map.of("status_list", new FieldValue.Items(List.of(new FieldValue.Nested(goal))))), System.nanoTime(),
+        Optional.empty());
     return this;
   }
 

@@ -16,8 +16,8 @@ import org.robotui.data.geometry.Twist;
 import org.robotui.data.navigation.NavigationStatus;
 
 /**
- * Turns what the hands want into commands, within lease and stop. Hands come from the display thread, ticks from the view's
- * worker: one lock, never held while anything blocks, so that no command follows the release that ends it.
+ * Turns what the hands want into commands, within lease and stop. Hands come from the display thread, ticks from the
+ * view's worker: one lock, never held while anything blocks, so that no command follows the release that ends it.
  */
 final class Driver {
   /** Navigation tells its progress several times as often. */
@@ -34,7 +34,8 @@ final class Driver {
   private boolean asking;
   private Optional<String> refusal = Optional.empty();
 
-  Driver(Output<VelocityCommand> output, Input<Twist> odometry, Input<NavigationStatus> navigation, Principal principal, SettingsStore settings) {
+  Driver(Output<VelocityCommand> output, Input<Twist> odometry, Input<NavigationStatus> navigation, Principal principal,
+      SettingsStore settings) {
     this.output = output;
     this.odometry = odometry;
     this.navigation = navigation;
@@ -123,8 +124,10 @@ final class Driver {
 
   synchronized TeleopViewState look(long now) {
     Authority authority = authority();
-    return new TeleopViewState(authority.robot(), model.held(now), model.stick(now), model.speed(), measured(), limits(),
-        lease(authority), authority.stoppedBy().map(Principal::label), asking && !(lease(authority) instanceof TeleopViewState.Lease.Mine),
+    return new TeleopViewState(authority.robot(), model.held(now), model.stick(now), model.speed(), measured(),
+        limits(),
+        lease(authority), authority.stoppedBy().map(Principal::label),
+        asking && !(lease(authority) instanceof TeleopViewState.Lease.Mine),
         refusal, navigates(now), output.state());
   }
 
@@ -178,12 +181,14 @@ final class Driver {
   private boolean navigates(long now) {
     return navigation.sources().stream().flatMap(source -> navigation.latest(source).stream())
         .min(Comparator.comparingDouble(said -> said.ageSeconds(now)))
-        .filter(said -> said.value().state() == NavigationStatus.State.ACTIVE && said.ageSeconds(now) < MOMENT_SECONDS).isPresent();
+        .filter(said -> said.value().state() == NavigationStatus.State.ACTIVE && said.ageSeconds(now) < MOMENT_SECONDS)
+        .isPresent();
   }
 
   private TeleopViewState.Lease lease(Authority authority) {
     return authority.holder()
-        .map(holder -> holder.equals(principal) ? new TeleopViewState.Lease.Mine() : new TeleopViewState.Lease.Other(holder.label()))
+        .map(holder -> holder.equals(principal) ? new TeleopViewState.Lease.Mine()
+            : new TeleopViewState.Lease.Other(holder.label()))
         .orElseGet(TeleopViewState.Lease.Free::new);
   }
 

@@ -19,7 +19,8 @@ record Limits(double linear, double angular, double linearAcceleration, double a
 
   /** What is left of them where the robot may not be commanded as fast. */
   Limits within(MotionLimits robot) {
-    return new Limits(Math.min(linear, robot.linear()), Math.min(angular, robot.angular()), linearAcceleration, angularAcceleration);
+    return new Limits(Math.min(linear, robot.linear()), Math.min(angular, robot.angular()), linearAcceleration,
+        angularAcceleration);
   }
 
   Speed at(Stick stick) {

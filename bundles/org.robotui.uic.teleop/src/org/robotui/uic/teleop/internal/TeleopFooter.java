@@ -42,7 +42,8 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
 
   static TeleopFooter of(TeleopViewState look) {
     return look.stoppedBy().map(TeleopFooter::stopped).orElseGet(() -> switch (look.lease()) {
-      case TeleopViewState.Lease.Free f -> look.navigates() ? navigating(look, Button.TAKE) : free(StateView.showsContent(look.output()));
+      case TeleopViewState.Lease.Free f -> look.navigates() ? navigating(look, Button.TAKE)
+          : free(StateView.showsContent(look.output()));
       case TeleopViewState.Lease.Mine m -> mine(look);
       case TeleopViewState.Lease.Other o -> other(o.name(), look.asking());
     });
@@ -64,7 +65,9 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
 
   private static TeleopFooter free(boolean connected) {
     return connected
-        ? new TeleopFooter(Health.NONE, List.of("Nobody has control. Drag the stick or hold a key.", "Nobody has control", "Free"), List.of(Button.TAKE))
+        ? new TeleopFooter(Health.NONE,
+            List.of("Nobody has control. Drag the stick or hold a key.", "Nobody has control", "Free"),
+            List.of(Button.TAKE))
         : new TeleopFooter(Health.NONE, List.of("Nothing to drive"), List.of());
   }
 
@@ -72,7 +75,8 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
     // What is held but not reached is not driven: the lease alone makes nothing good.
     if (!StateView.showsContent(look.output())) {
       // The reason stands in place of the stick.
-      return new TeleopFooter(Health.WARNING, List.of("Cannot drive: " + look.output().explanation(), "Cannot drive"), List.of(Button.GIVE_BACK));
+      return new TeleopFooter(Health.WARNING, List.of("Cannot drive: " + look.output().explanation(), "Cannot drive"),
+          List.of(Button.GIVE_BACK));
     }
     if (!(look.output() instanceof InputState.Live)) {
       return held("Cannot drive", look.output().explanation());
@@ -81,12 +85,15 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
       return navigating(look, Button.GIVE_BACK);
     }
     return look.refusal().map(why -> held("Not sent", why))
-        .orElseGet(() -> new TeleopFooter(Health.OK, List.of("You control " + look.robot(), "You have control"), List.of(Button.GIVE_BACK)));
+        .orElseGet(() -> new TeleopFooter(Health.OK, List.of("You control " + look.robot(), "You have control"),
+            List.of(Button.GIVE_BACK)));
   }
 
   private static TeleopFooter navigating(TeleopViewState look, Button button) {
-    return new TeleopFooter(Health.OK, List.of("Navigation drives " + look.robot() + " to a goal, within limits of its own",
-        "Navigation drives, within its own limits", "Navigation drives " + look.robot(), "Navigation drives"), List.of(button));
+    return new TeleopFooter(Health.OK,
+        List.of("Navigation drives " + look.robot() + " to a goal, within limits of its own",
+            "Navigation drives, within its own limits", "Navigation drives " + look.robot(), "Navigation drives"),
+        List.of(button));
   }
 
   private static TeleopFooter held(String what, String why) {
@@ -95,7 +102,8 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
 
   private static TeleopFooter other(String name, boolean asking) {
     return asking
-        ? new TeleopFooter(Health.WARNING, List.of(name + " has control. Take over?", name + " has control"), List.of(Button.TAKE_OVER, Button.CANCEL))
+        ? new TeleopFooter(Health.WARNING, List.of(name + " has control. Take over?", name + " has control"),
+            List.of(Button.TAKE_OVER, Button.CANCEL))
         : new TeleopFooter(Health.WARNING, List.of(name + " has control"), List.of(Button.ASK));
   }
 }

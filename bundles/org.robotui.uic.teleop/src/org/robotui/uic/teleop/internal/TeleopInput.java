@@ -41,7 +41,8 @@ final class TeleopInput {
     canvas.addListener(SWT.FocusOut, e -> lost());
     canvas.addListener(SWT.FocusIn, e -> changed.run());
     // Arrows and space drive here; only tab moves the focus on.
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
 
   private void mouseDown(Event event) {

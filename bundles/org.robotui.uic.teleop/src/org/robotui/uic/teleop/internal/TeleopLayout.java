@@ -4,8 +4,8 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.robotui.ui.Theme;
 
 /**
- * Where things lie: the stick left and the figures right, or below each other where it is narrow; what has no room is left
- * out, the least important first.
+ * Where things lie: the stick left and the figures right, or below each other where it is narrow; what has no room is
+ * left out, the least important first.
  *
  * @param stick the square of the stick
  * @param figures rows and bars; empty where there is no room
@@ -50,11 +50,13 @@ record TeleopLayout(Rectangle stick, Rectangle figures, int rows, int bars, Rect
     int rows = room.height >= FULL ? 4 : room.height >= 2 * ROW ? 2 : 0;
     int bars = room.height >= SHORT ? 2 : 0;
     int used = rows * ROW + bars * BAR;
-    return new TeleopLayout(stick, new Rectangle(room.x, room.y + (room.height - used) / 2, room.width, used), rows, bars, footer);
+    return new TeleopLayout(stick, new Rectangle(room.x, room.y + (room.height - used) / 2, room.width, used), rows,
+        bars, footer);
   }
 
   private static int side(int width, int height) {
-    return Math.max(0, Math.min(LARGEST_STICK, (int) ((Math.min(width, height) - 2 * Theme.STEP) / (1 + TeleopPainter.KNOB_SHARE))));
+    return Math.max(0,
+        Math.min(LARGEST_STICK, (int) ((Math.min(width, height) - 2 * Theme.STEP) / (1 + TeleopPainter.KNOB_SHARE))));
   }
 
   /** The row of a figure. */

@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What the user's hands want, over time: pure, not safe for several threads. A key that repeats may come as pairs of release
- * and press; a release therefore counts only when no press follows within {@link #GRACE_NANOS}.
+ * What the user's hands want, over time: pure, not safe for several threads. A key that repeats may come as pairs of
+ * release and press; a release therefore counts only when no press follows within {@link #GRACE_NANOS}.
  *
- * <p>After {@link #letGo()} the keys that are down do nothing until they have been up: what was ended by a stop does not go
- * on because a finger still lies on a key.
+ * <p>After {@link #letGo()} the keys that are down do nothing until they have been up: what was ended by a stop does
+ * not go on because a finger still lies on a key.
  */
 final class TeleopModel {
   static final long GRACE_NANOS = 30_000_000;

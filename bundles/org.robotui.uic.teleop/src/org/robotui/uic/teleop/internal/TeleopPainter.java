@@ -124,12 +124,17 @@ final class TeleopPainter {
 
   private void figures(GC gc, TeleopLayout at, TeleopViewState look, boolean focused) {
     if (at.rows() >= 2) {
-      speed(gc, at.row(0), "linear", look.commanded().forward(), look.measured().map(Speed::forward).orElse(Double.NaN), "m/s");
-      speed(gc, at.row(1), "angular", look.commanded().turn(), look.measured().map(Speed::turn).orElse(Double.NaN), "rad/s");
+      speed(gc, at.row(0), "linear", look.commanded().forward(), look.measured().map(Speed::forward).orElse(Double.NaN),
+          "m/s");
+      speed(gc, at.row(1), "angular", look.commanded().turn(), look.measured().map(Speed::turn).orElse(Double.NaN),
+          "rad/s");
     }
     if (at.rows() == 4) {
-      words(gc, at.row(2), "keys", fitting(gc, at.row(2), focused ? "W A S D, space = stop" : "click, then W A S D", "W A S D"), focused ? Role.TEXT : Role.DIM);
-      words(gc, at.row(3), "dead-man", look.held() ? "held" : fitting(gc, at.row(3), "hold mouse or key", "hold"), look.held() ? Role.ACCENT : Role.TEXT);
+      words(gc, at.row(2), "keys",
+          fitting(gc, at.row(2), focused ? "W A S D, space = stop" : "click, then W A S D", "W A S D"),
+          focused ? Role.TEXT : Role.DIM);
+      words(gc, at.row(3), "dead-man", look.held() ? "held" : fitting(gc, at.row(3), "hold mouse or key", "hold"),
+          look.held() ? Role.ACCENT : Role.TEXT);
     }
     if (at.bars() > 0) {
       barLabel(gc, at.bar(0), "speed limit " + Figures.of(look.limits().linear(), 2, "m/s"));

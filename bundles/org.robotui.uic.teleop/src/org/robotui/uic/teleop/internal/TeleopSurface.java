@@ -114,7 +114,8 @@ final class TeleopSurface {
   }
 
   private Control[] tabs() {
-    return Stream.concat(Stream.of(canvas), Arrays.stream(root.getChildren()).filter(c -> c != canvas)).toArray(Control[]::new);
+    return Stream.concat(Stream.of(canvas), Arrays.stream(root.getChildren()).filter(c -> c != canvas))
+        .toArray(Control[]::new);
   }
 
   private void place() {

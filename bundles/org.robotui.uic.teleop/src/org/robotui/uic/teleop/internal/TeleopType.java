@@ -35,13 +35,16 @@ public final class TeleopType implements UicType {
       new StreamPort<>("odom", Twist.class, Arity.OPTIONAL, "how fast the base says it moves");
 
   static final StreamPort<NavigationStatus> NAVIGATION =
-      new StreamPort<>("navigation", NavigationStatus.class, Arity.MANY, "whether navigation drives the base to a goal");
+      new StreamPort<>("navigation", NavigationStatus.class, Arity.MANY,
+          "whether navigation drives the base to a goal");
 
   private static final double RATE_HZ = 20;
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(MAX_LINEAR, new ValueType.Num(0, HIGHEST_LINEAR, "m/s"), 0.4, "Speed at full stick; navigation has limits of its own."),
-      Setting.of(MAX_ANGULAR, new ValueType.Num(0, HIGHEST_ANGULAR, "rad/s"), 1.0, "Turning speed at full stick; navigation has limits of its own."),
+      Setting.of(MAX_LINEAR, new ValueType.Num(0, HIGHEST_LINEAR, "m/s"), 0.4,
+          "Speed at full stick; navigation has limits of its own."),
+      Setting.of(MAX_ANGULAR, new ValueType.Num(0, HIGHEST_ANGULAR, "rad/s"), 1.0,
+          "Turning speed at full stick; navigation has limits of its own."),
       Setting.of(ACCELERATION_LINEAR, new ValueType.Num(0.05, 10, "m/s\u00b2"), 1.0,
           "How suddenly the speed may change while the stick is held; letting go always stops at once."),
       Setting.of(ACCELERATION_ANGULAR, new ValueType.Num(0.05, 30, "rad/s\u00b2"), 3.0,
@@ -68,7 +71,9 @@ public final class TeleopType implements UicType {
 
   @Override
   public Uic create(UicContext context, Settings settings) {
-    return new TeleopUic(new Driver(context.output(CMD_VEL), context.input(ODOM), context.input(NAVIGATION), context.principal(), context.settings()),
+    return new TeleopUic(
+        new Driver(context.output(CMD_VEL), context.input(ODOM), context.input(NAVIGATION), context.principal(),
+            context.settings()),
         context.settings());
   }
 }

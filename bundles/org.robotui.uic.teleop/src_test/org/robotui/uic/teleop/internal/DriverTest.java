@@ -28,7 +28,8 @@ class DriverTest {
   private final FakeAuthority authority = context.authority();
   private final FakeOutput<VelocityCommand> output = context.output(TeleopType.CMD_VEL);
   private final Driver driver =
-      new Driver(output, context.input(TeleopType.ODOM), context.input(TeleopType.NAVIGATION), context.principal(), context.settings());
+      new Driver(output, context.input(TeleopType.ODOM), context.input(TeleopType.NAVIGATION), context.principal(),
+          context.settings());
 
   @Test
   void sendsNothingUntilAHandComes() {
@@ -51,8 +52,10 @@ class DriverTest {
   void whileNavigationDrivesToAGoalThatIsSaid() {
     driver.take();
     navigation("feedback", NavigationStatus.State.ACTIVE, 0);
-    assertEquals("Navigation drives Keira to a goal, within limits of its own", TeleopFooter.of(driver.look(MS)).text());
-    assertEquals("You control Keira", TeleopFooter.of(driver.look(2_000 * MS)).text(), "it has said nothing for a while");
+    assertEquals("Navigation drives Keira to a goal, within limits of its own",
+        TeleopFooter.of(driver.look(MS)).text());
+    assertEquals("You control Keira", TeleopFooter.of(driver.look(2_000 * MS)).text(),
+        "it has said nothing for a while");
 
     navigation("feedback", NavigationStatus.State.ACTIVE, 3_000 * MS);
     navigation("result", NavigationStatus.State.SUCCEEDED, 3_001 * MS);
@@ -64,7 +67,8 @@ class DriverTest {
   }
 
   private void navigation(String port, NavigationStatus.State state, long at) {
-    context.input(TeleopType.NAVIGATION).put(new SourceId("base", port), new NavigationStatus("1", state, ""), at, Optional.empty());
+    context.input(TeleopType.NAVIGATION).put(new SourceId("base", port), new NavigationStatus("1", state, ""), at,
+        Optional.empty());
   }
 
   @Test
@@ -271,8 +275,10 @@ class DriverTest {
     assertEquals("Free", free.fitting(text -> false));
     driver.take();
     output.state(new InputState.Stale(2, "the link is lost"));
-    assertEquals("Cannot drive: the link is lost", TeleopFooter.of(driver.look(0)).fitting(text -> false), "a reason is cut, not left out");
+    assertEquals("Cannot drive: the link is lost", TeleopFooter.of(driver.look(0)).fitting(text -> false),
+        "a reason is cut, not left out");
     output.state(new InputState.Waiting("base.cmd: no link (retry 4 s)"));
-    assertEquals("Cannot drive", TeleopFooter.of(driver.look(0)).fitting(text -> false), "but where it stands above already");
+    assertEquals("Cannot drive", TeleopFooter.of(driver.look(0)).fitting(text -> false),
+        "but where it stands above already");
   }
 }

@@ -157,7 +157,8 @@ class TeleopSwtTest {
 
   @Test
   void theBarsSetTheLimitsInTheSettings() {
-    LimitBar bar = Arrays.stream(root.getChildren()).filter(LimitBar.class::isInstance).map(LimitBar.class::cast).findFirst().orElseThrow();
+    LimitBar bar = Arrays.stream(root.getChildren()).filter(LimitBar.class::isInstance).map(LimitBar.class::cast)
+        .findFirst().orElseThrow();
     Event event = new Event();
     event.button = 1;
     event.x = bar.getBounds().width / 2;

@@ -35,7 +35,8 @@ record Alarms(List<Alert> alerts, Optional<Instant> mutedUntil) {
 
   private static String line(Alert alert) {
     String condition = alert.id().name().equals(alert.condition()) ? "" : " (" + alert.condition() + ")";
-    return "ALERT    " + alert.id().name() + condition + "  " + alert.source() + ": " + alert.value() + "  since " + WORDS.since(alert) + ", "
+    return "ALERT    " + alert.id().name() + condition + "  " + alert.source() + ": " + alert.value() + "  since "
+        + WORDS.since(alert) + ", "
         + WORDS.state(alert);
   }
 }

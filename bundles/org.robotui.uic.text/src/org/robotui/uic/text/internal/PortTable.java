@@ -26,7 +26,8 @@ record PortTable(List<PortStatus> ports, boolean types) {
   private static final String NONE = "-";
 
   List<String> lines(int columns) {
-    int name = Math.clamp(widest(), LEAST_NAME, Math.max(LEAST_NAME, columns - STATE - RATE - AGE - DROPS - LEAST_VALUE - 5));
+    int name =
+        Math.clamp(widest(), LEAST_NAME, Math.max(LEAST_NAME, columns - STATE - RATE - AGE - DROPS - LEAST_VALUE - 5));
     List<String> lines = new ArrayList<>();
     lines.add(row(name, "state", "port", "type", "rate", "age", "dropped", "value"));
     ports.forEach(port -> lines.add(row(name, state(port), port.port().toString(), port.typeName(), rate(port),
@@ -38,9 +39,11 @@ record PortTable(List<PortStatus> ports, boolean types) {
     return ports.stream().mapToInt(port -> Columns.width(Columns.safe(port.port().toString()))).max().orElse(0);
   }
 
-  private String row(int name, String state, String port, String type, String rate, String age, String dropped, String value) {
+  private String row(int name, String state, String port, String type, String rate, String age, String dropped,
+      String value) {
     String kind = types ? Columns.left(Columns.safe(type), WIDEST_TYPE) + " " : "";
-    return Columns.left(state, STATE) + " " + Columns.left(Columns.safe(port), name) + " " + kind + Columns.right(rate, RATE)
+    return Columns.left(state, STATE) + " " + Columns.left(Columns.safe(port), name) + " " + kind
+        + Columns.right(rate, RATE)
         + Columns.right(age, AGE) + Columns.right(dropped, DROPS) + "  " + Columns.safe(value);
   }
 

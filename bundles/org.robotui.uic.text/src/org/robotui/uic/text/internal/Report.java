@@ -75,15 +75,16 @@ record Report(RuicSnapshot ruic, Standing standing, Alarms alarms, boolean unuse
 
   private List<String> ports(int columns) {
     List<PortStatus> shown = ruic.ports().stream().filter(port -> unused || port.wanted()).toList();
-    return shown.isEmpty() ? List.of("no ports yet") : new PortTable(shown, types && columns >= ROOM_FOR_TYPES).lines(columns);
+    return shown.isEmpty() ? List.of("no ports yet")
+        : new PortTable(shown, types && columns >= ROOM_FOR_TYPES).lines(columns);
   }
 
   private List<String> troubles() {
     // Views for windows do not run here: that is said last, after what the robot offers.
     return Stream.of(
-            ruic.matches().stream().filter(match -> match.state() != MatchState.CONNECTED).map(Report::trouble),
-            views(false).flatMap(Report::component),
-            windowViews().stream())
+        ruic.matches().stream().filter(match -> match.state() != MatchState.CONNECTED).map(Report::trouble),
+        views(false).flatMap(Report::component),
+        windowViews().stream())
         .flatMap(lines -> lines).toList();
   }
 

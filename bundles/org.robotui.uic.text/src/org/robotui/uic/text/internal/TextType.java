@@ -22,7 +22,8 @@ public final class TextType implements UicType {
 
   /** Everything that the robot sends: a port that nobody takes from has neither rate nor value. */
   static final StreamPort<Data> ALL =
-      new StreamPort<>("all", Data.class, Arity.MANY, "Everything that the robot sends; connect it to none to ask for nothing.");
+      new StreamPort<>("all", Data.class, Arity.MANY,
+          "Everything that the robot sends; connect it to none to ask for nothing.");
 
   private static final double RATE_HZ = 2;
 

@@ -21,9 +21,10 @@ final class TextView implements TextUic {
 
   @Override
   public boolean tick(long nowNanos) {
-    all.drain(envelope -> { }); // what is shown are rates and newest values, which core keeps
+    all.drain(envelope -> {}); // what is shown are rates and newest values, which core keeps
     Settings settings = context.settings().current();
-    Optional<Report> next = Optional.of(new Report(context.ruic().snapshot(), Standing.of(context.ruic().authorities()), Alarms.of(context.ruic().alerts()),
+    Optional<Report> next = Optional.of(new Report(context.ruic().snapshot(), Standing.of(context.ruic().authorities()),
+        Alarms.of(context.ruic().alerts()),
         settings.flag(TextType.UNUSED), settings.flag(TextType.TYPES)));
     boolean changed = !next.equals(report);
     report = next;

@@ -32,11 +32,11 @@ class TextViewTest {
   @Test
   void showsTheWholeRobotAtOneGlance() {
     snapshot(connected(), List.of(
-            port("/scan", "LaserScan", 1200, 10.0, 0.012, false, 0, "", "min 0.42 m"),
-            port("/odom", "Odometry", 6000, 50.1, 0.004, false, 3, "", "0.31 m/s"),
-            port("/battery", "Battery", 60, 1.0, 2.1, true, 0, "no new value for 2.1 s; the link is up", "87 %"),
-            port("/map", "GridMap", 0, 0, Double.NaN, false, 0, "", ""),
-            port("/imu", "Imu", 0, 0, Double.NaN, false, 0, "the type is foo/Imu, expected sensor_msgs/Imu", "")),
+        port("/scan", "LaserScan", 1200, 10.0, 0.012, false, 0, "", "min 0.42 m"),
+        port("/odom", "Odometry", 6000, 50.1, 0.004, false, 3, "", "0.31 m/s"),
+        port("/battery", "Battery", 60, 1.0, 2.1, true, 0, "no new value for 2.1 s; the link is up", "87 %"),
+        port("/map", "GridMap", 0, 0, Double.NaN, false, 0, "", ""),
+        port("/imu", "Imu", 0, 0, Double.NaN, false, 0, "the type is foo/Imu, expected sensor_msgs/Imu", "")),
         List.of(match(MatchState.PENDING, "camera needs Image on 'image'; base offers LaserScan '/scan'")));
     context.authority().take(FakeAuthority.YOU, false);
     assertEquals(List.of(
@@ -59,7 +59,8 @@ class TextViewTest {
     context.alerts().raise("scan stale", "scan stale", "scan", "nothing for 4.2 s");
     context.alerts().mute(new AlertId("sound", "scan stale"), Optional.of(Instant.MAX));
     List<String> lines = lines(120, 24);
-    assertTrue(lines.get(3).startsWith("ALERT    Battery low (battery charge < 0.2)  battery.charge: 0.18  since "), lines.toString());
+    assertTrue(lines.get(3).startsWith("ALERT    Battery low (battery charge < 0.2)  battery.charge: 0.18  since "),
+        lines.toString());
     assertTrue(lines.get(3).endsWith(", on"), lines.toString());
     assertTrue(lines.get(4).startsWith("ALERT    scan stale  scan: nothing for 4.2 s  since "), lines.toString());
     assertTrue(lines.get(4).endsWith(", on, muted"), lines.toString());
@@ -77,7 +78,8 @@ class TextViewTest {
 
   @Test
   void aLostLinkSaysWhyAndWhenItIsTriedAgain() {
-    snapshot(new LinkState.Failed("localhost:11311 refuses the connection", Duration.ofSeconds(4)), List.of(), List.of());
+    snapshot(new LinkState.Failed("localhost:11311 refuses the connection", Duration.ofSeconds(4)), List.of(),
+        List.of());
     assertTrue(lines(80, 24).getFirst().startsWith("Keira  retry 4 s: localhost:11311 refuses the connection"));
     assertTrue(lines(80, 24).contains("no ports yet"));
   }
@@ -93,7 +95,8 @@ class TextViewTest {
   @Test
   void nothingIsWiderOrLongerThanTheTerminal() {
     List<PortStatus> many = IntStream.range(0, 90)
-        .mapToObj(i -> port("/very/long/topic/name/of/a/robot/" + i, "LaserScan", 1, 10, 0.01, false, 0, "", "\u4f60\u597d".repeat(30)))
+        .mapToObj(i -> port("/very/long/topic/name/of/a/robot/" + i, "LaserScan", 1, 10, 0.01, false, 0, "",
+            "\u4f60\u597d".repeat(30)))
         .toList();
     snapshot(connected(), many, List.of(match(MatchState.REFUSED, "x".repeat(300)), match(MatchState.AMBIGUOUS, "y")));
     for (int columns = 0; columns < 200; columns += 7) {
@@ -101,7 +104,8 @@ class TextViewTest {
         List<String> lines = lines(columns, rows);
         assertTrue(lines.size() <= rows, columns + " x " + rows);
         int width = columns;
-        assertTrue(lines.stream().allMatch(line -> Columns.width(line) <= width), columns + " x " + rows + ": " + lines);
+        assertTrue(lines.stream().allMatch(line -> Columns.width(line) <= width),
+            columns + " x " + rows + ": " + lines);
       }
     }
     assertTrue(lines(80, 24).contains("\u2026 " + (90 + 1 - 18) + " more ports"), lines(80, 24).toString());
@@ -112,7 +116,8 @@ class TextViewTest {
   void whatARobotSendsNeverReachesTheTerminalAsACommand() {
     String hostile = "\u001b[2J\u001b]0;owned\u0007\u202egnp.exe\u2028\u0085\u007f\r\n\ud800";
     snapshot(new LinkState.Degraded(hostile, hostile),
-        List.of(port("/" + hostile, hostile, 1, 1, 1, false, 0, hostile, hostile)), List.of(match(MatchState.PENDING, hostile)));
+        List.of(port("/" + hostile, hostile, 1, 1, 1, false, 0, hostile, hostile)),
+        List.of(match(MatchState.PENDING, hostile)));
     for (String line : lines(300, 50)) {
       assertTrue(line.codePoints().noneMatch(c -> Character.isISOControl(c) || Character.getType(c) == Character.FORMAT
           || c == 0x2028 || Character.getType(c) == Character.SURROGATE), line);
@@ -122,7 +127,8 @@ class TextViewTest {
 
   @Test
   void unusedPortsCanBeLeftOut() {
-    PortStatus idle = new PortStatus(new SourceId("base", "/rosout"), PortKind.STREAM, "LogEntry", false, 0, 0, Double.NaN, false, 0, "", "");
+    PortStatus idle = new PortStatus(new SourceId("base", "/rosout"), PortKind.STREAM, "LogEntry", false, 0, 0,
+        Double.NaN, false, 0, "", "");
     snapshot(connected(), List.of(idle), List.of());
     assertTrue(lines(80, 24).toString().contains("offered  base./rosout"));
     context.settings().set(TextType.UNUSED, false);
@@ -138,7 +144,8 @@ class TextViewTest {
   @Test
   void aFailedViewSaysWhy() {
     components(view("log", "text", "fenced: did not return within 2 s"));
-    assertTrue(lines(80, 24).contains("  log (text)  failed: fenced: did not return within 2 s"), lines(80, 24).toString());
+    assertTrue(lines(80, 24).contains("  log (text)  failed: fenced: did not return within 2 s"),
+        lines(80, 24).toString());
   }
 
   @Test
@@ -153,7 +160,8 @@ class TextViewTest {
   @Test
   void aViewWhoseBundleWentAwayHasFailed() {
     components(view("text2", "text", "type 'text' is not there; install or start bundle org.robotui.uic.text"));
-    assertTrue(lines(90, 24).getLast().startsWith("  text2 (text)  failed: type 'text' is not there"), lines(90, 24).toString());
+    assertTrue(lines(90, 24).getLast().startsWith("  text2 (text)  failed: type 'text' is not there"),
+        lines(90, 24).toString());
   }
 
   private void components(ComponentStatus... views) {
@@ -173,7 +181,8 @@ class TextViewTest {
 
   private void snapshot(LinkState link, List<PortStatus> ports, List<Match> matches) {
     context.ruic().snapshot(new RuicSnapshot("Keira", RuicState.SELECTED, "", link,
-        List.of(new ComponentStatus("base", "ros", Kind.RFIC, RuicState.SELECTED, "", Optional.of(link))), ports, matches));
+        List.of(new ComponentStatus("base", "ros", Kind.RFIC, RuicState.SELECTED, "", Optional.of(link))), ports,
+        matches));
   }
 
   private static LinkState connected() {
@@ -181,12 +190,14 @@ class TextViewTest {
   }
 
   private static PortStatus port(
-      String name, String type, long count, double rate, double age, boolean stale, long dropped, String problem, String value) {
+      String name, String type, long count, double rate, double age, boolean stale, long dropped, String problem,
+      String value) {
     return new PortStatus(
         new SourceId("base", name), PortKind.STREAM, type, true, count, rate, age, stale, dropped, problem, value);
   }
 
   private static Match match(MatchState state, String reason) {
-    return new Match(new SourceId("camera", "image"), PortKind.STREAM, "Image", Arity.ONE, state, List.of(), List.of(), reason);
+    return new Match(new SourceId("camera", "image"), PortKind.STREAM, "Image", Arity.ONE, state, List.of(), List.of(),
+        reason);
   }
 }

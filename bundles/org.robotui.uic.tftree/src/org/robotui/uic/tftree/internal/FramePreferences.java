@@ -13,7 +13,8 @@ final class FramePreferences {
   private FramePreferences() {}
 
   static Ask read(Settings settings) {
-    return Ask.FIRST.problems(settings.flag(TfTreeType.PROBLEMS)).drawn(settings.text(TfTreeType.FORM).equals(TfTreeType.DRAWN))
+    return Ask.FIRST.problems(settings.flag(TfTreeType.PROBLEMS))
+        .drawn(settings.text(TfTreeType.FORM).equals(TfTreeType.DRAWN))
         .in(reference(settings.text(TfTreeType.REFERENCE)));
   }
 

@@ -27,13 +27,16 @@ public final class TfTreeType implements UicType {
 
   private static final Schema SCHEMA = Schema.of(
       Setting.of(FORM, new ValueType.Choice(List.of(DRAWN, LIST)), DRAWN, "Whether the tree is drawn or listed."),
-      Setting.of(PROBLEMS, new ValueType.Flag(), false, "Whether only frames with a problem are shown, and those above them."),
-      Setting.of(STALE_AFTER, new ValueType.Num(0.1, 3600, "s"), 3.0, "After how long without a transform a moving frame is stale."),
+      Setting.of(PROBLEMS, new ValueType.Flag(), false,
+          "Whether only frames with a problem are shown, and those above them."),
+      Setting.of(STALE_AFTER, new ValueType.Num(0.1, 3600, "s"), 3.0,
+          "After how long without a transform a moving frame is stale."),
       Setting.of(REFERENCE, new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "",
           "In which frame poses are shown, for example Keira:odom; parent for the parent of each, without it the root of its tree."));
 
   private static final Descriptor DESCRIPTOR = new Descriptor("tftree", "Frames",
-      "The coordinate frames of the robots as a tree, how fresh each is, what is wrong, and where one lies in another.", SCHEMA, List.of());
+      "The coordinate frames of the robots as a tree, how fresh each is, what is wrong, and where one lies in another.",
+      SCHEMA, List.of());
 
   @Override
   public Descriptor descriptor() {

@@ -29,10 +29,13 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
     this.model = new TfTreeModel(context);
     model.ask(FramePreferences.read(context.settings().current()));
     this.actions = List.of(
-        new ViewAction("fit", "Show the whole tree", Icon.FIT.id(), Optional.empty(), () -> surface.ifPresent(TfTreeSurface::fit)),
+        new ViewAction("fit", "Show the whole tree", Icon.FIT.id(), Optional.empty(),
+            () -> surface.ifPresent(TfTreeSurface::fit)),
         new ViewAction("open", "Expand all", Icon.OPEN.id(), Optional.empty(), () -> ask(model.ask().opened())),
-        new ViewAction("reset", "Reset: forget transforms that are not fixed", Icon.RESTART.id(), Optional.empty(), context.ruic()::reset),
-        new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(), () -> surface.ifPresent(TfTreeSurface::save)));
+        new ViewAction("reset", "Reset: forget transforms that are not fixed", Icon.RESTART.id(), Optional.empty(),
+            context.ruic()::reset),
+        new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(),
+            () -> surface.ifPresent(TfTreeSurface::save)));
   }
 
   @Override

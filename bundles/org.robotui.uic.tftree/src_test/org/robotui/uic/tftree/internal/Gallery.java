@@ -24,7 +24,8 @@ record Gallery(GalleryWindow window, Theme theme) {
   private void fill() {
     cell(0, 0, 980, 480, Trees.frames(Trees.base()), ask -> ask.select(Optional.of(Trees.id("camera_link"))));
     cell(986, 0, 614, 480, Trees.frames(Trees.faulty(), Trees.refusal()), ask -> ask);
-    cell(0, 486, 620, 514, Trees.frames(Trees.faulty()), ask -> ask.drawn(false).select(Optional.of(Trees.id("base_footprint"))));
+    cell(0, 486, 620, 514, Trees.frames(Trees.faulty()),
+        ask -> ask.drawn(false).select(Optional.of(Trees.id("base_footprint"))));
     cell(626, 486, 480, 250, new FakeFrames(), ask -> ask);
     cell(626, 742, 480, 258, Trees.frames(Trees.many(3000)), ask -> ask);
     cell(1112, 486, 488, 250, Trees.frames(Trees.base()), ask -> ask.toggle(Trees.id("base_link")).search("camera"));

@@ -80,11 +80,12 @@ class TfTreeSwtTest {
 
   @Test
   void aClickOnABoxSelectsItsFrameAndEscLetsGo() {
-    PaintedCanvas canvas = Controls.all(shell, PaintedCanvas.class).stream().filter(c -> c.getSize().y > 200).findFirst().orElseThrow();
+    PaintedCanvas canvas =
+        Controls.all(shell, PaintedCanvas.class).stream().filter(c -> c.getSize().y > 200).findFirst().orElseThrow();
     Optional<int[]> hit = Optional.empty();
     for (int x = 20; x < canvas.getSize().x && hit.isEmpty(); x += 10) {
       press(canvas, x, canvas.getSize().y / 2);
-      hit = uic.asked().selected().isPresent() ? Optional.of(new int[] {x}) : Optional.empty();
+      hit = uic.asked().selected().isPresent() ? Optional.of(new int[]{x}) : Optional.empty();
     }
     assertTrue(uic.asked().selected().isPresent(), "a row of boxes crosses the middle");
     tick(1);
@@ -105,7 +106,8 @@ class TfTreeSwtTest {
     Path svg = folder.resolve("t.svg");
     assertEquals(Optional.empty(), DiagramSaver.write(canvas, theme, svg));
     assertTrue(Files.readString(svg).contains("camera_depth_optical_frame"));
-    assertTrue(DiagramSaver.write(canvas, theme, folder.resolve("none/t.svg")).orElseThrow().startsWith("The drawing was not saved"));
+    assertTrue(DiagramSaver.write(canvas, theme, folder.resolve("none/t.svg")).orElseThrow()
+        .startsWith("The drawing was not saved"));
   }
 
   private Diagram drawing() {
@@ -115,7 +117,7 @@ class TfTreeSwtTest {
   }
 
   private static void press(Control control, int x, int y) {
-    for (int type : new int[] {SWT.MouseDown, SWT.MouseUp}) {
+    for (int type : new int[]{SWT.MouseDown, SWT.MouseUp}) {
       Event event = new Event();
       event.button = 1;
       event.x = x;

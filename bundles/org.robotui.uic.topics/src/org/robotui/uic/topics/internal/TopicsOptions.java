@@ -22,7 +22,8 @@ public record TopicsOptions(Duration period, int measured, int history) {
 
   public static Schema schema() {
     return Schema.of(
-        Setting.of(PERIOD, new ValueType.Num(0.5, 60, "s"), 2.0, "How often the robot is asked what it has, while the view is seen."),
+        Setting.of(PERIOD, new ValueType.Num(0.5, 60, "s"), 2.0,
+            "How often the robot is asked what it has, while the view is seen."),
         Setting.of(MEASURED, new ValueType.Int(1, 100), 10L, "How many topics may be measured at once."),
         Setting.of(HISTORY, new ValueType.Int(1, 1000), 100L, "How many messages of the echoed topic are kept."));
   }

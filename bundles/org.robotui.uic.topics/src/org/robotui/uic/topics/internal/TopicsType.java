@@ -41,7 +41,8 @@ public final class TopicsType implements UicType {
 
   @Override
   public List<Showing> showings() {
-    return List.of(Showing.streams(ECHO, "Echo", List.of(Data.class)), Showing.streams(ABOUT, "Show in Topics", List.of(Data.class)),
+    return List.of(Showing.streams(ECHO, "Echo", List.of(Data.class)),
+        Showing.streams(ABOUT, "Show in Topics", List.of(Data.class)),
         Showing.nodes(NODE, "Show in Topics"));
   }
 

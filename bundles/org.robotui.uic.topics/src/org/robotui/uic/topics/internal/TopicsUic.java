@@ -62,7 +62,7 @@ final class TopicsUic implements SwtUic {
       switch (subject) {
         case Subject.Stream stream -> shown.show(stream.port(), showing.equals(TopicsType.ECHO));
         case Subject.Node node -> shown.showNode(node.name());
-        case Subject.Frame frame -> { }
+        case Subject.Frame frame -> {}
       }
     });
   }

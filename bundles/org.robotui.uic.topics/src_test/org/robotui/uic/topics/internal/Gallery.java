@@ -72,7 +72,8 @@ final class Gallery {
     cell(0, 0, 1120, 560, Gallery::typical, (stage, model) -> {
       stage.select("/odom");
       stage.open();
-      List.of("/odom", "/scan", "/camera/image_raw").forEach(t -> model.measure(new Key("base", Kind.TOPIC, t), true, 10));
+      List.of("/odom", "/scan", "/camera/image_raw")
+          .forEach(t -> model.measure(new Key("base", Kind.TOPIC, t), true, 10));
     });
     cell(1126, 0, 474, 560, Gallery::typical, (stage, model) -> {
       stage.select("/odom");
@@ -103,35 +104,45 @@ final class Gallery {
       model.tick(System.nanoTime() - 2_900_000_000L, new TopicsOptions(Duration.ofSeconds(2), 10, 100));
       stage.publishOnce();
     });
-    cell(802, 336, 798, 330, c -> c.robots(List.of(FakeGraph.large().robot("base"))), (stage, model) -> stage.filter("robot19 topic07"));
-    cell(0, 672, 520, 328, c -> { }, (stage, model) -> { });
+    cell(802, 336, 798, 330, c -> c.robots(List.of(FakeGraph.large().robot("base"))),
+        (stage, model) -> stage.filter("robot19 topic07"));
+    cell(0, 672, 520, 328, c -> {}, (stage, model) -> {});
     cell(526, 672, 530, 328, c -> {
       FakeGraph graph = new FakeGraph();
       graph.fail(Optional.of("localhost:11311 refuses the connection"));
       c.robots(List.of(graph.robot("base")));
-    }, (stage, model) -> { });
+    }, (stage, model) -> {});
     cell(1062, 672, 538, 328, Gallery::typical, (stage, model) -> stage.section(Kind.ACTION));
   }
 
   private static void typical(FakeUicContext context) {
     FakeGraph graph = new FakeGraph()
-        .add(Kind.TOPIC, "/camera/camera_info", "sensor_msgs/CameraInfo").add(Kind.TOPIC, "/camera/image_raw", "sensor_msgs/Image")
-        .add(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist").add(Kind.TOPIC, "/diagnostics", "diagnostic_msgs/DiagnosticArray")
+        .add(Kind.TOPIC, "/camera/camera_info", "sensor_msgs/CameraInfo")
+        .add(Kind.TOPIC, "/camera/image_raw", "sensor_msgs/Image")
+        .add(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist")
+        .add(Kind.TOPIC, "/diagnostics", "diagnostic_msgs/DiagnosticArray")
         .add(Kind.TOPIC, "/imu/data", "sensor_msgs/Imu").add(Kind.TOPIC, "/joint_states", "sensor_msgs/JointState")
         .add(Kind.TOPIC, "/map", "nav_msgs/OccupancyGrid").add(Kind.TOPIC, "/odom", "nav_msgs/Odometry")
-        .add(Kind.TOPIC, "/rosout", "rosgraph_msgs/Log").add(Kind.TOPIC, "/scan", "sensor_msgs/LaserScan").add(Kind.TOPIC, "/tf", "tf2_msgs/TFMessage")
-        .add(Kind.NODE, "/amcl", "").add(Kind.NODE, "/base_driver", "").add(Kind.NODE, "/move_base", "").add(Kind.NODE, "/rosout", "")
+        .add(Kind.TOPIC, "/rosout", "rosgraph_msgs/Log").add(Kind.TOPIC, "/scan", "sensor_msgs/LaserScan")
+        .add(Kind.TOPIC, "/tf", "tf2_msgs/TFMessage")
+        .add(Kind.NODE, "/amcl", "").add(Kind.NODE, "/base_driver", "").add(Kind.NODE, "/move_base", "")
+        .add(Kind.NODE, "/rosout", "")
         .add(Kind.SERVICE, "/move_base/clear_costmaps", "").add(Kind.SERVICE, "/static_map", "")
         .describe(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist",
-            facts("type", "geometry_msgs/Twist", "publishers", "/move_base", "subscribers", "/base_driver, /amcl"), TWIST, Optional.of(FakeGraph.twist()))
+            facts("type", "geometry_msgs/Twist", "publishers", "/move_base", "subscribers", "/base_driver, /amcl"),
+            TWIST, Optional.of(FakeGraph.twist()))
         .describe(Kind.TOPIC, "/odom", "nav_msgs/Odometry",
-            facts("type", "nav_msgs/Odometry", "publishers", "/base_driver", "subscribers", "/amcl, /move_base"), "", Optional.empty())
+            facts("type", "nav_msgs/Odometry", "publishers", "/base_driver", "subscribers", "/amcl, /move_base"), "",
+            Optional.empty())
         .describe(Kind.TOPIC, "/tf", "tf2_msgs/TFMessage", facts("type", "tf2_msgs/TFMessage"), "", Optional.empty())
-        .describe(Kind.NODE, "/base_driver", "", facts("address", "http://keira:41233/", "publishes", "/odom, /scan, /tf, /diagnostics",
-            "subscribes", "/cmd_vel", "services", "none"), "", Optional.empty());
+        .describe(Kind.NODE, "/base_driver", "",
+            facts("address", "http://keira:41233/", "publishes", "/odom, /scan, /tf, /diagnostics",
+                "subscribes", "/cmd_vel", "services", "none"),
+            "", Optional.empty());
     context.robots(List.of(graph.robot("base")));
     context.input(TopicsPorts.ALL).candidates(List.of(new Candidate(ODOM, "Odometry"),
-        new Candidate(new SourceId("base", "scan"), "LaserScan"), new Candidate(new SourceId("base", "camera/image_raw"), "Image"),
+        new Candidate(new SourceId("base", "scan"), "LaserScan"),
+        new Candidate(new SourceId("base", "camera/image_raw"), "Image"),
         new Candidate(new SourceId("base", "imu/data"), "Imu"), new Candidate(new SourceId("base", "map"), "GridMap")));
   }
 
@@ -143,12 +154,14 @@ final class Gallery {
     return facts;
   }
 
-  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare, BiConsumer<Stage, TopicsModel> act) {
+  private void cell(int x, int y, int width, int height, Consumer<FakeUicContext> prepare,
+      BiConsumer<Stage, TopicsModel> act) {
     FakeUicContext context = new FakeUicContext("topics", TopicsOptions.schema());
     prepare.accept(context);
     Composite part = window.cell(x, y, width, height);
     TopicsModel model = new TopicsModel(context);
-    TopicsSurface surface = new TopicsSurface(part, UiContext.of(theme, text -> { }), model, () -> TopicsOptions.of(context.settings().current()),
+    TopicsSurface surface = new TopicsSurface(part, UiContext.of(theme, text -> {}), model,
+        () -> TopicsOptions.of(context.settings().current()),
         context.ruic().name(), new SubjectMenu(context.ruic(), theme, Runnable::run));
     part.layout(true, true);
     run(context, model, surface, 1);
@@ -173,7 +186,8 @@ final class Gallery {
   private static void put(FakeUicContext context, SourceId source, long at, int size, int i) {
     if (context.input(TopicsPorts.ALL).chosen().contains(source)) {
       Fields fields = Fields.odometry(1.24 + 0.01 * i);
-      RawMessage raw = new RawMessage("nav_msgs/Odometry", "ros1", Bytes.of(new byte[size]), bytes -> Optional.of(fields));
+      RawMessage raw =
+          new RawMessage("nav_msgs/Odometry", "ros1", Bytes.of(new byte[size]), bytes -> Optional.of(fields));
       context.input(TopicsPorts.ALL).put(source, fields, at, Optional.empty(), Optional.of(raw));
     }
   }

@@ -55,7 +55,8 @@ class TopicsSwtTest {
     shell = new Shell(display, SWT.NO_TRIM);
     shell.setLayout(new FillLayout());
     shell.setSize(1000, 600);
-    surface = new TopicsSurface(shell, UiContext.of(theme, text -> note = text), model, () -> TopicsOptions.of(context.settings().current()),
+    surface = new TopicsSurface(shell, UiContext.of(theme, text -> note = text), model,
+        () -> TopicsOptions.of(context.settings().current()),
         context.ruic().name(), new SubjectMenu(context.ruic(), theme, Runnable::run));
     stage = new Stage(surface);
     shell.open();
@@ -190,9 +191,12 @@ class TopicsSwtTest {
   }
 
   private void connect() {
-    FakeGraph graph = new FakeGraph().add(Kind.TOPIC, "/odom", "nav_msgs/Odometry").add(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist")
-        .add(Kind.NODE, "/base", "").describe(Kind.TOPIC, "/odom", "nav_msgs/Odometry", Map.of("publishers", "/base"), "", Optional.empty())
-        .describe(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist", Map.of("subscribers", "/base"), "Vector3 linear", Optional.of(FakeGraph.twist()));
+    FakeGraph graph =
+        new FakeGraph().add(Kind.TOPIC, "/odom", "nav_msgs/Odometry").add(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist")
+            .add(Kind.NODE, "/base", "")
+            .describe(Kind.TOPIC, "/odom", "nav_msgs/Odometry", Map.of("publishers", "/base"), "", Optional.empty())
+            .describe(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist", Map.of("subscribers", "/base"), "Vector3 linear",
+                Optional.of(FakeGraph.twist()));
     context.input(TopicsPorts.ALL).candidates(List.of(new Candidate(ODOM, "Odometry")));
     context.robots(List.of(graph.robot("base")));
     settle(() -> model.look().rows().size() == 2);

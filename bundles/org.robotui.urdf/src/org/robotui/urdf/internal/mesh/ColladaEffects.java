@@ -38,7 +38,8 @@ final class ColladaEffects {
   }
 
   private Optional<Color> shaded(XmlNode shader) {
-    return numbers(shader.at("diffuse", "color").or(() -> shader.at("emission", "color").filter(c -> shader.name().equals("constant"))))
+    return numbers(shader.at("diffuse", "color")
+        .or(() -> shader.at("emission", "color").filter(c -> shader.name().equals("constant"))))
         .filter(rgba -> rgba.size() >= 3)
         .map(rgba -> new Color(rgba.get(0), rgba.get(1), rgba.get(2), alpha(shader, rgba)));
   }
@@ -46,21 +47,27 @@ final class ColladaEffects {
   /** Exporters disagree whether 0 or 1 is opaque; what would be invisible is taken as opaque. */
   private static float alpha(XmlNode shader, FloatList diffuse) {
     float own = diffuse.size() > 3 ? diffuse.get(3) : 1;
-    boolean byAlpha = shader.child("transparent").map(t -> t.attribute("opaque").orElse("A_ONE").equals("A_ONE")).orElse(false);
-    float factor = numbers(shader.at("transparency", "float")).filter(f -> byAlpha && f.size() == 1).map(f -> f.get(0)).orElse(1f);
-    float by = numbers(shader.at("transparent", "color")).filter(c -> byAlpha && c.size() == 4).map(c -> c.get(3)).orElse(1f);
+    boolean byAlpha =
+        shader.child("transparent").map(t -> t.attribute("opaque").orElse("A_ONE").equals("A_ONE")).orElse(false);
+    float factor =
+        numbers(shader.at("transparency", "float")).filter(f -> byAlpha && f.size() == 1).map(f -> f.get(0)).orElse(1f);
+    float by =
+        numbers(shader.at("transparent", "color")).filter(c -> byAlpha && c.size() == 4).map(c -> c.get(3)).orElse(1f);
     float alpha = own * factor * by;
     return alpha > 0.01f && alpha <= 1 ? alpha : 1;
   }
 
   private Optional<String> image(XmlNode profile, String name) {
     String sampled = parameter(profile, name).flatMap(p -> p.at("sampler2D", "source")).map(XmlNode::text).orElse(name);
-    String image = parameter(profile, sampled).flatMap(p -> p.at("surface", "init_from")).map(XmlNode::text).orElse(sampled);
-    return Optional.ofNullable(byId.get(image)).flatMap(i -> i.child("init_from")).map(XmlNode::text).filter(file -> !file.isEmpty());
+    String image =
+        parameter(profile, sampled).flatMap(p -> p.at("surface", "init_from")).map(XmlNode::text).orElse(sampled);
+    return Optional.ofNullable(byId.get(image)).flatMap(i -> i.child("init_from")).map(XmlNode::text)
+        .filter(file -> !file.isEmpty());
   }
 
   private static Optional<XmlNode> parameter(XmlNode profile, String sid) {
-    return profile.children("newparam").stream().filter(p -> p.attribute("sid").filter(sid::equals).isPresent()).findFirst();
+    return profile.children("newparam").stream().filter(p -> p.attribute("sid").filter(sid::equals).isPresent())
+        .findFirst();
   }
 
   private static Optional<FloatList> numbers(Optional<XmlNode> node) {

@@ -65,7 +65,8 @@ final class ColladaNumbers {
     try {
       return Float.parseFloat(word.replace(',', '.'));
     } catch (NumberFormatException e) {
-      throw node.refusal("<" + node.name() + ">: '" + word.substring(0, Math.min(word.length(), 40)) + "' is no number");
+      throw node
+          .refusal("<" + node.name() + ">: '" + word.substring(0, Math.min(word.length(), 40)) + "' is no number");
     }
   }
 

@@ -71,7 +71,7 @@ final class ColladaPrimitives {
       case "POSITION" -> positions = source(source, 3, offset);
       case "NORMAL" -> normals = source(source, 3, offset);
       case "TEXCOORD" -> places = places.there() ? places : source(source, 2, offset);
-      default -> { }
+      default -> {}
     }
   }
 
@@ -98,7 +98,8 @@ final class ColladaPrimitives {
     FloatList numbers = ColladaNumbers.floats(array);
     String declared = array.attribute("count").orElse("" + numbers.size());
     if (!declared.equals("" + numbers.size())) {
-      throw array.refusal("<float_array> declares count=\"" + declared + "\" but holds " + numbers.size() + " numbers; the file is cut off or broken");
+      throw array.refusal("<float_array> declares count=\"" + declared + "\" but holds " + numbers.size()
+          + " numbers; the file is cut off or broken");
     }
     return new Source(numbers, Integer.parseInt(each), offset);
   }
@@ -192,7 +193,8 @@ final class ColladaPrimitives {
     long index = indices.get(corner * stride + source.offset) & 0xffff_ffffL;
     long from = index * source.each;
     if (from + source.each > source.numbers.size()) {
-      throw new Refusal(0, "corner " + corner + " has the index " + index + ", but there are " + source.numbers.size() / source.each);
+      throw new Refusal(0,
+          "corner " + corner + " has the index " + index + ", but there are " + source.numbers.size() / source.each);
     }
     return (int) from;
   }

@@ -33,7 +33,8 @@ public final class ColladaReader {
       throw root.refusal("the outermost element is <" + root.name() + ">, must be <COLLADA>");
     }
     index(root);
-    double metre = root.at("asset", "unit").map(unit -> attribute(unit, "meter")).orElse(OptionalDouble.empty()).orElse(1);
+    double metre =
+        root.at("asset", "unit").map(unit -> attribute(unit, "meter")).orElse(OptionalDouble.empty()).orElse(1);
     if (!(metre > 0) || !Double.isFinite(metre)) {
       throw root.refusal("<unit meter=\"" + metre + "\">, must be a positive number");
     }
@@ -45,7 +46,8 @@ public final class ColladaReader {
         node(node, unit, 0);
       }
     } else {
-      for (XmlNode geometry : root.child("library_geometries").map(library -> library.children("geometry")).orElse(List.of())) {
+      for (XmlNode geometry : root.child("library_geometries").map(library -> library.children("geometry"))
+          .orElse(List.of())) {
         geometry(geometry, unit, Map.of());
       }
     }
@@ -59,7 +61,8 @@ public final class ColladaReader {
 
   private void node(XmlNode node, Matrix parent, int depth) throws Refusal {
     if (depth > DEEPEST || ++instances > MOST_INSTANCES) {
-      throw node.refusal("nodes contain themselves, lie more than " + DEEPEST + " deep in each other or are more than " + MOST_INSTANCES);
+      throw node.refusal("nodes contain themselves, lie more than " + DEEPEST + " deep in each other or are more than "
+          + MOST_INSTANCES);
     }
     Matrix at = parent;
     for (XmlNode child : node.children()) {
@@ -73,8 +76,9 @@ public final class ColladaReader {
           }
         }
         case "instance_geometry" -> instance(target(child), child, at);
-        case "instance_controller" -> instance(target(child).flatMap(c -> c.child("skin")).flatMap(this::source), child, at);
-        default -> { }
+        case "instance_controller" -> instance(target(child).flatMap(c -> c.child("skin")).flatMap(this::source), child,
+            at);
+        default -> {}
       }
     }
   }
@@ -88,7 +92,8 @@ public final class ColladaReader {
       throw instance.refusal("more than " + MOST_INSTANCES + " geometries");
     }
     Map<String, XmlNode> materials = new HashMap<>();
-    for (XmlNode bound : instance.at("bind_material", "technique_common").map(t -> t.children("instance_material")).orElse(List.of())) {
+    for (XmlNode bound : instance.at("bind_material", "technique_common").map(t -> t.children("instance_material"))
+        .orElse(List.of())) {
       reference(bound.attribute("target")).ifPresent(m -> materials.put(bound.attribute("symbol").orElse(""), m));
     }
     geometry(geometry.get(), at, materials);
@@ -105,11 +110,12 @@ public final class ColladaReader {
       switch (primitive.name()) {
         case "triangles", "polylist", "polygons", "trifans", "tristrips" -> {
           new ColladaPrimitives(builder, byId, at).read(primitive);
-          Optional<XmlNode> material = primitive.attribute("material").flatMap(symbol -> Optional.ofNullable(materials.get(symbol))
-              .or(() -> Optional.ofNullable(byId.get(symbol))));
+          Optional<XmlNode> material =
+              primitive.attribute("material").flatMap(symbol -> Optional.ofNullable(materials.get(symbol))
+                  .or(() -> Optional.ofNullable(byId.get(symbol))));
           builder.part(material.flatMap(effects::color), material.flatMap(effects::texture));
         }
-        default -> { }
+        default -> {}
       }
     }
   }

@@ -29,7 +29,8 @@ final class CornerIndex {
     int mask = corners.length - 1;
     int hash = (position * 0x9E3779B1 + normal) * 0x85EBCA77 + place;
     int slot = (hash ^ hash >>> 15) & mask;
-    while (corners[slot] >= 0 && (keys[3 * slot] != position || keys[3 * slot + 1] != normal || keys[3 * slot + 2] != place)) {
+    while (corners[slot] >= 0
+        && (keys[3 * slot] != position || keys[3 * slot + 1] != normal || keys[3 * slot + 2] != place)) {
       slot = slot + 1 & mask;
     }
     return slot;

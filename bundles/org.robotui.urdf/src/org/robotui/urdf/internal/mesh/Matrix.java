@@ -2,14 +2,14 @@ package org.robotui.urdf.internal.mesh;
 
 /** A linear map with a translation, row by row: three rows of four numbers. */
 record Matrix(double[] m) {
-  static final Matrix IDENTITY = new Matrix(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  static final Matrix IDENTITY = new Matrix(new double[]{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
 
   static Matrix scaled(double x, double y, double z) {
-    return new Matrix(new double[] {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
+    return new Matrix(new double[]{x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
   }
 
   static Matrix moved(double x, double y, double z) {
-    return new Matrix(new double[] {1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
+    return new Matrix(new double[]{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
   }
 
   static Matrix turned(double x, double y, double z, double angle) {
@@ -22,7 +22,7 @@ record Matrix(double[] m) {
     double a = x / length;
     double b = y / length;
     double d = z / length;
-    return new Matrix(new double[] {
+    return new Matrix(new double[]{
         c + a * a * (1 - c), a * b * (1 - c) - d * s, a * d * (1 - c) + b * s, 0,
         b * a * (1 - c) + d * s, c + b * b * (1 - c), b * d * (1 - c) - a * s, 0,
         d * a * (1 - c) - b * s, d * b * (1 - c) + a * s, c + d * d * (1 - c), 0});
@@ -47,7 +47,10 @@ record Matrix(double[] m) {
     return (float) (m[4 * row] * x + m[4 * row + 1] * y + m[4 * row + 2] * z + m[4 * row + 3]);
   }
 
-  /** What turns normals: the matrix of cofactors, which is the inverse transposed but for a factor, and there also where no inverse is. */
+  /**
+   * What turns normals: the matrix of cofactors, which is the inverse transposed but for a factor, and there also where
+   * no inverse is.
+   */
   double normal(int row, double x, double y, double z) {
     int a = 4 * ((row + 1) % 3);
     int b = 4 * ((row + 2) % 3);
@@ -57,6 +60,7 @@ record Matrix(double[] m) {
   }
 
   private double determinant() {
-    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8])
+        + m[2] * (m[4] * m[9] - m[5] * m[8]);
   }
 }

@@ -55,7 +55,8 @@ public final class MeshBuilder {
     triangles.add(c);
     long bytes = 4L * (xyz.size() + normals.size() + uv.size() + triangles.size());
     if (triangles.size() / 3 > MOST_TRIANGLES || bytes > MOST_BYTES) {
-      throw new Refusal(0, "the mesh has more than " + MOST_TRIANGLES + " triangles or takes more than 512 MB; make a coarser one");
+      throw new Refusal(0,
+          "the mesh has more than " + MOST_TRIANGLES + " triangles or takes more than 512 MB; make a coarser one");
     }
   }
 
@@ -67,7 +68,7 @@ public final class MeshBuilder {
     double vx = xyz.get(3 * c) - xyz.get(3 * a);
     double vy = xyz.get(3 * c + 1) - xyz.get(3 * a + 1);
     double vz = xyz.get(3 * c + 2) - xyz.get(3 * a + 2);
-    for (int corner : new int[] {a, b, c}) {
+    for (int corner : new int[]{a, b, c}) {
       if (!hasNormal(corner)) {
         normal(corner, uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
       }
@@ -96,7 +97,8 @@ public final class MeshBuilder {
         normals.set(3 * corner + 2, 1);
       }
     }
-    return new Mesh(xyz.buffer(), normals.buffer(), textured ? Optional.of(uv.buffer()) : Optional.empty(), triangles.buffer(), parts);
+    return new Mesh(xyz.buffer(), normals.buffer(), textured ? Optional.of(uv.buffer()) : Optional.empty(),
+        triangles.buffer(), parts);
   }
 
   private boolean hasNormal(int corner) {

@@ -36,8 +36,9 @@ final class MtlReader {
         case "Kd" -> color = new Color(words.number(), words.number(), words.number(), color.alpha());
         case "d" -> color = alpha(color, words.number());
         case "Tr" -> color = alpha(color, 1 - words.number());
-        case "map_Kd" -> texture = Optional.of(OPTIONS.matcher(words.rest()).replaceFirst("")).filter(file -> !file.isEmpty());
-        default -> { }
+        case "map_Kd" -> texture =
+            Optional.of(OPTIONS.matcher(words.rest()).replaceFirst("")).filter(file -> !file.isEmpty());
+        default -> {}
       }
       words.skipLine();
       Look look = new Look(Optional.of(color), texture);

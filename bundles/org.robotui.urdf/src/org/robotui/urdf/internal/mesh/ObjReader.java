@@ -38,7 +38,7 @@ public final class ObjReader {
         case "f" -> face(words);
         case "usemtl" -> use(words.rest());
         case "mtllib" -> library(words.rest());
-        default -> { }
+        default -> {}
       }
       words.skipLine();
     }
@@ -89,7 +89,8 @@ public final class ObjReader {
     if (known >= 0) {
       return known;
     }
-    int corner = builder.corner(positions.get(3 * position), positions.get(3 * position + 1), positions.get(3 * position + 2));
+    int corner =
+        builder.corner(positions.get(3 * position), positions.get(3 * position + 1), positions.get(3 * position + 2));
     if (normal >= 0 && !flat) {
       builder.normal(corner, normals.get(3 * normal), normals.get(3 * normal + 1), normals.get(3 * normal + 2));
     }

@@ -62,7 +62,8 @@ public final class Pictures {
   /** COLLADA writes URIs, where a space is {@code %20}. */
   private static Optional<String> decoded(String name) {
     try {
-      return Optional.of(URLDecoder.decode(name.replace("+", "%2B"), StandardCharsets.UTF_8)).filter(text -> !text.equals(name));
+      return Optional.of(URLDecoder.decode(name.replace("+", "%2B"), StandardCharsets.UTF_8))
+          .filter(text -> !text.equals(name));
     } catch (IllegalArgumentException e) {
       // a lonely % is a part of the name
       return Optional.empty();

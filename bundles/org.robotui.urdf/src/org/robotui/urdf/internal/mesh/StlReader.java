@@ -22,8 +22,9 @@ public final class StlReader {
     boolean text = startsAsText(bytes);
     if (bytes.length >= HEADER && (needed == bytes.length || !text)) {
       if (needed > bytes.length) {
-        throw new Refusal(0, "a binary STL that declares " + declared + " triangles takes " + needed + " bytes, but the file has "
-            + bytes.length + "; it is cut off or broken");
+        throw new Refusal(0,
+            "a binary STL that declares " + declared + " triangles takes " + needed + " bytes, but the file has "
+                + bytes.length + "; it is cut off or broken");
       }
       binary(data, (int) declared, builder);
     } else if (text) {
@@ -72,7 +73,7 @@ public final class StlReader {
           filled = 3;
         }
         case "solid", "endsolid" -> words.skipLine();
-        case "facet", "outer", "loop", "endloop" -> { }
+        case "facet", "outer", "loop", "endloop" -> {}
         default -> throw new Refusal(words.line(), "'" + word.get() + "' is no word of an ASCII STL");
       }
     }

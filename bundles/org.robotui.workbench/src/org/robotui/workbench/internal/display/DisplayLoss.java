@@ -11,8 +11,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Hears of the end of the X server, or of the connection to it. Otherwise the toolkit ends the process at once, past all hooks of Java, and robots are left in
- * disorder. How to hear of it is not part of what SWT promises, so it is looked up; under Wayland there is no such way.
+ * Hears of the end of the X server, or of the connection to it. Otherwise the toolkit ends the process at once, past
+ * all hooks of Java, and robots are left in disorder. How to hear of it is not part of what SWT promises, so it is
+ * looked up; under Wayland there is no such way.
  */
 public final class DisplayLoss {
   private static final Logger LOG = LoggerFactory.getLogger(DisplayLoss.class);
@@ -29,9 +30,11 @@ public final class DisplayLoss {
   }
 
   /**
-   * Watches the display, which has been made before: making it sets the toolkit's own way, which ends the process and goes on to do so.
+   * Watches the display, which has been made before: making it sets the toolkit's own way, which ends the process and
+   * goes on to do so.
    *
-   * @param farewell is run before, once, on the thread that met the loss. It may hold locks of the toolkit, so nothing of the toolkit may be used
+   * @param farewell is run before, once, on the thread that met the loss. It may hold locks of the toolkit, so nothing
+   * of the toolkit may be used
    */
   public static void watch(Runnable farewell) {
     try {
@@ -47,18 +50,22 @@ public final class DisplayLoss {
     Class<?> callback = loader.loadClass(TOOLKIT + "Callback");
     MethodHandles.Lookup lookup = MethodHandles.publicLookup();
     if ((boolean) lookup.findStatic(gtk, "isX11", MethodType.methodType(boolean.class)).invoke()) {
-      DisplayLoss loss = new DisplayLoss(farewell, lookup.findStatic(gtk, "Call", MethodType.methodType(int.class, long.class, long.class, long.class)));
-      Object entry = lookup.findConstructor(callback, MethodType.methodType(void.class, Object.class, String.class, Type.class, Type[].class))
-          .invoke((Object) loss, "lost", (Type) long.class, new Type[] {long.class});
+      DisplayLoss loss = new DisplayLoss(farewell,
+          lookup.findStatic(gtk, "Call", MethodType.methodType(int.class, long.class, long.class, long.class)));
+      Object entry = lookup
+          .findConstructor(callback,
+              MethodType.methodType(void.class, Object.class, String.class, Type.class, Type[].class))
+          .invoke((Object) loss, "lost", (Type) long.class, new Type[]{long.class});
       Object address = lookup.findVirtual(callback, "getAddress", MethodType.methodType(long.class)).invoke(entry);
-      Object before = lookup.findStatic(gtk, "XSetIOErrorHandler", MethodType.methodType(long.class, long.class)).invoke((long) address);
+      Object before = lookup.findStatic(gtk, "XSetIOErrorHandler", MethodType.methodType(long.class, long.class))
+          .invoke((long) address);
       loss.toolkitsOwn = (long) before;
     }
   }
 
   /**
-   * Called by Xlib, by its name; it must not return. The process is ended by the toolkit's way, which asks nobody: the end of Java's or C's would wait for
-   * locks of the connection, which this thread holds.
+   * Called by Xlib, by its name; it must not return. The process is ended by the toolkit's way, which asks nobody: the
+   * end of Java's or C's would wait for locks of the connection, which this thread holds.
    */
   long lost(long connection) throws Throwable {
     if (heard.compareAndSet(false, true)) {

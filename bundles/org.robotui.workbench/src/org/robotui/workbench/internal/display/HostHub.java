@@ -14,9 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Brings what core tells to the display thread: each thing once for any number of calls, and never more than one pending
- * task, so that a slow display cannot be flooded. A client that throws keeps
- * neither the others from being told, nor itself from being told what comes next.
+ * Brings what core tells to the display thread: each thing once for any number of calls, and never more than one
+ * pending task, so that a slow display cannot be flooded. A client that throws keeps neither the others from being
+ * told, nor itself from being told what comes next.
  */
 public final class HostHub implements HostListener, AutoCloseable {
   /** Is told on the display thread. */

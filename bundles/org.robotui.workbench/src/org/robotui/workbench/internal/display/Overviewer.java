@@ -9,8 +9,8 @@ import org.robotui.api.host.Host;
 import org.robotui.workbench.internal.model.Overview;
 
 /**
- * Looks at the robots on a thread of its own: they may have thousands of ports, and the display thread has none to spare. Called on the
- * display thread.
+ * Looks at the robots on a thread of its own: they may have thousands of ports, and the display thread has none to
+ * spare. Called on the display thread.
  */
 public final class Overviewer implements AutoCloseable {
   private final Host host;

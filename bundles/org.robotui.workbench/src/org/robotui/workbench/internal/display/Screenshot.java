@@ -29,7 +29,7 @@ public final class Screenshot {
     gc.copyArea(image, place.x, place.y);
     gc.dispose();
     ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[] {image.getImageData()};
+    loader.data = new ImageData[]{image.getImageData()};
     image.dispose();
     loader.save(file.toString(), SWT.IMAGE_PNG);
   }

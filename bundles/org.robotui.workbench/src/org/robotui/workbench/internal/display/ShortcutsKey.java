@@ -12,8 +12,8 @@ import org.eclipse.swt.widgets.Spinner;
 import org.eclipse.swt.widgets.Text;
 
 /**
- * The question mark, which opens the list of shortcuts wherever it is not text. It is no key binding of the platform: those take the key from
- * text fields as well. Display thread only.
+ * The question mark, which opens the list of shortcuts wherever it is not text. It is no key binding of the platform:
+ * those take the key from text fields as well. Display thread only.
  */
 public final class ShortcutsKey {
   private final Composite views;
@@ -38,7 +38,8 @@ public final class ShortcutsKey {
 
   private void key(Event event) {
     boolean chord = (event.stateMask & (SWT.CTRL | SWT.ALT | SWT.COMMAND)) != 0;
-    if (event.character == '?' && !chord && event.widget instanceof Control control && !takesText(control) && isWithin(control)) {
+    if (event.character == '?' && !chord && event.widget instanceof Control control && !takesText(control)
+        && isWithin(control)) {
       event.doit = false;
       open.run();
     }

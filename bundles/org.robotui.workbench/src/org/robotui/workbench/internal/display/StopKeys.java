@@ -17,8 +17,8 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.pane.RuicSurface;
 
 /**
- * The keys that stop: F12 everywhere, also in dialogs, and space in the views of a robot. They are seen before any widget or
- * key binding, so that nothing can take them away. Display thread only.
+ * The keys that stop: F12 everywhere, also in dialogs, and space in the views of a robot. They are seen before any
+ * widget or key binding, so that nothing can take them away. Display thread only.
  */
 public final class StopKeys implements AutoCloseable {
   private final Display display;

@@ -27,10 +27,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Measures how the window does for its user, and writes it down every second and at the end: when the first live picture was painted, how long the
- * display thread lets a task wait, what it did in the slowest turns, and what each robot's views had painted. Once the start is over, a
- * thread of its own asks the display for a sign a hundred times a second, each time anew after the last one came; where that takes
- * long, it looks at the stack. It does neither before: that took a quarter of a second of a processor from the start it measured.
+ * Measures how the window does for its user, and writes it down every second and at the end: when the first live
+ * picture was painted, how long the display thread lets a task wait, what it did in the slowest turns, and what each
+ * robot's views had painted. Once the start is over, a thread of its own asks the display for a sign a hundred times a
+ * second, each time anew after the last one came; where that takes long, it looks at the stack. It does neither before:
+ * that took a quarter of a second of a processor from the start it measured.
  */
 public final class Measurement implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Measurement.class);
@@ -87,8 +88,8 @@ public final class Measurement implements AutoCloseable {
   }
 
   /**
-   * The first frame with data behind it. The window heard of it before us, and its task for the display comes before ours: what is
-   * painted after ours shows the data.
+   * The first frame with data behind it. The window heard of it before us, and its task for the display comes before
+   * ours: what is painted after ours shows the data.
    */
   private void frameCame(String ruic) {
     if (!dataCame.get() && host.ruics().stream().anyMatch(r -> r.name().equals(ruic) && hasData(r))
@@ -182,12 +183,14 @@ public final class Measurement implements AutoCloseable {
     return String.format(Locale.ROOT,
         "{\"first_picture_epoch_ms\": %d, \"first_picture_cpu_ms\": %d, \"display_ms\": {\"count\": %d, \"p50\": %.3f, \"p99\": %.3f, \"max\": %.3f}, "
             + "\"slowest\": [%s], \"frames\": {%s}}%n",
-        firstPictureMillis, firstPictureCpuMillis, latencies.count(), latencies.percentile(0.5), latencies.percentile(0.99), latencies.percentile(1),
+        firstPictureMillis, firstPictureCpuMillis, latencies.count(), latencies.percentile(0.5),
+        latencies.percentile(0.99), latencies.percentile(1),
         slow.worst().stream().map(Measurement::json).collect(Collectors.joining(", ")), perRobot());
   }
 
   private String perRobot() {
-    return frames.entrySet().stream().map(e -> quoted(e.getKey()) + ": " + e.getValue()).collect(Collectors.joining(", "));
+    return frames.entrySet().stream().map(e -> quoted(e.getKey()) + ": " + e.getValue())
+        .collect(Collectors.joining(", "));
   }
 
   private static String json(SlowTurns.Turn turn) {

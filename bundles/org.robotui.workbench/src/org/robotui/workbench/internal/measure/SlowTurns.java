@@ -9,8 +9,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * The slowest turns of the display thread and what it did meanwhile, as looks at its stack found it: the line of ours that was found
- * most often. Used on one thread, but for {@link #worst}.
+ * The slowest turns of the display thread and what it did meanwhile, as looks at its stack found it: the line of ours
+ * that was found most often. Used on one thread, but for {@link #worst}.
  */
 final class SlowTurns {
   private static final int MOST = 8;

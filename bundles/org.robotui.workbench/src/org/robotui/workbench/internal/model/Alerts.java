@@ -3,8 +3,8 @@ package org.robotui.workbench.internal.model;
 import java.util.function.LongSupplier;
 
 /**
- * What the line at the bottom of the windows says. An alert stays until the user has seen it off or a newer one comes; a notice
- * goes by itself, and what it covered is seen again. One thread.
+ * What the line at the bottom of the windows says. An alert stays until the user has seen it off or a newer one comes;
+ * a notice goes by itself, and what it covered is seen again. One thread.
  */
 public final class Alerts {
   /** How long a notice stays. */

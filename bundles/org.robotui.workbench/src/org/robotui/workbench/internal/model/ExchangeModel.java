@@ -132,8 +132,8 @@ public final class ExchangeModel implements AutoCloseable {
 
   /** Exchanges what was tried. */
   public CompletionStage<ExchangeOutcome> apply(boolean goWithout) {
-    return trial.map(t -> t.apply(goWithout)).orElseGet(() ->
-        CompletableFuture.completedFuture(new ExchangeOutcome.Refused("try it first")));
+    return trial.map(t -> t.apply(goWithout))
+        .orElseGet(() -> CompletableFuture.completedFuture(new ExchangeOutcome.Refused("try it first")));
   }
 
   /** What was tried last. */

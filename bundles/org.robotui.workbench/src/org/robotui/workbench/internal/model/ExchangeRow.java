@@ -24,7 +24,8 @@ import org.robotui.ui.MatchLook;
  * @param why the reason
  * @param candidates the ports that the user can choose, empty where there is no choice
  */
-public record ExchangeRow(SourceId port, PortKind kind, Health health, String state, String type, String now, String then, String why,
+public record ExchangeRow(SourceId port, PortKind kind, Health health, String state, String type, String now,
+    String then, String why,
     List<SourceId> candidates) {
   private static final String NOTHING = "\u2013";
 
@@ -40,8 +41,10 @@ public record ExchangeRow(SourceId port, PortKind kind, Health health, String st
   private static ExchangeRow of(Line line) {
     Match then = line.then();
     Health health = line.lost() ? Health.BAD : MatchLook.health(then);
-    return new ExchangeRow(then.port(), then.kind(), health, line.lost() ? "lost" : MatchLook.word(then), then.typeName(),
-        peers(line.now()), peers(then), then.reason(), then.state() == MatchState.AMBIGUOUS ? then.candidates() : List.of());
+    return new ExchangeRow(then.port(), then.kind(), health, line.lost() ? "lost" : MatchLook.word(then),
+        then.typeName(),
+        peers(line.now()), peers(then), then.reason(),
+        then.state() == MatchState.AMBIGUOUS ? then.candidates() : List.of());
   }
 
   private static String peers(Match match) {

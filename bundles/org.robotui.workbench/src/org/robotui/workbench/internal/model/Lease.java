@@ -14,7 +14,9 @@ import org.robotui.ui.Health;
  * @param words for example {@code You drive Keira}
  */
 public record Lease(Health health, String words) {
-  /** Reads the authorities of a robot, or of none. Who holds the lease of a robot that is not reached drives nothing. */
+  /**
+   * Reads the authorities of a robot, or of none. Who holds the lease of a robot that is not reached drives nothing.
+   */
   public static Lease of(List<Authority> authorities, LinkState link, Principal user) {
     Optional<Authority> stopped = authorities.stream().filter(a -> a.stoppedBy().isPresent()).findFirst();
     if (stopped.isPresent()) {
@@ -25,8 +27,8 @@ public record Lease(Health health, String words) {
 
   private static Lease of(Authority authority, LinkState link, Principal user) {
     return authority.holder().map(holder -> holder.equals(user)
-            ? yours(authority.robot(), link)
-            : new Lease(Health.WARNING, holder.label() + " controls " + authority.robot()))
+        ? yours(authority.robot(), link)
+        : new Lease(Health.WARNING, holder.label() + " controls " + authority.robot()))
         .orElse(new Lease(Health.WAITING, "Nobody controls " + authority.robot()));
   }
 

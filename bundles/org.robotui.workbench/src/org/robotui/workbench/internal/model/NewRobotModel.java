@@ -28,7 +28,8 @@ public final class NewRobotModel implements AutoCloseable {
   private static final String FIRST = "ros";
   /** The name of the robot is asked for with the settings of the type, as it is written beside them. */
   private static final String ROBOT = "robot";
-  private static final Setting ROBOT_NAME = Setting.optional(ROBOT, new ValueType.Text(), "name of the robot; else that of its robot UI");
+  private static final Setting ROBOT_NAME =
+      Setting.optional(ROBOT, new ValueType.Text(), "name of the robot; else that of its robot UI");
 
   private final Host host;
   private final List<Installed> types;
@@ -174,7 +175,8 @@ public final class NewRobotModel implements AutoCloseable {
 
   /** All that the user wants. */
   public Optional<RuicDraft> draft() {
-    return state().flatMap(s -> ruic(s).map(r -> new RuicDraft(name.strip(), r.type(), new ArrayList<>(views(s)), connections(s), file)));
+    return state().flatMap(
+        s -> ruic(s).map(r -> new RuicDraft(name.strip(), r.type(), new ArrayList<>(views(s)), connections(s), file)));
   }
 
   @Override

@@ -28,15 +28,21 @@ import org.robotui.ui.Health;
  * @param why the reason
  * @param candidates the ports that the user can choose
  */
-public record NewViewRow(String key, String view, Optional<SourceId> port, boolean chosen, String label, String hint, Health health, String state,
+public record NewViewRow(String key, String view, Optional<SourceId> port, boolean chosen, String label, String hint,
+    Health health, String state,
     String why, List<SourceId> candidates) {
 
-  /** Rows: the views of the type of RUIC that fit, then others that fit, then what does not; {@code decided} are ports that the user has chosen. */
-  public static List<NewViewRow> of(CompositionState state, RuicFit ruic, List<String> chosen, Map<SourceId, SourceId> connections,
+  /**
+   * Rows: the views of the type of RUIC that fit, then others that fit, then what does not; {@code decided} are ports
+   * that the user has chosen.
+   */
+  public static List<NewViewRow> of(CompositionState state, RuicFit ruic, List<String> chosen,
+      Map<SourceId, SourceId> connections,
       Set<SourceId> decided) {
     List<NewViewRow> rows = new ArrayList<>();
     state.views().stream()
-        .sorted(Comparator.comparing((ViewFit v) -> !v.fits()).thenComparing(v -> !ruic.views().contains(v.type())).thenComparing(v -> place(ruic, v)))
+        .sorted(Comparator.comparing((ViewFit v) -> !v.fits()).thenComparing(v -> !ruic.views().contains(v.type()))
+            .thenComparing(v -> place(ruic, v)))
         .forEach(view -> {
           boolean taken = chosen.contains(view.type());
           rows.add(of(view, ruic, taken, decided));
@@ -54,16 +60,20 @@ public record NewViewRow(String key, String view, Optional<SourceId> port, boole
 
   private static NewViewRow of(ViewFit view, RuicFit ruic, boolean chosen, Set<SourceId> decided) {
     boolean more = view.fits() && !ruic.views().contains(view.type());
-    boolean settled = view.fit() == Fit.AMBIGUOUS && view.choices().stream().map(Match::port).allMatch(decided::contains);
+    boolean settled =
+        view.fit() == Fit.AMBIGUOUS && view.choices().stream().map(Match::port).allMatch(decided::contains);
     Fit fit = settled ? Fit.CONNECTED : view.fit();
-    return new NewViewRow(view.type(), view.type(), Optional.empty(), chosen, view.label(), view.help(), health(fit), word(fit),
+    return new NewViewRow(view.type(), view.type(), Optional.empty(), chosen, view.label(), view.help(), health(fit),
+        word(fit),
         (more ? "not part of " + ruic.label() + "; " : "") + view.reason(), List.of());
   }
 
   private static NewViewRow of(ViewFit view, Match match, Map<SourceId, SourceId> connections, boolean decided) {
     SourceId peer = connections.getOrDefault(match.port(), match.candidates().getFirst());
-    return new NewViewRow(match.port().toString(), view.type(), Optional.of(match.port()), true, match.port().port(), match.typeName(),
-        decided ? Health.OK : Health.WARNING, decided ? "chosen" : "choose", peer.port() + " is taken; " + match.candidates().size() + " fit: press to choose another", match.candidates());
+    return new NewViewRow(match.port().toString(), view.type(), Optional.of(match.port()), true, match.port().port(),
+        match.typeName(),
+        decided ? Health.OK : Health.WARNING, decided ? "chosen" : "choose",
+        peer.port() + " is taken; " + match.candidates().size() + " fit: press to choose another", match.candidates());
   }
 
   private static Health health(Fit fit) {

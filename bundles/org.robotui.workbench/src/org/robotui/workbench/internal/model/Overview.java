@@ -44,7 +44,8 @@ public record Overview(List<RobotRow> robots, Map<String, Detail> details) {
   public static Overview of(List<Ruic> ruics, Set<String> shown) {
     Map<Ruic, RuicSnapshot> now = ruics.stream().collect(Collectors.toMap(Function.identity(), Ruic::snapshot));
     return new Overview(ruics.stream().map(now::get).map(RobotRow::of).toList(),
-        ruics.stream().filter(r -> shown.contains(r.name())).collect(Collectors.toMap(Ruic::name, r -> Detail.of(r, now.get(r)))));
+        ruics.stream().filter(r -> shown.contains(r.name()))
+            .collect(Collectors.toMap(Ruic::name, r -> Detail.of(r, now.get(r)))));
   }
 
   /** What is known of a robot; of one that was not shown before, what is so now. */

@@ -40,7 +40,8 @@ public record PortRow(String name, Health health, String figure, String age, Str
   private static Optional<PortRow> more(RuicSnapshot ruic) {
     long more = ruic.ports().stream().filter(p -> p.kind() == PortKind.STREAM && !p.wanted()).count() - MOST_OFFERED;
     return more <= 0 ? Optional.empty()
-        : Optional.of(new PortRow("and " + more + " more", Health.NONE, "offered", "", "The topics view lists all that the robot has.", Optional.empty()));
+        : Optional.of(new PortRow("and " + more + " more", Health.NONE, "offered", "",
+            "The topics view lists all that the robot has.", Optional.empty()));
   }
 
   private static Stream<PortStatus> streams(RuicSnapshot ruic, boolean wanted) {
@@ -50,7 +51,8 @@ public record PortRow(String name, Health health, String figure, String age, Str
   }
 
   private static PortRow wanted(PortStatus port, boolean several) {
-    return new PortRow(shown(port.port(), several), health(port), figure(port), age(port), hint(port), Optional.of(port.port()));
+    return new PortRow(shown(port.port(), several), health(port), figure(port), age(port), hint(port),
+        Optional.of(port.port()));
   }
 
   private static PortRow offered(PortStatus port, boolean several) {
@@ -68,7 +70,8 @@ public record PortRow(String name, Health health, String figure, String age, Str
       case REFUSED, CONNECTED -> "not offered";
     };
     Health health = match.state() == MatchState.AMBIGUOUS ? Health.WARNING : Health.NONE;
-    return new PortRow(match.port().toString(), health, word, "", match.port() + " (" + match.typeName() + ")\n" + match.reason(), Optional.empty());
+    return new PortRow(match.port().toString(), health, word, "",
+        match.port() + " (" + match.typeName() + ")\n" + match.reason(), Optional.empty());
   }
 
   private static Health health(PortStatus port) {

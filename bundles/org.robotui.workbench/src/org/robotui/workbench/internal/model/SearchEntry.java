@@ -14,7 +14,10 @@ import java.util.Locale;
  * @param run does it; display thread
  */
 public record SearchEntry(String group, String label, String keys, Runnable run) {
-  /** Those that have all of some words in them: first those whose label begins with them, then those with a word that does, each in their order. */
+  /**
+   * Those that have all of some words in them: first those whose label begins with them, then those with a word that
+   * does, each in their order.
+   */
   public static List<SearchEntry> find(List<SearchEntry> all, String wanted) {
     String words = wanted.strip().toLowerCase(Locale.ROOT);
     return all.stream().filter(e -> e.has(words)).sorted(Comparator.comparingInt(e -> e.distance(words))).toList();

@@ -37,7 +37,8 @@ public record StatusText(String left, String right) {
     Optional<Duration> offset = clock.offset();
     Optional<Duration> far = offset.filter(o -> o.abs().compareTo(MOST_OFFSET) > 0);
     if (far.isPresent()) {
-      return "time stamps " + far.get().abs().toDays() + " days " + (far.get().isNegative() ? "old: a recording?" : "ahead: is a clock wrong?");
+      return "time stamps " + far.get().abs().toDays() + " days "
+          + (far.get().isNegative() ? "old: a recording?" : "ahead: is a clock wrong?");
     }
     return "clock offset " + offset.map(StatusText::signed).orElse("unknown");
   }

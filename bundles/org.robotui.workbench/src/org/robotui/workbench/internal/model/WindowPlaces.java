@@ -5,7 +5,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.eclipse.swt.graphics.Rectangle;
 
-/** Where windows lie on a screen: side by side where each has room enough, else overlapping, each with its title in sight. */
+/**
+ * Where windows lie on a screen: side by side where each has room enough, else overlapping, each with its title in
+ * sight.
+ */
 public final class WindowPlaces {
   /** Below this the bar at the top of a window would have to be cut, in points. */
   public static final int LEAST_WIDTH = 880;
@@ -32,7 +35,8 @@ public final class WindowPlaces {
   }
 
   /**
-   * Places one more window: beside the others where there is room, else with an offset, so that no title is covered exactly.
+   * Places one more window: beside the others where there is room, else with an offset, so that no title is covered
+   * exactly.
    *
    * @param screen where there is room
    * @param taken where the others are, at least one
@@ -56,15 +60,18 @@ public final class WindowPlaces {
   private static Rectangle offset(Rectangle screen, List<Rectangle> taken) {
     int most = Math.max(1, Math.min(screen.width, screen.height) / 4 / STEP);
     int at = IntStream.rangeClosed(0, most).map(i -> i * STEP)
-        .filter(o -> taken.stream().noneMatch(r -> Math.abs(r.x - screen.x - o) < STEP / 2 && Math.abs(r.y - screen.y - o) < STEP / 2))
+        .filter(o -> taken.stream()
+            .noneMatch(r -> Math.abs(r.x - screen.x - o) < STEP / 2 && Math.abs(r.y - screen.y - o) < STEP / 2))
         .findFirst().orElse(taken.size() % (most + 1) * STEP);
-    return new Rectangle(screen.x + at, screen.y + at, Math.min(USUAL_WIDTH, screen.width - at), Math.min(USUAL_HEIGHT, screen.height - at));
+    return new Rectangle(screen.x + at, screen.y + at, Math.min(USUAL_WIDTH, screen.width - at),
+        Math.min(USUAL_HEIGHT, screen.height - at));
   }
 
   /** Whether a window with these bounds could be found and moved on one of the screens. */
   public static boolean isSeen(Rectangle bounds, List<Rectangle> screens) {
     Rectangle title = new Rectangle(bounds.x, bounds.y, bounds.width, Math.min(bounds.height, SEEN_HEIGHT));
-    return screens.stream().map(title::intersection).anyMatch(r -> r.width >= SEEN_WIDTH && r.height >= SEEN_HEIGHT / 2);
+    return screens.stream().map(title::intersection)
+        .anyMatch(r -> r.width >= SEEN_WIDTH && r.height >= SEEN_HEIGHT / 2);
   }
 
   private static List<Rectangle> beside(Rectangle screen, List<Double> weights) {

@@ -9,8 +9,8 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.WindowConfig;
 
 /**
- * All windows and what they show. A view has one control at a time, so a RUIC is shown in one window at a time: it is for the user
- * to say whether it moves. Display thread only.
+ * All windows and what they show. A view has one control at a time, so a RUIC is shown in one window at a time: it is
+ * for the user to say whether it moves. Display thread only.
  */
 public final class Windows {
   private final Host host;
@@ -77,7 +77,10 @@ public final class Windows {
     }
   }
 
-  /** Shows the first RUIC that no window shows, where the window shows none: first those for which the files ask for windows. */
+  /**
+   * Shows the first RUIC that no window shows, where the window shows none: first those for which the files ask for
+   * windows.
+   */
   public void fill(WindowModel model) {
     if (model.selected().isEmpty()) {
       Stream.concat(asked().stream().flatMap(w -> ruic(w.ruic()).stream()), host.ruics().stream())

@@ -10,8 +10,8 @@ final class Blame {
   private Blame() {}
 
   /**
-   * How near to the failure a frame lies that is in the package of a class or below: 0 for the very place. Causes lie nearer than what
-   * they caused; none where no frame does.
+   * How near to the failure a frame lies that is in the package of a class or below: 0 for the very place. Causes lie
+   * nearer than what they caused; none where no frame does.
    */
   static OptionalInt distance(Class<?> component, Throwable failure) {
     String prefix = component.getPackageName() + ".";

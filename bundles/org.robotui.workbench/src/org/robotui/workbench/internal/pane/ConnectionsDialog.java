@@ -88,8 +88,9 @@ public final class ConnectionsDialog {
     for (int i = 0; i < shown.size(); i++) {
       Match match = shown.get(i);
       TableItem item = table.getItem(i);
-      item.setText(new String[] {MatchLook.word(match), match.port().toString(), match.typeName(), MatchLook.peers(match),
-          match.reason()});
+      item.setText(
+          new String[]{MatchLook.word(match), match.port().toString(), match.typeName(), MatchLook.peers(match),
+              match.reason()});
       item.setForeground(0, theme.color(MatchLook.health(match).role()));
     }
     // The reasons are sentences: as wide as the longest, to be scrolled to, rather than cut.

@@ -24,8 +24,8 @@ import org.robotui.workbench.internal.model.ExchangeModel;
 import org.robotui.workbench.internal.model.ExchangeRow;
 
 /**
- * Another framework for a robot interface that runs: a form, what would become of every connection, and the exchange. The robot goes on
- * until the last button is pressed. Display thread only.
+ * Another framework for a robot interface that runs: a form, what would become of every connection, and the exchange.
+ * The robot goes on until the last button is pressed. Display thread only.
  */
 public final class ExchangeDialog {
   private static final int REFRESH_MILLIS = 250;
@@ -77,12 +77,14 @@ public final class ExchangeDialog {
     buttons.setBackground(theme.color(Role.TITLE));
     buttons.setLayout(layout(5, Theme.EDGE));
     buttons.setLayoutData(new GridData(SWT.FILL, SWT.BOTTOM, true, false, 2, 1));
-    written = button(buttons, this::asWritten).icon(Icon.UNDO).text("As the file says").hint("Go back to what the configuration says");
+    written = button(buttons, this::asWritten).icon(Icon.UNDO).text("As the file says")
+        .hint("Go back to what the configuration says");
     new Gap(buttons).setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     button(buttons, shell::close).text("Cancel").hint("Change nothing (Esc)");
     tryIt = button(buttons, this::tryIt).icon(Icon.PLAY).text("Try")
         .hint("Connect beside the running interface, and show what would become of the connections");
-    exchange = button(buttons, this::exchange).text("Exchange").hint("Stop what is driven, give back the lease, and exchange");
+    exchange =
+        button(buttons, this::exchange).text("Exchange").hint("Stop what is driven, give back the lease, and exchange");
     shell.addListener(SWT.Dispose, e -> model.close());
     shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
     place(parent.getBounds());
@@ -196,7 +198,8 @@ public final class ExchangeDialog {
     Optional<ExchangePreview> preview = applying ? Optional.empty() : model.preview();
     preview.filter(p -> !p.lines().isEmpty()).ifPresent(p -> matching.show(ExchangeRow.of(p)));
     if (preview.isEmpty() && !applying && model.tried().isEmpty() && form.isFine()) {
-      verdict.show(Health.NONE, model.isUnchanged() ? "It runs like this." : "Press Try to see what would become of the connections.");
+      verdict.show(Health.NONE,
+          model.isUnchanged() ? "It runs like this." : "Press Try to see what would become of the connections.");
     }
     preview.ifPresent(this::judge);
     if (applying) {

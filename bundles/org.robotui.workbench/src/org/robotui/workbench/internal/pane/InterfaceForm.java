@@ -69,7 +69,8 @@ final class InterfaceForm extends Composite {
 
   private void chooseInterface() {
     PopupMenu menu = new PopupMenu(which.control());
-    model.interfaces().forEach(i -> menu.radio(name(i), i.id().equals(model.wanted().id()), () -> take(() -> model.want(i))));
+    model.interfaces()
+        .forEach(i -> menu.radio(name(i), i.id().equals(model.wanted().id()), () -> take(() -> model.want(i))));
     menu.openBelow(which.control());
   }
 
@@ -77,7 +78,8 @@ final class InterfaceForm extends Composite {
     PopupMenu menu = new PopupMenu(type.control());
     for (Installed t : model.types()) {
       String id = t.descriptor().id();
-      menu.radio(t.descriptor().label() + "  (" + id + ")", id.equals(model.wanted().type()), () -> take(() -> model.type(id)));
+      menu.radio(t.descriptor().label() + "  (" + id + ")", id.equals(model.wanted().type()),
+          () -> take(() -> model.type(id)));
     }
     menu.openBelow(type.control());
   }

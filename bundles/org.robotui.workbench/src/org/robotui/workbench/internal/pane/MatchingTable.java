@@ -14,7 +14,10 @@ import org.robotui.ui.control.Column;
 import org.robotui.ui.control.RowTable;
 import org.robotui.workbench.internal.model.ExchangeRow;
 
-/** What would become of every connection. The menu of a port that several fit connects it to one of them. Display thread only. */
+/**
+ * What would become of every connection. The menu of a port that several fit connects it to one of them. Display thread
+ * only.
+ */
 final class MatchingTable {
   private final RowTable<ExchangeRow> table;
   private final BiConsumer<SourceId, SourceId> choose;
@@ -23,7 +26,8 @@ final class MatchingTable {
   MatchingTable(Composite parent, Theme theme, BiConsumer<SourceId, SourceId> choose) {
     this.choose = choose;
     table = new RowTable<>(parent, theme, List.of(
-        Column.<ExchangeRow>words("State", ExchangeRow::state).dot(ExchangeRow::health).role(r -> r.health().role()).width(104).weight(0),
+        Column.<ExchangeRow>words("State", ExchangeRow::state).dot(ExchangeRow::health).role(r -> r.health().role())
+            .width(104).weight(0),
         Column.<ExchangeRow>words("View port", r -> r.port().toString()).hint(ExchangeRow::type).weight(1.1),
         Column.<ExchangeRow>words("Now", ExchangeRow::now).role(Role.DIM).weight(1),
         Column.<ExchangeRow>words("Then", ExchangeRow::then).weight(1),

@@ -34,7 +34,8 @@ final class MessagePane extends Composite {
     setLayout(layout);
     filler(choices.size());
     StateView view = new StateView(theme);
-    PaintedCanvas canvas = new PaintedCanvas(this, theme, (gc, area) -> view.message(gc, area, health, title, sentence));
+    PaintedCanvas canvas =
+        new PaintedCanvas(this, theme, (gc, area) -> view.message(gc, area, health, title, sentence));
     GridData data = new GridData(SWT.FILL, SWT.CENTER, true, false, layout.numColumns, 1);
     data.heightHint = HEIGHT;
     canvas.setLayoutData(data);

@@ -85,8 +85,10 @@ public final class Navigator extends Composite {
     portsHeading = heading("");
     scroller = new ScrolledComposite(this, SWT.V_SCROLL);
     ports = new PortList(scroller, theme);
-    ports.addListener(SWT.MenuDetect, e -> ports.meant(e).flatMap(PortRow::port).ifPresent(port -> actions.portMenu(ports, selected, port)));
-    PortDrag.from(ports, at -> ports.at(at.y).flatMap(PortRow::port).map(port -> new DraggedPorts(selected, List.of(Subject.Stream.of(port)))));
+    ports.addListener(SWT.MenuDetect,
+        e -> ports.meant(e).flatMap(PortRow::port).ifPresent(port -> actions.portMenu(ports, selected, port)));
+    PortDrag.from(ports, at -> ports.at(at.y).flatMap(PortRow::port)
+        .map(port -> new DraggedPorts(selected, List.of(Subject.Stream.of(port)))));
     scroll();
   }
 
@@ -179,7 +181,8 @@ public final class Navigator extends Composite {
   }
 
   private void contextMenu() {
-    PopupMenu menu = new PopupMenu(this).push("New robot UI\u2026", actions::create).push("Open configuration\u2026", actions::open);
+    PopupMenu menu =
+        new PopupMenu(this).push("New robot UI\u2026", actions::create).push("Open configuration\u2026", actions::open);
     robots.pointed().map(RobotRow::name).ifPresent(name -> robotItems(menu, name));
     menu.open();
   }

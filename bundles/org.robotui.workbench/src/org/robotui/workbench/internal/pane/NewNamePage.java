@@ -56,8 +56,10 @@ final class NewNamePage extends Composite {
     heading("FILE");
     file = text("a .yaml file", 1);
     file.addListener(SWT.Modify, e -> filed());
-    new QuietButton(this, theme, this::browse).text("Choose\u2026").hint("Choose a new file, or one to which the robot is added");
-    QuietButton add = new QuietButton(this, theme, () -> { }).icon(Icon.PLUS).text("Open files").hint("Add it to a configuration that is open");
+    new QuietButton(this, theme, this::browse).text("Choose\u2026")
+        .hint("Choose a new file, or one to which the robot is added");
+    QuietButton add = new QuietButton(this, theme, () -> {}).icon(Icon.PLUS).text("Open files")
+        .hint("Add it to a configuration that is open");
     add.addListener(SWT.MouseUp, e -> openFiles(add));
     add.setEnabled(!open.isEmpty());
     heading("TEXT");
@@ -79,10 +81,12 @@ final class NewNamePage extends Composite {
         int first = t.line() - 1;
         int lines = (int) t.added().lines().count();
         int from = preview.getOffsetAtLine(first);
-        int to = first + lines < preview.getLineCount() ? preview.getOffsetAtLine(first + lines) : preview.getCharCount();
+        int to =
+            first + lines < preview.getLineCount() ? preview.getOffsetAtLine(first + lines) : preview.getCharCount();
         preview.setStyleRange(new StyleRange(from, to - from, theme.color(Role.TEXT), null));
         if (!t.isNew()) {
-          preview.setLineBackground(first, Math.min(lines, preview.getLineCount() - first), theme.mix(Role.ACCENT, Role.GROUND, 0.12));
+          preview.setLineBackground(first, Math.min(lines, preview.getLineCount() - first),
+              theme.mix(Role.ACCENT, Role.GROUND, 0.12));
           preview.setTopIndex(Math.max(0, first - 3));
         }
       }
@@ -99,7 +103,8 @@ final class NewNamePage extends Composite {
 
   /** A file beside the others, named after the robot. */
   private void proposeFile() {
-    String word = name.getText().strip().toLowerCase(java.util.Locale.ROOT).replaceAll("[^a-z0-9]+", "-").replaceAll("^-|-$", "");
+    String word =
+        name.getText().strip().toLowerCase(java.util.Locale.ROOT).replaceAll("[^a-z0-9]+", "-").replaceAll("^-|-$", "");
     proposing = true;
     file.setText(model.file().resolveSibling((word.isEmpty() ? "robot" : word) + ".yaml").toString());
     proposing = false;
@@ -126,7 +131,7 @@ final class NewNamePage extends Composite {
     dialog.setText("Where the robot UI is written");
     dialog.setFilterPath(Optional.ofNullable(model.file().getParent()).map(Path::toString).orElse(""));
     dialog.setFileName(Optional.ofNullable(model.file().getFileName()).map(Path::toString).orElse("robot.yaml"));
-    dialog.setFilterExtensions(new String[] {"*.yaml;*.yml"});
+    dialog.setFilterExtensions(new String[]{"*.yaml;*.yml"});
     dialog.setOverwrite(false);
     Optional.ofNullable(dialog.open()).ifPresent(file::setText);
   }

@@ -28,8 +28,8 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.NewRobotModel;
 
 /**
- * A UI for a robot that has none yet, in three steps: the robot is asked what it offers, views that fit are chosen, and the configuration is
- * written. Nothing is written before the last button is pressed. Display thread only.
+ * A UI for a robot that has none yet, in three steps: the robot is asked what it offers, views that fit are chosen, and
+ * the configuration is written. Nothing is written before the last button is pressed. Display thread only.
  */
 public final class NewRobotDialog {
   private static final int REFRESH_MILLIS = 250;
@@ -163,7 +163,8 @@ public final class NewRobotDialog {
   private void say(Optional<CompositionState> state) {
     switch (page) {
       case 0 -> state.ifPresentOrElse(s -> notice.show(health(s), robot.sentence(s)), this::sayWhatToType);
-      case 1 -> state.ifPresent(s -> notice.show(model.views(s).isEmpty() ? Health.WARNING : Health.NONE, views.summary(s)));
+      case 1 -> state
+          .ifPresent(s -> notice.show(model.views(s).isEmpty() ? Health.WARNING : Health.NONE, views.summary(s)));
       default -> notice.show(health(), sentence());
     }
   }
@@ -218,7 +219,8 @@ public final class NewRobotDialog {
   }
 
   private void write() {
-    if (text.isEmpty() || !(text.get() instanceof CompositionText.Text shown) || drafted.isEmpty() || model.composition().isEmpty()) {
+    if (text.isEmpty() || !(text.get() instanceof CompositionText.Text shown) || drafted.isEmpty()
+        || model.composition().isEmpty()) {
       return;
     }
     writing = true;
@@ -237,7 +239,8 @@ public final class NewRobotDialog {
     });
   }
 
-  private void later(java.util.function.Supplier<CompositionText> task, java.util.function.Consumer<CompositionText> taker) {
+  private void later(java.util.function.Supplier<CompositionText> task,
+      java.util.function.Consumer<CompositionText> taker) {
     background.execute(() -> {
       CompositionText result = task.get();
       if (!shell.isDisposed()) {

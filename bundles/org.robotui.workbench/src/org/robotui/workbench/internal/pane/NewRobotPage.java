@@ -101,14 +101,16 @@ final class NewRobotPage extends Composite {
 
   /** Shows what was found so far. */
   void show(Optional<CompositionState> state) {
-    boolean trying = state.map(CompositionState::stage).filter(s -> s == Stage.CONNECTING || s == Stage.LOOKING).isPresent();
+    boolean trying =
+        state.map(CompositionState::stage).filter(s -> s == Stage.CONNECTING || s == Stage.LOOKING).isPresent();
     connect.setEnabled(isFine() && !trying);
     connect.text(state.isPresent() ? "Connect again" : "Connect").requestLayout();
     if (state.isEmpty()) {
       message(Health.NONE, "Not connected yet", "What the robot offers is shown here.");
     } else if (state.get().ports().isEmpty()) {
       Health health = trying ? Health.WAITING : state.get().stage() == Stage.FOUND ? Health.WARNING : Health.BAD;
-      message(health, title(state.get().stage()), state.get().stage() == Stage.FAILED ? state.get().sentence() : LinkLook.text(state.get().link()));
+      message(health, title(state.get().stage()),
+          state.get().stage() == Stage.FAILED ? state.get().sentence() : LinkLook.text(state.get().link()));
     } else if (!state.get().ports().equals(shown)) {
       shown = state.get().ports();
       ports.list().noMessage();

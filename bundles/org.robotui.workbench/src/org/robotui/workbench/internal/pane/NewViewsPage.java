@@ -25,7 +25,10 @@ import org.robotui.ui.control.RowTable;
 import org.robotui.workbench.internal.model.NewRobotModel;
 import org.robotui.workbench.internal.model.NewViewRow;
 
-/** The second step: how the window is laid out, and which views are in it. A click or Space takes a view in or leaves it out. Display thread only. */
+/**
+ * The second step: how the window is laid out, and which views are in it. A click or Space takes a view in or leaves it
+ * out. Display thread only.
+ */
 final class NewViewsPage extends Composite {
   private static final int FIELD_HEIGHT = 28;
   private static final int FIELD_WIDTH = 280;
@@ -50,7 +53,8 @@ final class NewViewsPage extends Composite {
     layout.marginHeight = Theme.EDGE;
     layout.horizontalSpacing = Theme.EDGE;
     setLayout(layout);
-    new ShortenedLabel(this, theme, Face.SMALL_STRONG, Role.DIM, "LAYOUT").setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, false));
+    new ShortenedLabel(this, theme, Face.SMALL_STRONG, Role.DIM, "LAYOUT")
+        .setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, false));
     ruic = new ChoiceField(this, theme, "The layout", this::chooseRuic);
     GridData field = new GridData(SWT.BEGINNING, SWT.CENTER, false, false);
     field.heightHint = FIELD_HEIGHT;
@@ -59,9 +63,11 @@ final class NewViewsPage extends Composite {
     reason = new ShortenedLabel(this, theme, Face.BODY, Role.DIM, "");
     reason.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     table = new RowTable<>(this, theme, List.of(
-        Column.words("", (NewViewRow r) -> r.port().isPresent() ? "" : r.chosen() ? "chosen" : "left out").painted(this::box).width(36).weight(0),
+        Column.words("", (NewViewRow r) -> r.port().isPresent() ? "" : r.chosen() ? "chosen" : "left out")
+            .painted(this::box).width(36).weight(0),
         Column.words("View", NewViewRow::label).painted(this::label).hint(NewViewRow::hint).weight(0.8),
-        Column.words("State", NewViewRow::state).dot(NewViewRow::health).role(r -> r.health().role()).width(120).weight(0),
+        Column.words("State", NewViewRow::state).dot(NewViewRow::health).role(r -> r.health().role()).width(120)
+            .weight(0),
         Column.words("Why", NewViewRow::why).role(Role.DIM).weight(3)), NewViewRow::key);
     table.list().named("Views that fit");
     table.list().control().addListener(SWT.MouseUp, this::clicked);
@@ -91,8 +97,11 @@ final class NewViewsPage extends Composite {
     List<String> views = model.views(state);
     long choices = views.stream().flatMap(v -> state.view(v).stream()).flatMap(v -> v.choices().stream())
         .filter(m -> !model.decided().contains(m.port())).count();
-    String chosen = views.isEmpty() ? "Choose at least one view." : views.size() + (views.size() == 1 ? " view." : " views.");
-    return choices == 0 ? chosen : chosen + " " + choices + (choices == 1 ? " port has" : " ports have") + " several that fit: the plainest was taken.";
+    String chosen =
+        views.isEmpty() ? "Choose at least one view." : views.size() + (views.size() == 1 ? " view." : " views.");
+    return choices == 0 ? chosen
+        : chosen + " " + choices + (choices == 1 ? " port has" : " ports have")
+            + " several that fit: the plainest was taken.";
   }
 
   private void chooseRuic() {
@@ -109,7 +118,8 @@ final class NewViewsPage extends Composite {
 
   private void clicked(Event event) {
     if (event.button == 1) {
-      rows.stream().filter(r -> table.list().bounds(r.key()).filter(b -> b.contains(event.x, event.y)).isPresent()).findFirst().ifPresent(this::press);
+      rows.stream().filter(r -> table.list().bounds(r.key()).filter(b -> b.contains(event.x, event.y)).isPresent())
+          .findFirst().ifPresent(this::press);
     }
   }
 
@@ -131,7 +141,8 @@ final class NewViewsPage extends Composite {
       model.choose(port, c);
       changed.run();
     }));
-    table.list().bounds(row.key()).ifPresent(b -> menu.open(table.list().control().toDisplay(b.x + 60, b.y + b.height)));
+    table.list().bounds(row.key())
+        .ifPresent(b -> menu.open(table.list().control().toDisplay(b.x + 60, b.y + b.height)));
   }
 
   private void box(GC gc, Rectangle at, NewViewRow row) {
@@ -154,7 +165,8 @@ final class NewViewsPage extends Composite {
 
   private void label(GC gc, Rectangle at, NewViewRow row) {
     int indent = row.port().isPresent() ? 4 * Theme.STEP : 0;
-    boolean fits = row.port().isPresent() || row.chosen() || model.state().flatMap(s -> s.view(row.view())).filter(ViewFit::fits).isPresent();
+    boolean fits = row.port().isPresent() || row.chosen()
+        || model.state().flatMap(s -> s.view(row.view())).filter(ViewFit::fits).isPresent();
     gc.setFont(theme.font(Face.BODY));
     gc.setForeground(theme.color(fits ? Role.TEXT : Role.DIM));
     gc.drawText(row.label(), at.x + indent, at.y + (at.height - gc.textExtent(row.label()).y) / 2, true);

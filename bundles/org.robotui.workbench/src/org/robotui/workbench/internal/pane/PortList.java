@@ -39,9 +39,11 @@ public final class PortList extends RowList<PortRow> {
   void prepare(GC gc, int width) {
     int age = width(gc, Face.SMALL_FIGURES, WIDEST_AGE);
     gc.setFont(theme().font(Face.BODY));
-    int names = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.name()).x).max().orElse(0);
+    int names = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.name()).x).max()
+        .orElse(0);
     gc.setFont(theme().font(Face.SMALL_FIGURES));
-    int rates = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.figure()).x).max().orElse(0);
+    int rates = rows().stream().filter(row -> !row.age().isEmpty()).mapToInt(row -> gc.textExtent(row.figure()).x).max()
+        .orElse(0);
     ageWidth = TEXT_LEFT + names + rates + age + 3 * Theme.STEP + Theme.EDGE <= width ? age + Theme.STEP : 0;
   }
 

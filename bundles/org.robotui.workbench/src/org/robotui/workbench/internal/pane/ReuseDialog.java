@@ -33,8 +33,8 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowTable;
 
 /**
- * Which bundles are used by which robot UIs: what is shared in the colour of text, what is particular in an accent. Drawn from what is
- * installed and runs. Display thread only.
+ * Which bundles are used by which robot UIs: what is shared in the colour of text, what is particular in an accent.
+ * Drawn from what is installed and runs. Display thread only.
  */
 public final class ReuseDialog {
   private static final int WIDTH = 1000;
@@ -92,8 +92,10 @@ public final class ReuseDialog {
 
   private List<String> pairs() {
     List<Pair> all = report.pairs();
-    List<String> lines = new ArrayList<>(all.stream().limit(MOST_PAIRS).map(p -> p.one() + " and " + p.other() + ": " + p.shared()
-        + " shared, " + p.onlyOne() + " only in " + p.one() + ", " + p.onlyOther() + " only in " + p.other()).toList());
+    List<String> lines = new ArrayList<>(all.stream().limit(MOST_PAIRS)
+        .map(p -> p.one() + " and " + p.other() + ": " + p.shared()
+            + " shared, " + p.onlyOne() + " only in " + p.one() + ", " + p.onlyOther() + " only in " + p.other())
+        .toList());
     if (all.size() > MOST_PAIRS) {
       lines.add("and " + (all.size() - MOST_PAIRS) + " more pairs, in the exported table");
     }
@@ -110,11 +112,15 @@ public final class ReuseDialog {
 
   private List<Column<Row>> columns() {
     List<Column<Row>> columns = new ArrayList<>();
-    columns.add(Column.<Row>words("Kind", r -> word(r.kind())).role(Role.DIM).width(96).weight(0).order((a, b) -> a.kind().compareTo(b.kind())));
-    columns.add(Column.<Row>words("Component", Row::name).role(this::role).weight(1).order((a, b) -> a.name().compareTo(b.name())));
-    columns.add(Column.<Row>words("Bundle", Row::bundle).role(Role.DIM).weight(1.6).order((a, b) -> a.bundle().compareTo(b.bundle())));
+    columns.add(Column.<Row>words("Kind", r -> word(r.kind())).role(Role.DIM).width(96).weight(0)
+        .order((a, b) -> a.kind().compareTo(b.kind())));
+    columns.add(Column.<Row>words("Component", Row::name).role(this::role).weight(1)
+        .order((a, b) -> a.name().compareTo(b.name())));
+    columns.add(Column.<Row>words("Bundle", Row::bundle).role(Role.DIM).weight(1.6)
+        .order((a, b) -> a.bundle().compareTo(b.bundle())));
     for (String ruic : report.ruics()) {
-      columns.add(Column.<Row>words(ruic, r -> r.users().contains(ruic) ? "used" : "").painted((gc, at, r) -> dot(gc, at, r, ruic))
+      columns.add(Column.<Row>words(ruic, r -> r.users().contains(ruic) ? "used" : "")
+          .painted((gc, at, r) -> dot(gc, at, r, ruic))
           .width(Math.clamp(600 / report.ruics().size(), 64, 110)).weight(0)
           .order((a, b) -> Boolean.compare(b.users().contains(ruic), a.users().contains(ruic))));
     }
@@ -171,7 +177,7 @@ public final class ReuseDialog {
 
   private void copy() {
     Clipboard clipboard = new Clipboard(shell.getDisplay());
-    clipboard.setContents(new Object[] {report.markdown()}, new Transfer[] {TextTransfer.getInstance()});
+    clipboard.setContents(new Object[]{report.markdown()}, new Transfer[]{TextTransfer.getInstance()});
     clipboard.dispose();
     said.show(Health.OK, "The table is in the clipboard.");
   }
@@ -179,8 +185,8 @@ public final class ReuseDialog {
   private void choose() {
     FileDialog dialog = new FileDialog(shell, SWT.SAVE);
     dialog.setText("Save the table");
-    dialog.setFilterExtensions(new String[] {"*.csv", "*.md"});
-    dialog.setFilterNames(new String[] {"Comma-separated values (*.csv)", "Markdown (*.md)"});
+    dialog.setFilterExtensions(new String[]{"*.csv", "*.md"});
+    dialog.setFilterNames(new String[]{"Comma-separated values (*.csv)", "Markdown (*.md)"});
     dialog.setFileName("reuse.csv");
     dialog.setOverwrite(true);
     Optional.ofNullable(dialog.open()).map(Path::of).ifPresent(this::save);

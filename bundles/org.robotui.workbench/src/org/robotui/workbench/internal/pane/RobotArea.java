@@ -20,8 +20,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * Most of a window: the views of the selected robot, or why there are none and what would help; above them what is wrong
- * with a configuration. Display thread only.
+ * Most of a window: the views of the selected robot, or why there are none and what would help; above them what is
+ * wrong with a configuration. Display thread only.
  */
 public final class RobotArea extends Composite {
   /** What can be done here. */
@@ -87,8 +87,10 @@ public final class RobotArea extends Composite {
   /** Shows a RUIC as it is now. */
   public void show(Optional<Ruic> ruic) {
     if (ruic.isEmpty()) {
-      say(Health.NONE, "No robot is selected", "Select a robot at the left, make a UI for a new one, or open a configuration that names one.",
-          List.of(new MessagePane.Choice("New robot UI\u2026", actions::create), new MessagePane.Choice("Open configuration\u2026", actions::open)));
+      say(Health.NONE, "No robot is selected",
+          "Select a robot at the left, make a UI for a new one, or open a configuration that names one.",
+          List.of(new MessagePane.Choice("New robot UI\u2026", actions::create),
+              new MessagePane.Choice("Open configuration\u2026", actions::open)));
     } else {
       show(ruic.get(), ruic.get().snapshot());
     }
@@ -109,7 +111,8 @@ public final class RobotArea extends Composite {
       say(Health.BAD, ruic.name() + " failed", now.reason(),
           List.of(new MessagePane.Choice("Restart", () -> actions.restart(ruic))));
     } else if (now.state() == RuicState.ADDED || now.state() == RuicState.SHUT_DOWN) {
-      say(Health.WAITING, ruic.name() + (now.state() == RuicState.ADDED ? " is starting" : " has ended"), "", List.of());
+      say(Health.WAITING, ruic.name() + (now.state() == RuicState.ADDED ? " is starting" : " has ended"), "",
+          List.of());
     } else if (surface.filter(s -> s.ruic() == ruic).isPresent() && built.equals(Optional.of(ruic.layout()))) {
       surface.get().showInstances(now);
     } else {

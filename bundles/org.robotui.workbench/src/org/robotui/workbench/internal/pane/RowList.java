@@ -94,7 +94,9 @@ abstract class RowList<R> extends Canvas {
     return pointed >= 0 && pointed < rows.size() ? Optional.of(rows.get(pointed)) : Optional.empty();
   }
 
-  /** The row that a context menu is asked for: by key the one that has the focus, by mouse the one below the pointer. */
+  /**
+   * The row that a context menu is asked for: by key the one that has the focus, by mouse the one below the pointer.
+   */
   final Optional<R> meant(Event menuDetect) {
     return menuDetect.detail == SWT.MENU_KEYBOARD ? pointed() : at(toControl(menuDetect.x, menuDetect.y).y);
   }

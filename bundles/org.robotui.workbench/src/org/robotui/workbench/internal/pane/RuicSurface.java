@@ -63,9 +63,12 @@ public final class RuicSurface extends Composite {
 
   /** All its views, in the order of the layout. */
   public List<ViewEntry> views() {
-    List<String> failed = ruic.snapshot().components().stream().filter(c -> c.state() == RuicState.FAILED).map(ComponentStatus::id).toList();
+    List<String> failed = ruic.snapshot().components().stream().filter(c -> c.state() == RuicState.FAILED)
+        .map(ComponentStatus::id).toList();
     return stacks.stream().flatMap(s -> s.holders()
-        .map(h -> new ViewEntry(h.id(), ruic.title(h.id()), failed.contains(h.id()), s.isSeen(h), h.actions(), h.keys()))).toList();
+        .map(h -> new ViewEntry(h.id(), ruic.title(h.id()), failed.contains(h.id()), s.isSeen(h), h.actions(),
+            h.keys())))
+        .toList();
   }
 
   /** Brings a view to the front of its tabs and gives it the keys. */

@@ -25,8 +25,9 @@ import org.robotui.ui.control.RowWords;
 import org.robotui.workbench.internal.model.SearchEntry;
 
 /**
- * The search for commands, views, their actions and robots, above the views. It is a part of the window and not a window of its own: the focus
- * moves within a window at once, so no key that is typed after the one that opens it goes elsewhere. Display thread only.
+ * The search for commands, views, their actions and robots, above the views. It is a part of the window and not a
+ * window of its own: the focus moves within a window at once, so no key that is typed after the one that opens it goes
+ * elsewhere. Display thread only.
  */
 public final class SearchPane extends Composite {
   private static final int WIDTH = 640;
@@ -91,7 +92,8 @@ public final class SearchPane extends Composite {
   }
 
   private void listen() {
-    Text text = Stream.of(field.getChildren()).filter(Text.class::isInstance).map(Text.class::cast).findFirst().orElseThrow();
+    Text text =
+        Stream.of(field.getChildren()).filter(Text.class::isInstance).map(Text.class::cast).findFirst().orElseThrow();
     text.addListener(SWT.KeyDown, this::key);
     text.addListener(SWT.FocusOut, e -> getDisplay().asyncExec(this::left));
     list.control().addListener(SWT.KeyDown, this::key);
@@ -124,7 +126,7 @@ public final class SearchPane extends Composite {
       case SWT.ESC -> close();
       case SWT.ARROW_DOWN -> move(event, 1);
       case SWT.ARROW_UP -> move(event, -1);
-      default -> { }
+      default -> {}
     }
   }
 

@@ -46,7 +46,8 @@ public final class StatusBar extends Composite {
 
   /** Shows what went wrong last, until nothing is said any more. */
   public void alert(String message) {
-    alert.show(Role.WARNING, message.replace('\n', ' '), message.isEmpty() ? "" : message + "\nPress to see it off; Window > Error Log keeps it");
+    alert.show(Role.WARNING, message.replace('\n', ' '),
+        message.isEmpty() ? "" : message + "\nPress to see it off; Window > Error Log keeps it");
   }
 
   @Override

@@ -25,8 +25,8 @@ import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 
 /**
- * The line above views: their titles, the actions of the one that is seen, and its note. Titles for which there is no room are in a menu.
- * Display thread only.
+ * The line above views: their titles, the actions of the one that is seen, and its note. Titles for which there is no
+ * room are in a menu. Display thread only.
  */
 final class TitleLine extends Composite {
   static final int HEIGHT = 30;

@@ -14,8 +14,8 @@ import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Stops;
 
 /**
- * The bar at the top of a window: product, menu, search, who drives, and the stop at its one place. What it shows keeps its
- * place when the stop is latched. Display thread only.
+ * The bar at the top of a window: product, menu, search, who drives, and the stop at its one place. What it shows keeps
+ * its place when the stop is latched. Display thread only.
  */
 public final class TopBar extends Composite {
   /** What the bar does. */
@@ -124,7 +124,10 @@ public final class TopBar extends Composite {
     button.setLayoutData(new GridData(SWT.BEGINNING, SWT.CENTER, false, true));
   }
 
-  /** In a narrow window the search gives way, then which are stopped, then who drives, then the place of the button that releases: the stop is always seen. */
+  /**
+   * In a narrow window the search gives way, then which are stopped, then who drives, then the place of the button that
+   * releases: the stop is always seen.
+   */
   private void fit() {
     width(search, SEARCH_WIDTH);
     width(lease, LEASE_WIDTH);

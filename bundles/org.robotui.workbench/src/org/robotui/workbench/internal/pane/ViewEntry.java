@@ -14,7 +14,8 @@ import org.robotui.ui.ViewKey;
  * @param actions what can be done in it; none before it was seen for the first time
  * @param keys what it takes while it has the focus; none before it was seen for the first time
  */
-public record ViewEntry(String id, String title, boolean failed, boolean seen, List<ViewAction> actions, List<ViewKey> keys) {
+public record ViewEntry(String id, String title, boolean failed, boolean seen, List<ViewAction> actions,
+    List<ViewKey> keys) {
   public ViewEntry {
     actions = List.copyOf(actions);
     keys = List.copyOf(keys);

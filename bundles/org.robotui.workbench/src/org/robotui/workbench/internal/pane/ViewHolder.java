@@ -25,8 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The place of one view: its control, or why there is none and a button to restart it. A view that throws here fails alone.
- * Display thread only.
+ * The place of one view: its control, or why there is none and a button to restart it. A view that throws here fails
+ * alone. Display thread only.
  */
 final class ViewHolder extends Composite implements UiContext {
   /** Is told what the title line has to show. */

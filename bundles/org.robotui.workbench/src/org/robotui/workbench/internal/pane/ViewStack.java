@@ -16,8 +16,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
 /**
- * Views of which one is seen, below their title line. A view gets its control when it is seen for the first time. Display
- * thread only.
+ * Views of which one is seen, below their title line. A view gets its control when it is seen for the first time.
+ * Display thread only.
  */
 final class ViewStack extends Composite {
   private final TitleLine line;

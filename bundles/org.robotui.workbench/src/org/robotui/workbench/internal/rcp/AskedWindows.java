@@ -17,8 +17,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Opens the windows that configurations ask for and places them; where the user has moved or sized one in an earlier run, it goes there.
- * Display thread only.
+ * Opens the windows that configurations ask for and places them; where the user has moved or sized one in an earlier
+ * run, it goes there. Display thread only.
  */
 final class AskedWindows {
   private static final Logger LOG = LoggerFactory.getLogger(AskedWindows.class);

@@ -14,9 +14,9 @@ import org.eclipse.core.runtime.Status;
 import org.slf4j.ILoggerFactory;
 
 /**
- * Hands warnings and errors of all that log through SLF4J to the platform's log, which the Error Log view shows, on a thread of its
- * own: the platform may wait for the display, and who logs, such as the watch over the display, must not. What the platform itself
- * logs while it takes one goes to the file alone. Safe for all threads.
+ * Hands warnings and errors of all that log through SLF4J to the platform's log, which the Error Log view shows, on a
+ * thread of its own: the platform may wait for the display, and who logs, such as the watch over the display, must not.
+ * What the platform itself logs while it takes one goes to the file alone. Safe for all threads.
  */
 public final class ErrorLog extends UnsynchronizedAppenderBase<ILoggingEvent> implements AutoCloseable {
   private static final String INTERNAL = ".internal.";

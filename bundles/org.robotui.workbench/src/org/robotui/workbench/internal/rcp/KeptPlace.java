@@ -8,8 +8,9 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Shell;
 
 /**
- * Where the user leaves a window, in words: {@code x y width height} in points, or {@link #MAXIMIZED}. It is what the window had while it was
- * seen: one that is being closed is hidden first, and then tells a place without its frame. Display thread only.
+ * Where the user leaves a window, in words: {@code x y width height} in points, or {@link #MAXIMIZED}. It is what the
+ * window had while it was seen: one that is being closed is hidden first, and then tells a place without its frame.
+ * Display thread only.
  */
 final class KeptPlace {
   static final String MAXIMIZED = "maximized";
@@ -33,7 +34,8 @@ final class KeptPlace {
     shell.getDisplay().timerExec(SETTLED_MILLIS, () -> {
       if (!shell.isDisposed()) {
         KeptPlace place = new KeptPlace(shell);
-        shell.addListener(SWT.Dispose, e -> Optional.of(place.words()).filter(now -> !now.equals(place.placed)).ifPresent(keeper));
+        shell.addListener(SWT.Dispose,
+            e -> Optional.of(place.words()).filter(now -> !now.equals(place.placed)).ifPresent(keeper));
       }
     });
   }

@@ -33,6 +33,7 @@ public final class NavigatorPart extends ViewPart {
   private void show(Navigator navigator) {
     Overview now = session.overview();
     Optional<Ruic> selected = session.model(getSite().getWorkbenchWindow()).selected();
-    navigator.show(now.robots(), selected.map(Ruic::name), selected.map(now::detail).orElse(Overview.Detail.NONE).ports());
+    navigator.show(now.robots(), selected.map(Ruic::name),
+        selected.map(now::detail).orElse(Overview.Detail.NONE).ports());
   }
 }

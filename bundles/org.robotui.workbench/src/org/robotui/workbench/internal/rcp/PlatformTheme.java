@@ -6,8 +6,8 @@ import org.eclipse.swt.widgets.Display;
 import org.robotui.workbench.internal.WorkbenchServices;
 
 /**
- * Has the platform look like our theme: its style sheets, and by the word "dark" in the id also the toolkit's own menus and
- * scroll bars.
+ * Has the platform look like our theme: its style sheets, and by the word "dark" in the id also the toolkit's own menus
+ * and scroll bars.
  */
 @SuppressWarnings("restriction") // the platform has no public way to set a theme
 public final class PlatformTheme {

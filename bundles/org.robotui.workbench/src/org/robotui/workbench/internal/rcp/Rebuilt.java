@@ -10,7 +10,8 @@ import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.WorkbenchSession;
 
 /**
- * A control that is kept up to date, and made anew when the theme changes. It ends with its parent. Display thread only.
+ * A control that is kept up to date, and made anew when the theme changes. It ends with its parent. Display thread
+ * only.
  *
  * @param <C> the control
  */

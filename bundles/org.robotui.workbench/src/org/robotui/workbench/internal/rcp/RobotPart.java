@@ -40,7 +40,7 @@ public final class RobotPart extends ViewPart {
   @Override
   public void createPartControl(Composite parent) {
     model = session.model(getSite().getWorkbenchWindow());
-    pane = new Rebuilt<>(parent, session, this::area, area -> { });
+    pane = new Rebuilt<>(parent, session, this::area, area -> {});
     List<Runnable> ends = List.of(
         model.onChange(this::show),
         session.hub().add(client()),

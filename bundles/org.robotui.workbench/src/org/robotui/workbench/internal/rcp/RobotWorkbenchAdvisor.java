@@ -30,7 +30,9 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   private final Suspects suspects;
   private final boolean asks;
 
-  /** For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again. */
+  /**
+   * For a session; {@code started} runs when the window stands, with the robots that were asked for, and perhaps again.
+   */
   public RobotWorkbenchAdvisor(WorkbenchSession session, Runnable started) {
     this.session = session;
     this.started = started;

@@ -11,7 +11,10 @@ import org.robotui.workbench.internal.pane.Menus;
 import org.robotui.workbench.internal.pane.RuicSurface;
 import org.robotui.workbench.internal.pane.ViewEntry;
 
-/** What the search of a window finds: robots, views and what they can do, and all that is in the menus. Display thread only. */
+/**
+ * What the search of a window finds: robots, views and what they can do, and all that is in the menus. Display thread
+ * only.
+ */
 final class SearchEntries {
   private final WorkbenchSession session;
   private final IWorkbenchWindow window;
@@ -21,7 +24,10 @@ final class SearchEntries {
     this.window = window;
   }
 
-  /** All shortcuts: of the view that has the focus, of the window, then of the other views. Choosing one of a view shows that view. */
+  /**
+   * All shortcuts: of the view that has the focus, of the window, then of the other views. Choosing one of a view shows
+   * that view.
+   */
   List<SearchEntry> shortcuts() {
     Optional<RuicSurface> surface = surface();
     Optional<String> focused = surface.flatMap(RuicSurface::focused).map(ViewEntry::id);
@@ -35,7 +41,8 @@ final class SearchEntries {
   }
 
   private static List<SearchEntry> keys(RuicSurface shown, ViewEntry view) {
-    return view.keys().stream().map(key -> new SearchEntry(view.title(), key.does(), key.keys(), () -> shown.reveal(view.id()))).toList();
+    return view.keys().stream()
+        .map(key -> new SearchEntry(view.title(), key.does(), key.keys(), () -> shown.reveal(view.id()))).toList();
   }
 
   private Optional<RuicSurface> surface() {
@@ -46,8 +53,8 @@ final class SearchEntries {
     List<SearchEntry> entries = new ArrayList<>();
     Optional<RuicSurface> surface = surface();
     // The views themselves are in the menu View.
-    surface.ifPresent(shown -> shown.views().forEach(view -> view.actions().forEach(action ->
-        entries.add(new SearchEntry(view.title(), action.label(), "", () -> {
+    surface.ifPresent(shown -> shown.views().forEach(
+        view -> view.actions().forEach(action -> entries.add(new SearchEntry(view.title(), action.label(), "", () -> {
           shown.reveal(view.id());
           action.run().run();
         })))));

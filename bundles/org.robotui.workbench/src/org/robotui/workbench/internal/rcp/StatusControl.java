@@ -18,7 +18,8 @@ public final class StatusControl {
   @PostConstruct
   void create(Composite parent, MWindow model) {
     IWorkbenchWindow window = model.getContext().get(IWorkbenchWindow.class);
-    new Rebuilt<>(Trim.place(parent), session, (bar, theme) -> new StatusBar(bar, theme, this::dismiss), bar -> show(bar, session.model(window)));
+    new Rebuilt<>(Trim.place(parent), session, (bar, theme) -> new StatusBar(bar, theme, this::dismiss),
+        bar -> show(bar, session.model(window)));
   }
 
   private void show(StatusBar bar, WindowModel model) {

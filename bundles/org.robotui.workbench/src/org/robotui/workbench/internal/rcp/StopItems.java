@@ -25,8 +25,10 @@ public final class StopItems extends CompoundContributionItem implements IWorkbe
   @Override
   protected IContributionItem[] getContributionItems() {
     WorkbenchSession session = WorkbenchServices.session();
-    List<Authority> authorities = session.model(locator.getService(IWorkbenchWindow.class)).selected().map(Ruic::authorities).orElse(List.of());
-    return authorities.stream().map(authority -> new ActionContributionItem(item(session, authority))).toArray(IContributionItem[]::new);
+    List<Authority> authorities =
+        session.model(locator.getService(IWorkbenchWindow.class)).selected().map(Ruic::authorities).orElse(List.of());
+    return authorities.stream().map(authority -> new ActionContributionItem(item(session, authority)))
+        .toArray(IContributionItem[]::new);
   }
 
   private static Action item(WorkbenchSession session, Authority authority) {

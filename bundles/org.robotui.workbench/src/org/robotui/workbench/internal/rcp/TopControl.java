@@ -25,7 +25,8 @@ public final class TopControl {
   @PostConstruct
   void create(Composite parent, MWindow model) {
     IWorkbenchWindow window = model.getContext().get(IWorkbenchWindow.class);
-    new Rebuilt<>(Trim.place(parent), session, (p, theme) -> bar(p, theme, window), bar -> show(bar, session.model(window)));
+    new Rebuilt<>(Trim.place(parent), session, (p, theme) -> bar(p, theme, window),
+        bar -> show(bar, session.model(window)));
   }
 
   private TopBar bar(Composite parent, Theme theme, IWorkbenchWindow window) {

@@ -12,7 +12,9 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.ui.IWorkbenchWindow;
 
-/** Puts our bar at the top of a window and our line at its bottom; the 3.x API has no place for a whole bar of our own. */
+/**
+ * Puts our bar at the top of a window and our line at its bottom; the 3.x API has no place for a whole bar of our own.
+ */
 final class Trim {
   /** Has the platform give a control the rest of the line. */
   private static final String STRETCH = "stretch";

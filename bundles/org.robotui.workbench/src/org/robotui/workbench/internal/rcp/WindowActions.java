@@ -75,8 +75,8 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   public void open() {
     FileDialog dialog = new FileDialog(window.getShell(), SWT.OPEN);
     dialog.setText("Open configuration");
-    dialog.setFilterExtensions(new String[] {"*.yaml;*.yml", "*"});
-    dialog.setFilterNames(new String[] {"Configurations (*.yaml)", "All files"});
+    dialog.setFilterExtensions(new String[]{"*.yaml;*.yml", "*"});
+    dialog.setFilterNames(new String[]{"Configurations (*.yaml)", "All files"});
     session.state().get(FOLDER).ifPresent(dialog::setFilterPath);
     Optional.ofNullable(dialog.open()).map(Path::of).ifPresent(file -> {
       session.state().put(FOLDER, file.getParent().toString());
@@ -88,12 +88,15 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
   public void create() {
     List<Path> files = session.configurations().files();
     Path near = files.stream().findFirst().map(Path::toAbsolutePath)
-        .orElseGet(() -> Path.of(session.state().get(FOLDER).orElse(System.getProperty("user.home"))).resolve("robot.yaml"));
+        .orElseGet(
+            () -> Path.of(session.state().get(FOLDER).orElse(System.getProperty("user.home"))).resolve("robot.yaml"));
     WindowModel shown = model();
-    new NewRobotDialog(window.getShell(), session.look().theme(), session.host(), new NewRobotModel(session.host(), near), files,
+    new NewRobotDialog(window.getShell(), session.look().theme(), session.host(),
+        new NewRobotModel(session.host(), near), files,
         session.configurations().background(), (file, name) -> {
           session.showWhenThere(shown, name);
-          session.configurations().load(files.stream().filter(f -> f.toAbsolutePath().normalize().equals(file)).findFirst().orElse(file));
+          session.configurations()
+              .load(files.stream().filter(f -> f.toAbsolutePath().normalize().equals(file)).findFirst().orElse(file));
         }).open();
   }
 
@@ -106,8 +109,10 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
 
   /** The other window would show nothing then, so the user is asked. */
   private void selectFrom(WindowModel other, Ruic ruic) {
-    String question = ruic.name() + " is shown in another window. A robot is shown in one window at a time; moved here, it leaves the other one empty.";
-    int answer = MessageDialog.open(MessageDialog.QUESTION, window.getShell(), ruic.name() + " is shown elsewhere", question, SWT.NONE,
+    String question = ruic.name()
+        + " is shown in another window. A robot is shown in one window at a time; moved here, it leaves the other one empty.";
+    int answer = MessageDialog.open(MessageDialog.QUESTION, window.getShell(), ruic.name() + " is shown elsewhere",
+        question, SWT.NONE,
         "Go to That Window", "Move It Here", "Cancel");
     if (answer == 0) {
       other.front();
@@ -160,8 +165,9 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
 
   private Optional<ExchangeDialog> dialog(String name) {
     return session.ruic(name).filter(r -> !r.interfaces().isEmpty())
-        .map(r -> session.exchanges().computeIfAbsent(name, n -> new ExchangeDialog(window.getShell(), session.look().theme(),
-            session.host(), new ExchangeModel(session.host(), r), session.alerts()::pass)));
+        .map(r -> session.exchanges().computeIfAbsent(name,
+            n -> new ExchangeDialog(window.getShell(), session.look().theme(),
+                session.host(), new ExchangeModel(session.host(), r), session.alerts()::pass)));
   }
 
   /** Shows which bundles are used by which robot UIs. */

@@ -22,7 +22,7 @@ class OverviewerTest {
   private final FakeRuic natalie = new FakeRuic("Natalie");
   private final FakeHost host = new FakeHost();
   private final BlockingQueue<Runnable> display = new LinkedBlockingQueue<>();
-  private final Overviewer overviewer = new Overviewer(host, display::add, () -> { });
+  private final Overviewer overviewer = new Overviewer(host, display::add, () -> {});
 
   @AfterEach
   void close() {

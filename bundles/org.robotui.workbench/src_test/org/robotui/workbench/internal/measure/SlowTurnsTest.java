@@ -12,10 +12,12 @@ class SlowTurnsTest {
 
   @Test
   void aTurnIsToldWithTheViewAndTheLineThatWereFoundMostOften() {
-    turns.look(frame("org.robotui.core.internal.life.Snapshots", 29), frame("org.robotui.workbench.internal.rcp.StatusControl", 25));
+    turns.look(frame("org.robotui.core.internal.life.Snapshots", 29),
+        frame("org.robotui.workbench.internal.rcp.StatusControl", 25));
     for (int i = 0; i < 2; i++) {
       turns.look(frame("org.eclipse.swt.graphics.GC", 1), frame("org.robotui.ui.scene.Painter", 7),
-          frame("org.robotui.uic.map.internal.view.MapCanvas", 90), frame("org.robotui.workbench.internal.pane.ViewHolder", 3));
+          frame("org.robotui.uic.map.internal.view.MapCanvas", 90),
+          frame("org.robotui.workbench.internal.pane.ViewHolder", 3));
     }
     turns.over(42, 7);
     SlowTurns.Turn worst = turns.worst().getFirst();

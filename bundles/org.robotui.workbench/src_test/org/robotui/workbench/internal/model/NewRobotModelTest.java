@@ -35,11 +35,15 @@ class NewRobotModelTest {
   private static final SourceId IMAGE = new SourceId("camera", "image");
   private static final SourceId FRONT = new SourceId("base", "front/raw");
   private static final SourceId RAW = new SourceId("base", "raw");
-  private static final CompositionState FOUND = new CompositionState(Stage.FOUND, "", new LinkState.Connected("here"), List.of(),
-      List.of(view("map", Fit.CONNECTED), view("plot", Fit.CONNECTED), new ViewFit("camera", "Camera", "", Fit.AMBIGUOUS, "",
-          List.of(new Match(IMAGE, PortKind.STREAM, "Image", Arity.ONE, MatchState.AMBIGUOUS, List.of(), List.of(FRONT, RAW), ""))),
-          view("gps", Fit.MISSING)),
-      List.of(new RuicFit("rover", "Rover", "", List.of("camera", "gps", "map"), 0.7, ""), new RuicFit("single", "Single", "", List.of("map"), 0.4, "")));
+  private static final CompositionState FOUND =
+      new CompositionState(Stage.FOUND, "", new LinkState.Connected("here"), List.of(),
+          List.of(view("map", Fit.CONNECTED), view("plot", Fit.CONNECTED),
+              new ViewFit("camera", "Camera", "", Fit.AMBIGUOUS, "",
+                  List.of(new Match(IMAGE, PortKind.STREAM, "Image", Arity.ONE, MatchState.AMBIGUOUS, List.of(),
+                      List.of(FRONT, RAW), ""))),
+              view("gps", Fit.MISSING)),
+          List.of(new RuicFit("rover", "Rover", "", List.of("camera", "gps", "map"), 0.7, ""),
+              new RuicFit("single", "Single", "", List.of("map"), 0.4, "")));
 
   private final List<String> calls = new ArrayList<>();
   private NewRobotModel model;
@@ -79,19 +83,22 @@ class NewRobotModelTest {
   }
 
   private static Installed rfic(String id) {
-    return new Installed(Installed.Kind.RFIC, new Descriptor(id, id, "", Schema.EMPTY, List.of()), "b", Optional.empty(), List.of());
+    return new Installed(Installed.Kind.RFIC, new Descriptor(id, id, "", Schema.EMPTY, List.of()), "b",
+        Optional.empty(), List.of());
   }
 
   @BeforeEach
   void connect() {
-    model = new NewRobotModel(new FakeHost().installed(rfic("lcm"), rfic("ros")).composing(Found::new), Path.of("/x/robot.yaml"));
+    model = new NewRobotModel(new FakeHost().installed(rfic("lcm"), rfic("ros")).composing(Found::new),
+        Path.of("/x/robot.yaml"));
     model.connect();
   }
 
   @Test
   void itBeginsWithWhatIsProposed() {
     assertEquals(List.of("compose ros{}"), calls);
-    assertEquals(List.of("camera", "map"), model.views(FOUND), "of the best type what fits, in the order of its layout");
+    assertEquals(List.of("camera", "map"), model.views(FOUND),
+        "of the best type what fits, in the order of its layout");
     assertEquals(Map.of(IMAGE, RAW), model.connections(FOUND), "the plain one of two");
   }
 
@@ -127,7 +134,8 @@ class NewRobotModelTest {
   void rowsShowWhatIsChosenFirstAndPortsBelowTheirViews() {
     List<NewViewRow> rows = rows();
     assertEquals(List.of("camera", "camera.image", "map", "plot", "gps"), rows.stream().map(NewViewRow::key).toList());
-    assertEquals(List.of("ambiguous", "choose", "connected", "connected", "does not fit"), rows.stream().map(NewViewRow::state).toList());
+    assertEquals(List.of("ambiguous", "choose", "connected", "connected", "does not fit"),
+        rows.stream().map(NewViewRow::state).toList());
     assertTrue(rows.get(1).why().startsWith("raw is taken; 2 fit"), rows.get(1)::why);
     assertTrue(rows.get(3).why().startsWith("not part of Rover"), rows.get(3)::why);
   }
@@ -142,6 +150,7 @@ class NewRobotModelTest {
   }
 
   private List<NewViewRow> rows() {
-    return NewViewRow.of(FOUND, model.ruic(FOUND).orElseThrow(), model.views(FOUND), model.connections(FOUND), model.decided());
+    return NewViewRow.of(FOUND, model.ruic(FOUND).orElseThrow(), model.views(FOUND), model.connections(FOUND),
+        model.decided());
   }
 }

@@ -74,7 +74,8 @@ class PortRowTest {
   }
 
   private static Match missing(String port, Arity arity, MatchState state) {
-    return new Match(new SourceId("camera", port), PortKind.STREAM, "Image", arity, state, List.of(), List.of(), "because");
+    return new Match(new SourceId("camera", port), PortKind.STREAM, "Image", arity, state, List.of(), List.of(),
+        "because");
   }
 
   private static PortStatus port(String component, String name) {
@@ -82,7 +83,8 @@ class PortRowTest {
   }
 
   private static PortStatus port(String name, boolean wanted, double rate, double age, boolean stale, String problem) {
-    return new PortStatus(new SourceId("base", name), PortKind.STREAM, "Data", wanted, Double.isNaN(age) ? 0 : 9, rate, age,
+    return new PortStatus(new SourceId("base", name), PortKind.STREAM, "Data", wanted, Double.isNaN(age) ? 0 : 9, rate,
+        age,
         stale, 0, problem, "");
   }
 }

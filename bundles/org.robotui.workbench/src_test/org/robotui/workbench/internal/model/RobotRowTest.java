@@ -16,7 +16,8 @@ import org.robotui.ui.Health;
 
 class RobotRowTest {
   private final FakeRuic ruic = new FakeRuic("Keira").linked(new LinkState.Connected("http://localhost:11411/"))
-      .component(new ComponentStatus("base", "ros", ComponentStatus.Kind.RFIC, RuicState.INITIALIZED, "", Optional.empty()));
+      .component(
+          new ComponentStatus("base", "ros", ComponentStatus.Kind.RFIC, RuicState.INITIALIZED, "", Optional.empty()));
 
   @Test
   void showsTheRateOfTheBusiestPortThatAViewWants() {
@@ -81,7 +82,8 @@ class RobotRowTest {
   }
 
   private static PortStatus port(String name, boolean wanted, double rate, boolean stale) {
-    return new PortStatus(new SourceId("base", name), PortKind.STREAM, "Data", wanted, rate > 0 ? 9 : 0, rate, 0.1, stale,
+    return new PortStatus(new SourceId("base", name), PortKind.STREAM, "Data", wanted, rate > 0 ? 9 : 0, rate, 0.1,
+        stale,
         0, "", "");
   }
 }

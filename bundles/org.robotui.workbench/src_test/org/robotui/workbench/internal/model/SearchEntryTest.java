@@ -6,8 +6,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class SearchEntryTest {
-  private final List<SearchEntry> all = List.of(entry("Map", "Follow the robot"), entry("View", "Log"), entry("Robot", "Show Natalie"),
-      entry("Robot", "Stop All Robots"), entry("View", "Robots"));
+  private final List<SearchEntry> all =
+      List.of(entry("Map", "Follow the robot"), entry("View", "Log"), entry("Robot", "Show Natalie"),
+          entry("Robot", "Stop All Robots"), entry("View", "Robots"));
 
   @Test
   void whatBeginsWithTheWordsComesFirst() {
@@ -26,6 +27,6 @@ class SearchEntryTest {
   }
 
   private static SearchEntry entry(String group, String label) {
-    return new SearchEntry(group, label, "", () -> { });
+    return new SearchEntry(group, label, "", () -> {});
   }
 }

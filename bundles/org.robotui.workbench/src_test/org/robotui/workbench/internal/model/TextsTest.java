@@ -56,12 +56,14 @@ class TextsTest {
   @Test
   void theStatusNamesRobotClockAndTraffic() {
     assertEquals(new StatusText("Keira \u00b7 connected",
-        "clock offset +3\u00a0ms \u00b7 received 0\u00a0msg/s \u00b7 dropped 0"), StatusText.of(ruic.snapshot(), ruic.clock()));
+        "clock offset +3\u00a0ms \u00b7 received 0\u00a0msg/s \u00b7 dropped 0"),
+        StatusText.of(ruic.snapshot(), ruic.clock()));
   }
 
   @Test
   void stampsThatNoRunningClockGivesAreNamedAsSuch() {
-    assertTrue(right(Duration.ofHours(-182_679)).startsWith("time stamps 7611 days old: a recording? "), right(Duration.ofHours(-182_679)));
+    assertTrue(right(Duration.ofHours(-182_679)).startsWith("time stamps 7611 days old: a recording? "),
+        right(Duration.ofHours(-182_679)));
     assertTrue(right(Duration.ofDays(30)).startsWith("time stamps 30 days ahead: "));
     assertTrue(right(Duration.ofHours(-3)).startsWith("clock offset "), "a wrong time zone is an offset");
   }

@@ -14,7 +14,8 @@ class WindowPlacesTest {
 
   @Test
   void whereThereIsRoomTheyLieSideBySideAndFillTheScreen() {
-    assertEquals(List.of(new Rectangle(0, 24, 960, 1056), new Rectangle(960, 24, 960, 1056)), WindowPlaces.of(WIDE, List.of(1.0, 1.0)));
+    assertEquals(List.of(new Rectangle(0, 24, 960, 1056), new Rectangle(960, 24, 960, 1056)),
+        WindowPlaces.of(WIDE, List.of(1.0, 1.0)));
   }
 
   @Test
@@ -55,7 +56,9 @@ class WindowPlacesTest {
   @Test
   void aWindowThatNobodyCouldReachIsNotPutThereAgain() {
     assertTrue(WindowPlaces.isSeen(new Rectangle(1700, 100, 900, 700), List.of(WIDE)));
-    assertFalse(WindowPlaces.isSeen(new Rectangle(2000, 100, 900, 700), List.of(WIDE)), "the screen at the right has gone");
-    assertFalse(WindowPlaces.isSeen(new Rectangle(100, -400, 900, 700), List.of(WIDE)), "its title is above the screen");
+    assertFalse(WindowPlaces.isSeen(new Rectangle(2000, 100, 900, 700), List.of(WIDE)),
+        "the screen at the right has gone");
+    assertFalse(WindowPlaces.isSeen(new Rectangle(100, -400, 900, 700), List.of(WIDE)),
+        "its title is above the screen");
   }
 }

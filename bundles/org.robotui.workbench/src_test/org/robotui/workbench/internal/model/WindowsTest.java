@@ -42,7 +42,8 @@ class WindowsTest {
   void theControlsOfTheFormerGoBeforeTheNextIsSelected() {
     WindowModel window = windows.open();
     List<String> seen = new ArrayList<>();
-    window.onChange(() -> seen.add(window.selected().map(r -> r.name() + natalie.windows()).orElse("nothing" + natalie.windows())));
+    window.onChange(
+        () -> seen.add(window.selected().map(r -> r.name() + natalie.windows()).orElse("nothing" + natalie.windows())));
 
     windows.select(window, natalie);
 

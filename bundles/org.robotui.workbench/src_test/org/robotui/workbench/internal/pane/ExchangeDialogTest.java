@@ -41,11 +41,13 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.ExchangeModel;
 
 class ExchangeDialogTest {
-  private static final Schema ROS = Schema.of(Setting.optional("master", new ValueType.Text(), "address of the master"));
+  private static final Schema ROS =
+      Schema.of(Setting.optional("master", new ValueType.Text(), "address of the master"));
   private static final Schema PLAYER = Schema.of(
       Setting.required("port", new ValueType.Int(1, 65535), "port of the server"),
       Setting.of("data", new ValueType.Choice(List.of("push", "pull")), "push", "how data come"),
-      Setting.of("devices", new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text()))),
+      Setting.of("devices",
+          new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text()))),
           List.of("*"), "which devices"));
 
   private final List<String> done = new ArrayList<>();
@@ -54,7 +56,8 @@ class ExchangeDialogTest {
   private final FakeHost host = new FakeHost()
       .installed(type("ros", "ROS 1", ROS), type("player", "Player", PLAYER))
       .checking((s, v) -> s.name().equals("port") && !v.toString().matches("[0-9]+")
-          ? Optional.of("'port' must be a whole number") : Optional.empty());
+          ? Optional.of("'port' must be a whole number")
+          : Optional.empty());
   private final FakeRuic ruic = new FakeRuic("Natalie").exchanging(w -> {
     wanted.add(w);
     return trial;
@@ -65,7 +68,8 @@ class ExchangeDialogTest {
   private ExchangeDialog dialog;
 
   private static Installed type(String id, String label, Schema schema) {
-    return new Installed(Installed.Kind.RFIC, new Descriptor(id, label, "", schema, List.of()), "org.robotui.rfic." + id,
+    return new Installed(Installed.Kind.RFIC, new Descriptor(id, label, "", schema, List.of()),
+        "org.robotui.rfic." + id,
         Optional.empty(), List.of());
   }
 
@@ -91,12 +95,15 @@ class ExchangeDialogTest {
         List.of(new SourceId("base", "scan")), List.of(), "");
     Match then = new Match(view, PortKind.STREAM, "LaserScan", Arity.ONE, state,
         peer.isEmpty() ? List.of() : List.of(new SourceId("base", peer)),
-        state == MatchState.AMBIGUOUS ? List.of(new SourceId("base", "laser:0"), new SourceId("base", "laser:1")) : List.of(), "so it is");
+        state == MatchState.AMBIGUOUS ? List.of(new SourceId("base", "laser:0"), new SourceId("base", "laser:1"))
+            : List.of(),
+        "so it is");
     return new Line(now, then, true, lost);
   }
 
   private static ExchangePreview preview(Verdict verdict, List<String> missing, Line... lines) {
-    return new ExchangePreview(verdict, "said so", new LinkState.Connected("robot"), List.of(lines), missing, List.of());
+    return new ExchangePreview(verdict, "said so", new LinkState.Connected("robot"), List.of(lines), missing,
+        List.of());
   }
 
   private <C extends Control> List<C> all(Class<C> type) {
@@ -126,7 +133,8 @@ class ExchangeDialogTest {
   void theFormIsMadeFromTheSchemaAndMistakesForbidTheTrial() {
     dialog.want(new InterfaceConfig("base", "player", "Natalie", "", Map.of()));
     List<Text> fields = all(Text.class);
-    assertEquals(List.of("Natalie", "needed", "*"), List.of(fields.get(0).getText(), fields.get(1).getMessage(), fields.get(2).getMessage()));
+    assertEquals(List.of("Natalie", "needed", "*"),
+        List.of(fields.get(0).getText(), fields.get(1).getMessage(), fields.get(2).getMessage()));
     assertFalse(tryIt().getEnabled(), "the port is needed");
     fields.get(1).setText("many");
     assertFalse(tryIt().getEnabled(), "the port is no number");
@@ -154,7 +162,8 @@ class ExchangeDialogTest {
 
   @Test
   void whatIsMissingIsLeftOutOnlyWhereTheUserSaysSo() {
-    trial.saying(preview(Verdict.INCOMPLETE, List.of("map needs LaserScan"), line("scan", MatchState.REFUSED, "", true)));
+    trial.saying(
+        preview(Verdict.INCOMPLETE, List.of("map needs LaserScan"), line("scan", MatchState.REFUSED, "", true)));
     tryIt().press();
     TestDisplay.until(() -> exchange().getEnabled());
     exchange().press();

@@ -67,17 +67,20 @@ final class Gallery {
     Navigator navigator = place(new Navigator(shell, theme, new NoActions()), SWT.BEGINNING, SWT.FILL, 1);
     ((GridData) navigator.getLayoutData()).widthHint = 220;
     RobotArea area = place(new RobotArea(shell, theme, new HashMap<>(), new NoActions()), SWT.FILL, SWT.FILL, 1);
-    StatusBar status = place(new StatusBar(shell, theme, () -> { }), SWT.FILL, SWT.BOTTOM, 2);
+    StatusBar status = place(new StatusBar(shell, theme, () -> {}), SWT.FILL, SWT.BOTTOM, 2);
     FakeRuic keira = keira();
     keira.authority().take(YOU, false);
-    bar.show(Lease.of(keira.authorities(), keira.snapshot().link(), YOU), new Stops(List.of("Keira", "Natalie"), problems ? List.of("Natalie") : List.of()));
-    navigator.show(Stream.of(keira, husky(), natalie()).map(FakeRuic::snapshot).map(RobotRow::of).toList(), Optional.of("Keira"), PortRow.of(keira.snapshot()));
+    bar.show(Lease.of(keira.authorities(), keira.snapshot().link(), YOU),
+        new Stops(List.of("Keira", "Natalie"), problems ? List.of("Natalie") : List.of()));
+    navigator.show(Stream.of(keira, husky(), natalie()).map(FakeRuic::snapshot).map(RobotRow::of).toList(),
+        Optional.of("Keira"), PortRow.of(keira.snapshot()));
     area.show(Optional.of(keira));
     if (problems) {
       area.problems(List.of(
           new Problem("configs/keira.yaml", 12, 7, Problem.Severity.ERROR,
               "there is no setting 'topcis' for the type ros; did you mean 'topics'?"),
-          new Problem("configs/keira.yaml", 20, 3, Problem.Severity.WARNING, "the view 'plot' has no place in the layout")));
+          new Problem("configs/keira.yaml", 20, 3, Problem.Severity.WARNING,
+              "the view 'plot' has no place in the layout")));
     }
     status.show(StatusText.of(keira.snapshot(), keira.clock()));
     status.alert(problems ? "camera: the view was fenced after 2 s" : "");
@@ -92,7 +95,8 @@ final class Gallery {
     Layout column = new Layout.Split(Layout.Direction.COLUMN,
         List.of(new Layout.View("camera"), new Layout.View("teleop"), new Layout.Tabs(List.of("status", "plot"))),
         List.of(3.0, 3.0, 4.0));
-    Layout layout = new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), column), List.of(64.0, 36.0));
+    Layout layout =
+        new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), column), List.of(64.0, 36.0));
     FakeRuic keira = new FakeRuic("Keira").laidOut(layout).linked(new LinkState.Connected("http://localhost:11411/"))
         .titled("map", "Map").titled("camera", "Camera").titled("teleop", "Teleop").titled("status", "Status")
         .titled("plot", "Plot")
@@ -111,7 +115,8 @@ final class Gallery {
   }
 
   private static FakeRuic husky() {
-    return new FakeRuic("Husky 2").linked(new LinkState.Failed("10.0.0.7:11311 refused the connection", Duration.ofSeconds(4)))
+    return new FakeRuic("Husky 2")
+        .linked(new LinkState.Failed("10.0.0.7:11311 refused the connection", Duration.ofSeconds(4)))
         .component(new ComponentStatus("base", "ros", ComponentStatus.Kind.RFIC, RuicState.INITIALIZED, "",
             Optional.empty()));
   }
@@ -124,7 +129,8 @@ final class Gallery {
   }
 
   private static PortStatus port(String name, double rate, double age, boolean stale, long count) {
-    return new PortStatus(new SourceId("base", name), PortKind.STREAM, "LaserScan", true, count, rate, age, stale, 0, "",
+    return new PortStatus(new SourceId("base", name), PortKind.STREAM, "LaserScan", true, count, rate, age, stale, 0,
+        "",
         "");
   }
 }

@@ -40,14 +40,18 @@ import org.robotui.workbench.internal.model.NewRobotModel;
 class NewRobotDialogTest {
   private static final Path FILE = Path.of("/x/robot.yaml");
   private static final Schema PLAYER = Schema.of(
-      Setting.required("host", new ValueType.Text(), "name of the server"), Setting.of("port", new ValueType.Int(1, 65535), 6665, "its port"));
+      Setting.required("host", new ValueType.Text(), "name of the server"),
+      Setting.of("port", new ValueType.Int(1, 65535), 6665, "its port"));
 
   private final List<String> calls = new ArrayList<>();
   private final List<RuicDraft> drafts = new ArrayList<>();
   private final FakeHost host = new FakeHost()
-      .installed(new Installed(Installed.Kind.RFIC, new Descriptor("player", "Player", "", PLAYER, List.of()), "b", Optional.empty(), List.of()))
+      .installed(new Installed(Installed.Kind.RFIC, new Descriptor("player", "Player", "", PLAYER, List.of()), "b",
+          Optional.empty(), List.of()))
       .composing(Robot::new)
-      .checking((s, v) -> s.name().equals("port") && !v.toString().matches("[0-9]+") ? Optional.of("'port' must be a whole number") : Optional.empty());
+      .checking((s, v) -> s.name().equals("port") && !v.toString().matches("[0-9]+")
+          ? Optional.of("'port' must be a whole number")
+          : Optional.empty());
   private Stage stage = Stage.FOUND;
   private Optional<String> refused = Optional.empty();
   private Shell parent;
@@ -63,7 +67,8 @@ class NewRobotDialogTest {
     @Override
     public CompositionState state() {
       return new CompositionState(stage, "", new LinkState.Connected("here"), List.of(),
-          stage == Stage.FOUND ? List.of(new ViewFit("map", "Map", "", ViewFit.Fit.CONNECTED, "", List.of())) : List.of(),
+          stage == Stage.FOUND ? List.of(new ViewFit("map", "Map", "", ViewFit.Fit.CONNECTED, "", List.of()))
+              : List.of(),
           List.of(new RuicFit("rover", "Rover", "", List.of("map"), 0.7, "")));
     }
 
@@ -71,13 +76,15 @@ class NewRobotDialogTest {
     public CompositionText text(RuicDraft draft) {
       drafts.add(draft);
       return refused.<CompositionText>map(why -> new CompositionText.Refused(CompositionText.Field.FILE, why))
-          .orElseGet(() -> new CompositionText.Text(draft.file(), "ruics:\n  " + draft.name() + ":\n", "  " + draft.name() + ":\n", 2, true));
+          .orElseGet(() -> new CompositionText.Text(draft.file(), "ruics:\n  " + draft.name() + ":\n",
+              "  " + draft.name() + ":\n", 2, true));
     }
 
     @Override
     public CompositionText write(RuicDraft draft, CompositionText.Text shown) {
       calls.add("write " + draft.name());
-      return refused.<CompositionText>map(why -> new CompositionText.Refused(CompositionText.Field.FILE, why)).orElse(shown);
+      return refused.<CompositionText>map(why -> new CompositionText.Refused(CompositionText.Field.FILE, why))
+          .orElse(shown);
     }
 
     @Override

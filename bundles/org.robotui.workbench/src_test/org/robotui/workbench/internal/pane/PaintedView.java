@@ -54,9 +54,10 @@ class PaintedView implements SwtUic {
 
   @Override
   public List<ViewAction> actions() {
-    return note.isEmpty() ? List.of() : List.of(
-        new ViewAction("follow", "Follow", "follow", Optional.of(() -> followed), () -> followed = !followed),
-        new ViewAction("fit", "Fit", "fit", Optional.empty(), () -> { }));
+    return note.isEmpty() ? List.of()
+        : List.of(
+            new ViewAction("follow", "Follow", "follow", Optional.of(() -> followed), () -> followed = !followed),
+            new ViewAction("fit", "Fit", "fit", Optional.empty(), () -> {}));
   }
 
   @Override

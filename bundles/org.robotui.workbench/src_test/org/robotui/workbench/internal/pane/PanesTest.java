@@ -49,7 +49,8 @@ class PanesTest {
   private final NoActions actions = new NoActions();
   private final PaintedView map = new PaintedView("follow");
   private final PaintedView camera = new PaintedView("30 Hz");
-  private final FakeRuic ruic = new FakeRuic("Keira").in(RuicState.SELECTED, "").view("map", map).view("camera", camera);
+  private final FakeRuic ruic =
+      new FakeRuic("Keira").in(RuicState.SELECTED, "").view("map", map).view("camera", camera);
   private final Map<String, Map<String, int[]>> shares = new HashMap<>();
   private Display display;
   private Theme theme;
@@ -84,9 +85,9 @@ class PanesTest {
     Layout split = new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")),
         List.of(1.0, 1.0));
     RobotArea area = show(split);
-    shares.get("Keira").put("0", new int[] {900, 100});
+    shares.get("Keira").put("0", new int[]{900, 100});
     area.show(Optional.empty());
-    shares.get("Keira").put("0", new int[] {900, 100});
+    shares.get("Keira").put("0", new int[]{900, 100});
     area.show(Optional.of(ruic));
     shell.layout(true, true);
 
@@ -230,15 +231,18 @@ class PanesTest {
     bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), new Stops(TWO.robots(), List.of("Natalie")));
 
     assertTrue(button(bar, "Release the stop of Natalie;").getSize().x > 80);
-    assertTrue(Controls.all(bar, ShortenedLabel.class).stream().anyMatch(words -> words.text().equals("Stopped: Natalie") && words.getSize().x > 80));
+    assertTrue(Controls.all(bar, ShortenedLabel.class).stream()
+        .anyMatch(words -> words.text().equals("Stopped: Natalie") && words.getSize().x > 80));
 
     bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
-    assertTrue(Controls.all(bar, ShortenedLabel.class).stream().anyMatch(words -> words.text().equals("Stopped: Keira, Natalie")));
+    assertTrue(Controls.all(bar, ShortenedLabel.class).stream()
+        .anyMatch(words -> words.text().equals("Stopped: Keira, Natalie")));
   }
 
   @Test
   void theTitleOfTheViewThatHasTheKeysIsMarked() {
-    RobotArea area = show(new Layout.Split(Layout.Direction.ROW, List.of(new Layout.View("map"), new Layout.View("camera")), List.of(1.0, 1.0)));
+    RobotArea area = show(new Layout.Split(Layout.Direction.ROW,
+        List.of(new Layout.View("map"), new Layout.View("camera")), List.of(1.0, 1.0)));
     List<TitleLine> lines = Controls.all(area, TitleLine.class);
     shell.open();
     TestDisplay.until(() -> camera.control.forceFocus() && camera.control.isFocusControl());
@@ -269,9 +273,11 @@ class PanesTest {
     shell.open();
     TestDisplay.until(() -> map.control.forceFocus() && map.control.isFocusControl());
 
-    SearchPane pane = SearchPane.open(shell, theme, List.of(new SearchEntry("Robot", "Stop Keira", "F12", () -> actions.calls.add("stop"))));
+    SearchPane pane = SearchPane.open(shell, theme,
+        List.of(new SearchEntry("Robot", "Stop Keira", "F12", () -> actions.calls.add("stop"))));
 
-    assertTrue(display.getFocusControl() instanceof Text, "not a moment later: what is typed in between would act in the map");
+    assertTrue(display.getFocusControl() instanceof Text,
+        "not a moment later: what is typed in between would act in the map");
     assertEquals(1, pane.found().size());
     Event enter = new Event();
     display.getFocusControl().notifyListeners(SWT.DefaultSelection, enter);
@@ -290,7 +296,8 @@ class PanesTest {
   @Test
   void theListOfShortcutsTakesThePlaceOfASearch() {
     SearchPane search = SearchPane.open(shell, theme, List.of());
-    SearchPane shortcuts = SearchPane.openShortcuts(shell, theme, List.of(new SearchEntry("Map", "Follow", "F", () -> { })));
+    SearchPane shortcuts =
+        SearchPane.openShortcuts(shell, theme, List.of(new SearchEntry("Map", "Follow", "F", () -> {})));
 
     assertTrue(search.isDisposed());
     assertEquals(List.of("F"), shortcuts.found().stream().map(SearchEntry::keys).toList());
@@ -299,7 +306,7 @@ class PanesTest {
   @Test
   void theStopIsSeenWholeInNarrowWindowsToo() {
     TopBar bar = new TopBar(shell, theme, Menus.ALL, actions);
-    for (int width : new int[] {1600, WindowPlaces.LEAST_WIDTH, 954, 780, 1200, WindowPlaces.LEAST_WIDTH}) {
+    for (int width : new int[]{1600, WindowPlaces.LEAST_WIDTH, 954, 780, 1200, WindowPlaces.LEAST_WIDTH}) {
       bar.setSize(width, 44);
       QuietButton stop = button(bar, "Stop all robots");
       assertTrue(stop.getLocation().x + stop.getSize().x <= width, () -> width + " pixels: " + stop.getBounds());
@@ -308,7 +315,8 @@ class PanesTest {
     bar.setSize(820, 44);
     bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
     QuietButton release = button(bar, "Release the stop");
-    assertTrue(release.getSize().x > 80 && release.getLocation().x + release.getSize().x <= button(bar, "Stop all robots").getLocation().x);
+    assertTrue(release.getSize().x > 80
+        && release.getLocation().x + release.getSize().x <= button(bar, "Stop all robots").getLocation().x);
   }
 
   private static QuietButton button(Composite parent, String hint) {
@@ -358,7 +366,8 @@ class PanesTest {
 
   private static Throwable foreign() {
     Throwable failure = new IllegalStateException("elsewhere");
-    failure.setStackTrace(new StackTraceElement[] {new StackTraceElement("org.example.Other", "paint", "Other.java", 1)});
+    failure
+        .setStackTrace(new StackTraceElement[]{new StackTraceElement("org.example.Other", "paint", "Other.java", 1)});
     return failure;
   }
 

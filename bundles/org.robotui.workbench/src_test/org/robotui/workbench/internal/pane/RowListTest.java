@@ -50,7 +50,7 @@ class RowListTest {
 
   @Test
   void theFigureGivesWayToTheNameOfARobot() {
-    RobotList list = new RobotList(shell, theme, name -> { });
+    RobotList list = new RobotList(shell, theme, name -> {});
     assertArrayEquals(robot(list, "Natalie (ROS)", ""), robot(list, "Natalie (ROS)", "connecting"));
     assertFalse(Arrays.equals(robot(list, "r1", ""), robot(list, "r1", "connecting")), "there is room for both");
   }

@@ -36,7 +36,7 @@ class TitleRowTest {
 
   @Test
   void aTitleNeverLeavesRoomForALaterOneThatIsShorter() {
-    assertEquals(List.of(1, 2), TitleRow.of(new int[] {50, 200, 10}, 0, 0, 150, 26).others(3));
+    assertEquals(List.of(1, 2), TitleRow.of(new int[]{50, 200, 10}, 0, 0, 150, 26).others(3));
   }
 
   @Test

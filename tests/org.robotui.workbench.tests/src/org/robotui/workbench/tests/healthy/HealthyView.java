@@ -17,8 +17,8 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 
 /**
- * A type of view that works, in a package of its own: the tests are on the stack of all that happens on the display thread, and whose
- * package is on the stack of a failure is blamed. It remembers the controls of its instances.
+ * A type of view that works, in a package of its own: the tests are on the stack of all that happens on the display
+ * thread, and whose package is on the stack of a failure is blamed. It remembers the controls of its instances.
  *
  * @param controls all controls ever made, in order
  */

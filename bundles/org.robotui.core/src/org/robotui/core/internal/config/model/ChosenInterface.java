@@ -10,7 +10,8 @@ import java.util.Map;
  * @param type id of its type
  * @param robot the robot that it speaks to
  * @param settings what it is configured with
- * @param insteadOf a mark of what was written then; where the file says something else by now, the file is newer and holds
+ * @param insteadOf a mark of what was written then; where the file says something else by now, the file is newer and
+ * holds
  */
 public record ChosenInterface(String type, String robot, Map<String, Object> settings, String insteadOf) {
   /**

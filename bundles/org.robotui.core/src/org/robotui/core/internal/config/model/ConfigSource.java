@@ -5,8 +5,8 @@ import java.nio.file.Path;
 /** Reads configurations. */
 public interface ConfigSource {
   /**
-   * Reads a file and checks all that can be checked with the types installed now. A type that is not installed is a warning:
-   * it may appear later.
+   * Reads a file and checks all that can be checked with the types installed now. A type that is not installed is a
+   * warning: it may appear later.
    *
    * @param file the YAML file
    * @param types what is installed

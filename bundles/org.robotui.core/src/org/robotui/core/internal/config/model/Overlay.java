@@ -11,7 +11,8 @@ import org.robotui.api.port.SourceId;
  * @param interfaces the robot interfaces that took the place of written ones, by id
  */
 public record Overlay(
-    Map<String, Map<String, Object>> settings, Map<SourceId, SourceId> connections, Map<String, ChosenInterface> interfaces) {
+    Map<String, Map<String, Object>> settings, Map<SourceId, SourceId> connections,
+    Map<String, ChosenInterface> interfaces) {
   /** Nothing changed. */
   public static final Overlay EMPTY = new Overlay(Map.of(), Map.of(), Map.of());
 

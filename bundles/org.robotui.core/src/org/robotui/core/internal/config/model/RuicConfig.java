@@ -74,18 +74,21 @@ public record RuicConfig(
    */
   public RuicConfig with(ComponentConfig next) {
     List<ComponentConfig> changed = rfics.stream().map(c -> c.id().equals(next.id()) ? next : c).toList();
-    return new RuicConfig(name, file, line, column, type, raw, changed, without, uics, connections, layout, safety, frames,
+    return new RuicConfig(name, file, line, column, type, raw, changed, without, uics, connections, layout, safety,
+        frames,
         startsShown);
   }
 
   /**
-   * The same with what may be changed while it runs as another one says it: named connections and how robots are kept safe.
+   * The same with what may be changed while it runs as another one says it: named connections and how robots are kept
+   * safe.
    *
    * @param other as written now
    * @return a copy
    */
   public RuicConfig withLiveParts(RuicConfig other) {
-    return new RuicConfig(name, file, line, column, type, raw, rfics, without, uics, other.connections, layout, other.safety, frames,
+    return new RuicConfig(name, file, line, column, type, raw, rfics, without, uics, other.connections, layout,
+        other.safety, frames,
         startsShown);
   }
 

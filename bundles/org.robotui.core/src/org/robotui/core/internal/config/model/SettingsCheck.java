@@ -43,7 +43,8 @@ public interface SettingsCheck {
    * What is written, as values, to be compared and shown.
    *
    * @param raw what was written
-   * @return by name, in the order of writing: Boolean and numbers where they are written as such, else String, List and Map
+   * @return by name, in the order of writing: Boolean and numbers where they are written as such, else String, List and
+   * Map
    */
   Map<String, Object> values(RawSection raw);
 }

@@ -41,8 +41,9 @@ final class Bands {
       drawn += add(i, all.bumpers().get(i), boxes) ? 1 : 0;
     }
     Placings placings = new Placings(boxes.size());
-    boxes.forEach(box -> placings.add(box.at(), new Vector3(box.length(), box.pressed() ? THICKER : THICK, look.height()),
-        box.pressed() ? look.pressed() : look.free()));
+    boxes.forEach(
+        box -> placings.add(box.at(), new Vector3(box.length(), box.pressed() ? THICKER : THICK, look.height()),
+            box.pressed() ? look.pressed() : look.free()));
     return new Bands(placings.of(Meshes.cube()), boxes.stream().map(Box::bumper).toList(), drawn);
   }
 
@@ -77,7 +78,9 @@ final class Bands {
   /** Its x axis lies along the band; those of a bend overlap, so that no gap is seen. */
   private static Box box(int index, Bumper bumper, Vector3 from, Vector3 to) {
     Vector3 along = to.minus(from);
-    RigidTransform at = RigidTransform.planar((from.x() + to.x()) / 2, (from.y() + to.y()) / 2, Math.atan2(along.y(), along.x()));
-    return new Box(index, bumper.pose().times(at), along.norm() + (bumper.radius() > 0 ? THICK / 2 : 0), bumper.pressed());
+    RigidTransform at =
+        RigidTransform.planar((from.x() + to.x()) / 2, (from.y() + to.y()) / 2, Math.atan2(along.y(), along.x()));
+    return new Box(index, bumper.pose().times(at), along.norm() + (bumper.radius() > 0 ? THICK / 2 : 0),
+        bumper.pressed());
   }
 }

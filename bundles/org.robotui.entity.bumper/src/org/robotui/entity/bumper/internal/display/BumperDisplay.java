@@ -22,7 +22,8 @@ import org.robotui.gl.shape.Rgba;
 
 /** The newest state of the bumpers, on the robot where it is now. */
 final class BumperDisplay implements Display {
-  private final Recent<Bumpers, Bands> recent = new Recent<>(Bumpers.class, Anchor.When.NOW, Bumpers::frame, bumpers -> 1);
+  private final Recent<Bumpers, Bands> recent =
+      new Recent<>(Bumpers.class, Anchor.When.NOW, Bumpers::frame, bumpers -> 1);
 
   @Override
   public DisplayResult update(DisplayTick tick) {
@@ -33,12 +34,14 @@ final class BumperDisplay implements Display {
     }
     Bands.Look look = look(tick);
     Bands bands = newest.get().prepared(look, bumpers -> Bands.of(bumpers, look));
-    List<Part> parts = bands.count() == 0 ? List.of() : newest.get().anchor().found().map(at -> part(newest.get().value(), bands, at, tick)).stream().toList();
+    List<Part> parts = bands.count() == 0 ? List.of()
+        : newest.get().anchor().found().map(at -> part(newest.get().value(), bands, at, tick)).stream().toList();
     return new DisplayResult(parts, recent.status(tick, seen(newest.get().value(), bands)), recent.dropped());
   }
 
   private static Bands.Look look(DisplayTick tick) {
-    return new Bands.Look(ColorSetting.read(tick.settings(), BumperType.COLOR), ColorSetting.read(tick.settings(), BumperType.PRESSED_COLOR),
+    return new Bands.Look(ColorSetting.read(tick.settings(), BumperType.COLOR),
+        ColorSetting.read(tick.settings(), BumperType.PRESSED_COLOR),
         tick.settings().number(BumperType.HEIGHT));
   }
 
@@ -53,7 +56,8 @@ final class BumperDisplay implements Display {
   }
 
   private static Part part(Bumpers bumpers, Bands bands, RigidTransform at, DisplayTick tick) {
-    return new Part("bumpers", bands.shape(), at, Material.lit(Rgba.WHITE.withAlpha(Recent.opacity(tick))), describer(bumpers, bands));
+    return new Part("bumpers", bands.shape(), at, Material.lit(Rgba.WHITE.withAlpha(Recent.opacity(tick))),
+        describer(bumpers, bands));
   }
 
   private static Describer describer(Bumpers bumpers, Bands bands) {

@@ -58,14 +58,16 @@ class BumperDisplayTest {
 
   @Test
   void aPlaceThatIsNotToldIsSaid() {
-    DisplayResult result = probe.tick(new Bumpers(FakePlaces.frame("base_link"), List.of(new Bumper(RigidTransform.IDENTITY, 0, 0, true))));
+    DisplayResult result = probe
+        .tick(new Bumpers(FakePlaces.frame("base_link"), List.of(new Bumper(RigidTransform.IDENTITY, 0, 0, true))));
     assertTrue(result.parts().isEmpty());
     assertEquals("1 of 1 pressed; the robot does not tell where 1 of them are", result.status().words());
   }
 
   @Test
   void anUnknownFrameIsNamedAndBumpersAreBounded() {
-    assertInstanceOf(DisplayStatus.NoFrame.class, probe.tick(new Bumpers(FakePlaces.frame("lost"), bumpers(true).bumpers())).status());
+    assertInstanceOf(DisplayStatus.NoFrame.class,
+        probe.tick(new Bumpers(FakePlaces.frame("lost"), bumpers(true).bumpers())).status());
     Bumper one = new Bumper(RigidTransform.IDENTITY, 0.1, 0, false);
     DisplayResult many = probe.tick(new Bumpers(FakePlaces.frame("base_link"), Collections.nCopies(1000, one)));
     assertEquals(256, ((Instances) many.parts().getFirst().shape()).placings().remaining() / Instances.PLACING);
@@ -81,7 +83,8 @@ class BumperDisplayTest {
   }
 
   private static Bumpers bumpers(boolean pressed) {
-    return new Bumpers(FakePlaces.frame("base_link"), List.of(new Bumper(RigidTransform.planar(0.2, 0.1, 0), 0.2, 0, false),
-        new Bumper(RigidTransform.planar(0.2, -0.1, 0), 0.2, 0, pressed)));
+    return new Bumpers(FakePlaces.frame("base_link"),
+        List.of(new Bumper(RigidTransform.planar(0.2, 0.1, 0), 0.2, 0, false),
+            new Bumper(RigidTransform.planar(0.2, -0.1, 0), 0.2, 0, pressed)));
   }
 }

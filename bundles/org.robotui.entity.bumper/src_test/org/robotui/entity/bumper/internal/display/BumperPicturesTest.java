@@ -21,7 +21,8 @@ class BumperPicturesTest {
   private static final ScenePictures PICTURES = new ScenePictures();
 
   private static Bumper bent(double bearing, boolean pressed) {
-    return new Bumper(RigidTransform.planar(RADIUS * Math.cos(bearing), RADIUS * Math.sin(bearing), bearing), 1.4 * RADIUS, RADIUS, pressed);
+    return new Bumper(RigidTransform.planar(RADIUS * Math.cos(bearing), RADIUS * Math.sin(bearing), bearing),
+        1.4 * RADIUS, RADIUS, pressed);
   }
 
   @Test
@@ -29,9 +30,11 @@ class BumperPicturesTest {
     try (DisplayProbe probe = new DisplayProbe(new BumperType())) {
       probe.places().put("base_link", RigidTransform.IDENTITY);
       probe.set("height", 0.08);
-      PICTURES.assertLike(BumperPicturesTest.class, "bumpers", ScenePictures.request(ScenePictures.withAxes(probe.parts(new Bumpers(
-          FakePlaces.frame("base_link"), List.of(bent(0.8, false), bent(-0.8, true),
-              new Bumper(RigidTransform.planar(-RADIUS, 0, Math.PI), 0.4, 0, false)))), 0.2),
+      PICTURES.assertLike(BumperPicturesTest.class, "bumpers", ScenePictures.request(
+          ScenePictures.withAxes(probe.parts(new Bumpers(
+              FakePlaces.frame("base_link"), List.of(bent(0.8, false), bent(-0.8, true),
+                  new Bumper(RigidTransform.planar(-RADIUS, 0, Math.PI), 0.4, 0, false)))),
+              0.2),
           ScenePictures.eye(new Vector3(-0.5, -0.4, 0.8), new Vector3(0.05, 0, 0))));
     }
   }

@@ -43,7 +43,8 @@ final class AxesDisplay implements Display {
       case Places.Place.Missing missing -> DisplayResult.nothing(new DisplayStatus.NoFrame(missing.reason()));
       case Places.Place.At at -> {
         String name = written.isBlank() ? tick.places().fixed().name() : written;
-        DisplayStatus status = ColorSetting.complaint(s).<DisplayStatus>map(DisplayStatus.Partly::new).orElse(new DisplayStatus.Shown(name));
+        DisplayStatus status = ColorSetting.complaint(s).<DisplayStatus>map(DisplayStatus.Partly::new)
+            .orElse(new DisplayStatus.Shown(name));
         yield new DisplayResult(parts(s, name, at.fixedFromFrame()), status, 0);
       }
     };
@@ -58,10 +59,13 @@ final class AxesDisplay implements Display {
     Made shapes = shapes(s.number("length"), name);
     Properties words = describe(name, place);
     List<Part> parts = new ArrayList<>();
-    parts.add(new Part("axes", shapes.axes(), place, Material.lit(Rgba.WHITE.withAlpha(s.number("opacity"))), (element, at) -> words));
+    parts.add(new Part("axes", shapes.axes(), place, Material.lit(Rgba.WHITE.withAlpha(s.number("opacity"))),
+        (element, at) -> words));
     if (s.flag("label")) {
-      RigidTransform above = place.times(new RigidTransform(new Vector3(0, 0, NAME_AT * shapes.length()), Quaternion.IDENTITY));
-      parts.add(new Part("label", shapes.label(), above, Material.flat(ColorSetting.read(s, "label_color")), (element, at) -> words));
+      RigidTransform above =
+          place.times(new RigidTransform(new Vector3(0, 0, NAME_AT * shapes.length()), Quaternion.IDENTITY));
+      parts.add(new Part("label", shapes.label(), above, Material.flat(ColorSetting.read(s, "label_color")),
+          (element, at) -> words));
     }
     return parts;
   }
@@ -69,7 +73,8 @@ final class AxesDisplay implements Display {
   private Made shapes(double length, String name) {
     if (made.filter(m -> m.length == length && m.name.equals(name)).isEmpty()) {
       Instances axes = new Placings(1)
-          .add(new RigidTransform(Vector3.ZERO, Quaternion.IDENTITY), new Vector3(length, length, length)).of(Meshes.axes());
+          .add(new RigidTransform(Vector3.ZERO, Quaternion.IDENTITY), new Vector3(length, length, length))
+          .of(Meshes.axes());
       made = Optional.of(new Made(length, name, axes, new Label(name, TEXT, PointSet.Unit.PIXELS)));
     }
     return made.orElseThrow();

@@ -16,7 +16,8 @@ import org.robotui.gl.display.DisplayType;
 @Component(service = DisplayType.class)
 public final class AxesType implements DisplayType {
   private static final Schema SCHEMA = Schema.of(
-      Setting.of("frame", new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "", "The frame that is shown; without it, the fixed frame."),
+      Setting.of("frame", new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "",
+          "The frame that is shown; without it, the fixed frame."),
       Setting.of("length", new ValueType.Num(0.001, 10_000, "m"), 0.5, "Length of the axes."),
       Setting.of("opacity", new ValueType.Num(0, 1, ""), 1.0, "0 invisible to 1 opaque."),
       Setting.of("label", new ValueType.Flag(), true, "Whether its name is written above it."),

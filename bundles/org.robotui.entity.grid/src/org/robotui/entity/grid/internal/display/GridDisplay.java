@@ -35,7 +35,8 @@ final class GridDisplay implements Display {
         Part part = new Part("grid", lines(s), place, Material.flat(ColorSetting.read(s, "color")),
             Describer.of("grid of " + s.number("cell") + " m"));
         DisplayStatus shown = new DisplayStatus.Shown(s.integer("cells") + " cells of " + s.number("cell") + " m");
-        yield new DisplayResult(List.of(part), ColorSetting.complaint(s).<DisplayStatus>map(DisplayStatus.Partly::new).orElse(shown), 0);
+        yield new DisplayResult(List.of(part),
+            ColorSetting.complaint(s).<DisplayStatus>map(DisplayStatus.Partly::new).orElse(shown), 0);
       }
     };
   }

@@ -18,7 +18,8 @@ public final class GridType implements DisplayType {
   private static final ValueType PLACE = new ValueType.Num(-1e6, 1e6, "m");
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of("frame", new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "", "The frame that it lies in; without it, the fixed frame."),
+      Setting.of("frame", new ValueType.Text(TextRule.FRAME.orEmpty("\"\"")), "",
+          "The frame that it lies in; without it, the fixed frame."),
       Setting.of("plane", new ValueType.Choice(List.of("xy", "xz", "yz")), "xy", "The plane that it lies in."),
       Setting.of("cells", new ValueType.Int(1, 1000), 20L, "Cells along each edge."),
       Setting.of("cell", new ValueType.Num(0.001, 100_000, "m"), 1.0, "Edge of a cell."),

@@ -30,11 +30,13 @@ final class GridMapDisplay implements Display {
     recent.update(tick);
     Optional<GridMap> map = recent.newest().map(Recent.Entry::value);
     List<Part> parts = new ArrayList<>();
-    recent.newest().flatMap(entry -> entry.anchor().found()).ifPresent(place -> add(parts, map.orElseThrow(), place, tick));
+    recent.newest().flatMap(entry -> entry.anchor().found())
+        .ifPresent(place -> add(parts, map.orElseThrow(), place, tick));
     if (map.isEmpty()) {
       tiles.clear();
     }
-    return new DisplayResult(parts, recent.status(tick, map.map(this::status).orElseGet(() -> new DisplayStatus.NoData(""))), 0);
+    return new DisplayResult(parts,
+        recent.status(tick, map.map(this::status).orElseGet(() -> new DisplayStatus.NoData(""))), 0);
   }
 
   @Override
@@ -49,8 +51,8 @@ final class GridMapDisplay implements Display {
         .times(new RigidTransform(new Vector3(0, 0, s.number("height")), Quaternion.IDENTITY));
     double opacity = s.number("opacity") * Recent.opacity(tick);
     Describer describer = (element, at) -> describe(map, at);
-    tiles.update(map, new Tiles.Look(s.text("scheme"), s.flag("unknown"))).forEach((key, tile) ->
-        parts.add(new Part(key, tile.mesh(), lifted, Material.picture(tile.texture(), opacity), describer)));
+    tiles.update(map, new Tiles.Look(s.text("scheme"), s.flag("unknown"))).forEach((key, tile) -> parts
+        .add(new Part(key, tile.mesh(), lifted, Material.picture(tile.texture(), opacity), describer)));
   }
 
   private DisplayStatus status(GridMap map) {

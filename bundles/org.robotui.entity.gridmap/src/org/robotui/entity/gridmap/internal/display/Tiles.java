@@ -12,8 +12,9 @@ import org.robotui.gl.shape.Texture;
 import org.robotui.gl.shape.TriangleMesh;
 
 /**
- * A map as tiles. A new map makes those tiles new whose cells changed; the others stay the same objects. A map of more cells than
- * {@link #MOST} is drawn coarser: of the cells that become one, the most occupied is shown, so that no obstacle is lost.
+ * A map as tiles. A new map makes those tiles new whose cells changed; the others stay the same objects. A map of more
+ * cells than {@link #MOST} is drawn coarser: of the cells that become one, the most occupied is shown, so that no
+ * obstacle is lost.
  */
 final class Tiles {
   /** Cells drawn at most; four bytes of colour and one of occupancy each. */
@@ -108,9 +109,10 @@ final class Tiles {
     float low = (float) (row * cell);
     float right = (float) ((column + width) * cell);
     float high = (float) ((row + height) * cell);
-    FloatBuffer xyz = FloatBuffer.wrap(new float[] {left, low, 0, right, low, 0, right, high, 0, left, high, 0});
-    FloatBuffer uv = FloatBuffer.wrap(new float[] {0, 0, 1, 0, 1, 1, 0, 1});
-    return new TriangleMesh(xyz, Optional.empty(), Optional.of(uv), Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2, 0, 2, 3}),
+    FloatBuffer xyz = FloatBuffer.wrap(new float[]{left, low, 0, right, low, 0, right, high, 0, left, high, 0});
+    FloatBuffer uv = FloatBuffer.wrap(new float[]{0, 0, 1, 0, 1, 1, 0, 1});
+    return new TriangleMesh(xyz, Optional.empty(), Optional.of(uv), Optional.empty(),
+        IntBuffer.wrap(new int[]{0, 1, 2, 0, 2, 3}),
         Box3.around(xyz));
   }
 

@@ -52,7 +52,8 @@ class GridMapDisplayTest {
   void schemesColour() {
     GridMap map = map(4, 1, (byte) 0, (byte) 99, (byte) 100, (byte) 50);
     Texture costs = texture(probe.set("scheme", "costmap").parts(map).getFirst());
-    assertEquals(List.of(0, 0x00ffffff, 0xff00ffff), List.of(costs.rgba().getInt(0), costs.rgba().getInt(4), costs.rgba().getInt(8)));
+    assertEquals(List.of(0, 0x00ffffff, 0xff00ffff),
+        List.of(costs.rgba().getInt(0), costs.rgba().getInt(4), costs.rgba().getInt(8)));
     Texture raw = texture(probe.set("scheme", "raw").parts().getFirst());
     assertEquals(0x323232ff, raw.rgba().getInt(12));
     assertEquals(0xff, raw.rgba().getInt(0));

@@ -23,7 +23,10 @@ class GridMapPicturesTest {
 
   private final DisplayProbe probe = new DisplayProbe(new GridMapType());
 
-  /** An L of walls along x and y from the origin, unknown at the far corner, and a row of costs from 0 to 100 beyond the wall. */
+  /**
+   * An L of walls along x and y from the origin, unknown at the far corner, and a row of costs from 0 to 100 beyond the
+   * wall.
+   */
   private static GridMap room(RigidTransform origin) {
     int width = 30;
     int height = 20;
@@ -40,7 +43,8 @@ class GridMapPicturesTest {
   }
 
   private void show(String name, GridMap map) {
-    PICTURES.assertLike(GridMapPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(map), 1), ABOVE));
+    PICTURES.assertLike(GridMapPicturesTest.class, name,
+        ScenePictures.request(ScenePictures.withAxes(probe.parts(map), 1), ABOVE));
     probe.close();
   }
 

@@ -49,7 +49,8 @@ final class MapFile {
         cells[row * width + column] = dark > occupied ? 100 : dark < free ? 0 : GridMap.UNKNOWN;
       }
     }
-    double[] origin = Arrays.stream(keys.get("origin").replaceAll("[\\[\\]]", "").split(",")).mapToDouble(Double::parseDouble).toArray();
+    double[] origin = Arrays.stream(keys.get("origin").replaceAll("[\\[\\]]", "").split(","))
+        .mapToDouble(Double::parseDouble).toArray();
     return new GridMap(FakePlaces.frame("map"), Double.parseDouble(keys.get("resolution")), width, grey.length,
         RigidTransform.planar(origin[0], origin[1], origin[2]), Bytes.of(cells));
   }
@@ -74,7 +75,8 @@ final class MapFile {
     int[][] grey = new int[image.getHeight()][image.getWidth()];
     for (int y = 0; y < grey.length; y++) {
       for (int x = 0; x < grey[y].length; x++) {
-        grey[y][x] = (int) Math.round(Arrays.stream(raster.getPixel(x, y, (int[]) null)).limit(3).average().orElseThrow());
+        grey[y][x] =
+            (int) Math.round(Arrays.stream(raster.getPixel(x, y, (int[]) null)).limit(3).average().orElseThrow());
       }
     }
     return grey;

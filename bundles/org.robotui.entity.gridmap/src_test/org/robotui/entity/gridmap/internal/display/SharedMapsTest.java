@@ -23,7 +23,8 @@ import org.robotui.testkit.recorded.SharedData;
 class SharedMapsTest {
   /** Cells that are occupied, free and unknown, as the page of the data says. */
   private static final Map<String, List<Integer>> CELLS = Map.of("sena_loop.yaml", List.of(4189, 141099, 321479),
-      "depot.yaml", List.of(5947, 179481, 0), "tb3_sandbox.yaml", List.of(870, 7903, 138683), "testmap.yaml", List.of(29, 71, 0));
+      "depot.yaml", List.of(5947, 179481, 0), "tb3_sandbox.yaml", List.of(870, 7903, 138683), "testmap.yaml",
+      List.of(29, 71, 0));
 
   static List<Path> maps() {
     return SharedData.files("maps", ".yaml");
@@ -33,7 +34,8 @@ class SharedMapsTest {
   @MethodSource("maps")
   void everyMapIsDrawn(Path file) throws IOException {
     GridMap map = MapFile.read(file);
-    assertEquals(CELLS.get(file.getFileName().toString()), List.of(count(map, 100), count(map, 0), count(map, GridMap.UNKNOWN)));
+    assertEquals(CELLS.get(file.getFileName().toString()),
+        List.of(count(map, 100), count(map, 0), count(map, GridMap.UNKNOWN)));
     try (DisplayProbe probe = new DisplayProbe(new GridMapType())) {
       DisplayResult result = probe.tick(map);
       assertInstanceOf(DisplayStatus.Shown.class, result.status());

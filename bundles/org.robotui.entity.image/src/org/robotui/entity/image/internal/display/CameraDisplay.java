@@ -30,7 +30,8 @@ import org.robotui.gl.shape.TriangleMesh;
 final class CameraDisplay implements Display {
   private static final float EDGE_PIXELS = 1.5f;
 
-  private final Recent<CameraInfo, Optional<Frustum>> recent = new Recent<>(CameraInfo.class, Anchor.When.NOW, CameraInfo::frame, info -> 1);
+  private final Recent<CameraInfo, Optional<Frustum>> recent =
+      new Recent<>(CameraInfo.class, Anchor.When.NOW, CameraInfo::frame, info -> 1);
   private final Developer developer;
 
   CameraDisplay(DisplayContext context) {
@@ -44,9 +45,11 @@ final class CameraDisplay implements Display {
       double fy = info.intrinsics().get(4);
       double cx = info.intrinsics().get(2);
       double cy = info.intrinsics().get(5);
-      Sheet sheet = new Sheet(-cx / fx * distance, -cy / fy * distance, (info.width() - cx) / fx * distance, (info.height() - cy) / fy * distance, distance);
+      Sheet sheet = new Sheet(-cx / fx * distance, -cy / fy * distance, (info.width() - cx) / fx * distance,
+          (info.height() - cy) / fy * distance, distance);
       return fx > 0 && fy > 0 && sheet.possible()
-          ? Optional.of(new Frustum(sheet.mesh(), LineSet.of(LineSet.Kind.SEGMENTS, EDGE_PIXELS, sheet.pyramid()))) : Optional.empty();
+          ? Optional.of(new Frustum(sheet.mesh(), LineSet.of(LineSet.Kind.SEGMENTS, EDGE_PIXELS, sheet.pyramid())))
+          : Optional.empty();
     }
   }
 
@@ -62,7 +65,8 @@ final class CameraDisplay implements Display {
     double distance = tick.settings().number(CameraType.DISTANCE);
     Optional<Frustum> frustum = newest.get().prepared(distance, i -> Frustum.of(i, distance));
     if (frustum.isEmpty()) {
-      return DisplayResult.nothing(recent.status(tick, new DisplayStatus.Unfit("the camera is not calibrated: its intrinsics give no angle of view")));
+      return DisplayResult.nothing(recent.status(tick,
+          new DisplayStatus.Unfit("the camera is not calibrated: its intrinsics give no angle of view")));
     }
     List<Part> parts = newest.get().anchor().found().map(at -> parts(frustum.get(), info, at, tick)).orElse(List.of());
     return new DisplayResult(parts, recent.status(tick, status()), recent.dropped());
@@ -71,7 +75,8 @@ final class CameraDisplay implements Display {
   /** Pictures of other cameras, which may come as well, are left out. */
   private void pictures(DisplayTick tick, CameraInfo info) {
     int most = Math.toIntExact(tick.settings().integer(PictureSettings.PIXELS));
-    tick.newest(Image.class).filter(envelope -> fits(envelope, info)).ifPresent(envelope -> developer.take(envelope, most));
+    tick.newest(Image.class).filter(envelope -> fits(envelope, info))
+        .ifPresent(envelope -> developer.take(envelope, most));
   }
 
   private static boolean fits(Envelope<Image> envelope, CameraInfo info) {
@@ -79,7 +84,9 @@ final class CameraDisplay implements Display {
   }
 
   private DisplayStatus status() {
-    return developer.newest().map(d -> d.texture().isPresent() ? new DisplayStatus.Shown(d.words()) : new DisplayStatus.Partly("no picture: " + d.words()))
+    return developer.newest()
+        .map(d -> d.texture().isPresent() ? new DisplayStatus.Shown(d.words())
+            : new DisplayStatus.Partly("no picture: " + d.words()))
         .orElseGet(() -> new DisplayStatus.Partly("no picture of this camera's frame came yet"));
   }
 
@@ -88,16 +95,19 @@ final class CameraDisplay implements Display {
     float opacity = Recent.opacity(tick);
     Describer describer = describer(info);
     List<Part> parts = new ArrayList<>();
-    parts.add(new Part("edges", frustum.edges(), at, Material.flat(ColorSetting.read(settings, CameraType.COLOR).withAlpha(opacity)), describer));
-    developer.newest().flatMap(Developed::texture).ifPresent(texture -> parts.add(new Part("picture", frustum.base(), at,
-        Material.picture(texture, settings.number(PictureSettings.OPACITY) * opacity), describer)));
+    parts.add(new Part("edges", frustum.edges(), at,
+        Material.flat(ColorSetting.read(settings, CameraType.COLOR).withAlpha(opacity)), describer));
+    developer.newest().flatMap(Developed::texture)
+        .ifPresent(texture -> parts.add(new Part("picture", frustum.base(), at,
+            Material.picture(texture, settings.number(PictureSettings.OPACITY) * opacity), describer)));
     return parts;
   }
 
   private static Describer describer(CameraInfo info) {
     double fx = info.intrinsics().get(0);
     double fy = info.intrinsics().get(4);
-    String view = String.format(Locale.ROOT, "%.1f\u00b0 x %.1f\u00b0", angle(info.width(), fx), angle(info.height(), fy));
+    String view =
+        String.format(Locale.ROOT, "%.1f\u00b0 x %.1f\u00b0", angle(info.width(), fx), angle(info.height(), fy));
     return (element, place) -> Properties.of("Camera", new Entry("frame", info.frame().name()),
         new Entry("resolution", info.width() + " x " + info.height()), new Entry("angle of view", view),
         new Entry("focal length", String.format(Locale.ROOT, "%.1f, %.1f px", fx, fy)),

@@ -11,8 +11,8 @@ import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.shape.Texture;
 
 /**
- * Decodes pictures in the background, one at a time: of those that come meanwhile the newest. Holds the last texture and at most two pictures as
- * they came. Safe for all threads.
+ * Decodes pictures in the background, one at a time: of those that come meanwhile the newest. Holds the last texture
+ * and at most two pictures as they came. Safe for all threads.
  */
 final class Developer {
   /**
@@ -80,7 +80,8 @@ final class Developer {
   }
 
   private static Developed developed(Picture picture, int most) {
-    return new Developed(Optional.of(Textures.of(picture, most)), picture.width() + " x " + picture.height() + " " + picture.encoding());
+    return new Developed(Optional.of(Textures.of(picture, most)),
+        picture.width() + " x " + picture.height() + " " + picture.encoding());
   }
 
   synchronized void close() {

@@ -42,10 +42,13 @@ final class ImageDisplay implements Display {
       return DisplayResult.nothing(recent.status(tick, new DisplayStatus.Unfit(developed.get().words())));
     }
     Texture texture = developed.get().texture().get();
-    List<Part> parts = recent.newest().flatMap(entry -> entry.anchor().found()).map(at -> List.of(new Part("picture", surface(texture, tick.settings()), at,
-        Material.picture(texture, tick.settings().number(PictureSettings.OPACITY) * Recent.opacity(tick)), Describer.of(developed.get().words()))))
+    List<Part> parts = recent.newest().flatMap(entry -> entry.anchor().found())
+        .map(at -> List.of(new Part("picture", surface(texture, tick.settings()), at,
+            Material.picture(texture, tick.settings().number(PictureSettings.OPACITY) * Recent.opacity(tick)),
+            Describer.of(developed.get().words()))))
         .orElse(List.of());
-    return new DisplayResult(parts, recent.status(tick, new DisplayStatus.Shown(developed.get().words())), recent.dropped());
+    return new DisplayResult(parts, recent.status(tick, new DisplayStatus.Shown(developed.get().words())),
+        recent.dropped());
   }
 
   private TriangleMesh surface(Texture texture, Settings settings) {

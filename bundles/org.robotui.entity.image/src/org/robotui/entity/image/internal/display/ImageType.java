@@ -19,7 +19,8 @@ public final class ImageType implements DisplayType {
 
   static final Schema SCHEMA = Schema.of(
       Setting.of(WIDTH, new ValueType.Num(0.001, 1000, "m"), 1.0, "How wide the picture is; its height follows."),
-      Setting.of(DISTANCE, new ValueType.Num(-1000, 1000, "m"), 1.0, "How far before its frame it stands, along the axis of sight (z)."),
+      Setting.of(DISTANCE, new ValueType.Num(-1000, 1000, "m"), 1.0,
+          "How far before its frame it stands, along the axis of sight (z)."),
       PictureSettings.opacity(1), PictureSettings.pixels());
 
   @Override

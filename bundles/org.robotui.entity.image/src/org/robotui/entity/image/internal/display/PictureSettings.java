@@ -15,6 +15,7 @@ final class PictureSettings {
   }
 
   static Setting pixels() {
-    return Setting.of(PIXELS, new ValueType.Int(16, 4096), 1024L, "The most pixels along an edge; a larger picture is shrunk, which saves memory and time.");
+    return Setting.of(PIXELS, new ValueType.Int(16, 4096), 1024L,
+        "The most pixels along an edge; a larger picture is shrunk, which saves memory and time.");
   }
 }

@@ -20,7 +20,8 @@ record Sheet(double left, double top, double right, double bottom, double z) {
 
   /** Whether it can be drawn. */
   boolean possible() {
-    return possible(left) && possible(top) && possible(right) && possible(bottom) && possible(z) && right > left && bottom > top;
+    return possible(left) && possible(top) && possible(right) && possible(bottom) && possible(z) && right > left
+        && bottom > top;
   }
 
   private static boolean possible(double metres) {
@@ -29,15 +30,18 @@ record Sheet(double left, double top, double right, double bottom, double z) {
 
   /** Its surface: the first row of a texture is at its upper edge. */
   TriangleMesh mesh() {
-    FloatBuffer xyz = FloatBuffer.wrap(new float[] {(float) left, (float) top, (float) z, (float) right, (float) top, (float) z,
-        (float) right, (float) bottom, (float) z, (float) left, (float) bottom, (float) z});
-    FloatBuffer uv = FloatBuffer.wrap(new float[] {0, 0, 1, 0, 1, 1, 0, 1});
-    return new TriangleMesh(xyz, Optional.empty(), Optional.of(uv), Optional.empty(), IntBuffer.wrap(new int[] {0, 1, 2, 0, 2, 3}), Box3.around(xyz));
+    FloatBuffer xyz =
+        FloatBuffer.wrap(new float[]{(float) left, (float) top, (float) z, (float) right, (float) top, (float) z,
+            (float) right, (float) bottom, (float) z, (float) left, (float) bottom, (float) z});
+    FloatBuffer uv = FloatBuffer.wrap(new float[]{0, 0, 1, 0, 1, 1, 0, 1});
+    return new TriangleMesh(xyz, Optional.empty(), Optional.of(uv), Optional.empty(),
+        IntBuffer.wrap(new int[]{0, 1, 2, 0, 2, 3}), Box3.around(xyz));
   }
 
   /** The edges of the pyramid from the frame to its corners, and its own. */
   float[] pyramid() {
-    float[][] corners = {{(float) left, (float) top}, {(float) right, (float) top}, {(float) right, (float) bottom}, {(float) left, (float) bottom}};
+    float[][] corners = {{(float) left, (float) top}, {(float) right, (float) top}, {(float) right, (float) bottom},
+        {(float) left, (float) bottom}};
     float[] xyz = new float[6 * 8];
     for (int i = 0; i < 4; i++) {
       float[] next = corners[(i + 1) % 4];

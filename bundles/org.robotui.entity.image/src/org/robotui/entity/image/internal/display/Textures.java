@@ -22,7 +22,8 @@ final class Textures {
     for (int y = 0; y < pixels.height; y++) {
       pixels.getPixels(0, y, pixels.width, row, 0);
       for (int pixel : row) {
-        rgba.putInt(pixels.palette.isDirect ? direct(pixels.palette, pixel) : pixel >= 0 && pixel < colors.length ? colors[pixel] : OPAQUE);
+        rgba.putInt(pixels.palette.isDirect ? direct(pixels.palette, pixel)
+            : pixel >= 0 && pixel < colors.length ? colors[pixel] : OPAQUE);
       }
     }
     return new Texture(pixels.width, pixels.height, rgba.flip(), true);

@@ -49,7 +49,8 @@ import org.robotui.testkit.ScenePictures;
 class PictureDisplaysTest implements Places, DisplayContext {
   private static final FrameId OPTICAL = new FrameId("Keira", "optical");
   /** x of the picture to the right, y down, z forward: seen from behind the camera, in a frame with x forward. */
-  private static final RigidTransform LOOKING = new RigidTransform(Vector3.ZERO, Quaternion.fromRollPitchYaw(-Math.PI / 2, 0, -Math.PI / 2));
+  private static final RigidTransform LOOKING =
+      new RigidTransform(Vector3.ZERO, Quaternion.fromRollPitchYaw(-Math.PI / 2, 0, -Math.PI / 2));
 
   private final Map<String, Object> values = new HashMap<>();
   private final Deque<Runnable> tasks = new ArrayDeque<>();
@@ -59,7 +60,8 @@ class PictureDisplaysTest implements Places, DisplayContext {
     schema.settings().forEach(s -> s.fallback().ifPresent(f -> values.putIfAbsent(s.name(), f)));
     List<Envelope<? extends Data>> envelopes = Arrays.stream(arrived).<Envelope<? extends Data>>map(
         v -> new Envelope<>(v, new SourceId("base", "image"), 1, Optional.empty(), 0, Optional.empty())).toList();
-    return display.update(new DisplayTick(envelopes, new InputState.Live(10, 0), this, new Settings(schema, values), Rgba.WHITE, 0, false));
+    return display.update(new DisplayTick(envelopes, new InputState.Live(10, 0), this, new Settings(schema, values),
+        Rgba.WHITE, 0, false));
   }
 
   private void work() {
@@ -148,7 +150,8 @@ class PictureDisplaysTest implements Places, DisplayContext {
       Box3 box = result.parts().getLast().bounds().orElseThrow();
       assertEquals(0.5, box.high().y(), 1e-6);
       assertEquals(0.375, box.high().z(), 1e-6);
-      assertTrue(result.parts().getFirst().describer().describe(0, Vector3.ZERO).entries().toString().contains("53.1\u00b0"));
+      assertTrue(
+          result.parts().getFirst().describer().describe(0, Vector3.ZERO).entries().toString().contains("53.1\u00b0"));
     }
   }
 
@@ -167,8 +170,9 @@ class PictureDisplaysTest implements Places, DisplayContext {
     try (CameraDisplay display = new CameraDisplay(this); ScenePictures pictures = new ScenePictures()) {
       update(display, CameraType.SCHEMA, info(64), picture(OPTICAL, 64, 48));
       work();
-      pictures.assertLike(PictureDisplaysTest.class, "camera", ScenePictures.request(update(display, CameraType.SCHEMA).parts(),
-          ScenePictures.eye(new Vector3(-0.7, 0.6, 0.6), new Vector3(0.7, 0, 0))));
+      pictures.assertLike(PictureDisplaysTest.class, "camera",
+          ScenePictures.request(update(display, CameraType.SCHEMA).parts(),
+              ScenePictures.eye(new Vector3(-0.7, 0.6, 0.6), new Vector3(0.7, 0, 0))));
     }
   }
 
@@ -178,8 +182,9 @@ class PictureDisplaysTest implements Places, DisplayContext {
     try (ImageDisplay display = new ImageDisplay(this); ScenePictures pictures = new ScenePictures()) {
       update(display, ImageType.SCHEMA, picture(OPTICAL, 64, 48));
       work();
-      pictures.assertLike(PictureDisplaysTest.class, "image", ScenePictures.request(ScenePictures.withAxes(update(display, ImageType.SCHEMA).parts(), 0.4),
-          ScenePictures.eye(new Vector3(-0.7, 0.6, 0.6), new Vector3(0.7, 0, 0))));
+      pictures.assertLike(PictureDisplaysTest.class, "image",
+          ScenePictures.request(ScenePictures.withAxes(update(display, ImageType.SCHEMA).parts(), 0.4),
+              ScenePictures.eye(new Vector3(-0.7, 0.6, 0.6), new Vector3(0.7, 0, 0))));
     }
   }
 

@@ -39,7 +39,8 @@ record Echoes(LaserScan scan, int[] beams, Optional<PointSet> points, Optional<L
     int[] echoes = Arrays.copyOf(beams, count);
     float[] places = Arrays.copyOf(xyz, 3 * count);
     String style = settings.text("style");
-    return new Echoes(scan, echoes, style.equals("lines") ? Optional.empty() : Optional.of(points(scan, echoes, places, settings)),
+    return new Echoes(scan, echoes,
+        style.equals("lines") ? Optional.empty() : Optional.of(points(scan, echoes, places, settings)),
         style.equals("points") ? Optional.empty() : Optional.of(lines(echoes, places, settings.number("gap"))));
   }
 
@@ -48,7 +49,8 @@ record Echoes(LaserScan scan, int[] beams, Optional<PointSet> points, Optional<L
       return Properties.of("laser scan");
     }
     int beam = beams[echo];
-    String strength = scan.intensities().size() == 0 ? "not sent" : String.format(Locale.ROOT, "%.6g", scan.intensities().get(beam));
+    String strength =
+        scan.intensities().size() == 0 ? "not sent" : String.format(Locale.ROOT, "%.6g", scan.intensities().get(beam));
     return Properties.of("echo of beam " + beam,
         new Properties.Entry("frame", scan.frame().name()),
         new Properties.Entry("range", String.format(Locale.ROOT, "%.3f m", scan.ranges().get(beam))),
@@ -87,7 +89,7 @@ record Echoes(LaserScan scan, int[] beams, Optional<PointSet> points, Optional<L
       least = Float.isFinite(value) ? Math.min(least, value) : least;
       greatest = Float.isFinite(value) ? Math.max(greatest, value) : greatest;
     }
-    return new double[] {s.has("min") ? s.number("min") : least, s.has("max") ? s.number("max") : greatest};
+    return new double[]{s.has("min") ? s.number("min") : least, s.has("max") ? s.number("max") : greatest};
   }
 
   private static LineSet lines(int[] beams, float[] xyz, double gap) {

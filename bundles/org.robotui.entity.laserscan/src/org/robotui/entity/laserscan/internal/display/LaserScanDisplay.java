@@ -41,8 +41,10 @@ final class LaserScanDisplay implements Display {
       echoes += prepared.beams().length;
       missing = prepared.missing(settings);
     }
-    String words = echoes + " echoes" + (recent.entries().size() > 1 ? " of " + recent.entries().size() + " scans" : "");
-    DisplayStatus status = missing.isEmpty() ? new DisplayStatus.Shown(words) : new DisplayStatus.Partly(missing.getFirst());
+    String words =
+        echoes + " echoes" + (recent.entries().size() > 1 ? " of " + recent.entries().size() + " scans" : "");
+    DisplayStatus status =
+        missing.isEmpty() ? new DisplayStatus.Shown(words) : new DisplayStatus.Partly(missing.getFirst());
     return new DisplayResult(parts, recent.status(tick, status), recent.dropped());
   }
 
@@ -57,8 +59,10 @@ final class LaserScanDisplay implements Display {
     Rgba flat = ColorSetting.read(tick.settings(), "color");
     Material plain = Material.flat(flat.withAlpha(flat.alpha() * opacity)).paled(pale);
     echoes.points().ifPresent(points -> parts.add(new Part(new Key(slot, "points"), points, place,
-        points.rgba().isPresent() ? Material.flat(Rgba.WHITE.withAlpha(opacity)).paled(pale) : plain, (echo, where) -> echoes.describe(echo))));
+        points.rgba().isPresent() ? Material.flat(Rgba.WHITE.withAlpha(opacity)).paled(pale) : plain,
+        (echo, where) -> echoes.describe(echo))));
     echoes.lines().ifPresent(lines -> parts.add(
-        new Part(new Key(slot, "lines"), lines, place, plain, Describer.of("laser scan " + echoes.scan().frame().name()))));
+        new Part(new Key(slot, "lines"), lines, place, plain,
+            Describer.of("laser scan " + echoes.scan().frame().name()))));
   }
 }

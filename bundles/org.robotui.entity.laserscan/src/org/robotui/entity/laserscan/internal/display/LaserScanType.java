@@ -17,11 +17,15 @@ import org.robotui.gl.shape.ColorRamp;
 @Component(service = DisplayType.class)
 public final class LaserScanType implements DisplayType {
   private static final Schema SCHEMA = Schema.of(
-      Setting.of("color_by", new ValueType.Choice(List.of("flat", "range", "intensity")), "flat", "What colours echoes."),
+      Setting.of("color_by", new ValueType.Choice(List.of("flat", "range", "intensity")), "flat",
+          "What colours echoes."),
       ColorSetting.of("color", "#ff6b5e", "The colour of all echoes where nothing else colours them, and of lines."),
-      Setting.of("colors", new ValueType.Choice(ColorRamp.ids()), ColorRamp.TURBO.id(), "The colours from the least to the greatest value."),
-      Setting.optional("min", new ValueType.Num(-1e12, 1e12, ""), "The value of the first colour; without it, the least of each scan."),
-      Setting.optional("max", new ValueType.Num(-1e12, 1e12, ""), "The value of the last colour; without it, the greatest of each scan."),
+      Setting.of("colors", new ValueType.Choice(ColorRamp.ids()), ColorRamp.TURBO.id(),
+          "The colours from the least to the greatest value."),
+      Setting.optional("min", new ValueType.Num(-1e12, 1e12, ""),
+          "The value of the first colour; without it, the least of each scan."),
+      Setting.optional("max", new ValueType.Num(-1e12, 1e12, ""),
+          "The value of the last colour; without it, the greatest of each scan."),
       Setting.of("style", new ValueType.Choice(List.of("points", "lines", "both")), "points",
           "Whether echoes are points, or neighbours are joined by lines."),
       Setting.of("gap", new ValueType.Num(0, 1000, "m"), 0.3, "Neighbours farther apart than this are not joined."),

@@ -61,7 +61,8 @@ class LaserScanDisplayTest {
     DisplayResult without = probe.set("color_by", "intensity").tick();
     assertInstanceOf(DisplayStatus.Partly.class, without.status());
     assertTrue(((PointSet) without.parts().getFirst().shape()).rgba().isEmpty());
-    LaserScan strong = new LaserScan(FakePlaces.frame("laser"), 0, 0.1, 0, 10, 0, Floats.of(1, 2), Floats.of(Float.NaN, 5));
+    LaserScan strong =
+        new LaserScan(FakePlaces.frame("laser"), 0, 0.1, 0, 10, 0, Floats.of(1, 2), Floats.of(Float.NaN, 5));
     assertInstanceOf(DisplayStatus.Shown.class, probe.tick(strong).status());
   }
 

@@ -28,7 +28,10 @@ class LaserScanPicturesTest {
     probe.places().put("laser", RigidTransform.planar(0.5, 0, 0));
   }
 
-  /** A wall 3 m ahead from right to left (beam 0 is at the right), nothing between 20 and 40 degrees at the left; stronger to the left. */
+  /**
+   * A wall 3 m ahead from right to left (beam 0 is at the right), nothing between 20 and 40 degrees at the left;
+   * stronger to the left.
+   */
   private static LaserScan wall() {
     float[] ranges = new float[BEAMS];
     float[] intensities = new float[BEAMS];
@@ -39,11 +42,13 @@ class LaserScanPicturesTest {
       ranges[i] = i > 110 && i < 130 ? Float.POSITIVE_INFINITY : (float) Math.min(ahead, aside);
       intensities[i] = i;
     }
-    return new LaserScan(FakePlaces.frame("laser"), -Math.PI / 2, Math.PI / 180, 0.1, 10, 0.1, Floats.of(ranges), Floats.of(intensities));
+    return new LaserScan(FakePlaces.frame("laser"), -Math.PI / 2, Math.PI / 180, 0.1, 10, 0.1, Floats.of(ranges),
+        Floats.of(intensities));
   }
 
   private void show(String name) {
-    PICTURES.assertLike(LaserScanPicturesTest.class, name, ScenePictures.request(ScenePictures.withAxes(probe.parts(), 0.5), EYE));
+    PICTURES.assertLike(LaserScanPicturesTest.class, name,
+        ScenePictures.request(ScenePictures.withAxes(probe.parts(), 0.5), EYE));
     probe.close();
   }
 

@@ -20,9 +20,11 @@ final class PoseSettings {
         Setting.of("opacity", new ValueType.Num(0, 1, ""), 1.0, "0 invisible to 1 opaque."),
         Setting.of("length", new ValueType.Num(0.001, 1000, "m"), length, "Length of arrows and axes."),
         Setting.of("keep", new ValueType.Int(1, MOST), keep, "How many poses stay."),
-        Setting.of("distance", new ValueType.Num(0, 1000, "m"), 0.1, "A pose is added that is farther than this from the last one, ..."),
+        Setting.of("distance", new ValueType.Num(0, 1000, "m"), 0.1,
+            "A pose is added that is farther than this from the last one, ..."),
         Setting.of("angle", new ValueType.Num(0, 360, "deg"), 6.0, "... or turned more than this."),
-        Setting.of("covariance", new ValueType.Flag(), true, "Whether the uncertainty of the newest is shown: an ellipsoid and a cone."),
+        Setting.of("covariance", new ValueType.Flag(), true,
+            "Whether the uncertainty of the newest is shown: an ellipsoid and a cone."),
         Setting.of("deviations", new ValueType.Num(0.1, 10, ""), 1.0, "How many standard deviations they reach."),
         ColorSetting.of("covariance_color", "#cc33cc59", "The colour of the uncertainty of the place."),
         ColorSetting.of("heading_color", "#ffff8059", "The colour of the uncertainty of the heading."));

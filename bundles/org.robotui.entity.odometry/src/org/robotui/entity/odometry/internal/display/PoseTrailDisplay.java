@@ -47,7 +47,8 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
   private record Made(List<Pose> poses, boolean axes, double length, Instances shape) {}
 
   /** The uncertainty of a value. */
-  private record Sure(Pose of, double deviations, double length, Optional<Instances> place, Optional<Instances> heading) {}
+  private record Sure(Pose of, double deviations, double length, Optional<Instances> place,
+      Optional<Instances> heading) {}
 
   PoseTrailDisplay(Class<T> type, Function<T, Doubles> covariance) {
     this.type = type;
@@ -67,7 +68,8 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
       trail.removeFirst();
     }
     List<Part> parts = new ArrayList<>();
-    recent.newest().filter(e -> !trail.isEmpty()).flatMap(e -> e.anchor().found()).ifPresent(place -> add(parts, place, tick));
+    recent.newest().filter(e -> !trail.isEmpty()).flatMap(e -> e.anchor().found())
+        .ifPresent(place -> add(parts, place, tick));
     DisplayStatus shown = trail.isEmpty() && broken > 0
         ? new DisplayStatus.Unfit("the pose is no number")
         : new DisplayStatus.Shown(trail.size() + (trail.size() == 1 ? " pose" : " poses"));
@@ -80,7 +82,9 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
     trail.clear();
   }
 
-  /** Takes a pose that is far enough from the last; one that is not takes its place, so that the newest is always seen. */
+  /**
+   * Takes a pose that is far enough from the last; one that is not takes its place, so that the newest is always seen.
+   */
   private void take(T pose, Settings s) {
     RigidTransform at = pose.pose();
     if (!at.translation().isFinite() || !Double.isFinite(at.rotation().norm())) {
@@ -119,7 +123,8 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
     Instances arrows = arrows(axes, s.number("length"));
     List<Pose> poses = made.orElseThrow().poses();
     parts.add(new Part("poses", arrows, place, Material.lit(axes ? Rgba.WHITE.withAlpha(color.alpha()) : color),
-        (element, at) -> element >= 0 && element < poses.size() ? describe(poses.get(element)) : Properties.of("poses")));
+        (element, at) -> element >= 0 && element < poses.size() ? describe(poses.get(element))
+            : Properties.of("poses")));
     if (s.flag("covariance")) {
       addUncertainty(parts, place, tick);
     }
@@ -130,9 +135,11 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
     Sure drawn = sure(newest, tick.settings().number("deviations"), tick.settings().number("length"));
     RigidTransform at = place.times(new RigidTransform(newest.pose().translation(), Quaternion.IDENTITY));
     drawn.place().ifPresent(shape -> parts.add(new Part("place", shape, at,
-        Material.lit(faded(ColorSetting.read(tick.settings(), "covariance_color"), tick)), (element, where) -> describe(newest))));
+        Material.lit(faded(ColorSetting.read(tick.settings(), "covariance_color"), tick)),
+        (element, where) -> describe(newest))));
     drawn.heading().ifPresent(shape -> parts.add(new Part("heading", shape, place.times(turned(newest.pose())),
-        Material.lit(faded(ColorSetting.read(tick.settings(), "heading_color"), tick)), (element, where) -> describe(newest))));
+        Material.lit(faded(ColorSetting.read(tick.settings(), "heading_color"), tick)),
+        (element, where) -> describe(newest))));
   }
 
   private static Rgba faded(Rgba color, DisplayTick tick) {
@@ -161,7 +168,8 @@ final class PoseTrailDisplay<T extends Pose> implements Display {
 
   /** A rotation that was never set (all 0) is none. */
   private static RigidTransform turned(RigidTransform pose) {
-    return new RigidTransform(pose.translation(), pose.rotation().norm() > 1e-9 ? pose.rotation().normalized() : Quaternion.IDENTITY);
+    return new RigidTransform(pose.translation(),
+        pose.rotation().norm() > 1e-9 ? pose.rotation().normalized() : Quaternion.IDENTITY);
   }
 
   private static Properties describe(Pose pose) {

@@ -48,7 +48,8 @@ class PosePicturesTest {
       probe.places().put("odom", RigidTransform.IDENTITY);
       for (int i = 0; i < 6; i++) {
         RigidTransform pose = RigidTransform.planar(0.25 * i, 0.03 * i * i, 0.06 * 4 * i);
-        probe.tick(new Odometry(FakePlaces.frame("odom"), FakePlaces.frame("base"), pose, UNSURE, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY));
+        probe.tick(new Odometry(FakePlaces.frame("odom"), FakePlaces.frame("base"), pose, UNSURE, Vector3.ZERO,
+            Vector3.ZERO, Doubles.EMPTY));
       }
       show("odometry", probe.parts());
     }

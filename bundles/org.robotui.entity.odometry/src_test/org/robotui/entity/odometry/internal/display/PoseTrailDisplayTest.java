@@ -72,7 +72,8 @@ class PoseTrailDisplayTest {
         DisplayProbe stamped = new DisplayProbe(new StampedPoseType());
         DisplayProbe goal = new DisplayProbe(new GoalType())) {
       estimate.tick(new PoseEstimate(FakePlaces.frame("map"), pose, Doubles.EMPTY));
-      assertEquals(3, estimate.parts(new PoseEstimate(FakePlaces.frame("map"), RigidTransform.IDENTITY, sure(1))).size());
+      assertEquals(3,
+          estimate.parts(new PoseEstimate(FakePlaces.frame("map"), RigidTransform.IDENTITY, sure(1))).size());
       assertEquals(1, estimate.parts().getFirst().shape().elements());
       assertEquals(1, stamped.parts(new StampedPose(FakePlaces.frame("map"), pose)).size());
       assertEquals(1, goal.parts(new NavigationGoal(FakePlaces.frame("map"), pose)).size());
@@ -80,7 +81,8 @@ class PoseTrailDisplayTest {
   }
 
   private static Odometry at(double x, Doubles covariance) {
-    return new Odometry(FakePlaces.frame("odom"), FakePlaces.frame("base"), RigidTransform.planar(x, 0, 0), covariance, new Vector3(1, 0, 0),
+    return new Odometry(FakePlaces.frame("odom"), FakePlaces.frame("base"), RigidTransform.planar(x, 0, 0), covariance,
+        new Vector3(1, 0, 0),
         Vector3.ZERO, Doubles.EMPTY);
   }
 

@@ -36,7 +36,8 @@ final class PathDisplay implements Display {
     List<Part> parts = new ArrayList<>();
     Optional<Made> made = recent.newest().map(entry -> prepare(entry, tick.settings()));
     recent.newest().flatMap(e -> e.anchor().found()).ifPresent(place -> add(parts, made.orElseThrow(), place, tick));
-    return new DisplayResult(parts, recent.status(tick, made.map(this::status).orElseGet(() -> new DisplayStatus.NoData(""))), 0);
+    return new DisplayResult(parts,
+        recent.status(tick, made.map(this::status).orElseGet(() -> new DisplayStatus.NoData(""))), 0);
   }
 
   @Override
@@ -46,8 +47,10 @@ final class PathDisplay implements Display {
 
   private DisplayStatus status(Made made) {
     int left = recent.newest().map(e -> e.value().poses().size()).orElse(0) - made.poses().size();
-    String words = made.poses().isEmpty() ? "no path" : String.format(Locale.ROOT, "%.2f m, %d poses", made.length(), made.poses().size());
-    return left > 0 ? new DisplayStatus.Partly(words + "; " + left + " poses are no numbers, or too many") : new DisplayStatus.Shown(words);
+    String words = made.poses().isEmpty() ? "no path"
+        : String.format(Locale.ROOT, "%.2f m, %d poses", made.length(), made.poses().size());
+    return left > 0 ? new DisplayStatus.Partly(words + "; " + left + " poses are no numbers, or too many")
+        : new DisplayStatus.Shown(words);
   }
 
   private static Made prepare(Recent.Entry<Path, Made> entry, Settings s) {
@@ -79,7 +82,8 @@ final class PathDisplay implements Display {
     Rgba seen = color.withAlpha(color.alpha() * s.number("opacity") * Recent.opacity(tick));
     RigidTransform lifted = place.times(new RigidTransform(new Vector3(0, 0, s.number("height")), Quaternion.IDENTITY));
     Path path = recent.newest().orElseThrow().value();
-    parts.add(new Part("line", made.line(), lifted, Material.flat(seen), (element, at) -> describe(path, made, element)));
+    parts.add(
+        new Part("line", made.line(), lifted, Material.flat(seen), (element, at) -> describe(path, made, element)));
     made.marks().ifPresent(marks -> parts.add(new Part("poses", marks, lifted,
         PoseShapes.material(s.text("poses").equals("axes"), seen), (element, at) -> describe(path, made, element))));
   }

@@ -20,7 +20,8 @@ public final class PathType implements DisplayType {
       Setting.of("width", new ValueType.Num(0.5, 50, "px"), 3.0, "Width of the line."),
       Setting.of("opacity", new ValueType.Num(0, 1, ""), 1.0, "0 invisible to 1 opaque."),
       Setting.of("height", new ValueType.Num(-1000, 1000, "m"), 0.01, "How far above its own place it is drawn."),
-      Setting.of("poses", new ValueType.Choice(List.of("none", "axes", "arrows")), "none", "How the pose at each place is shown."),
+      Setting.of("poses", new ValueType.Choice(List.of("none", "axes", "arrows")), "none",
+          "How the pose at each place is shown."),
       Setting.of("length", new ValueType.Num(0.001, 1000, "m"), 0.2, "Length of axes and arrows."));
 
   @Override

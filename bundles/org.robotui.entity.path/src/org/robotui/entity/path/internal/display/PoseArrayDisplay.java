@@ -19,12 +19,14 @@ import org.robotui.gl.shape.Rgba;
 
 /** Arrows at the newest poses. */
 final class PoseArrayDisplay implements Display {
-  private final Recent<PoseArray, Instances> recent = new Recent<>(PoseArray.class, Anchor.When.NOW, PoseArray::frame, a -> 1);
+  private final Recent<PoseArray, Instances> recent =
+      new Recent<>(PoseArray.class, Anchor.When.NOW, PoseArray::frame, a -> 1);
 
   @Override
   public DisplayResult update(DisplayTick tick) {
     recent.update(tick);
-    List<Part> parts = recent.newest().flatMap(e -> e.anchor().found().map(place -> part(e, place, tick))).stream().toList();
+    List<Part> parts =
+        recent.newest().flatMap(e -> e.anchor().found().map(place -> part(e, place, tick))).stream().toList();
     List<RigidTransform> poses = recent.newest().map(e -> e.value().poses()).orElse(List.of());
     int drawn = parts.stream().mapToInt(part -> part.shape().elements()).findFirst().orElse(poses.size());
     return new DisplayResult(parts, recent.status(tick, status(poses.size(), drawn)), 0);
@@ -39,7 +41,8 @@ final class PoseArrayDisplay implements Display {
     if (count > PoseShapes.MOST) {
       return new DisplayStatus.Partly("the first " + PoseShapes.MOST + " of " + count + " poses");
     }
-    return drawn < count ? new DisplayStatus.Partly(drawn + " of " + count + " poses; the others have numbers that are none")
+    return drawn < count
+        ? new DisplayStatus.Partly(drawn + " of " + count + " poses; the others have numbers that are none")
         : new DisplayStatus.Shown(count + " poses");
   }
 
@@ -56,7 +59,8 @@ final class PoseArrayDisplay implements Display {
 
   /** Elements are the poses that are finite, in turn. */
   private static Properties describe(PoseArray array, int element) {
-    List<RigidTransform> shown = array.poses().stream().filter(PoseShapes::finite).skip(Math.max(0, element)).limit(1).toList();
+    List<RigidTransform> shown =
+        array.poses().stream().filter(PoseShapes::finite).skip(Math.max(0, element)).limit(1).toList();
     return Optional.of(shown).filter(s -> !s.isEmpty() && element >= 0)
         .map(s -> PoseText.of("pose " + element, array.frame(), s.getFirst())).orElseGet(() -> Properties.of("poses"));
   }

@@ -28,7 +28,8 @@ class PathDisplayTest {
 
   @Test
   void aWayIsALineAndSaysItsLength() {
-    DisplayResult result = path.tick(way(RigidTransform.IDENTITY, RigidTransform.planar(3, 4, 0), RigidTransform.planar(3, 5, 0)));
+    DisplayResult result =
+        path.tick(way(RigidTransform.IDENTITY, RigidTransform.planar(3, 4, 0), RigidTransform.planar(3, 5, 0)));
     assertEquals(2, result.parts().getFirst().shape().elements());
     assertEquals(new DisplayStatus.Shown("6.00 m, 3 poses"), result.status());
     assertSame(result.parts().getFirst().shape(), path.parts().getFirst().shape());
@@ -62,7 +63,9 @@ class PathDisplayTest {
 
   @Test
   void manyPosesAreInstancesOfOneArrow() {
-    Part part = poses.parts(new PoseArray(FakePlaces.frame("map"), Collections.nCopies(5000, RigidTransform.planar(1, 2, 0)))).getFirst();
+    Part part =
+        poses.parts(new PoseArray(FakePlaces.frame("map"), Collections.nCopies(5000, RigidTransform.planar(1, 2, 0))))
+            .getFirst();
     assertEquals(5000, part.shape().elements());
     assertSame(part.shape(), poses.parts().getFirst().shape());
     assertTrue(part.describer().describe(4999, Vector3.ZERO).title().contains("4999"));
@@ -70,7 +73,8 @@ class PathDisplayTest {
 
   @Test
   void posesAreBounded() {
-    DisplayResult many = poses.tick(new PoseArray(FakePlaces.frame("map"), Collections.nCopies(PoseShapes.MOST + 1, RigidTransform.IDENTITY)));
+    DisplayResult many = poses.tick(
+        new PoseArray(FakePlaces.frame("map"), Collections.nCopies(PoseShapes.MOST + 1, RigidTransform.IDENTITY)));
     assertInstanceOf(DisplayStatus.Partly.class, many.status());
     assertEquals(PoseShapes.MOST, many.parts().getFirst().shape().elements());
     Part part = poses.parts(new PoseArray(FakePlaces.frame("map"), List.of(AHEAD))).getFirst();

@@ -30,7 +30,8 @@ class PathPicturesTest {
 
   /** A quarter of a circle that starts along x and turns to the left. */
   private static List<RigidTransform> turn() {
-    return IntStream.rangeClosed(0, 12).mapToObj(i -> i * Math.PI / 24).map(a -> RigidTransform.planar(1.5 * Math.sin(a), 1.5 - 1.5 * Math.cos(a), a))
+    return IntStream.rangeClosed(0, 12).mapToObj(i -> i * Math.PI / 24)
+        .map(a -> RigidTransform.planar(1.5 * Math.sin(a), 1.5 - 1.5 * Math.cos(a), a))
         .toList();
   }
 

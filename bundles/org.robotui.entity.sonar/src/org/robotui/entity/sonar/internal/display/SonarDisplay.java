@@ -93,18 +93,21 @@ final class SonarDisplay implements Display {
     }
     Rgba color = ColorSetting.read(settings, "color");
     double opacity = settings.number("opacity") * Recent.opacity(tick) * (reading.isEcho() ? 1 : FAINTER);
-    return Optional.of(new Part(reading.frame(), cone, place, Material.lit(color.withAlpha(color.alpha() * opacity)), text(reading)));
+    return Optional.of(
+        new Part(reading.frame(), cone, place, Material.lit(color.withAlpha(color.alpha() * opacity)), text(reading)));
   }
 
   private DisplayStatus status(DisplayTick tick, int cones, List<String> missing) {
     if (newest.isEmpty()) {
-      return new DisplayStatus.NoData(tick.state() instanceof InputState.Live ? "no reading yet" : tick.state().explanation());
+      return new DisplayStatus.NoData(
+          tick.state() instanceof InputState.Live ? "no reading yet" : tick.state().explanation());
     }
     if (tick.state() instanceof InputState.Stale stale) {
       return new DisplayStatus.TooOld(stale.explanation());
     }
     if (!missing.isEmpty()) {
-      return cones == 0 ? new DisplayStatus.NoFrame(missing.getFirst()) : new DisplayStatus.Partly(cones + " cones; " + missing.getFirst());
+      return cones == 0 ? new DisplayStatus.NoFrame(missing.getFirst())
+          : new DisplayStatus.Partly(cones + " cones; " + missing.getFirst());
     }
     return ColorSetting.complaint(tick.settings()).<DisplayStatus>map(DisplayStatus.Partly::new)
         .orElseGet(() -> new DisplayStatus.Shown(cones + " of " + newest.size() + " sensors"));
@@ -113,9 +116,11 @@ final class SonarDisplay implements Display {
   private static Describer text(RangeReading reading) {
     String kind = reading.kind() == RangeReading.Kind.INFRARED ? "infrared " : "sonar ";
     return (element, place) -> Properties.of(kind + reading.frame().name(),
-        new Properties.Entry("range", reading.isEcho() ? metres(reading.range()) : "free to " + metres(reading.rangeMax())),
+        new Properties.Entry("range",
+            reading.isEcho() ? metres(reading.range()) : "free to " + metres(reading.rangeMax())),
         new Properties.Entry("limits", metres(reading.rangeMin()) + " to " + metres(reading.rangeMax())),
-        new Properties.Entry("opening", String.format(Locale.ROOT, "%.1f\u00b0", Math.toDegrees(reading.fieldOfView()))));
+        new Properties.Entry("opening",
+            String.format(Locale.ROOT, "%.1f\u00b0", Math.toDegrees(reading.fieldOfView()))));
   }
 
   private static String metres(double value) {

@@ -17,8 +17,10 @@ import org.robotui.gl.display.DisplayType;
 public final class SonarType implements DisplayType {
   private static final Schema SCHEMA = Schema.of(
       ColorSetting.of("color", "#9573dc", "The colour of cones; by itself that of the map."),
-      Setting.of("opacity", new ValueType.Num(0, 1, ""), 0.14, "0 invisible to 1 opaque; a cone without an echo is fainter."),
-      Setting.of("free", new ValueType.Flag(), true, "Whether cones without an echo are shown, to the limit of the sensor."));
+      Setting.of("opacity", new ValueType.Num(0, 1, ""), 0.14,
+          "0 invisible to 1 opaque; a cone without an echo is fainter."),
+      Setting.of("free", new ValueType.Flag(), true,
+          "Whether cones without an echo are shown, to the limit of the sensor."));
 
   @Override
   public String id() {

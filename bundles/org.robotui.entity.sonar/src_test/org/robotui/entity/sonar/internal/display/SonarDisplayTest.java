@@ -58,7 +58,7 @@ class SonarDisplayTest {
 
   @Test
   void whatSaysNothingIsNotShown() {
-    for (double range : new double[] {Double.NaN, Double.NEGATIVE_INFINITY, -1, 0.01}) {
+    for (double range : new double[]{Double.NaN, Double.NEGATIVE_INFINITY, -1, 0.01}) {
       assertTrue(probe.parts(readings("left", range)).isEmpty(), "" + range);
     }
     assertEquals("0 of 1 sensors", probe.tick().status().words());

@@ -30,10 +30,12 @@ class SonarPicturesTest {
       probe.places().put("front", RigidTransform.planar(0.3, 0, 0));
       probe.places().put("right", RigidTransform.planar(0.2, -0.3, -Math.PI / 4));
       probe.set("opacity", 0.5);
-      PICTURES.assertLike(SonarPicturesTest.class, "cones", ScenePictures.request(ScenePictures.withAxes(probe.parts(new RangeReadings(List.of(
-          reading("left", RangeReading.Kind.ULTRASOUND, 0.5, 1), reading("front", RangeReading.Kind.INFRARED, 0.1, 1.5),
-          reading("right", RangeReading.Kind.ULTRASOUND, 0.5, Double.POSITIVE_INFINITY)))), 0.5),
-          ScenePictures.eye(new Vector3(-0.8, 0, 1.9), new Vector3(0.8, -0.2, 0))));
+      PICTURES.assertLike(SonarPicturesTest.class, "cones",
+          ScenePictures.request(ScenePictures.withAxes(probe.parts(new RangeReadings(List.of(
+              reading("left", RangeReading.Kind.ULTRASOUND, 0.5, 1),
+              reading("front", RangeReading.Kind.INFRARED, 0.1, 1.5),
+              reading("right", RangeReading.Kind.ULTRASOUND, 0.5, Double.POSITIVE_INFINITY)))), 0.5),
+              ScenePictures.eye(new Vector3(-0.8, 0, 1.9), new Vector3(0.8, -0.2, 0))));
     }
   }
 }

@@ -17,12 +17,13 @@ record FrameFilter(List<?> shown, List<?> hidden) {
   }
 
   private static boolean names(List<?> patterns, FrameId frame) {
-    return patterns.stream().map(Object::toString).anyMatch(pattern ->
-        fits(pattern, frame.name()) || fits(pattern, frame.toString()) || fits(pattern, frame.robot() + '/' + frame.name()));
+    return patterns.stream().map(Object::toString).anyMatch(pattern -> fits(pattern, frame.name())
+        || fits(pattern, frame.toString()) || fits(pattern, frame.robot() + '/' + frame.name()));
   }
 
   private static boolean fits(String pattern, String name) {
     return !pattern.isEmpty() && pattern.charAt(pattern.length() - 1) == ANY
-        ? name.startsWith(pattern.substring(0, pattern.length() - 1)) : pattern.equals(name);
+        ? name.startsWith(pattern.substring(0, pattern.length() - 1))
+        : pattern.equals(name);
   }
 }

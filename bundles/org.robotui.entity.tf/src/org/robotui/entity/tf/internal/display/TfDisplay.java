@@ -29,7 +29,10 @@ import org.robotui.gl.shape.Placings;
 import org.robotui.gl.shape.PointSet;
 import org.robotui.gl.shape.Rgba;
 
-/** The frames of all robots of a scene. All axes are one shape, made again only where one moved; at most {@link #MOST} frames, fewer names. */
+/**
+ * The frames of all robots of a scene. All axes are one shape, made again only where one moved; at most {@link #MOST}
+ * frames, fewer names.
+ */
 final class TfDisplay implements Display {
   /** Frames that are shown at most. */
   static final int MOST = 2000;
@@ -68,7 +71,8 @@ final class TfDisplay implements Display {
   }
 
   private void shapes(Map<FrameId, RigidTransform> at, Places places, double length) {
-    List<FrameId> nextParents = at.keySet().stream().map(frame -> places.parent(frame).filter(at::containsKey).orElse(frame)).toList();
+    List<FrameId> nextParents =
+        at.keySet().stream().map(frame -> places.parent(frame).filter(at::containsKey).orElse(frame)).toList();
     if (at.equals(placed) && length == size && nextParents.equals(parents)) {
       return;
     }
@@ -94,7 +98,8 @@ final class TfDisplay implements Display {
         end = put(xyz, put(xyz, end, from), to);
       }
     }
-    return end == 0 ? Optional.empty() : Optional.of(LineSet.of(LineSet.Kind.SEGMENTS, LINE_PIXELS, Arrays.copyOf(xyz, end)));
+    return end == 0 ? Optional.empty()
+        : Optional.of(LineSet.of(LineSet.Kind.SEGMENTS, LINE_PIXELS, Arrays.copyOf(xyz, end)));
   }
 
   private static int put(float[] xyz, int at, Vector3 point) {
@@ -107,14 +112,16 @@ final class TfDisplay implements Display {
   private List<Part> parts(Map<FrameId, RigidTransform> at, Settings settings) {
     List<Part> parts = new ArrayList<>();
     List<FrameId> order = List.copyOf(at.keySet());
-    axes.ifPresent(shape -> parts.add(new Part("axes", shape, RigidTransform.IDENTITY, Material.lit(Rgba.WHITE), describer(order))));
+    axes.ifPresent(shape -> parts
+        .add(new Part("axes", shape, RigidTransform.IDENTITY, Material.lit(Rgba.WHITE), describer(order))));
     if (settings.flag(TfType.LINKS)) {
       links.ifPresent(shape -> parts.add(new Part("links", shape, RigidTransform.IDENTITY,
           Material.flat(ColorSetting.read(settings, TfType.LINK_COLOR)), Describer.of("Lines to parent frames"))));
     }
     if (settings.flag(TfType.NAMES)) {
       Material color = Material.flat(ColorSetting.read(settings, TfType.NAME_COLOR)).onTop();
-      order.stream().limit(MOST_NAMES).forEach(frame -> parts.add(new Part(frame, name(frame), above(at.get(frame)), color, describer(List.of(frame)))));
+      order.stream().limit(MOST_NAMES).forEach(
+          frame -> parts.add(new Part(frame, name(frame), above(at.get(frame)), color, describer(List.of(frame)))));
     }
     return parts;
   }
@@ -149,18 +156,21 @@ final class TfDisplay implements Display {
     }
     Optional<String> wrong = ColorSetting.complaint(tick.settings());
     if (!missing.isEmpty()) {
-      return new DisplayStatus.Partly(missing.size() + " of " + wanted + " frames are not linked with " + tick.places().fixed() + ": "
-          + String.join("; ", missing.subList(0, Math.min(NAMED, missing.size()))));
+      return new DisplayStatus.Partly(
+          missing.size() + " of " + wanted + " frames are not linked with " + tick.places().fixed() + ": "
+              + String.join("; ", missing.subList(0, Math.min(NAMED, missing.size()))));
     }
     if (wanted > MOST) {
       return new DisplayStatus.Partly("there are more than " + MOST + " frames; the others are left out");
     }
-    return wrong.<DisplayStatus>map(DisplayStatus.Partly::new).orElseGet(() -> new DisplayStatus.Shown(words(tick, all, wanted)));
+    return wrong.<DisplayStatus>map(DisplayStatus.Partly::new)
+        .orElseGet(() -> new DisplayStatus.Shown(words(tick, all, wanted)));
   }
 
   private static String words(DisplayTick tick, int all, int wanted) {
     boolean cut = tick.settings().flag(TfType.NAMES) && wanted > MOST_NAMES;
-    return wanted + (wanted == 1 ? " frame" : " frames") + (wanted < all ? " of " + all : "") + (cut ? ", names of " + MOST_NAMES : "");
+    return wanted + (wanted == 1 ? " frame" : " frames") + (wanted < all ? " of " + all : "")
+        + (cut ? ", names of " + MOST_NAMES : "");
   }
 
   @Override

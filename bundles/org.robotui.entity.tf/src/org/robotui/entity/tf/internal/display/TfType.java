@@ -27,7 +27,8 @@ public final class TfType implements DisplayType {
       Setting.of(SIZE, new ValueType.Num(0.001, 100, "m"), 0.3, "How long the axes are."),
       Setting.of(NAMES, new ValueType.Flag(), true, "Whether names stand beside the frames."),
       Setting.of(LINKS, new ValueType.Flag(), true, "Whether lines lead to their parent frames."),
-      Setting.of(FRAMES, WORDS, List.of(), "The frames that are shown, by name or as robot/name; a * at the end stands for any rest. Empty for all."),
+      Setting.of(FRAMES, WORDS, List.of(),
+          "The frames that are shown, by name or as robot/name; a * at the end stands for any rest. Empty for all."),
       Setting.of(HIDDEN, WORDS, List.of(), "Frames that are not shown, written in the same way."),
       ColorSetting.of(LINK_COLOR, "#d9a53a", "Colour of the lines."),
       ColorSetting.of(NAME_COLOR, "#8a919c", "Colour of the names."));

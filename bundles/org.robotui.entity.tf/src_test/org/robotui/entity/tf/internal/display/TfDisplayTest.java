@@ -52,7 +52,8 @@ class TfDisplayTest implements Places {
   }
 
   private DisplayResult update() {
-    return display.update(new DisplayTick(List.of(), new InputState.Live(0, 0), this, new Settings(TfType.SCHEMA, values), Rgba.WHITE, 0, false));
+    return display.update(new DisplayTick(List.of(), new InputState.Live(0, 0), this,
+        new Settings(TfType.SCHEMA, values), Rgba.WHITE, 0, false));
   }
 
   private static Part part(DisplayResult result, Object key) {
@@ -133,7 +134,8 @@ class TfDisplayTest implements Places {
 
   @Override
   public Place at(FrameId frame, Optional<Stamp> stamp) {
-    return Optional.ofNullable(frames.get(frame.name())).filter(at -> at.translation().isFinite()).<Place>map(Place.At::new)
+    return Optional.ofNullable(frames.get(frame.name())).filter(at -> at.translation().isFinite())
+        .<Place>map(Place.At::new)
         .orElseGet(() -> new Place.Missing("a transform between " + frame.name() + " and map is missing"));
   }
 

@@ -18,7 +18,8 @@ record Arrow(RigidTransform turn, double length, boolean cut) {
     double wanted = vector.norm() * scale;
     double yaw = Math.atan2(vector.y(), vector.x());
     double pitch = Math.atan2(-vector.z(), Math.hypot(vector.x(), vector.y()));
-    return new Arrow(new RigidTransform(Vector3.ZERO, Quaternion.fromRollPitchYaw(0, pitch, yaw)), Math.min(wanted, longest), wanted > longest);
+    return new Arrow(new RigidTransform(Vector3.ZERO, Quaternion.fromRollPitchYaw(0, pitch, yaw)),
+        Math.min(wanted, longest), wanted > longest);
   }
 
   /** Whether there is anything to see. */

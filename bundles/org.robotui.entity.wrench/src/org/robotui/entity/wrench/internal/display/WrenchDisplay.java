@@ -23,7 +23,8 @@ import org.robotui.gl.shape.Properties.Entry;
 
 /** The newest force and torque, where its sensor is now. */
 final class WrenchDisplay implements Display {
-  private final Recent<Wrench, WrenchShapes> recent = new Recent<>(Wrench.class, Anchor.When.NOW, Wrench::frame, wrench -> 1);
+  private final Recent<Wrench, WrenchShapes> recent =
+      new Recent<>(Wrench.class, Anchor.When.NOW, Wrench::frame, wrench -> 1);
 
   @Override
   public DisplayResult update(DisplayTick tick) {
@@ -31,13 +32,16 @@ final class WrenchDisplay implements Display {
     Optional<Recent.Entry<Wrench, WrenchShapes>> newest = recent.newest();
     if (newest.isEmpty() || !finite(newest.get().value())) {
       DisplayStatus broken = new DisplayStatus.Unfit("the sensor says what is no number");
-      return DisplayResult.nothing(newest.isEmpty() ? recent.status(tick, new DisplayStatus.Shown("")) : recent.status(tick, broken));
+      return DisplayResult
+          .nothing(newest.isEmpty() ? recent.status(tick, new DisplayStatus.Shown("")) : recent.status(tick, broken));
     }
     Settings settings = tick.settings();
-    WrenchShapes.Scale scale = new WrenchShapes.Scale(settings.number(WrenchType.FORCE_SCALE), settings.number(WrenchType.TORQUE_SCALE),
-        settings.number(WrenchType.WIDTH), settings.number(WrenchType.LONGEST));
+    WrenchShapes.Scale scale =
+        new WrenchShapes.Scale(settings.number(WrenchType.FORCE_SCALE), settings.number(WrenchType.TORQUE_SCALE),
+            settings.number(WrenchType.WIDTH), settings.number(WrenchType.LONGEST));
     WrenchShapes shapes = newest.get().prepared(scale, wrench -> WrenchShapes.of(wrench, scale));
-    List<Part> parts = newest.get().anchor().found().map(at -> parts(newest.get().value(), shapes, at, tick)).orElse(List.of());
+    List<Part> parts =
+        newest.get().anchor().found().map(at -> parts(newest.get().value(), shapes, at, tick)).orElse(List.of());
     return new DisplayResult(parts, recent.status(tick, seen(newest.get().value(), shapes)), recent.dropped());
   }
 
@@ -48,7 +52,8 @@ final class WrenchDisplay implements Display {
   private static DisplayStatus seen(Wrench wrench, WrenchShapes shapes) {
     String words = String.format(Locale.ROOT, "%.2f N, %.2f Nm", wrench.force().norm(), wrench.torque().norm());
     return shapes.cut().isEmpty() ? new DisplayStatus.Shown(words)
-        : new DisplayStatus.Partly(words + ": " + shapes.cut() + " would be longer than it is drawn; lower the scale, or raise longest");
+        : new DisplayStatus.Partly(
+            words + ": " + shapes.cut() + " would be longer than it is drawn; lower the scale, or raise longest");
   }
 
   private static List<Part> parts(Wrench wrench, WrenchShapes shapes, RigidTransform at, DisplayTick tick) {
@@ -58,15 +63,18 @@ final class WrenchDisplay implements Display {
     Material ring = Material.flat(torque.color());
     List<Part> parts = new ArrayList<>();
     Describer describer = describer(wrench);
-    shapes.force().ifPresent(solid -> parts.add(new Part("force", solid.mesh(), at.times(solid.turn()), force, describer)));
-    shapes.torque().ifPresent(solid -> parts.add(new Part("torque", solid.mesh(), at.times(solid.turn()), torque, describer)));
+    shapes.force()
+        .ifPresent(solid -> parts.add(new Part("force", solid.mesh(), at.times(solid.turn()), force, describer)));
+    shapes.torque()
+        .ifPresent(solid -> parts.add(new Part("torque", solid.mesh(), at.times(solid.turn()), torque, describer)));
     shapes.ring().ifPresent(shape -> parts.add(new Part("ring", shape, at, ring, describer)));
     return parts;
   }
 
   private static Describer describer(Wrench wrench) {
     return (element, place) -> Properties.of("Force and torque",
-        new Entry("frame", wrench.frame().name()), new Entry("force", words(wrench.force(), "N")), new Entry("torque", words(wrench.torque(), "Nm")));
+        new Entry("frame", wrench.frame().name()), new Entry("force", words(wrench.force(), "N")),
+        new Entry("torque", words(wrench.torque(), "Nm")));
   }
 
   private static String words(Vector3 v, String unit) {

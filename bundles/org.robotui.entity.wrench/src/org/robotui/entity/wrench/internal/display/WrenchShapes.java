@@ -49,7 +49,8 @@ record WrenchShapes(Optional<Solid> force, Optional<Solid> torque, Optional<Line
     Arrow force = Arrow.of(wrench.force(), scale.force(), scale.longest());
     Arrow torque = Arrow.of(wrench.torque(), scale.torque(), scale.longest());
     String cut = force.cut() ? "the force" : "";
-    return new WrenchShapes(arrow(force, scale), arrow(torque, scale), torque.seen() ? Optional.of(ring(torque)) : Optional.empty(),
+    return new WrenchShapes(arrow(force, scale), arrow(torque, scale),
+        torque.seen() ? Optional.of(ring(torque)) : Optional.empty(),
         torque.cut() ? (cut.isEmpty() ? "the torque" : "force and torque") : cut);
   }
 
@@ -58,7 +59,8 @@ record WrenchShapes(Optional<Solid> force, Optional<Solid> torque, Optional<Line
     double width = Math.min(scale.width(), arrow.length() / THINNEST);
     double head = HEAD * width;
     return arrow.seen()
-        ? Optional.of(new Solid(Meshes.arrow(arrow.length() - head, width, head, HEAD_WIDE * width), arrow.turn())) : Optional.empty();
+        ? Optional.of(new Solid(Meshes.arrow(arrow.length() - head, width, head, HEAD_WIDE * width), arrow.turn()))
+        : Optional.empty();
   }
 
   /** An open ring around the axis, with a barb at its end. */

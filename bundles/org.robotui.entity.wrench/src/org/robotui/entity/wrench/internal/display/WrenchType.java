@@ -23,10 +23,13 @@ public final class WrenchType implements DisplayType {
   static final String TORQUE_COLOR = "torque_color";
 
   static final Schema SCHEMA = Schema.of(
-      Setting.of(FORCE_SCALE, new ValueType.Num(0, 1000, "m/N"), 0.02, "How long the arrow of one newton is; 0 for no arrow."),
-      Setting.of(TORQUE_SCALE, new ValueType.Num(0, 1000, "m/Nm"), 0.1, "How long the arrow of one newton metre is; 0 for no arrow."),
+      Setting.of(FORCE_SCALE, new ValueType.Num(0, 1000, "m/N"), 0.02,
+          "How long the arrow of one newton is; 0 for no arrow."),
+      Setting.of(TORQUE_SCALE, new ValueType.Num(0, 1000, "m/Nm"), 0.1,
+          "How long the arrow of one newton metre is; 0 for no arrow."),
       Setting.of(WIDTH, new ValueType.Num(0.0005, 1, "m"), 0.02, "How thick the arrows are."),
-      Setting.of(LONGEST, new ValueType.Num(0.01, 1000, "m"), 3.0, "How long an arrow may be; a longer one is cut, and the display says so."),
+      Setting.of(LONGEST, new ValueType.Num(0.01, 1000, "m"), 3.0,
+          "How long an arrow may be; a longer one is cut, and the display says so."),
       ColorSetting.of(FORCE_COLOR, "#e5484d", "Colour of the force."),
       ColorSetting.of(TORQUE_COLOR, "#e2a336", "Colour of the torque."));
 

@@ -45,7 +45,8 @@ class WrenchDisplayTest implements Places {
   private DisplayResult update(Data... arrived) {
     List<Envelope<? extends Data>> envelopes = Arrays.stream(arrived).<Envelope<? extends Data>>map(
         v -> new Envelope<>(v, new SourceId("base", "wrench"), 1, Optional.empty(), 0, Optional.empty())).toList();
-    return display.update(new DisplayTick(envelopes, new InputState.Live(10, 0), this, new Settings(WrenchType.SCHEMA, values), Rgba.WHITE, 0, false));
+    return display.update(new DisplayTick(envelopes, new InputState.Live(10, 0), this,
+        new Settings(WrenchType.SCHEMA, values), Rgba.WHITE, 0, false));
   }
 
   private static Wrench wrench(Vector3 force, Vector3 torque) {
@@ -55,10 +56,12 @@ class WrenchDisplayTest implements Places {
   @Test
   void arrowsPointAlongForceAndTorqueAndAreAsLongAsTheyAreStrong() {
     DisplayResult result = update(wrench(new Vector3(0, 0, -50), new Vector3(0, 2, 0)));
-    assertEquals(List.of("force", "torque", "ring"), result.parts().stream().map(part -> part.key().toString()).toList());
+    assertEquals(List.of("force", "torque", "ring"),
+        result.parts().stream().map(part -> part.key().toString()).toList());
     assertEquals(new DisplayStatus.Shown("50.00 N, 2.00 Nm"), result.status());
     Wrench down = wrench(new Vector3(0, 0, -50), Vector3.ZERO);
-    Vector3 tip = Arrow.of(down.force(), 0.02, 3).turn().apply(new Vector3(Arrow.of(down.force(), 0.02, 3).length(), 0, 0));
+    Vector3 tip =
+        Arrow.of(down.force(), 0.02, 3).turn().apply(new Vector3(Arrow.of(down.force(), 0.02, 3).length(), 0, 0));
     assertEquals(-1, tip.z(), 1e-9);
     assertEquals(0, tip.x(), 1e-9);
     Box3 ring = result.parts().getLast().shape().bounds().orElseThrow();
@@ -75,7 +78,8 @@ class WrenchDisplayTest implements Places {
   @Test
   void whatIsTooLongIsCutAndSaid() {
     DisplayResult result = update(wrench(new Vector3(900, 0, 0), Vector3.ZERO));
-    assertTrue(assertInstanceOf(DisplayStatus.Partly.class, result.status()).words().contains("the force would be longer"));
+    assertTrue(
+        assertInstanceOf(DisplayStatus.Partly.class, result.status()).words().contains("the force would be longer"));
     assertTrue(result.parts().getFirst().bounds().orElseThrow().high().x() < 7);
   }
 
@@ -96,7 +100,8 @@ class WrenchDisplayTest implements Places {
   void looksAsItDid() {
     try (ScenePictures pictures = new ScenePictures()) {
       pictures.assertLike(WrenchDisplayTest.class, "wrench", ScenePictures.request(
-          update(wrench(new Vector3(20, 10, 30), new Vector3(0, -8, 3))).parts(), ScenePictures.eye(new Vector3(1.2, -1.6, 1), new Vector3(0.1, -0.2, 0.25))));
+          update(wrench(new Vector3(20, 10, 30), new Vector3(0, -8, 3))).parts(),
+          ScenePictures.eye(new Vector3(1.2, -1.6, 1), new Vector3(0.1, -0.2, 0.25))));
     }
   }
 

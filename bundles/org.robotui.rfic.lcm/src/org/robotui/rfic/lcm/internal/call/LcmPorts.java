@@ -8,11 +8,13 @@ import org.robotui.data.command.MessageCommand;
 /** The ports that are always there, whatever is heard. */
 public final class LcmPorts {
   /** Browses what is heard. */
-  public static final BrowsePort CHANNELS = new BrowsePort("channels", Arity.MANY, "Channels, their types, and who sends on them.");
+  public static final BrowsePort CHANNELS =
+      new BrowsePort("channels", Arity.MANY, "Channels, their types, and who sends on them.");
 
   /** Says single messages. */
-  public static final CommandPort<MessageCommand> PUBLISH = new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
-      "Publishes a message on a channel by its name; not on channels that move the robot.");
+  public static final CommandPort<MessageCommand> PUBLISH =
+      new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
+          "Publishes a message on a channel by its name; not on channels that move the robot.");
 
   private LcmPorts() {}
 }

@@ -35,14 +35,18 @@ public record CommandForm<D extends Data>(Form form, Class<D> data, Parts<D> par
   private static final FrameId ANYWHERE = new FrameId("robot", "map");
   private static final String PLACE = "position | x y";
   private static final Map<String, CommandForm<?>> ALL = Stream.of(
-          new CommandForm<>(Form.of("velocity", List.of("linear | vx", "angular | wz"),
-              MotionShapes.fields(MotionShapes.velocities(), Stream.of(Field.stamp()))), VelocityCommand.class, CommandForm::velocity,
-              VelocityCommand.ZERO, "Velocity of the base."),
-          new CommandForm<>(Form.of("goal", List.of(PLACE), place("pose.frame")), NavigationGoal.class, CommandForm::pose,
-              new NavigationGoal(ANYWHERE, RigidTransform.IDENTITY), "Where the robot shall go."),
-          new CommandForm<>(Form.of("initial_pose", List.of(PLACE), place("pose.frame")), PoseEstimate.class, CommandForm::pose,
-              new PoseEstimate(ANYWHERE, RigidTransform.IDENTITY, Doubles.EMPTY), "Where the robot is, for its localisation."))
-      .collect(Collectors.collectingAndThen(Collectors.toMap(c -> c.form().word(), c -> c, (a, b) -> a, TreeMap::new), Collections::unmodifiableMap));
+      new CommandForm<>(Form.of("velocity", List.of("linear | vx", "angular | wz"),
+          MotionShapes.fields(MotionShapes.velocities(), Stream.of(Field.stamp()))), VelocityCommand.class,
+          CommandForm::velocity,
+          VelocityCommand.ZERO, "Velocity of the base."),
+      new CommandForm<>(Form.of("goal", List.of(PLACE), place("pose.frame")), NavigationGoal.class, CommandForm::pose,
+          new NavigationGoal(ANYWHERE, RigidTransform.IDENTITY), "Where the robot shall go."),
+      new CommandForm<>(Form.of("initial_pose", List.of(PLACE), place("pose.frame")), PoseEstimate.class,
+          CommandForm::pose,
+          new PoseEstimate(ANYWHERE, RigidTransform.IDENTITY, Doubles.EMPTY),
+          "Where the robot is, for its localisation."))
+      .collect(Collectors.collectingAndThen(Collectors.toMap(c -> c.form().word(), c -> c, (a, b) -> a, TreeMap::new),
+          Collections::unmodifiableMap));
 
   /**
    * Takes a command apart.
@@ -91,10 +95,10 @@ public record CommandForm<D extends Data>(Form form, Class<D> data, Parts<D> par
     Vector3 at = c.pose().translation();
     Quaternion q = c.pose().rotation();
     return Map.of("frame", c.frame().name(), "position", array(at), "x", at.x(), "y", at.y(), "z", at.z(),
-        "orientation", new double[] {q.w(), q.x(), q.y(), q.z()}, "roll", q.roll(), "pitch", q.pitch(), "yaw", q.yaw());
+        "orientation", new double[]{q.w(), q.x(), q.y(), q.z()}, "roll", q.roll(), "pitch", q.pitch(), "yaw", q.yaw());
   }
 
   private static double[] array(Vector3 v) {
-    return new double[] {v.x(), v.y(), v.z()};
+    return new double[]{v.x(), v.y(), v.z()};
   }
 }

@@ -36,7 +36,8 @@ public final class CommandWriter<D extends Data> {
    * @param types all types
    * @throws IllegalArgumentException where a member cannot hold what it shall; the message says why
    */
-  public CommandWriter(CommandForm<D> form, Map<String, Source> targets, Map<?, ?> fixed, LcmType type, TypeLibrary types) {
+  public CommandWriter(CommandForm<D> form, Map<String, Source> targets, Map<?, ?> fixed, LcmType type,
+      TypeLibrary types) {
     this.form = form;
     this.targets = Map.copyOf(targets);
     this.fixed = Map.copyOf(fixed);
@@ -76,8 +77,8 @@ public final class CommandWriter<D extends Data> {
       switch (source) {
         case Source.Member m -> tree.put(m.path(), part(parts.get(field), m));
         case Source.Sum s -> stamp(tree, s, nowNanos);
-        case Source.Constant c -> { }
-        case Source.Words w -> { }
+        case Source.Constant c -> {}
+        case Source.Words w -> {}
       }
     });
     return type.encode(filler.fill(type, tree.fields()));
@@ -98,14 +99,15 @@ public final class CommandWriter<D extends Data> {
   }
 
   private static double[] ordered(double[] numbers, Source.Member target) {
-    return target.unit().equals("xyzw") ? new double[] {numbers[1], numbers[2], numbers[3], numbers[0]} : numbers;
+    return target.unit().equals("xyzw") ? new double[]{numbers[1], numbers[2], numbers[3], numbers[0]} : numbers;
   }
 
   /** As many as the array has, where its size is fixed: a place in a plane has two. */
   private List<Object> list(double[] numbers, Source.Member target) {
     Target to = Target.of(target.path(), type, types);
     if (!to.many() || to.member().dimensions().size() != 1) {
-      throw new IllegalArgumentException(target.path() + " is declared as '" + to.member() + "' and takes one number; write which axis it is, as x or wz");
+      throw new IllegalArgumentException(target.path() + " is declared as '" + to.member()
+          + "' and takes one number; write which axis it is, as x or wz");
     }
     int size = to.member().dimensions().getFirst() instanceof Dimension.Fixed fixed ? fixed.size() : numbers.length;
     List<Object> list = new ArrayList<>(size);

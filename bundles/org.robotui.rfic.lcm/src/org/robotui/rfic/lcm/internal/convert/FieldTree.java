@@ -6,7 +6,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.robotui.rfic.lcm.internal.language.MemberPath;
 
-/** Values by the paths of members. Elements of arrays are kept by their index: a {@link SortedMap} of {@link Integer}. */
+/**
+ * Values by the paths of members. Elements of arrays are kept by their index: a {@link SortedMap} of {@link Integer}.
+ */
 final class FieldTree {
   private final Map<String, Object> root = new TreeMap<>();
 
@@ -15,7 +17,8 @@ final class FieldTree {
     Map<Object, Object> at = map(root);
     for (int i = 0; i < path.steps().size() - 1; i++) {
       boolean element = path.steps().get(i + 1) instanceof MemberPath.Step.Index;
-      at = map(at.computeIfAbsent(key(path.steps().get(i)), k -> element ? new TreeMap<Integer, Object>() : new TreeMap<String, Object>()));
+      at = map(at.computeIfAbsent(key(path.steps().get(i)),
+          k -> element ? new TreeMap<Integer, Object>() : new TreeMap<String, Object>()));
     }
     at.put(key(path.steps().getLast()), value);
   }
@@ -24,7 +27,8 @@ final class FieldTree {
     return switch (step) {
       case MemberPath.Step.Name n -> n.name();
       case MemberPath.Step.Index i -> i.index();
-      case MemberPath.Step.All all -> throw new IllegalArgumentException("a command fills in one element, not all: write its index into the []");
+      case MemberPath.Step.All all -> throw new IllegalArgumentException(
+          "a command fills in one element, not all: write its index into the []");
     };
   }
 

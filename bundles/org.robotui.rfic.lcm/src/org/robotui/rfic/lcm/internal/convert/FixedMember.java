@@ -16,7 +16,8 @@ final class FixedMember {
     Primitive primitive = target.primitive().orElseThrow(() -> new IllegalArgumentException(
         written + " is a " + target.member().type() + "; set its members one by one"));
     if (target.many()) {
-      throw new IllegalArgumentException(written + " is declared as '" + target.member() + "'; set its elements one by one, as " + written + "[0]");
+      throw new IllegalArgumentException(
+          written + " is declared as '" + target.member() + "'; set its elements one by one, as " + written + "[0]");
     }
     tree.put(path, value(written, text, primitive));
   }
@@ -30,7 +31,8 @@ final class FixedMember {
         default -> Long.decode(text);
       };
     } catch (NumberFormatException e) {
-      throw new IllegalArgumentException("'" + text + "' is nothing that " + written + ", a " + primitive.lcmName() + ", can hold", e);
+      throw new IllegalArgumentException(
+          "'" + text + "' is nothing that " + written + ", a " + primitive.lcmName() + ", can hold", e);
     }
   }
 

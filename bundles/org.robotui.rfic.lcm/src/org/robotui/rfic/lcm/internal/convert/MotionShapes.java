@@ -25,17 +25,23 @@ final class MotionShapes {
   static Stream<Shape<?>> all() {
     return Stream.of(
         new Shape<>(Form.of("odometry", List.of(PLACE), fields(Poses.fields(), velocities(),
-            Stream.of(Field.text("frame", "frame"), Field.text("child", "child_frame"), Field.stamp()))), Odometry.class, MotionShapes::odometry),
+            Stream.of(Field.text("frame", "frame"), Field.text("child", "child_frame"), Field.stamp()))),
+            Odometry.class, MotionShapes::odometry),
         new Shape<>(Form.of("pose", List.of(PLACE), fields(Poses.fields(), Stream.of(Field.text("frame", "frame"),
-            Field.numbers("covariance", Quantity.PLAIN, "covariance"), Field.stamp()))), PoseEstimate.class, MotionShapes::estimate),
+            Field.numbers("covariance", Quantity.PLAIN, "covariance"), Field.stamp()))), PoseEstimate.class,
+            MotionShapes::estimate),
         new Shape<>(Form.of("path", List.of(PLACE), ways()), Path.class,
             (v, r) -> new Path(r.frame(v.text("frame", "map")), Poses.all(v, Poses.count(v)))),
         new Shape<>(Form.of("poses", List.of(PLACE), ways()), PoseArray.class,
             (v, r) -> new PoseArray(r.frame(v.text("frame", "map")), Poses.all(v, Poses.count(v)))),
-        new Shape<>(Form.of("transform", List.of("parent", "child", PLACE), fields(Poses.fields(), ends("", "child_frame"),
-            Stream.of(Field.flag("fixed"), Field.stamp()))), TransformSet.class, MotionShapes::transforms),
-        new Shape<>(Form.of("transforms", List.of("parent", "child", PLACE), fields(Poses.fields("transforms"), ends("transforms[].", "transforms[].child"),
-            Stream.of(Field.flag("fixed"), Field.stamp()))), TransformSet.class, MotionShapes::transforms));
+        new Shape<>(Form.of("transform", List.of("parent", "child", PLACE),
+            fields(Poses.fields(), ends("", "child_frame"),
+                Stream.of(Field.flag("fixed"), Field.stamp()))),
+            TransformSet.class, MotionShapes::transforms),
+        new Shape<>(Form.of("transforms", List.of("parent", "child", PLACE),
+            fields(Poses.fields("transforms"), ends("transforms[].", "transforms[].child"),
+                Stream.of(Field.flag("fixed"), Field.stamp()))),
+            TransformSet.class, MotionShapes::transforms));
   }
 
   private static Stream<Field> ends(String before, String otherChild) {
@@ -78,7 +84,8 @@ final class MotionShapes {
     List<RigidTransform> poses = Poses.all(v, count);
     List<FrameTransform> transforms = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
-      transforms.add(new FrameTransform(r.frame(at(parents, i, count, "parent")), r.frame(at(children, i, count, "child")), r.stamp(),
+      transforms.add(new FrameTransform(r.frame(at(parents, i, count, "parent")),
+          r.frame(at(children, i, count, "child")), r.stamp(),
           poses.get(i), v.flag("fixed")));
     }
     TransformSet set = new TransformSet(transforms);

@@ -35,30 +35,39 @@ final class PictureShapes {
     return Stream.of(
         new Shape<>(Form.of("image", List.of("data", "encoding"), List.of(Field.bytes("data", "data", "image"),
             Field.text("encoding", "encoding", "pixelformat", "format"), Field.number("width", Quantity.PLAIN, "width"),
-            Field.number("height", Quantity.PLAIN, "height"), Field.number("step", Quantity.PLAIN, "row_stride", "step"), Field.flag("big_endian"),
+            Field.number("height", Quantity.PLAIN, "height"),
+            Field.number("step", Quantity.PLAIN, "row_stride", "step"), Field.flag("big_endian"),
             Field.text("frame", "frame"), Field.stamp())), Image.class, PictureShapes::image),
-        new Shape<>(Form.of("gridmap", List.of("cells", "resolution"), List.of(Field.numbers("cells", Quantity.PLAIN, "cells", "data"),
-            Field.number("width", Quantity.PLAIN, "width"), Field.number("height", Quantity.PLAIN, "height"),
-            Field.number("resolution", Quantity.LENGTH, "resolution", "meters_per_pixel"), Field.number("x", Quantity.LENGTH, "origin[0]", "x0"),
-            Field.number("y", Quantity.LENGTH, "origin[1]", "y0"), Field.number("yaw", Quantity.ANGLE, "origin[2]"),
-            Field.number("free", Quantity.PLAIN), Field.number("occupied", Quantity.PLAIN), Field.number("unknown", Quantity.PLAIN),
-            Field.text("frame", "frame"), Field.stamp())), GridMap.class, PictureShapes::map),
+        new Shape<>(Form.of("gridmap", List.of("cells", "resolution"),
+            List.of(Field.numbers("cells", Quantity.PLAIN, "cells", "data"),
+                Field.number("width", Quantity.PLAIN, "width"), Field.number("height", Quantity.PLAIN, "height"),
+                Field.number("resolution", Quantity.LENGTH, "resolution", "meters_per_pixel"),
+                Field.number("x", Quantity.LENGTH, "origin[0]", "x0"),
+                Field.number("y", Quantity.LENGTH, "origin[1]", "y0"), Field.number("yaw", Quantity.ANGLE, "origin[2]"),
+                Field.number("free", Quantity.PLAIN), Field.number("occupied", Quantity.PLAIN),
+                Field.number("unknown", Quantity.PLAIN),
+                Field.text("frame", "frame"), Field.stamp())),
+            GridMap.class, PictureShapes::map),
         new Shape<>(Form.of("pointcloud", List.of("points | x y"), List.of(
             Field.numbers("points", Quantity.LENGTH, "points[].position", "points[].xyz"),
-            Field.numbers("x", Quantity.LENGTH, "points[].x", "x").in("points"), Field.numbers("y", Quantity.LENGTH, "points[].y", "y").in("points"),
-            Field.numbers("z", Quantity.LENGTH, "points[].z", "z").in("points"), Field.numbers("intensity", Quantity.PLAIN, "points[].intensity", "intensity"),
+            Field.numbers("x", Quantity.LENGTH, "points[].x", "x").in("points"),
+            Field.numbers("y", Quantity.LENGTH, "points[].y", "y").in("points"),
+            Field.numbers("z", Quantity.LENGTH, "points[].z", "z").in("points"),
+            Field.numbers("intensity", Quantity.PLAIN, "points[].intensity", "intensity"),
             Field.text("frame", "frame"), Field.stamp())), PointCloud.class, PictureShapes::cloud));
   }
 
   private static Image image(Values v, Reception r) {
-    NumberArray data = v.array("data").orElseThrow(() -> new IllegalArgumentException("data must be one array of bytes"));
+    NumberArray data =
+        v.array("data").orElseThrow(() -> new IllegalArgumentException("data must be one array of bytes"));
     Bytes bytes = Bytes.wrap(data.bytes());
     String encoding = PixelWords.of(v.text("encoding", ""));
     if (PixelWords.isCompressed(encoding)) {
       return new CompressedImage(r.frame(v.text("frame", "camera")), encoding, bytes);
     }
-    PixelEncoding pixels = PixelEncoding.fromRos(encoding).orElseThrow(() -> new IllegalArgumentException("pixels of the encoding '" + encoding
-        + "' are not known; known are jpeg, png, rgb8, bgr8, rgba8, bgra8, mono8, mono16, 16UC1, 32FC1, yuv422 and others that ROS names"));
+    PixelEncoding pixels = PixelEncoding.fromRos(encoding)
+        .orElseThrow(() -> new IllegalArgumentException("pixels of the encoding '" + encoding
+            + "' are not known; known are jpeg, png, rgb8, bgr8, rgba8, bgra8, mono8, mono16, 16UC1, 32FC1, yuv422 and others that ROS names"));
     int width = v.whole("width", 0);
     int step = v.whole("step", 0);
     return new RawImage(r.frame(v.text("frame", "camera")), width, v.whole("height", 0), pixels, v.flag("big_endian"),
@@ -69,7 +78,8 @@ final class PictureShapes {
     List<Integer> shape = v.shape("cells");
     int width = v.whole("width", shape.isEmpty() ? 0 : shape.getLast());
     int height = v.whole("height", shape.size() > 1 ? shape.getFirst() : 0);
-    RigidTransform origin = new RigidTransform(new Vector3(v.number("x", 0), v.number("y", 0), 0), Quaternion.fromYaw(v.number("yaw", 0)));
+    RigidTransform origin =
+        new RigidTransform(new Vector3(v.number("x", 0), v.number("y", 0), 0), Quaternion.fromYaw(v.number("yaw", 0)));
     if (!origin.translation().isFinite()) {
       throw new IllegalArgumentException("the origin of a map must be finite, is " + origin.translation());
     }
@@ -89,7 +99,8 @@ final class PictureShapes {
     byte[] cells = new byte[numbers.length];
     for (int i = 0; i < cells.length; i++) {
       double share = (numbers[i] - free) / (occupied - free);
-      cells[i] = numbers[i] == unknown || Double.isNaN(share) ? GridMap.UNKNOWN : (byte) Math.round(Math.clamp(share, 0, 1) * PERCENT);
+      cells[i] = numbers[i] == unknown || Double.isNaN(share) ? GridMap.UNKNOWN
+          : (byte) Math.round(Math.clamp(share, 0, 1) * PERCENT);
     }
     return Bytes.wrap(cells, 0, cells.length);
   }
@@ -109,13 +120,15 @@ final class PictureShapes {
     int step = fields.size() * Float.BYTES;
     ByteBuffer bytes = ByteBuffer.allocate(Math.multiplyExact(step, count)).order(ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < count; i++) {
-      bytes.putFloat((float) (xs.length > 0 ? xs[i] : points.at(i, 0))).putFloat((float) (ys.length > 0 ? ys[i] : points.at(i, 1)))
+      bytes.putFloat((float) (xs.length > 0 ? xs[i] : points.at(i, 0)))
+          .putFloat((float) (ys.length > 0 ? ys[i] : points.at(i, 1)))
           .putFloat((float) (zs.length > 0 ? zs[i] : points.at(i, 2)));
       if (intensity.length > 0) {
         bytes.putFloat((float) intensity[i]);
       }
     }
-    return new PointCloud(r.frame(v.text("frame", "base")), count, 1, fields, step, bytes.capacity(), ByteOrder.LITTLE_ENDIAN, false,
+    return new PointCloud(r.frame(v.text("frame", "base")), count, 1, fields, step, bytes.capacity(),
+        ByteOrder.LITTLE_ENDIAN, false,
         Bytes.wrap(bytes.flip()));
   }
 

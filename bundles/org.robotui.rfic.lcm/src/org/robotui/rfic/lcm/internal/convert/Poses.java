@@ -24,7 +24,8 @@ final class Poses {
         Field.numbers("x", Quantity.LENGTH, "x").in(POSITION), Field.numbers("y", Quantity.LENGTH, "y").in(POSITION),
         Field.numbers("z", Quantity.LENGTH, "z").in(POSITION),
         Field.numbers(ORIENTATION, Quantity.ROTATION, "orientation", "pose.orientation", "rotation", "quat"),
-        Field.numbers("roll", Quantity.ANGLE, "roll").in(ORIENTATION), Field.numbers("pitch", Quantity.ANGLE, "pitch").in(ORIENTATION),
+        Field.numbers("roll", Quantity.ANGLE, "roll").in(ORIENTATION),
+        Field.numbers("pitch", Quantity.ANGLE, "pitch").in(ORIENTATION),
         Field.numbers("yaw", Quantity.ANGLE, "yaw", "heading", "theta").in(ORIENTATION));
   }
 
@@ -53,14 +54,16 @@ final class Poses {
     for (int i = 0; i < count; i++) {
       Vector3 at = vector(position, axes, i);
       poses.add(new RigidTransform(at, orientation.width() == 0
-          ? Quaternion.fromRollPitchYaw(angles.x(i), angles.y(i), angles.z(i)) : rotation(orientation, i, scalarFirst)));
+          ? Quaternion.fromRollPitchYaw(angles.x(i), angles.y(i), angles.z(i))
+          : rotation(orientation, i, scalarFirst)));
     }
     return poses;
   }
 
   /** Three numbers, by one field or by three. */
   static Vector3 vector(Values values, String all, String x, String y, String z) {
-    return vector(Rows.of(values, all, 1), new Axes(column(values, x, 1), column(values, y, 1), column(values, z, 1)), 0);
+    return vector(Rows.of(values, all, 1), new Axes(column(values, x, 1), column(values, y, 1), column(values, z, 1)),
+        0);
   }
 
   private static Vector3 vector(Rows rows, Axes axes, int i) {
@@ -126,7 +129,8 @@ final class Poses {
     static Rows of(Values values, String field, int count) {
       double[] numbers = values.numbers(field);
       if (count > 0 && numbers.length % count != 0) {
-        throw new IllegalArgumentException(field + " has " + numbers.length + " numbers, which are not as many for each of " + count);
+        throw new IllegalArgumentException(
+            field + " has " + numbers.length + " numbers, which are not as many for each of " + count);
       }
       return new Rows(numbers, count == 0 ? 0 : numbers.length / count);
     }

@@ -42,9 +42,11 @@ public final class RecordFiller {
   public LcmRecord fill(LcmType type, Map<?, ?> fields) {
     RecordBuilder builder = type.builder();
     for (Map.Entry<?, ?> field : fields.entrySet()) {
-      MemberDefinition member = type.definition().members().stream().filter(m -> m.name().equals(field.getKey())).findFirst()
-          .orElseThrow(() -> new IllegalArgumentException(type.name() + " has no member '" + field.getKey() + "'; it has "
-              + type.definition().members().stream().map(MemberDefinition::name).toList()));
+      MemberDefinition member =
+          type.definition().members().stream().filter(m -> m.name().equals(field.getKey())).findFirst()
+              .orElseThrow(
+                  () -> new IllegalArgumentException(type.name() + " has no member '" + field.getKey() + "'; it has "
+                      + type.definition().members().stream().map(MemberDefinition::name).toList()));
       set(builder, type, member, field.getValue());
     }
     return builder.build();
@@ -64,28 +66,33 @@ public final class RecordFiller {
       case String s -> new LcmValue.Text(s);
       case Map<?, ?> m -> new LcmValue.Nested(fill(struct(type, member), m));
       case Number n when isWhole(member) -> new LcmValue.Whole(whole(type, member, n));
-      case Number n when Primitive.of(member.type()).filter(p -> p == Primitive.BOOLEAN).isPresent() -> new LcmValue.Flag(n.doubleValue() != 0);
+      case Number n when Primitive.of(member.type()).filter(p -> p == Primitive.BOOLEAN)
+          .isPresent() -> new LcmValue.Flag(n.doubleValue() != 0);
       case Number n -> new LcmValue.Real(n.doubleValue());
-      default -> throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + value);
+      default -> throw new IllegalArgumentException(
+          type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + value);
     };
   }
 
   private boolean isWhole(MemberDefinition member) {
-    return Primitive.of(member.type()).map(p -> p.isInteger() || p == Primitive.BYTE).orElseGet(() -> types.type(member.type()).isEmpty());
+    return Primitive.of(member.type()).map(p -> p.isInteger() || p == Primitive.BYTE)
+        .orElseGet(() -> types.type(member.type()).isEmpty());
   }
 
   private static long whole(LcmType type, MemberDefinition member, Number number) {
-    boolean exact = number instanceof Long || number instanceof Integer || number instanceof Short || number instanceof Byte;
+    boolean exact =
+        number instanceof Long || number instanceof Integer || number instanceof Short || number instanceof Byte;
     double value = number.doubleValue();
     if (!exact && (value != Math.rint(value) || Math.abs(value) > 1L << 53)) {
-      throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + number);
+      throw new IllegalArgumentException(
+          type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + number);
     }
     return number.longValue();
   }
 
   private LcmType struct(LcmType type, MemberDefinition member) {
-    return types.type(member.type()).orElseThrow(() ->
-        new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and has no members of its own"));
+    return types.type(member.type()).orElseThrow(() -> new IllegalArgumentException(
+        type.name() + "." + member.name() + " is declared as '" + member + "' and has no members of its own"));
   }
 
   private void array(RecordBuilder builder, LcmType type, MemberDefinition member, Object value) {
@@ -102,9 +109,11 @@ public final class RecordFiller {
 
   private void elements(RecordBuilder builder, LcmType type, MemberDefinition member, List<Object> values) {
     switch (Primitive.of(member.type()).orElse(null)) {
-      case null -> builder.records(member.name(), values.stream().map(v -> ((LcmValue.Nested) single(type, member, v == NOTHING ? Map.of() : v)).value()).toList());
+      case null -> builder.records(member.name(), values.stream()
+          .map(v -> ((LcmValue.Nested) single(type, member, v == NOTHING ? Map.of() : v)).value()).toList());
       case STRING -> builder.texts(member.name(), values.stream().map(v -> v == NOTHING ? "" : v.toString()).toList());
-      case FLOAT, DOUBLE -> builder.numbers(member.name(), values.stream().mapToDouble(v -> number(type, member, v).doubleValue()).toArray());
+      case FLOAT, DOUBLE -> builder.numbers(member.name(),
+          values.stream().mapToDouble(v -> number(type, member, v).doubleValue()).toArray());
       case Primitive whole -> builder.bytes(member.name(), bytes(type, member, whole, values));
     }
   }
@@ -114,9 +123,11 @@ public final class RecordFiller {
     for (Object value : values) {
       long number = whole(type, member, number(type, member, value));
       long low = -1L << primitive.size() * Byte.SIZE - 1;
-      boolean fits = primitive == Primitive.BYTE || primitive == Primitive.BOOLEAN ? number >= 0 && number <= 0xff : number >= low && number <= ~low;
+      boolean fits = primitive == Primitive.BYTE || primitive == Primitive.BOOLEAN ? number >= 0 && number <= 0xff
+          : number >= low && number <= ~low;
       if (!fits) {
-        throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + number);
+        throw new IllegalArgumentException(
+            type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + number);
       }
       switch (primitive.size()) {
         case Byte.BYTES -> bytes.put((byte) number);
@@ -133,7 +144,8 @@ public final class RecordFiller {
       case Number n -> n;
       case Boolean b -> b ? 1 : 0;
       case Object nothing when nothing == NOTHING -> 0;
-      default -> throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + value);
+      default -> throw new IllegalArgumentException(
+          type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + value);
     };
   }
 
@@ -143,22 +155,27 @@ public final class RecordFiller {
       return list;
     }
     if (value instanceof SortedMap<?, ?> byIndex && !byIndex.isEmpty() && byIndex.firstKey() instanceof Integer) {
-      int size = member.dimensions().get(dimension) instanceof Dimension.Fixed fixed ? fixed.size() : (Integer) byIndex.lastKey() + 1;
+      int size = member.dimensions().get(dimension) instanceof Dimension.Fixed fixed ? fixed.size()
+          : (Integer) byIndex.lastKey() + 1;
       if ((Integer) byIndex.lastKey() >= size) {
-        throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and has no element " + byIndex.lastKey());
+        throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member
+            + "' and has no element " + byIndex.lastKey());
       }
       List<Object> list = new ArrayList<>(Collections.nCopies(size, NOTHING));
       byIndex.forEach((index, element) -> list.set((Integer) index, element));
       return list;
     }
-    throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member + "' and cannot hold " + value + "; give a list");
+    throw new IllegalArgumentException(type.name() + "." + member.name() + " is declared as '" + member
+        + "' and cannot hold " + value + "; give a list");
   }
 
-  private static void flatten(LcmType type, MemberDefinition member, List<?> list, int dimension, List<Integer> shape, List<Object> into) {
+  private static void flatten(LcmType type, MemberDefinition member, List<?> list, int dimension, List<Integer> shape,
+      List<Object> into) {
     if (shape.size() <= dimension) {
       shape.add(list.size());
     } else if (shape.get(dimension) != list.size()) {
-      throw new IllegalArgumentException(type.name() + "." + member.name() + ": its rows differ in length, " + shape.get(dimension) + " and " + list.size());
+      throw new IllegalArgumentException(type.name() + "." + member.name() + ": its rows differ in length, "
+          + shape.get(dimension) + " and " + list.size());
     }
     for (Object element : list) {
       if (dimension + 1 < member.dimensions().size()) {

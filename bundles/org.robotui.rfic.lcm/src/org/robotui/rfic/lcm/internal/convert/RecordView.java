@@ -41,8 +41,8 @@ public record RecordView(LcmRecord message) implements DynamicRecord {
       case LcmValue.Nested n -> new FieldValue.Nested(new RecordView(n.value()));
       case LcmValue.Numbers n -> rows(n.value().toDoubles(), n.value().shape());
       case LcmValue.Texts t -> rows(t.values().stream().<FieldValue>map(FieldValue.Text::new).toList(), t.shape());
-      case LcmValue.Records r ->
-          rows(r.values().stream().<FieldValue>map(x -> new FieldValue.Nested(new RecordView(x))).toList(), r.shape());
+      case LcmValue.Records r -> rows(
+          r.values().stream().<FieldValue>map(x -> new FieldValue.Nested(new RecordView(x))).toList(), r.shape());
     };
   }
 

@@ -34,7 +34,8 @@ public final class TypeShapes {
   }
 
   private RecordShape record(TypeDefinition.Struct struct) {
-    return new RecordShape(struct.name(), struct.members().stream().map(m -> new RecordShape.Field(m.name(), member(m))).toList(),
+    return new RecordShape(struct.name(),
+        struct.members().stream().map(m -> new RecordShape.Field(m.name(), member(m))).toList(),
         struct.constants().stream().map(c -> new RecordShape.Constant(c.name(), c.text())).toList());
   }
 

@@ -22,17 +22,21 @@ public final class TypeText {
   public static String of(LcmType type, TypeLibrary types) {
     SequencedSet<String> names = new LinkedHashSet<>();
     collect(type.name(), types, names);
-    return names.stream().flatMap(name -> types.type(name).stream()).map(t -> struct(t.definition())).collect(Collectors.joining("\n"));
+    return names.stream().flatMap(name -> types.type(name).stream()).map(t -> struct(t.definition()))
+        .collect(Collectors.joining("\n"));
   }
 
   private static void collect(String name, TypeLibrary types, SequencedSet<String> names) {
-    types.type(name).filter(t -> names.add(name)).ifPresent(t -> t.definition().members().forEach(m -> collect(m.type(), types, names)));
+    types.type(name).filter(t -> names.add(name))
+        .ifPresent(t -> t.definition().members().forEach(m -> collect(m.type(), types, names)));
   }
 
   private static String struct(TypeDefinition.Struct struct) {
-    String constants = struct.constants().stream().map(c -> "  const " + c.type().lcmName() + " " + c.name() + " = " + c.text() + ";\n")
+    String constants = struct.constants().stream()
+        .map(c -> "  const " + c.type().lcmName() + " " + c.name() + " = " + c.text() + ";\n")
         .collect(Collectors.joining());
-    String members = struct.members().stream().map(MemberDefinition::toString).map(m -> "  " + m + ";\n").collect(Collectors.joining());
+    String members = struct.members().stream().map(MemberDefinition::toString).map(m -> "  " + m + ";\n")
+        .collect(Collectors.joining());
     return "struct " + struct.name() + " {\n" + constants + members + "}\n";
   }
 }

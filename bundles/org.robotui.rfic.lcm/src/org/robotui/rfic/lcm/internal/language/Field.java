@@ -8,7 +8,8 @@ import java.util.List;
  * @param name as written in configurations
  * @param kind what it holds
  * @param quantity what its numbers measure
- * @param group fields of one group say the same in several ways: where one of them is written, nothing is assumed for the others
+ * @param group fields of one group say the same in several ways: where one of them is written, nothing is assumed for
+ * the others
  * @param assumed sources that are tried in turn where nothing of the group is written
  */
 public record Field(String name, Kind kind, Quantity quantity, String group, List<String> assumed) {

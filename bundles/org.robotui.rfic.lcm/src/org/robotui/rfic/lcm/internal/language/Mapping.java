@@ -44,7 +44,8 @@ public record Mapping(Placed place, String channel, Form form, Map<String, Entry
    * @return the mapping
    * @throws FaultException where a field is unknown, or what is written for it is none
    */
-  public static Mapping parse(Placed place, String channel, Form form, Map<String, Placed> entries) throws FaultException {
+  public static Mapping parse(Placed place, String channel, Form form, Map<String, Placed> entries)
+      throws FaultException {
     Map<String, Entry> written = new LinkedHashMap<>();
     for (Map.Entry<String, Placed> entry : entries.entrySet()) {
       Placed at = entry.getValue();
@@ -117,8 +118,8 @@ public record Mapping(Placed place, String channel, Form form, Map<String, Entry
     switch (source) {
       case Source.Member m -> members.add(m);
       case Source.Sum s -> members.addAll(s.parts());
-      case Source.Constant c -> { }
-      case Source.Words w -> { }
+      case Source.Constant c -> {}
+      case Source.Words w -> {}
     }
     members.forEach(m -> Target.of(m.path(), type, types).check(field, m.path().toString()));
   }

@@ -6,9 +6,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where something stands in a message: names of members joined by dots, with indices in brackets; empty brackets stand for all
- * elements, as in {@code joints[].angle}. As brackets must be quoted within YAML's braces, {@code pos.0} and {@code joints.*.angle} mean
- * the same.
+ * Where something stands in a message: names of members joined by dots, with indices in brackets; empty brackets stand
+ * for all elements, as in {@code joints[].angle}. As brackets must be quoted within YAML's braces, {@code pos.0} and
+ * {@code joints.*.angle} mean the same.
  *
  * @param steps from the outermost member inwards
  */
@@ -49,11 +49,13 @@ public record MemberPath(List<Step> steps) {
       }
       Matcher m = STEP.matcher(part);
       if (!m.matches()) {
-        throw new IllegalArgumentException("'" + text + "' names no member; write for example pos[0], pose.x or joints[].angle");
+        throw new IllegalArgumentException(
+            "'" + text + "' names no member; write for example pos[0], pose.x or joints[].angle");
       }
       steps.add(new Step.Name(m.group(1)));
       INDEX.matcher(m.group(2)).results()
-          .forEach(r -> steps.add(r.group(1).isEmpty() ? new Step.All() : new Step.Index(Integer.parseInt(r.group(1)))));
+          .forEach(
+              r -> steps.add(r.group(1).isEmpty() ? new Step.All() : new Step.Index(Integer.parseInt(r.group(1)))));
     }
     return new MemberPath(steps);
   }

@@ -4,7 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** What a number measures, and in which units it may be sent. Without a unit it is in that of SI, the first one here. */
+/**
+ * What a number measures, and in which units it may be sent. Without a unit it is in that of SI, the first one here.
+ */
 public enum Quantity {
   /** A count, an index, a share without a dimension. */
   PLAIN,

@@ -51,9 +51,11 @@ public sealed interface Source {
   static Source parse(Object written, Field field) {
     return switch (field.kind()) {
       case TEXT -> text(single(written, field));
-      case TEXTS -> written instanceof List<?> l ? new Words(l.stream().map(Object::toString).toList()) : texts(written.toString());
+      case TEXTS -> written instanceof List<?> l ? new Words(l.stream().map(Object::toString).toList())
+          : texts(written.toString());
       case TIME -> new Sum(written instanceof List<?> l
-          ? l.stream().map(part -> time(part.toString(), field)).toList() : List.of(time(written.toString(), field)));
+          ? l.stream().map(part -> time(part.toString(), field)).toList()
+          : List.of(time(written.toString(), field)));
       case FLAG -> flag(single(written, field), field.quantity());
       default -> number(single(written, field), field.quantity());
     };
@@ -95,15 +97,18 @@ public sealed interface Source {
       throw new IllegalArgumentException("nothing is written here; write for example pos[0] mm");
     }
     if (words.length > 2) {
-      throw new IllegalArgumentException("'" + text + "' is more than a member and its unit; write for example pos[0] mm");
+      throw new IllegalArgumentException(
+          "'" + text + "' is more than a member and its unit; write for example pos[0] mm");
     }
     String unit = words.length == 2 ? words[1] : "";
-    double factor = unit.isEmpty() ? 1 : quantity.factor(unit).orElseThrow(() -> new IllegalArgumentException("'" + unit + "' is no unit here"
-        + (quantity.units().isEmpty() ? "; this number has none" : "; write one of " + quantity.units())));
+    double factor = unit.isEmpty() ? 1
+        : quantity.factor(unit).orElseThrow(() -> new IllegalArgumentException("'" + unit + "' is no unit here"
+            + (quantity.units().isEmpty() ? "; this number has none" : "; write one of " + quantity.units())));
     Optional<Double> constant = constant(words[0]);
     boolean negative = constant.isEmpty() && words[0].startsWith("-");
     return constant.<Source>map(value -> new Constant(value * factor))
-        .orElseGet(() -> new Member(MemberPath.parse(negative ? words[0].substring(1) : words[0]), negative ? -factor : factor, unit));
+        .orElseGet(() -> new Member(MemberPath.parse(negative ? words[0].substring(1) : words[0]),
+            negative ? -factor : factor, unit));
   }
 
   private static Optional<Double> constant(String word) {
@@ -113,7 +118,8 @@ public sealed interface Source {
     try {
       return Optional.of(Double.valueOf(word)).filter(Double::isFinite);
     } catch (NumberFormatException e) {
-      throw new IllegalArgumentException("'" + word + "' is neither a number nor a member; write for example 0.5 or pos[0]", e);
+      throw new IllegalArgumentException(
+          "'" + word + "' is neither a number nor a member; write for example 0.5 or pos[0]", e);
     }
   }
 }

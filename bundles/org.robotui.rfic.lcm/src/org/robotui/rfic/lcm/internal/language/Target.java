@@ -46,44 +46,54 @@ public record Target(MemberDefinition member, Optional<Primitive> primitive, boo
 
   /** What is neither built in nor a struct is an enum, which is sent as a number. */
   private static Optional<Primitive> primitive(MemberDefinition member, TypeLibrary types) {
-    return Primitive.of(member.type()).or(() -> types.type(member.type()).isPresent() ? Optional.empty() : Optional.of(Primitive.INT32));
+    return Primitive.of(member.type())
+        .or(() -> types.type(member.type()).isPresent() ? Optional.empty() : Optional.of(Primitive.INT32));
   }
 
   private static MemberDefinition member(TypeDefinition.Struct at, String name, MemberPath path) {
-    return at.members().stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow(() -> new IllegalArgumentException(
-        at.name() + " has no member '" + name + "'" + (path.toString().indexOf('.') >= 0 ? " (in " + path + ")" : "") + "; it has " + names(at)));
+    return at.members().stream().filter(m -> m.name().equals(name)).findFirst()
+        .orElseThrow(() -> new IllegalArgumentException(
+            at.name() + " has no member '" + name + "'"
+                + (path.toString().indexOf('.') >= 0 ? " (in " + path + ")" : "") + "; it has " + names(at)));
   }
 
   private static List<String> names(TypeDefinition.Struct at) {
     return at.members().stream().map(m -> m.toString().substring(m.toString().indexOf(' ') + 1)).toList();
   }
 
-  private static void checkBrackets(MemberDefinition member, int brackets, boolean last, TypeDefinition.Struct at, MemberPath path) {
+  private static void checkBrackets(MemberDefinition member, int brackets, boolean last, TypeDefinition.Struct at,
+      MemberPath path) {
     int dimensions = member.dimensions().size();
     boolean all = brackets == 1 && path.isMany();
     if (brackets > 0 && dimensions == 0) {
-      throw new IllegalArgumentException(at.name() + "." + member.name() + " is declared as '" + member + "', which is no array; leave the [] away");
+      throw new IllegalArgumentException(
+          at.name() + "." + member.name() + " is declared as '" + member + "', which is no array; leave the [] away");
     }
     if (brackets == 0 && dimensions > 0 && !last) {
-      throw new IllegalArgumentException(at.name() + "." + member.name() + " is declared as '" + member + "': write " + member.name()
-          + "[] for all its elements or " + member.name() + "[0] for the first");
+      throw new IllegalArgumentException(
+          at.name() + "." + member.name() + " is declared as '" + member + "': write " + member.name()
+              + "[] for all its elements or " + member.name() + "[0] for the first");
     }
     if (brackets > 0 && brackets != dimensions && !all) {
-      throw new IllegalArgumentException(at.name() + "." + member.name() + " is declared as '" + member + "' and takes " + dimensions
-          + " indices, not " + brackets);
+      throw new IllegalArgumentException(
+          at.name() + "." + member.name() + " is declared as '" + member + "' and takes " + dimensions
+              + " indices, not " + brackets);
     }
   }
 
-  private static TypeDefinition.Struct struct(MemberDefinition member, TypeDefinition.Struct at, MemberPath path, TypeLibrary types) {
+  private static TypeDefinition.Struct struct(MemberDefinition member, TypeDefinition.Struct at, MemberPath path,
+      TypeLibrary types) {
     return types.type(member.type()).map(LcmType::definition).orElseThrow(() -> new IllegalArgumentException(
-        at.name() + "." + member.name() + " is declared as '" + member + "' and has no members of its own (in " + path + ")"));
+        at.name() + "." + member.name() + " is declared as '" + member + "' and has no members of its own (in " + path
+            + ")"));
   }
 
   /** Refuses what a field cannot hold. */
   void check(Field field, String path) {
     boolean text = primitive.filter(p -> p == Primitive.STRING).isPresent();
     if (primitive.isEmpty()) {
-      throw new IllegalArgumentException(path + " is a " + member.type() + "; write which of its members '" + field.name() + "' is");
+      throw new IllegalArgumentException(
+          path + " is a " + member.type() + "; write which of its members '" + field.name() + "' is");
     }
     switch (field.kind()) {
       case NUMBER, FLAG, TIME -> refuse(text || many, path, field, "a number", "add an index such as [0]");
@@ -96,7 +106,8 @@ public record Target(MemberDefinition member, Optional<Primitive> primitive, boo
 
   private void refuse(boolean wrong, String path, Field field, String expected, String remedy) {
     if (wrong) {
-      throw new IllegalArgumentException("'" + field.name() + "' must be " + expected + ", and " + path + " is declared as '" + member + "'; " + remedy);
+      throw new IllegalArgumentException("'" + field.name() + "' must be " + expected + ", and " + path
+          + " is declared as '" + member + "'; " + remedy);
     }
   }
 }

@@ -11,7 +11,9 @@ import org.robotui.lcm.type.LcmRecord;
 import org.robotui.lcm.type.LcmValue;
 import org.robotui.lcm.type.NumberArray;
 
-/** The fields of one message, read as a mapping says. What is not there is said by an {@link IllegalArgumentException}. */
+/**
+ * The fields of one message, read as a mapping says. What is not there is said by an {@link IllegalArgumentException}.
+ */
 public final class Values {
   private static final double NANOS = 1e9;
 
@@ -62,7 +64,7 @@ public final class Values {
   public double[] numbers(String field) {
     return switch (sources.get(field)) {
       case null -> new double[0];
-      case Source.Constant c -> new double[] {c.value()};
+      case Source.Constant c -> new double[]{c.value()};
       case Source.Member m -> scaled(Collected.of(record, m.path()).numbers(), m.factor());
       case Source other -> throw new IllegalStateException(field + " are no numbers: " + other);
     };
@@ -85,9 +87,13 @@ public final class Values {
     return array(field).map(NumberArray::shape).orElse(List.of());
   }
 
-  /** The array as it is in the message, its numbers not in SI units; none where the field is not mapped to an array as a whole. */
+  /**
+   * The array as it is in the message, its numbers not in SI units; none where the field is not mapped to an array as a
+   * whole.
+   */
   public Optional<NumberArray> array(String field) {
-    return sources.get(field) instanceof Source.Member m && !m.path().isMany() ? record.numbers(m.path().toString()) : Optional.empty();
+    return sources.get(field) instanceof Source.Member m && !m.path().isMany() ? record.numbers(m.path().toString())
+        : Optional.empty();
   }
 
   /** What turns numbers of {@link #array} into SI units. */
@@ -167,7 +173,8 @@ public final class Values {
           case MemberPath.Step.All all -> {
             List<LcmValue> here = follow(at, part.toString());
             at = here.stream().flatMap(v -> v instanceof LcmValue.Records r
-                ? r.values().stream().<LcmValue>map(LcmValue.Nested::new) : Stream.of(v)).toList();
+                ? r.values().stream().<LcmValue>map(LcmValue.Nested::new)
+                : Stream.of(v)).toList();
             rows = at.size() == 1 && at.getFirst() instanceof LcmValue.Numbers n ? n.value().size() : at.size();
             part.setLength(0);
           }
@@ -196,7 +203,8 @@ public final class Values {
         return array.toDoubles();
       }
       return values.stream().flatMapToDouble(v -> v instanceof LcmValue.Numbers(NumberArray array)
-          ? Arrays.stream(array.toDoubles()) : DoubleStream.of(plain(v))).toArray();
+          ? Arrays.stream(array.toDoubles())
+          : DoubleStream.of(plain(v))).toArray();
     }
 
     List<String> texts() {

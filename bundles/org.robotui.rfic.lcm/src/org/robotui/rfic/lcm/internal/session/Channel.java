@@ -56,7 +56,8 @@ final class Channel implements AutoCloseable {
 
   private void give(LcmMessage message) {
     if (type.isEmpty()) {
-      RawMessage raw = new RawMessage("unknown " + fingerprint, "lcm", Bytes.wrap(message.data()), RawMessage.Reader.NONE);
+      RawMessage raw =
+          new RawMessage("unknown " + fingerprint, "lcm", Bytes.wrap(message.data()), RawMessage.Reader.NONE);
       feeds.stream().filter(Feed::wanted).forEach(f -> f.unknown(message, raw));
       return;
     }
@@ -118,7 +119,8 @@ final class Channel implements AutoCloseable {
 
   /** What is wanted of it but cannot be given. */
   synchronized String problem() {
-    return feeds.stream().filter(Feed::wanted).map(Feed::problem).filter(p -> !p.isEmpty()).collect(Collectors.joining("; "));
+    return feeds.stream().filter(Feed::wanted).map(Feed::problem).filter(p -> !p.isEmpty())
+        .collect(Collectors.joining("; "));
   }
 
   /** Whether nobody would miss it. */

@@ -54,7 +54,8 @@ final class ChannelBrowser implements Browser {
   }
 
   private Description channel(Item item) throws CallException {
-    Channel channel = channels.find(item.name()).orElseThrow(() -> new CallException("nothing was heard on " + item.name()));
+    Channel channel =
+        channels.find(item.name()).orElseThrow(() -> new CallException("nothing was heard on " + item.name()));
     Tally.Heard heard = channel.heard();
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("type", channel.typeName());
@@ -67,11 +68,13 @@ final class ChannelBrowser implements Browser {
     facts.put("size", heard.size() + " bytes, " + heard.bytes() + " all together");
     facts.put("senders", heard.senders().stream().sorted().collect(Collectors.joining(", ")));
     Optional<LcmType> type = channel.type();
-    return new Description(item, facts, type.map(t -> TypeText.of(t, types)), type.map(t -> TypeShapes.of(t, types)), Optional.empty());
+    return new Description(item, facts, type.map(t -> TypeText.of(t, types)), type.map(t -> TypeShapes.of(t, types)),
+        Optional.empty());
   }
 
   private Map<String, String> sender(String name) {
-    return Map.of("sends", heard().stream().filter(c -> c.heard().senders().contains(name)).map(Channel::name).collect(Collectors.joining(", ")));
+    return Map.of("sends", heard().stream().filter(c -> c.heard().senders().contains(name)).map(Channel::name)
+        .collect(Collectors.joining(", ")));
   }
 
   private Map<String, String> ourselves() {
@@ -80,15 +83,18 @@ final class ChannelBrowser implements Browser {
     facts.put("url", lcm.url().toString());
     facts.put("received", s.received() + " messages, " + s.receivedBytes() + " bytes");
     facts.put("sent", s.published() + " messages, " + s.publishedBytes() + " bytes");
-    facts.put("lost", s.lost() + " never came, " + s.incomplete() + " came in part, " + s.dropped() + " dropped, " + s.damaged() + " damaged"
-        + (s.lastDamage().isEmpty() ? "" : " (" + s.lastDamage() + ")"));
+    facts.put("lost",
+        s.lost() + " never came, " + s.incomplete() + " came in part, " + s.dropped() + " dropped, " + s.damaged()
+            + " damaged"
+            + (s.lastDamage().isEmpty() ? "" : " (" + s.lastDamage() + ")"));
     if (s.receiveBufferWanted() > 0) {
       String remedy = LinkWatch.bufferRemedy(s);
       facts.put("receive buffer", remedy.isEmpty() ? s.receiveBuffer() + " bytes" : remedy);
     }
     facts.put("types", Integer.toString(types.types().size()));
     if (!types.problems().isEmpty()) {
-      facts.put("wrong in .lcm files", types.problems().stream().map(Exception::getMessage).collect(Collectors.joining("; ")));
+      facts.put("wrong in .lcm files",
+          types.problems().stream().map(Exception::getMessage).collect(Collectors.joining("; ")));
     }
     return facts;
   }

@@ -28,8 +28,9 @@ final class LcmChannels implements AutoCloseable {
     this.context = context;
     this.types = types;
     this.clock = clock;
-    Map<String, List<MappedFeed<?>>> mapped = settings.streams().stream().<MappedFeed<?>>map(s -> MappedFeed.of(context, s, types, clock))
-        .collect(Collectors.groupingBy(MappedFeed::channel));
+    Map<String, List<MappedFeed<?>>> mapped =
+        settings.streams().stream().<MappedFeed<?>>map(s -> MappedFeed.of(context, s, types, clock))
+            .collect(Collectors.groupingBy(MappedFeed::channel));
     mapped.forEach((name, feeds) -> byName.put(name, new Channel(name, feeds, context, types, clock)));
   }
 
@@ -57,8 +58,9 @@ final class LcmChannels implements AutoCloseable {
   }
 
   private boolean makeRoom() {
-    Optional<Channel> idle = byName.values().stream().filter(c -> c.isIdle() && c.heard().silentSeconds() > FORGOTTEN_SECONDS)
-        .max(Comparator.comparingDouble(c -> c.heard().silentSeconds()));
+    Optional<Channel> idle =
+        byName.values().stream().filter(c -> c.isIdle() && c.heard().silentSeconds() > FORGOTTEN_SECONDS)
+            .max(Comparator.comparingDouble(c -> c.heard().silentSeconds()));
     idle.ifPresent(c -> byName.remove(c.name()).close());
     return idle.isPresent();
   }
@@ -74,10 +76,12 @@ final class LcmChannels implements AutoCloseable {
 
   /** What is wanted but cannot be given; empty where all is well. */
   String problem() {
-    String problems = all().stream().map(Channel::problem).filter(p -> !p.isEmpty()).distinct().collect(Collectors.joining("; "));
+    String problems =
+        all().stream().map(Channel::problem).filter(p -> !p.isEmpty()).distinct().collect(Collectors.joining("; "));
     long left = refused();
-    return left == 0 ? problems : problems + (problems.isEmpty() ? "" : "; ") + left + " messages came on channels beyond " + MOST
-        + ", which are left out";
+    return left == 0 ? problems
+        : problems + (problems.isEmpty() ? "" : "; ") + left + " messages came on channels beyond " + MOST
+            + ", which are left out";
   }
 
   private synchronized long refused() {

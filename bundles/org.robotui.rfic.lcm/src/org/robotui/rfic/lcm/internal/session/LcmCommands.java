@@ -54,7 +54,8 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
   private final Map<String, Runnable> driven = new ConcurrentHashMap<>();
   private volatile boolean closed;
 
-  LcmCommands(RficContext context, Lcm lcm, LcmSettings settings, TypeLibrary types, LcmChannels channels, Pulse pulse) {
+  LcmCommands(RficContext context, Lcm lcm, LcmSettings settings, TypeLibrary types, LcmChannels channels,
+      Pulse pulse) {
     this.lcm = lcm;
     this.types = types;
     this.channels = channels;
@@ -72,7 +73,9 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
         moving.add(channel);
       }
       offers.add(context.offers().command(
-          new CommandPort<>(channel, form.data(), Arity.MANY, channel + ", " + writer.type().name() + ": " + form.help()), c -> send(channel, writer, c)));
+          new CommandPort<>(channel, form.data(), Arity.MANY,
+              channel + ", " + writer.type().name() + ": " + form.help()),
+          c -> send(channel, writer, c)));
     } catch (FaultException e) {
       problems.add(e.getMessage());
     }
@@ -90,7 +93,8 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
       return new Sent.Refused("the connection to " + lcm.url() + " is being closed");
     }
     if (silence > 0) {
-      return new Sent.Refused(String.format(Locale.ROOT, "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
+      return new Sent.Refused(String.format(Locale.ROOT,
+          "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
           silence / SECOND));
     }
     try {
@@ -134,7 +138,8 @@ final class LcmCommands implements CommandSink<MessageCommand>, AutoCloseable {
     if (type.isEmpty()) {
       return new Sent.Refused("no .lcm file declares the type " + command.type());
     }
-    Optional<String> other = channels.find(command.topic()).flatMap(Channel::type).map(LcmType::name).filter(t -> !t.equals(command.type()));
+    Optional<String> other =
+        channels.find(command.topic()).flatMap(Channel::type).map(LcmType::name).filter(t -> !t.equals(command.type()));
     if (other.isPresent()) {
       return new Sent.Refused(command.topic() + " carries " + other.get() + ", not " + command.type());
     }

@@ -56,13 +56,15 @@ public final class LcmSession implements RobotSession {
    * @param sockets makes connections to a server
    * @param typesChanged whether the session is to end, as types have to be read anew
    */
-  public LcmSession(RficContext context, LcmSettings settings, TypeLibrary types, SocketFactory sockets, BooleanSupplier typesChanged) {
+  public LcmSession(RficContext context, LcmSettings settings, TypeLibrary types, SocketFactory sockets,
+      BooleanSupplier typesChanged) {
     this.context = context;
     this.types = types;
     this.typesChanged = typesChanged;
     boolean isFile = settings.url().provider().equals("file");
     boolean writes = isFile && !settings.url().options().getOrDefault("mode", "r").equals("r");
-    this.commanded = settings.commands().stream().map(c -> c.mapping().channel()).collect(Collectors.toUnmodifiableSet());
+    this.commanded =
+        settings.commands().stream().map(c -> c.mapping().channel()).collect(Collectors.toUnmodifiableSet());
     this.watch = new LinkWatch(settings.url().toString(), writes, System.nanoTime());
     this.channels = new LcmChannels(context, settings, types, new SessionClock(context, isFile && !writes));
     this.lcm = Lcm.open(settings.url(), LcmOptions.standard(context.threads()).withSockets(sockets));

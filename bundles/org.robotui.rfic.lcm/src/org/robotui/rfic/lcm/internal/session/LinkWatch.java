@@ -10,7 +10,10 @@ import org.robotui.api.link.LinkState;
 import org.robotui.lcm.LcmState;
 import org.robotui.lcm.LcmStatistics;
 
-/** Says how it stands with the link: it is good only while messages come and none are lost. For one thread, but for {@link #heard}. */
+/**
+ * Says how it stands with the link: it is good only while messages come and none are lost. For one thread, but for
+ * {@link #heard}.
+ */
 final class LinkWatch {
   private static final long SILENCE_NANOS = Duration.ofSeconds(5).toNanos();
   private static final long MEMORY_NANOS = Duration.ofSeconds(10).toNanos();
@@ -31,7 +34,8 @@ final class LinkWatch {
 
     /** A message that was given up is missing in its sender's numbers only where none of its fragments came. */
     Losses minus(Losses before) {
-      return new Losses(atNanos, Math.max(0, lost - before.lost), incomplete - before.incomplete, damaged - before.damaged, dropped - before.dropped);
+      return new Losses(atNanos, Math.max(0, lost - before.lost), incomplete - before.incomplete,
+          damaged - before.damaged, dropped - before.dropped);
     }
 
     boolean any() {
@@ -98,7 +102,8 @@ final class LinkWatch {
     part(parts, lately.damaged(), "were damaged (" + statistics.lastDamage() + ")");
     part(parts, lately.dropped(), "were dropped here, as they came faster than they could be read");
     String remedy = lately.lost() + lately.incomplete() > 0 ? bufferRemedy(statistics) : "";
-    reasons.add("of the messages of the last " + MEMORY_NANOS / Duration.ofSeconds(1).toNanos() + " s, " + String.join(", ", parts)
+    reasons.add("of the messages of the last " + MEMORY_NANOS / Duration.ofSeconds(1).toNanos() + " s, "
+        + String.join(", ", parts)
         + (remedy.isEmpty() ? "" : "; " + remedy));
   }
 
@@ -110,8 +115,9 @@ final class LinkWatch {
 
   /** What to do about a receive buffer that is smaller than we asked for; empty where it is not. */
   static String bufferRemedy(LcmStatistics s) {
-    return s.receiveBuffer() >= s.receiveBufferWanted() ? "" : String.format(Locale.ROOT,
-        "the kernel gives a receive buffer of %d kB where %d kB were asked for: run sysctl -w net.core.rmem_max=%d",
-        s.receiveBuffer() >> 10, s.receiveBufferWanted() >> 10, s.receiveBufferWanted());
+    return s.receiveBuffer() >= s.receiveBufferWanted() ? ""
+        : String.format(Locale.ROOT,
+            "the kernel gives a receive buffer of %d kB where %d kB were asked for: run sysctl -w net.core.rmem_max=%d",
+            s.receiveBuffer() >> 10, s.receiveBufferWanted() >> 10, s.receiveBufferWanted());
   }
 }

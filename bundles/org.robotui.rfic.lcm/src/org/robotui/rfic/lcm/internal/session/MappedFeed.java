@@ -21,8 +21,8 @@ import org.robotui.rfic.lcm.internal.language.Source;
 import org.robotui.rfic.lcm.internal.language.Values;
 
 /**
- * A channel as data of a type that views know, as the configuration says. It is offered from the beginning, so that connections do not wait
- * for the first message.
+ * A channel as data of a type that views know, as the configuration says. It is offered from the beginning, so that
+ * connections do not wait for the first message.
  *
  * @param <D> the data
  */
@@ -74,7 +74,8 @@ final class MappedFeed<D extends Data> extends Feed<D> {
 
   private Map<String, Source> bind(LcmType type) throws FaultException {
     if (wantedType.isPresent() && !wantedType.get().value().equals(type.name())) {
-      throw new FaultException(wantedType.get().fault(mapping.channel() + " carries " + type.name() + ", not " + wantedType.get().value()));
+      throw new FaultException(
+          wantedType.get().fault(mapping.channel() + " carries " + type.name() + ", not " + wantedType.get().value()));
     }
     return mapping.bind(type, types);
   }
@@ -92,8 +93,9 @@ final class MappedFeed<D extends Data> extends Feed<D> {
     try {
       Values values = new Values(record, bound.get());
       Optional<Stamp> stamp = clock.stamp(values.nanos("stamp"));
-      Reception reception = new Reception(context.robot(), message.channel(), stamp.orElseGet(() -> clock.received(message)),
-          set -> context.frames().add(set, message.channel() + " of " + message.sender()));
+      Reception reception =
+          new Reception(context.robot(), message.channel(), stamp.orElseGet(() -> clock.received(message)),
+              set -> context.frames().add(set, message.channel() + " of " + message.sender()));
       publish(shape.make().of(values, reception), stamp, message, raw);
     } catch (IllegalArgumentException | ArithmeticException | IndexOutOfBoundsException e) {
       lost(message, "as " + shape.form().word() + ", " + e.getMessage());

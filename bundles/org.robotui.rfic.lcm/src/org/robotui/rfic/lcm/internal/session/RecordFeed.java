@@ -49,7 +49,8 @@ final class RecordFeed extends Feed<DynamicRecord> {
 
   @Override
   void unknown(LcmMessage message, RawMessage raw) {
-    publish(new UnknownMessage(fingerprint(message), Bytes.wrap(message.data()), remedy), Optional.empty(), message, raw);
+    publish(new UnknownMessage(fingerprint(message), Bytes.wrap(message.data()), remedy), Optional.empty(), message,
+        raw);
   }
 
   /** The number that a message starts with, in words. */

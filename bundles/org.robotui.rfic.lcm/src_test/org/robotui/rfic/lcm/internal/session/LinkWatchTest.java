@@ -39,7 +39,10 @@ class LinkWatchTest {
     watch.heard(2 * SECOND);
     String reason = state(statistics(7, 6, 200_000), 2 * SECOND).reason();
     assertTrue(reason.contains("2 never came, 1 came in part"), reason);
-    assertTrue(reason.contains("a receive buffer of 195 kB where 16384 kB were asked for: run sysctl -w net.core.rmem_max=16777216"), reason);
+    assertTrue(
+        reason.contains(
+            "a receive buffer of 195 kB where 16384 kB were asked for: run sysctl -w net.core.rmem_max=16777216"),
+        reason);
     watch.heard(20 * SECOND);
     state(statistics(7, 6, 200_000), 12 * SECOND);
     assertInstanceOf(LinkState.Connected.class, state(statistics(7, 6, 200_000), 20 * SECOND));

@@ -12,7 +12,8 @@ import org.robotui.rfic.player.internal.device.DeviceFeed;
 import org.robotui.rfic.player.internal.link.Devices;
 
 /**
- * What a device can be asked or told by name. Commands that drive are not among them: a call has no limits, no expiry and no end.
+ * What a device can be asked or told by name. Commands that drive are not among them: a call has no limits, no expiry
+ * and no end.
  *
  * @param feed the device
  * @param message a request or a command
@@ -27,8 +28,9 @@ record Callable(DeviceFeed feed, MessageLayout message) {
 
   static Optional<Callable> find(String name, Devices devices, Layouts layouts) {
     int slash = name.indexOf('/');
-    return slash < 0 ? Optional.empty() : devices.find(name.substring(0, slash)).flatMap(
-        feed -> of(feed, layouts).filter(c -> c.message.name().equals(name.substring(slash + 1))).findFirst());
+    return slash < 0 ? Optional.empty()
+        : devices.find(name.substring(0, slash)).flatMap(
+            feed -> of(feed, layouts).filter(c -> c.message.name().equals(name.substring(slash + 1))).findFirst());
   }
 
   static List<Callable> all(Devices devices, Layouts layouts) {
@@ -37,8 +39,10 @@ record Callable(DeviceFeed feed, MessageLayout message) {
 
   private static Stream<Callable> of(DeviceFeed feed, Layouts layouts) {
     String kind = layouts.byCode(feed.device().id().interfaceCode()).map(InterfaceLayout::name).orElse("");
-    Stream<MessageLayout> commands = DRIVING.contains(kind) ? Stream.empty() : feed.messages(MessageType.COMMAND).stream();
+    Stream<MessageLayout> commands =
+        DRIVING.contains(kind) ? Stream.empty() : feed.messages(MessageType.COMMAND).stream();
     Stream<MessageLayout> common = layouts.byName(EVERY_DEVICE).stream().flatMap(any -> any.messages().stream());
-    return Stream.of(feed.messages(MessageType.REQUEST).stream(), commands, common).flatMap(m -> m).map(m -> new Callable(feed, m));
+    return Stream.of(feed.messages(MessageType.REQUEST).stream(), commands, common).flatMap(m -> m)
+        .map(m -> new Callable(feed, m));
   }
 }

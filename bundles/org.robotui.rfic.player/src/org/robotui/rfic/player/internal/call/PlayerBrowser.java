@@ -26,7 +26,10 @@ import org.robotui.rfic.player.internal.convert.PlayerShapes;
 import org.robotui.rfic.player.internal.device.DeviceFeed;
 import org.robotui.rfic.player.internal.link.Devices;
 
-/** What a server has: its devices' messages as topics, requests as services, and its drivers as nodes. Nothing is subscribed for it. */
+/**
+ * What a server has: its devices' messages as topics, requests as services, and its drivers as nodes. Nothing is
+ * subscribed for it.
+ */
 public final class PlayerBrowser implements Browser {
   private static final Duration PATIENCE = Duration.ofSeconds(4);
   private static final String ANSWER = "\n---\n";
@@ -44,7 +47,8 @@ public final class PlayerBrowser implements Browser {
   @Override
   public List<Item> list(Kind kind) throws CallException {
     return switch (kind) {
-      case TOPIC -> topics().map(t -> new Item(kind, t.name(), t.type())).sorted(Comparator.comparing(Item::name)).toList();
+      case TOPIC -> topics().map(t -> new Item(kind, t.name(), t.type())).sorted(Comparator.comparing(Item::name))
+          .toList();
       case SERVICE -> Callable.all(devices, layouts).stream().map(c -> new Item(kind, c.name(), type(c.message())))
           .sorted(Comparator.comparing(Item::name)).toList();
       case NODE -> drivers().keySet().stream().map(n -> new Item(kind, n, "")).toList();
@@ -73,7 +77,9 @@ public final class PlayerBrowser implements Browser {
       List<MessageLayout> commands = feed.messages(MessageType.COMMAND);
       boolean known = layouts.byCode(feed.device().id().interfaceCode()).isPresent();
       return known
-          ? Stream.concat(data.stream(), commands.stream().filter(c -> data.stream().noneMatch(d -> d.name().equals(c.name()))))
+          ? Stream
+              .concat(data.stream(),
+                  commands.stream().filter(c -> data.stream().noneMatch(d -> d.name().equals(c.name()))))
               .map(m -> new Topic(feed, Optional.of(m)))
           : Stream.of(new Topic(feed, Optional.empty()));
     });
@@ -99,7 +105,8 @@ public final class PlayerBrowser implements Browser {
     facts.put("direction", topic.sends() ? "from the device" : "to the device");
     topic.message().map(MessageLayout::comment).filter(c -> !c.isEmpty()).ifPresent(c -> facts.put("meaning", c));
     if (topic.message().isEmpty()) {
-      facts.put("definition", "interface " + topic.feed().device().id().interfaceCode() + " is not known here; its data are shown as bytes");
+      facts.put("definition", "interface " + topic.feed().device().id().interfaceCode()
+          + " is not known here; its data are shown as bytes");
     }
     return new Description(item, facts, topic.message().map(m -> PlayerShapes.text(m.payload())),
         topic.message().map(m -> PlayerShapes.of(m.payload())), Optional.empty());
@@ -113,13 +120,15 @@ public final class PlayerBrowser implements Browser {
     if (!message.comment().isEmpty()) {
       facts.put("meaning", message.comment());
     }
-    return new Description(item, facts, Optional.of(PlayerShapes.text(message.payload()) + ANSWER + PlayerShapes.text(message.answer())),
+    return new Description(item, facts,
+        Optional.of(PlayerShapes.text(message.payload()) + ANSWER + PlayerShapes.text(message.answer())),
         Optional.of(PlayerShapes.of(message.payload())), Optional.of(PlayerShapes.of(message.answer())));
   }
 
   private Description driver(Item item) throws CallException {
     List<String> moved = Optional.ofNullable(drivers().get(item.name())).orElseThrow(() -> gone(item));
-    return new Description(item, Map.of("devices", String.join(", ", moved)), Optional.empty(), Optional.empty(), Optional.empty());
+    return new Description(item, Map.of("devices", String.join(", ", moved)), Optional.empty(), Optional.empty(),
+        Optional.empty());
   }
 
   private static Map<String, String> facts(DeviceFeed feed) {
@@ -182,7 +191,8 @@ public final class PlayerBrowser implements Browser {
   }
 
   private static CallException noParameters() {
-    return new CallException("Player lists no settings; those of a device whose names you know are read and set by the calls get_..._property");
+    return new CallException(
+        "Player lists no settings; those of a device whose names you know are read and set by the calls get_..._property");
   }
 
   @Override

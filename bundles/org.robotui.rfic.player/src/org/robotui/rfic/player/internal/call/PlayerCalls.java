@@ -24,7 +24,10 @@ import org.robotui.rfic.player.internal.convert.RecordView;
 import org.robotui.rfic.player.internal.device.DeviceFeed;
 import org.robotui.rfic.player.internal.link.Devices;
 
-/** Asks and tells devices. A device is opened for it, and stays open for a while, as closing it may undo what it was told. */
+/**
+ * Asks and tells devices. A device is opened for it, and stays open for a while, as closing it may undo what it was
+ * told.
+ */
 public final class PlayerCalls implements CallHandler<ServiceRequest, ServiceReply> {
   private static final long LOOK_MILLIS = 5;
 
@@ -63,7 +66,8 @@ public final class PlayerCalls implements CallHandler<ServiceRequest, ServiceRep
     }
   }
 
-  private static ServiceReply command(DeviceFeed feed, MessageLayout message, Map<String, Object> arguments) throws CallException {
+  private static ServiceReply command(DeviceFeed feed, MessageLayout message, Map<String, Object> arguments)
+      throws CallException {
     PlayerRecord body = body(feed, message, arguments);
     if (!said(feed, message, () -> feed.device().command(message, body))) {
       throw new CallException(feed.name() + " is not open any more");
@@ -71,7 +75,8 @@ public final class PlayerCalls implements CallHandler<ServiceRequest, ServiceRep
     return new ServiceReply(new MapRecord("sent", Map.of()));
   }
 
-  private static ServiceReply request(DeviceFeed feed, MessageLayout message, Map<String, Object> arguments, long deadlineNanos)
+  private static ServiceReply request(DeviceFeed feed, MessageLayout message, Map<String, Object> arguments,
+      long deadlineNanos)
       throws CallException, InterruptedException {
     PlayerRecord body = body(feed, message, arguments);
     CompletableFuture<Outcome<PlayerRecord>> future = said(feed, message, () -> feed.device().request(message, body));
@@ -86,12 +91,14 @@ public final class PlayerCalls implements CallHandler<ServiceRequest, ServiceRep
     }
   }
 
-  private static PlayerRecord body(DeviceFeed feed, MessageLayout message, Map<String, Object> arguments) throws CallException {
+  private static PlayerRecord body(DeviceFeed feed, MessageLayout message, Map<String, Object> arguments)
+      throws CallException {
     Optional<StructLayout> struct = message.payload();
     if (struct.isEmpty() && !arguments.isEmpty()) {
       throw new CallException(message.name() + " of " + feed.name() + " takes no fields");
     }
-    return struct.isEmpty() ? PlayerRecord.empty() : said(feed, message, () -> PlayerRecord.of(struct.get(), arguments));
+    return struct.isEmpty() ? PlayerRecord.empty()
+        : said(feed, message, () -> PlayerRecord.of(struct.get(), arguments));
   }
 
   private static <T> T said(DeviceFeed feed, MessageLayout message, Supplier<T> saying) throws CallException {

@@ -22,12 +22,14 @@ public final class BumperParts {
     List<org.robotui.data.sensor.Bumper> bumpers = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       boolean touched = i < pressed.length && pressed[i] != 0;
-      bumpers.add(i < parts.size() ? of(parts.get(i), touched) : new org.robotui.data.sensor.Bumper(RigidTransform.IDENTITY, 0, 0, touched));
+      bumpers.add(i < parts.size() ? of(parts.get(i), touched)
+          : new org.robotui.data.sensor.Bumper(RigidTransform.IDENTITY, 0, 0, touched));
     }
     return new Bumpers(base, bumpers);
   }
 
   private static org.robotui.data.sensor.Bumper of(Bumper.Part part, boolean pressed) {
-    return new org.robotui.data.sensor.Bumper(Poses.mounted(part.pose()), Math.abs(Poses.sane(part.length())), Math.abs(Poses.sane(part.radius())), pressed);
+    return new org.robotui.data.sensor.Bumper(Poses.mounted(part.pose()), Math.abs(Poses.sane(part.length())),
+        Math.abs(Poses.sane(part.radius())), pressed);
   }
 }

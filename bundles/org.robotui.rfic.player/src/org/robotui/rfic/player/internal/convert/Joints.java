@@ -38,10 +38,12 @@ public final class Joints {
       Actarray.Link link = m.actuators().get(i);
       JointModel.Type type = link.type() == LINEAR ? JointModel.Type.PRISMATIC : JointModel.Type.REVOLUTE;
       double speed = link.speed() > 0 ? link.speed() : Double.POSITIVE_INFINITY;
-      joints.add(new JointModel.Joint(name(device, i), i, type, Math.min(link.min(), link.max()), Math.max(link.min(), link.max()), speed,
+      joints.add(new JointModel.Joint(name(device, i), i, type, Math.min(link.min(), link.max()),
+          Math.max(link.min(), link.max()), speed,
           Double.POSITIVE_INFINITY));
     }
-    return new JointModel(joints, List.of(new JointModel.Chain(device, joints.stream().map(JointModel.Joint::name).toList())));
+    return new JointModel(joints,
+        List.of(new JointModel.Chain(device, joints.stream().map(JointModel.Joint::name).toList())));
   }
 
   /**
@@ -55,16 +57,19 @@ public final class Joints {
     return new JointControl(IntStream.range(0, m.actuators().size()).mapToObj(i -> {
       Actarray.Actuator a = m.actuators().get(i);
       Optional<Double> target = Optional.ofNullable(targets.get(i));
-      JointControl.Measured measured = new JointControl.Measured(a.position(), Double.NaN, a.speed(), Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+      JointControl.Measured measured = new JointControl.Measured(a.position(), Double.NaN, a.speed(), Double.NaN,
+          Double.NaN, Double.NaN, Double.NaN);
       JointControl.Reference reference = new JointControl.Reference(target.orElse((double) a.position()), 0, 0, 0, 0);
       return new JointControl.Joint(name(device, i), measured, reference, Set.of(JointMode.POSITION),
-          target.isPresent() ? JointControl.Source.COMMANDED : JointControl.Source.HOLDING, target.isPresent() ? "robotui" : "", 0, 0, 0);
+          target.isPresent() ? JointControl.Source.COMMANDED : JointControl.Source.HOLDING,
+          target.isPresent() ? "robotui" : "", 0, 0, 0);
     }).toList());
   }
 
   /** The number of a commanded joint. */
   public static int index(JointCommand.Joint joint, String device, int joints) {
     return IntStream.range(0, joints).filter(i -> name(device, i).equals(joint.name())).findFirst().orElseThrow(
-        () -> new IllegalArgumentException(device + " has no joint '" + joint.name() + "', but " + joints + " from " + name(device, 0)));
+        () -> new IllegalArgumentException(
+            device + " has no joint '" + joint.name() + "', but " + joints + " from " + name(device, 0)));
   }
 }

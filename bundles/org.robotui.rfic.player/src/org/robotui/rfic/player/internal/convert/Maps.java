@@ -23,7 +23,8 @@ public final class Maps {
       throw new IllegalArgumentException("scale: must be positive, is " + info.scale());
     }
     if (info.width() > MOST_CELLS || info.height() > MOST_CELLS || info.width() * info.height() > MOST_CELLS) {
-      throw new IllegalArgumentException("a map of " + info.width() + " x " + info.height() + " cells is larger than " + MOST_CELLS + " cells");
+      throw new IllegalArgumentException(
+          "a map of " + info.width() + " x " + info.height() + " cells is larger than " + MOST_CELLS + " cells");
     }
   }
 
@@ -35,8 +36,9 @@ public final class Maps {
   /** Writes a tile into the cells of a map. */
   public static void put(PlayerMap.Tile tile, PlayerMap.Info info, byte[] cells) {
     if (tile.column() + tile.width() > info.width() || tile.row() + tile.height() > info.height()) {
-      throw new IllegalArgumentException("a tile of " + tile.width() + " x " + tile.height() + " cells at " + tile.column() + ", " + tile.row()
-          + " reaches beyond the map of " + info.width() + " x " + info.height());
+      throw new IllegalArgumentException(
+          "a tile of " + tile.width() + " x " + tile.height() + " cells at " + tile.column() + ", " + tile.row()
+              + " reaches beyond the map of " + info.width() + " x " + info.height());
     }
     int width = (int) tile.width();
     byte[] packed = inflate(tile.cells(), width * (int) tile.height());

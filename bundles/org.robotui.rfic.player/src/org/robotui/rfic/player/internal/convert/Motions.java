@@ -21,13 +21,15 @@ public final class Motions {
 
   public static Odometry odometry(Position2d.State m, FrameId frame, FrameId child) {
     Pose2d v = m.velocity();
-    return new Odometry(frame, child, Poses.of(m.position()), Doubles.EMPTY, Poses.finite(new Vector3(v.x(), v.y(), 0), "velocity"),
+    return new Odometry(frame, child, Poses.of(m.position()), Doubles.EMPTY,
+        Poses.finite(new Vector3(v.x(), v.y(), 0), "velocity"),
         Poses.finite(new Vector3(0, 0, v.yaw()), "velocity"), Doubles.EMPTY);
   }
 
   public static Odometry odometry(Position3d.State m, FrameId frame, FrameId child) {
     return new Odometry(frame, child, Poses.of(m.position()), Doubles.EMPTY,
-        Poses.finite(Poses.position(m.velocity()), "velocity"), Poses.finite(Poses.angles(m.velocity()), "velocity"), Doubles.EMPTY);
+        Poses.finite(Poses.position(m.velocity()), "velocity"), Poses.finite(Poses.angles(m.velocity()), "velocity"),
+        Doubles.EMPTY);
   }
 
   /** The rectangle around a body; none where the device does not tell its size. */
@@ -48,7 +50,9 @@ public final class Motions {
   }
 
   public static Position3d.Velocity spatial(VelocityCommand c) {
-    return new Position3d.Velocity(new Pose3d(c.linear().x(), c.linear().y(), c.linear().z(), c.angular().x(), c.angular().y(),
-        c.angular().z()), true);
+    return new Position3d.Velocity(
+        new Pose3d(c.linear().x(), c.linear().y(), c.linear().z(), c.angular().x(), c.angular().y(),
+            c.angular().z()),
+        true);
   }
 }

@@ -24,10 +24,12 @@ public final class Pictures {
       return new CompressedImage(frame, "jpeg", Bytes.wrap(m.data(), 0, m.data().length));
     }
     if (m.compression() != 0) {
-      throw new IllegalArgumentException("compression: " + m.compression() + " is none that Player has (0 none, 1 JPEG)");
+      throw new IllegalArgumentException(
+          "compression: " + m.compression() + " is none that Player has (0 none, 1 JPEG)");
     }
     if (m.width() * m.height() > MOST_PIXELS || m.width() > MOST_PIXELS) {
-      throw new IllegalArgumentException("a picture of " + m.width() + " x " + m.height() + " pixels is more than a message can hold");
+      throw new IllegalArgumentException(
+          "a picture of " + m.width() + " x " + m.height() + " pixels is more than a message can hold");
     }
     int width = (int) m.width();
     int height = (int) m.height();
@@ -36,13 +38,15 @@ public final class Pictures {
       case GREY16 -> raw(frame, width, height, PixelEncoding.MONO16, m.data());
       case RGB565 -> raw(frame, width, height, PixelEncoding.RGB8, widened(m.data(), width * height));
       case RGB888 -> raw(frame, width, height, PixelEncoding.RGB8, m.data());
-      default -> throw new IllegalArgumentException("format: " + m.format() + " is none that Player has (1 grey, 2 grey of 16 bits, 4 RGB565, 5 RGB888)");
+      default -> throw new IllegalArgumentException(
+          "format: " + m.format() + " is none that Player has (1 grey, 2 grey of 16 bits, 4 RGB565, 5 RGB888)");
     };
   }
 
   /** Grey of 16 bits is sent in the network's order. */
   private static RawImage raw(FrameId frame, int width, int height, PixelEncoding encoding, byte[] data) {
-    return new RawImage(frame, width, height, encoding, true, width * encoding.bytesPerPixel(), Bytes.wrap(data, 0, data.length));
+    return new RawImage(frame, width, height, encoding, true, width * encoding.bytesPerPixel(),
+        Bytes.wrap(data, 0, data.length));
   }
 
   /** Pixels of 5, 6 and 5 bits lie as a frame grabber leaves them, lower byte first. */

@@ -21,11 +21,13 @@ public final class PlayerShapes {
   }
 
   private static RecordShape of(StructLayout struct) {
-    return new RecordShape(struct.name(), struct.fields().stream().map(f -> new RecordShape.Field(f.name(), field(f))).toList(), List.of());
+    return new RecordShape(struct.name(),
+        struct.fields().stream().map(f -> new RecordShape.Field(f.name(), field(f))).toList(), List.of());
   }
 
   private static FieldShape field(FieldLayout field) {
-    FieldShape one = field.struct().<FieldShape>map(s -> new FieldShape.Nested(of(s))).orElseGet(() -> primitive(field.type()));
+    FieldShape one =
+        field.struct().<FieldShape>map(s -> new FieldShape.Nested(of(s))).orElseGet(() -> primitive(field.type()));
     return field.isArray() ? new FieldShape.Many(one, field.size()) : one;
   }
 

@@ -13,7 +13,8 @@ public final class Poses {
   private Poses() {}
 
   public static RigidTransform of(Pose2d pose) {
-    return new RigidTransform(finite(new Vector3(pose.x(), pose.y(), 0), "place"), Quaternion.fromYaw(finite(pose.yaw(), "yaw")));
+    return new RigidTransform(finite(new Vector3(pose.x(), pose.y(), 0), "place"),
+        Quaternion.fromYaw(finite(pose.yaw(), "yaw")));
   }
 
   public static RigidTransform of(Pose3d pose) {

@@ -34,7 +34,8 @@ public record RecordView(String schema, PlayerRecord body) implements DynamicRec
       case FieldValue.Bytes b -> new org.robotui.data.record.FieldValue.Numbers(numbers(b.value()));
       case FieldValue.Numbers n -> new org.robotui.data.record.FieldValue.Numbers(Doubles.of(n.values()));
       case FieldValue.Nested n -> nested(n.value());
-      case FieldValue.Many m -> new org.robotui.data.record.FieldValue.Items(m.values().stream().map(RecordView::nested).toList());
+      case FieldValue.Many m -> new org.robotui.data.record.FieldValue.Items(
+          m.values().stream().map(RecordView::nested).toList());
     };
   }
 

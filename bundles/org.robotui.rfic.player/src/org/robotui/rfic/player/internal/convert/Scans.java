@@ -16,7 +16,8 @@ public final class Scans {
     for (int i = 0; i < ranges.length; i++) {
       ranges[i] = open(ranges[i], max);
     }
-    return new LaserScan(frame, m.minAngle(), step(m.minAngle(), m.maxAngle(), m.resolution(), ranges.length), 0, max, 0,
+    return new LaserScan(frame, m.minAngle(), step(m.minAngle(), m.maxAngle(), m.resolution(), ranges.length), 0, max,
+        0,
         Floats.wrap(ranges), intensities(m.intensities(), ranges.length));
   }
 
@@ -28,7 +29,8 @@ public final class Scans {
     }
     double min = Math.clamp(Poses.sane(config.minRange()), 0, max);
     double period = config.frequency() > 0 ? 1 / config.frequency() : 0;
-    return new LaserScan(frame, config.minAngle(), step(config.minAngle(), config.maxAngle(), config.resolution(), ranges.length), min, max,
+    return new LaserScan(frame, config.minAngle(),
+        step(config.minAngle(), config.maxAngle(), config.resolution(), ranges.length), min, max,
         period, Floats.wrap(ranges), Floats.EMPTY);
   }
 

@@ -52,14 +52,17 @@ public final class Sensing {
   }
 
   public static Imu imu(org.robotui.player.interfaces.Imu.FullState m, FrameId frame) {
-    return new Imu(frame, Optional.of(Poses.of(m.pose()).rotation()), Optional.of(Poses.finite(Poses.angles(m.velocity()), "velocity")),
+    return new Imu(frame, Optional.of(Poses.of(m.pose()).rotation()),
+        Optional.of(Poses.finite(Poses.angles(m.velocity()), "velocity")),
         Optional.of(Poses.finite(Poses.position(m.acceleration()), "acceleration")));
   }
 
-  private static Imu measured(org.robotui.player.interfaces.Imu.Calibrated m, Optional<Quaternion> orientation, FrameId frame) {
+  private static Imu measured(org.robotui.player.interfaces.Imu.Calibrated m, Optional<Quaternion> orientation,
+      FrameId frame) {
     return new Imu(frame, orientation,
         Optional.of(Poses.finite(new Vector3(m.gyroX(), m.gyroY(), m.gyroZ()), "gyro")),
-        Optional.of(Poses.finite(new Vector3(m.accelerationX(), m.accelerationY(), m.accelerationZ()), "acceleration")));
+        Optional
+            .of(Poses.finite(new Vector3(m.accelerationX(), m.accelerationY(), m.accelerationZ()), "acceleration")));
   }
 
   private static Quaternion unit(Quaternion q) {

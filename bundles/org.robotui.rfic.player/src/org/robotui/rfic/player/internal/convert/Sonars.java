@@ -25,7 +25,8 @@ public final class Sonars {
     }
   }
 
-  public static RangeReadings of(double[] distances, Beam beam, RangeReading.Kind kind, FrameNames frames, String device) {
+  public static RangeReadings of(double[] distances, Beam beam, RangeReading.Kind kind, FrameNames frames,
+      String device) {
     List<RangeReading> readings = new ArrayList<>(distances.length);
     for (int i = 0; i < distances.length; i++) {
       double range = distances[i] >= beam.range() ? Double.POSITIVE_INFINITY : distances[i];

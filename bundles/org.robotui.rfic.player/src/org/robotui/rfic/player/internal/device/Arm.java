@@ -31,7 +31,8 @@ final class Arm {
     this.states = feed.outlet("", JointState.class, "its joints");
     this.controls = feed.outlet("/control", JointControl.class, "where its joints were sent from here");
     this.models = feed.outlet("/model", JointModel.class, "the bounds of its joints");
-    feed.onOpen(() -> feed.ask(Actarray.GET_GEOMETRY, g -> models.publish(Joints.model(g, feed.name()), Reception.now()), models::failed));
+    feed.onOpen(() -> feed.ask(Actarray.GET_GEOMETRY,
+        g -> models.publish(Joints.model(g, feed.name()), Reception.now()), models::failed));
     feed.on(Actarray.STATE, states, this::told);
     feed.command("/joints", JointCommand.class, "positions or velocities of its joints",
         new Driving<>(feed, this::out, this::out, JointCommand.ZERO, this::refusal));
@@ -51,7 +52,8 @@ final class Arm {
     }
     List<Set<JointMode>> modes = command.joints().stream().map(JointCommand.Joint::modes).distinct().toList();
     return modes.isEmpty() || modes.equals(List.of(POSITION)) || modes.equals(List.of(VELOCITY)) ? Optional.empty()
-        : Optional.of(feed.name() + " is driven by positions or by velocities, all joints by the same; not by " + modes);
+        : Optional
+            .of(feed.name() + " is driven by positions or by velocities, all joints by the same; not by " + modes);
   }
 
   /** Before the first state nothing is sent: the other joints would be told to go to 0. */

@@ -27,7 +27,8 @@ final class Bases {
     body(feed, Position2d.GET_GEOMETRY, Position2d.GEOMETRY);
     feed.command(VELOCITY, VelocityCommand.class, "velocity of the base",
         new Driving<>(feed, c -> feed.device().command(Position2d.VELOCITY, Motions.planar(c)),
-            c -> feed.device().commandUnopened(Position2d.VELOCITY, Motions.planar(c)), VelocityCommand.ZERO, c -> Optional.empty()));
+            c -> feed.device().commandUnopened(Position2d.VELOCITY, Motions.planar(c)), VelocityCommand.ZERO,
+            c -> Optional.empty()));
   }
 
   static void position3d(DeviceFeed feed) {
@@ -38,7 +39,8 @@ final class Bases {
     body(feed, Position3d.GET_GEOMETRY, Position3d.GEOMETRY);
     feed.command(VELOCITY, VelocityCommand.class, "velocity of the vehicle",
         new Driving<>(feed, c -> feed.device().command(Position3d.VELOCITY, Motions.spatial(c)),
-            c -> feed.device().commandUnopened(Position3d.VELOCITY, Motions.spatial(c)), VelocityCommand.ZERO, c -> Optional.empty()));
+            c -> feed.device().commandUnopened(Position3d.VELOCITY, Motions.spatial(c)), VelocityCommand.ZERO,
+            c -> Optional.empty()));
   }
 
   private static void moved(DeviceFeed feed, Outlet<Odometry> outlet, Odometry odometry, Reception reception) {
@@ -55,7 +57,8 @@ final class Bases {
     }
     FrameId base = names(feed).base();
     Outlet<Footprint> outlet = feed.outlet("/footprint", Footprint.class, "the outline of the robot");
-    feed.onOpen(() -> feed.ask(request, b -> Motions.footprint(b, base).ifPresent(f -> outlet.publish(f, Reception.now())), outlet::failed));
+    feed.onOpen(() -> feed.ask(request,
+        b -> Motions.footprint(b, base).ifPresent(f -> outlet.publish(f, Reception.now())), outlet::failed));
     feed.on(data, outlet, (m, r) -> Motions.footprint(m, base).ifPresent(f -> outlet.publish(f, r)));
   }
 

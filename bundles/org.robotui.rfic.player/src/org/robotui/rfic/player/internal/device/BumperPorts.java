@@ -7,7 +7,10 @@ import org.robotui.data.sensor.Bumpers;
 import org.robotui.player.interfaces.Bumper;
 import org.robotui.rfic.player.internal.convert.BumperParts;
 
-/** Bumpers: where they are, and which are pressed. A device that does not tell where they are still tells which are pressed. */
+/**
+ * Bumpers: where they are, and which are pressed. A device that does not tell where they are still tells which are
+ * pressed.
+ */
 final class BumperPorts {
   private final Outlet<Bumpers> outlet;
   private final FrameId base;
@@ -18,7 +21,8 @@ final class BumperPorts {
     this.outlet = feed.outlet("", Bumpers.class, "its bumpers, and which are pressed");
     feed.onOpen(() -> feed.ask(Bumper.GET_GEOMETRY, g -> parts = Optional.of(g.bumpers()), this::untold));
     feed.on(Bumper.GEOMETRY, outlet, (m, r) -> parts = Optional.of(m.bumpers()));
-    feed.on(Bumper.STATE, outlet, (m, r) -> parts.ifPresent(known -> outlet.publish(BumperParts.of(known, m.pressed(), base), r)));
+    feed.on(Bumper.STATE, outlet,
+        (m, r) -> parts.ifPresent(known -> outlet.publish(BumperParts.of(known, m.pressed(), base), r)));
   }
 
   private void untold(String reason) {

@@ -37,15 +37,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One device: its ports, and its subscription, which is held only while somebody needs it, as it may start a driver. Data come on the
- * receiving thread; {@link #tick} is for the thread that follows the devices.
+ * One device: its ports, and its subscription, which is held only while somebody needs it, as it may start a driver.
+ * Data come on the receiving thread; {@link #tick} is for the thread that follows the devices.
  */
 public final class DeviceFeed implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(DeviceFeed.class);
   private static final long LINGER_NANOS = 30_000_000_000L;
   /** What measures again and again. Others speak when something changes, and their silence says nothing. */
-  private static final Set<String> MEASURING = Set.of("position2d", "position3d", "laser", "ranger", "sonar", "ir", "imu", "gps", "camera", "actarray",
-      "pointcloud3d", "bumper", "fiducial");
+  private static final Set<String> MEASURING =
+      Set.of("position2d", "position3d", "laser", "ranger", "sonar", "ir", "imu", "gps", "camera", "actarray",
+          "pointcloud3d", "bumper", "fiducial");
   /** A localisation that is opened again forgets where the robot is, and its odometry comes on change. */
   private static final String LOCALISATION = "amcl";
 
@@ -67,7 +68,8 @@ public final class DeviceFeed implements AutoCloseable {
   private final List<BooleanSupplier> busy = new CopyOnWriteArrayList<>();
   private final Rhythm rhythm = new Rhythm();
   private final AtomicInteger holds = new AtomicInteger();
-  private volatile long lingerUntil = System.nanoTime() - LINGER_NANOS; // ticks bring an earlier time than that of their making
+  private volatile long lingerUntil = System.nanoTime() - LINGER_NANOS; // ticks bring an earlier time than that of
+                                                                        // their making
   private volatile String refusal = "";
   private volatile boolean missing;
   private Optional<Subscription> subscription = Optional.empty();
@@ -136,7 +138,8 @@ public final class DeviceFeed implements AutoCloseable {
   }
 
   <D extends Data> void command(String suffix, Class<D> type, String help, CommandSink<D> sink) {
-    commands.add(around.context().offers().command(new CommandPort<>(name() + suffix, type, Arity.MANY, name() + ": " + help), sink));
+    commands.add(around.context().offers()
+        .command(new CommandPort<>(name() + suffix, type, Arity.MANY, name() + ": " + help), sink));
   }
 
   void onOpen(Runnable opener) {
@@ -257,7 +260,8 @@ public final class DeviceFeed implements AutoCloseable {
       Reception reception = new Reception(around.stamps().of(message.stamp()), receiveNanos, Optional.of(raw(message)));
       List<Taker> taking = takers.getOrDefault(message.subtype(), others);
       if (taking.isEmpty()) {
-        outlets.stream().findFirst().ifPresent(o -> o.lost(name() + " at " + around.peer() + ": data " + message.subtype() + " are not known here"));
+        outlets.stream().findFirst().ifPresent(
+            o -> o.lost(name() + " at " + around.peer() + ": data " + message.subtype() + " are not known here"));
       }
       taking.forEach(taker -> take(taker, message, reception));
     }

@@ -9,7 +9,8 @@ import org.robotui.data.command.Motion;
 import org.robotui.player.client.DeviceState;
 
 /**
- * Sends motions to a device, which is opened with the first one, and remembers whether it is we who drive. Motor power is never touched.
+ * Sends motions to a device, which is opened with the first one, and remembers whether it is we who drive. Motor power
+ * is never touched.
  *
  * @param <C> the motion
  */
@@ -65,7 +66,10 @@ final class Driving<C extends Motion<C>> implements CommandSink<C> {
     return new Sent.Out();
   }
 
-  /** The base takes the stop whoever drives it. It is said to a device that is closed, too: who does not look at it need not open it for that. */
+  /**
+   * The base takes the stop whoever drives it. It is said to a device that is closed, too: who does not look at it need
+   * not open it for that.
+   */
   @Override
   public Sent stop(C zero, boolean ours) {
     if (!ours && !feed.around().isBase(feed.name())) {
@@ -85,7 +89,8 @@ final class Driving<C extends Motion<C>> implements CommandSink<C> {
   static String obstacle(DeviceFeed feed) {
     return switch (feed.device().state()) {
       case DeviceState.Refused refused -> refused.reason();
-      case DeviceState.Waiting waiting -> feed.name() + " at " + feed.around().peer() + " is being opened; it takes commands in a moment";
+      case DeviceState.Waiting waiting -> feed.name() + " at " + feed.around().peer()
+          + " is being opened; it takes commands in a moment";
       default -> feed.name() + " at " + feed.around().peer() + " is not linked";
     };
   }

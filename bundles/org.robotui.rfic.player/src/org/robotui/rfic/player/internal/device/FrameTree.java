@@ -18,8 +18,8 @@ import org.robotui.rfic.player.internal.convert.FrameNames;
 import org.robotui.rfic.player.internal.link.Stamps;
 
 /**
- * The frames of the robot: map, odometry, base, devices. Player has no transforms; these are made of what its devices say. Safe for all
- * threads.
+ * The frames of the robot: map, odometry, base, devices. Player has no transforms; these are made of what its devices
+ * say. Safe for all threads.
  */
 public final class FrameTree implements AutoCloseable {
   private final RficContext context;
@@ -60,7 +60,8 @@ public final class FrameTree implements AutoCloseable {
   void moved(Odometry odometry, Optional<Stamp> stamp, String authority) {
     odomFromBase = Optional.of(odometry.pose());
     if (!odometry.frame().equals(odometry.childFrame())) {
-      add(new FrameTransform(odometry.frame(), odometry.childFrame(), stamp.orElseGet(Stamps::wall), odometry.pose(), false), authority);
+      add(new FrameTransform(odometry.frame(), odometry.childFrame(), stamp.orElseGet(Stamps::wall), odometry.pose(),
+          false), authority);
     }
   }
 

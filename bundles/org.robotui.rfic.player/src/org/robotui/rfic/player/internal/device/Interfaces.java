@@ -27,14 +27,15 @@ final class Interfaces {
       case "map" -> new MapFetch(feed);
       case "planner" -> new PlannerPorts(feed);
       case "localize" -> new LocalizePorts(feed);
-      default -> { }
+      default -> {}
     }
     layout.ifPresentOrElse(l -> rest(feed, l), () -> feed.records("", Optional.empty()));
   }
 
   /** A first kind of data that nothing was made of has the device's name, others their own behind it. */
   private static void rest(DeviceFeed feed, InterfaceLayout layout) {
-    boolean first = layout.messages().stream().noneMatch(m -> m.type() == MessageType.DATA && feed.listensTo(m.subtype()));
+    boolean first =
+        layout.messages().stream().noneMatch(m -> m.type() == MessageType.DATA && feed.listensTo(m.subtype()));
     for (var message : layout.messages()) {
       if (message.type() == MessageType.DATA && !feed.listensTo(message.subtype())) {
         feed.records(first ? "" : "/" + message.name(), Optional.of(message));

@@ -7,7 +7,10 @@ import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.player.interfaces.Localize;
 import org.robotui.rfic.player.internal.convert.PlayerPlaces;
 
-/** Localisation: its best guess, which carries the odometry on the map, all guesses, its particles, and saying where the robot is. */
+/**
+ * Localisation: its best guess, which carries the odometry on the map, all guesses, its particles, and saying where the
+ * robot is.
+ */
 final class LocalizePorts {
   private static final long AGAIN_NANOS = 1_000_000_000L;
 
@@ -40,7 +43,8 @@ final class LocalizePorts {
   private void sample(long nowNanos) {
     if (particles.wanted() && nowNanos - askedAt >= AGAIN_NANOS) {
       askedAt = nowNanos;
-      feed.ask(Localize.GET_PARTICLES, p -> particles.publish(PlayerPlaces.particles(p, map), Reception.now()), particles::failed);
+      feed.ask(Localize.GET_PARTICLES, p -> particles.publish(PlayerPlaces.particles(p, map), Reception.now()),
+          particles::failed);
     }
   }
 

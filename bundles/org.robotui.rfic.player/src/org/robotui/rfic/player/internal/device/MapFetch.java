@@ -14,7 +14,8 @@ final class MapFetch {
   private final Outlet<GridMap> outlet;
   private final FrameId frame;
   private volatile boolean looked;
-  private volatile Fetch under = new Fetch(new PlayerMap.Info(1, 0, 0, new org.robotui.player.interfaces.Pose2d(0, 0, 0)), new byte[0]);
+  private volatile Fetch under =
+      new Fetch(new PlayerMap.Info(1, 0, 0, new org.robotui.player.interfaces.Pose2d(0, 0, 0)), new byte[0]);
 
   /** One map on its way; a later one takes its place. */
   private record Fetch(PlayerMap.Info info, byte[] cells) {
@@ -76,6 +77,7 @@ final class MapFetch {
       boolean rowDone = column + width >= info.width();
       next(fetch, rowDone && row + height < info.height() ? 0 : column + width, rowDone ? row + height : row);
     };
-    feed.ask(PlayerMap.GET_TILE, new PlayerMap.Tile(column, row, width, height, RANGE, new byte[0]), answered, outlet::failed);
+    feed.ask(PlayerMap.GET_TILE, new PlayerMap.Tile(column, row, width, height, RANGE, new byte[0]), answered,
+        outlet::failed);
   }
 }

@@ -8,7 +8,10 @@ import org.robotui.player.layout.Empty;
 import org.robotui.player.layout.Kind;
 import org.robotui.rfic.player.internal.convert.Poses;
 
-/** Where devices are on the robot. One that does not tell is taken to be in the middle of the base, as Player's other clients do. */
+/**
+ * Where devices are on the robot. One that does not tell is taken to be in the middle of the base, as Player's other
+ * clients do.
+ */
 final class Mount {
   private Mount() {}
 

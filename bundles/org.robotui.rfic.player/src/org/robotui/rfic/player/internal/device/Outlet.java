@@ -16,8 +16,9 @@ import org.robotui.data.sensor.RangeReadings;
 
 /** A stream of a device. Core's thread merely notes the demand; the thread that follows the devices acts on it. */
 final class Outlet<D extends Data> implements AutoCloseable {
-  private static final Set<Class<?>> PLACED = Set.of(LaserScan.class, RangeReadings.class, PointCloud.class, PoseArray.class,
-      PoseEstimate.class, Footprint.class, Bumpers.class);
+  private static final Set<Class<?>> PLACED =
+      Set.of(LaserScan.class, RangeReadings.class, PointCloud.class, PoseArray.class,
+          PoseEstimate.class, Footprint.class, Bumpers.class);
 
   private final Publication<D> publication;
   private final boolean placed;

@@ -25,7 +25,8 @@ final class PlannerPorts {
     this.map = feed.around().tree().names().map();
     this.outlet = feed.outlet("", Path.class, "the path that it has planned");
     feed.on(Planner.STATE, outlet, this::told);
-    feed.records("/state", feed.around().layouts().byName("planner").flatMap(p -> p.message(Planner.STATE.wireType(), "state")));
+    feed.records("/state",
+        feed.around().layouts().byName("planner").flatMap(p -> p.message(Planner.STATE.wireType(), "state")));
     feed.onOpen(() -> asked = Optional.empty());
     feed.command("/goal", NavigationGoal.class, "where the robot shall go, on the map", this::go);
   }

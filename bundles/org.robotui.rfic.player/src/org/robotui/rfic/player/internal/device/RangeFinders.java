@@ -32,7 +32,8 @@ final class RangeFinders {
 
   static void sonar(DeviceFeed feed) {
     Outlet<RangeReadings> outlet = feed.outlet("", RangeReadings.class, "what the sonars see");
-    feed.onOpen(() -> feed.ask(Sonar.GET_GEOMETRY, g -> elements(feed, RigidTransform.IDENTITY, g.poses()), outlet::failed));
+    feed.onOpen(
+        () -> feed.ask(Sonar.GET_GEOMETRY, g -> elements(feed, RigidTransform.IDENTITY, g.poses()), outlet::failed));
     feed.on(Sonar.GEOMETRY, outlet, (m, r) -> elements(feed, RigidTransform.IDENTITY, m.poses()));
     feed.on(Sonar.RANGES, outlet, (m, r) -> outlet.publish(Sonars.of(Sonars.doubles(m.ranges()), feed.around().sonars(),
         RangeReading.Kind.ULTRASOUND, feed.around().tree().names(), feed.name()), r));
@@ -41,7 +42,8 @@ final class RangeFinders {
   /** Says where the sensors of a ring are. */
   static void elements(DeviceFeed feed, RigidTransform baseFromDevice, List<Pose3d> poses) {
     if (poses.size() > MOST_SENSORS) {
-      throw new IllegalArgumentException(poses.size() + " sensors are more than a ring of " + MOST_SENSORS + " can have");
+      throw new IllegalArgumentException(
+          poses.size() + " sensors are more than a ring of " + MOST_SENSORS + " can have");
     }
     FrameTree tree = feed.around().tree();
     List<FrameTransform> mounts = new ArrayList<>();

@@ -12,8 +12,8 @@ import org.robotui.rfic.player.internal.convert.Scans;
 import org.robotui.rfic.player.internal.convert.Sonars;
 
 /**
- * A ranger is a scanner or a ring of sensors; which one it is, it tells only when it is open. So both ports are offered until then, and
- * the one that does not fit is withdrawn.
+ * A ranger is a scanner or a ring of sensors; which one it is, it tells only when it is open. So both ports are offered
+ * until then, and the one that does not fit is withdrawn.
  */
 final class RangerPorts {
   private final DeviceFeed feed;
@@ -68,7 +68,8 @@ final class RangerPorts {
     decide(ring);
     if (ring) {
       Sonars.Beam beam = feed.around().sonars().told(config.get());
-      readings.publish(Sonars.of(ranges, beam, RangeReading.Kind.ULTRASOUND, feed.around().tree().names(), feed.name()), reception);
+      readings.publish(Sonars.of(ranges, beam, RangeReading.Kind.ULTRASOUND, feed.around().tree().names(), feed.name()),
+          reception);
     } else {
       scan.publish(Scans.of(ranges, config.get(), frame), reception);
     }

@@ -3,8 +3,8 @@ package org.robotui.rfic.player.internal.device;
 import java.util.Arrays;
 
 /**
- * Whether the data of a device came regularly and have stopped. What never came regularly, as it is sent on change, is never found silent. Data are told on the
- * receiving thread, all else comes from the thread that follows the devices.
+ * Whether the data of a device came regularly and have stopped. What never came regularly, as it is sent on change, is
+ * never found silent. Data are told on the receiving thread, all else comes from the thread that follows the devices.
  */
 final class Rhythm {
   private static final int ENOUGH = 20;

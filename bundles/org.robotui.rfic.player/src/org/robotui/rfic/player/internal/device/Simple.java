@@ -33,7 +33,8 @@ final class Simple {
   }
 
   static void imu(DeviceFeed feed) {
-    Outlet<org.robotui.data.sensor.Imu> outlet = feed.outlet("", org.robotui.data.sensor.Imu.class, "orientation, turning and acceleration");
+    Outlet<org.robotui.data.sensor.Imu> outlet =
+        feed.outlet("", org.robotui.data.sensor.Imu.class, "orientation, turning and acceleration");
     FrameId frame = Mount.inTheMiddle(feed);
     feed.on(Imu.STATE, outlet, (m, r) -> outlet.publish(Sensing.imu(m, frame), r));
     feed.on(Imu.CALIBRATED, outlet, (m, r) -> outlet.publish(Sensing.imu(m, frame), r));

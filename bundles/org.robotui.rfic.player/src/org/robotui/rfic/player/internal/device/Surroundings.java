@@ -25,7 +25,8 @@ import org.robotui.rfic.player.internal.link.Stamps;
  * @param carrier tells of a device whether it is needed to know where others are
  * @param peer the server as people write it
  */
-public record Surroundings(RficContext context, Layouts layouts, FrameTree tree, Stamps stamps, Pulse pulse, Sonars.Beam sonars,
+public record Surroundings(RficContext context, Layouts layouts, FrameTree tree, Stamps stamps, Pulse pulse,
+    Sonars.Beam sonars,
     Predicate<String> base, Predicate<String> carrier, String peer) {
   boolean isBase(String device) {
     return base.test(device);

@@ -12,7 +12,10 @@ import org.robotui.player.wire.DeviceAddress;
 import org.robotui.rfic.player.internal.PlayerSettings;
 import org.robotui.rfic.player.internal.device.DeviceFeed;
 
-/** Keeps the devices equal to what the server lists. Used by the one thread that follows them, but for reading and closing. */
+/**
+ * Keeps the devices equal to what the server lists. Used by the one thread that follows them, but for reading and
+ * closing.
+ */
 public final class Devices implements AutoCloseable {
   /** More are no robot's; what lies beyond is named in the link. */
   private static final int MOST = 512;
@@ -53,9 +56,11 @@ public final class Devices implements AutoCloseable {
       return;
     }
     Map<String, DeviceAddress> now = new LinkedHashMap<>();
-    listed.stream().filter(d -> settings.uses(layouts.nameOf(d))).limit(MOST).forEach(d -> now.putIfAbsent(layouts.nameOf(d), d));
+    listed.stream().filter(d -> settings.uses(layouts.nameOf(d))).limit(MOST)
+        .forEach(d -> now.putIfAbsent(layouts.nameOf(d), d));
     now.remove(layouts.nameOf(org.robotui.player.wire.DeviceId.SERVER.at(0, 0)));
-    tooMany = listed.size() > MOST ? "the server lists " + listed.size() + " devices; the first " + MOST + " are used" : "";
+    tooMany =
+        listed.size() > MOST ? "the server lists " + listed.size() + " devices; the first " + MOST + " are used" : "";
     base = settings.base().orElseGet(() -> firstBase(now.keySet().stream().sorted().toList()));
     byName.values().removeIf(feed -> {
       boolean gone = !now.containsKey(feed.name()) && !feed.wanted();

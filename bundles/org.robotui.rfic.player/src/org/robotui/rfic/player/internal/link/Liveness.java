@@ -12,8 +12,8 @@ import org.robotui.player.layout.Empty;
 import org.robotui.player.wire.DeviceAddress;
 
 /**
- * Whether the server lives, by asking for its devices again and again: a server that hangs, or a network that is cut, leaves a
- * connection as it was. {@link #tick} is for one thread.
+ * Whether the server lives, by asking for its devices again and again: a server that hangs, or a network that is cut,
+ * leaves a connection as it was. {@link #tick} is for one thread.
  */
 final class Liveness {
   private static final long EVERY_NANOS = Duration.ofMillis(1500).toNanos();
@@ -67,7 +67,8 @@ final class Liveness {
   /** What is wrong with it, empty where it lives. */
   String problem(long nowNanos) {
     return silent
-        ? String.format(Locale.ROOT, "the server has not answered for %.0f s: it hangs, or the network is cut; what is shown may be old",
+        ? String.format(Locale.ROOT,
+            "the server has not answered for %.0f s: it hangs, or the network is cut; what is shown may be old",
             (nowNanos - answeredAt) / 1e9)
         : "";
   }

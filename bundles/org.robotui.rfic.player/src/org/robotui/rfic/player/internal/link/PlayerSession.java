@@ -65,8 +65,9 @@ public final class PlayerSession implements RobotSession {
     this.tree = new FrameTree(context, new FrameNames(context.robot(), settings.frames()));
     this.client = new PlayerClient(settings.host(), settings.port(), layouts, options(sockets));
     this.liveness = new Liveness(client, pulse);
-    Surroundings around = new Surroundings(context, layouts, tree, stamps, pulse, settings.sonars(), this::isBase, this::carries,
-        settings.peer());
+    Surroundings around =
+        new Surroundings(context, layouts, tree, stamps, pulse, settings.sonars(), this::isBase, this::carries,
+            settings.peer());
     this.devices = new Devices(settings, layouts, address -> new DeviceFeed(client.device(address.id()), around));
     this.services = context.offers().call(PlayerPorts.SERVICES, new PlayerCalls(devices, layouts));
     this.graph = context.offers().browse(PlayerPorts.GRAPH, new PlayerBrowser(client, devices, layouts));
@@ -74,7 +75,8 @@ public final class PlayerSession implements RobotSession {
 
   private ClientOptions options(SocketFactory sockets) {
     ClientOptions s = ClientOptions.standard(context.threads());
-    return new ClientOptions(s.threads(), this::linked, settings.key(), settings.pull(), settings.newestOnly(), HANDSHAKE, s.messageTime(),
+    return new ClientOptions(s.threads(), this::linked, settings.key(), settings.pull(), settings.newestOnly(),
+        HANDSHAKE, s.messageTime(),
         ANSWER, s.maxRequests(), s.minBackoff(), LONGEST_PAUSE, sockets);
   }
 
@@ -140,7 +142,8 @@ public final class PlayerSession implements RobotSession {
   private LinkState connected(long now) {
     String silent = liveness.problem(now);
     String problem = silent.isEmpty() ? devices.problem() : silent;
-    return problem.isEmpty() ? new LinkState.Connected(settings.peer()) : new LinkState.Degraded(settings.peer(), problem);
+    return problem.isEmpty() ? new LinkState.Connected(settings.peer())
+        : new LinkState.Degraded(settings.peer(), problem);
   }
 
   /** Stops what we drive, closes the devices and then the link; bounded also where the server hangs. */

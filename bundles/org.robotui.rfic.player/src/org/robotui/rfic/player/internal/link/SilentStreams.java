@@ -5,8 +5,9 @@ import java.util.List;
 import org.robotui.rfic.player.internal.device.DeviceFeed;
 
 /**
- * Asks again for data that are wanted and have stopped while others of the same server come. Stage, for one, switches a model off when any of several
- * clients closes it, and sends the others nothing more; it switches it on when it is opened. A simulation that is paused stops all at once: nothing is done then.
+ * Asks again for data that are wanted and have stopped while others of the same server come. Stage, for one, switches a
+ * model off when any of several clients closes it, and sends the others nothing more; it switches it on when it is
+ * opened. A simulation that is paused stops all at once: nothing is done then.
  */
 final class SilentStreams {
   private SilentStreams() {}

@@ -8,8 +8,8 @@ import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 
 /**
- * Reads the server's stamps and tells core the robot's time. Player does not say whose time they are; a simulator counts from its start.
- * What was decided by the first stamp holds until the link is lost. Safe for all threads.
+ * Reads the server's stamps and tells core the robot's time. Player does not say whose time they are; a simulator
+ * counts from its start. What was decided by the first stamp holds until the link is lost. Safe for all threads.
  */
 public final class Stamps {
   /** September 2001: no robot's clock is set before, no simulation runs for thirty years. */

@@ -19,7 +19,7 @@ class BumperPartsTest {
 
   @Test
   void theyAreWhereTheGeometrySaysAndPressedAsTheStateSays() {
-    Bumpers bumpers = BumperParts.of(PARTS, new byte[] {0, 3}, BASE);
+    Bumpers bumpers = BumperParts.of(PARTS, new byte[]{0, 3}, BASE);
     assertEquals(BASE, bumpers.frame());
     assertEquals(0.1, bumpers.bumpers().get(0).pose().translation().y(), 1e-9);
     assertEquals(0.05, bumpers.bumpers().get(0).pose().translation().z(), 1e-9);
@@ -32,7 +32,7 @@ class BumperPartsTest {
 
   @Test
   void whatOneOfThemDoesNotTellIsNotInvented() {
-    Bumpers more = BumperParts.of(PARTS, new byte[] {0, 0, 1}, BASE);
+    Bumpers more = BumperParts.of(PARTS, new byte[]{0, 0, 1}, BASE);
     assertEquals(0, more.bumpers().get(2).length());
     assertTrue(more.bumpers().get(2).pressed());
     assertEquals(0, BumperParts.of(PARTS, new byte[0], BASE).pressed());

@@ -27,14 +27,17 @@ class JointsTest {
     assertEquals(0.25, joint.velocity());
     assertTrue(Double.isNaN(joint.effort()), "a current is no effort");
     assertEquals(1, Joints.index(JointCommand.position("actarray_1_1", 0), "actarray:1", 2));
-    assertThrows(IllegalArgumentException.class, () -> Joints.index(JointCommand.position("actarray_1_2", 0), "actarray:1", 2));
+    assertThrows(IllegalArgumentException.class,
+        () -> Joints.index(JointCommand.position("actarray_1_2", 0), "actarray:1", 2));
   }
 
   @Test
   void theModelHasTheBounds() {
-    Actarray.Link slide = new Actarray.Link(1, 0.1f, new Angles(0, 0, 0), new Point3d(0, 0, 1), 2, 0, -2, 0, 0.5f, false);
-    JointModel.Joint joint = Joints.model(new Actarray.Geometry(List.of(slide), new Point3d(0, 0, 0), new Angles(0, 0, 0)), "actarray:0")
-        .joints().getFirst();
+    Actarray.Link slide =
+        new Actarray.Link(1, 0.1f, new Angles(0, 0, 0), new Point3d(0, 0, 1), 2, 0, -2, 0, 0.5f, false);
+    JointModel.Joint joint =
+        Joints.model(new Actarray.Geometry(List.of(slide), new Point3d(0, 0, 0), new Angles(0, 0, 0)), "actarray:0")
+            .joints().getFirst();
     assertEquals(JointModel.Type.PRISMATIC, joint.type());
     assertEquals(-2, joint.lower());
     assertEquals(2, joint.upper());

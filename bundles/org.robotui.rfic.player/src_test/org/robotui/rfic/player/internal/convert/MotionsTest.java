@@ -23,7 +23,8 @@ class MotionsTest {
 
   @Test
   void aPlanarStateIsOdometry() {
-    Odometry o = Motions.odometry(new Position2d.State(new Pose2d(1, 2, 0.5), new Pose2d(0.3, 0.1, -0.2), true), ODOM, BASE);
+    Odometry o =
+        Motions.odometry(new Position2d.State(new Pose2d(1, 2, 0.5), new Pose2d(0.3, 0.1, -0.2), true), ODOM, BASE);
     assertEquals(new Vector3(1, 2, 0), o.pose().translation());
     assertEquals(0.5, o.pose().rotation().yaw(), 1e-12);
     assertEquals(new Vector3(0.3, 0.1, 0), o.linear());
@@ -44,14 +45,17 @@ class MotionsTest {
   @Test
   void whatIsNoNumberIsRefused() {
     Position2d.State bad = new Position2d.State(new Pose2d(1, Double.NaN, 0), new Pose2d(0, 0, 0), false);
-    assertTrue(assertThrows(IllegalArgumentException.class, () -> Motions.odometry(bad, ODOM, BASE)).getMessage().contains("place"));
-    Position2d.State fast = new Position2d.State(new Pose2d(1, 1, 0), new Pose2d(0, 0, Double.POSITIVE_INFINITY), false);
+    assertTrue(assertThrows(IllegalArgumentException.class, () -> Motions.odometry(bad, ODOM, BASE)).getMessage()
+        .contains("place"));
+    Position2d.State fast =
+        new Position2d.State(new Pose2d(1, 1, 0), new Pose2d(0, 0, Double.POSITIVE_INFINITY), false);
     assertThrows(IllegalArgumentException.class, () -> Motions.odometry(fast, ODOM, BASE));
   }
 
   @Test
   void aBodyIsARectangleAboutItsMiddle() {
-    Footprint f = Motions.footprint(new Body(new Pose3d(-0.1, 0, 0, 4e-310, Double.NaN, 0), new Size3d(0.4, 0.6, Double.NaN)), BASE)
+    Footprint f = Motions
+        .footprint(new Body(new Pose3d(-0.1, 0, 0, 4e-310, Double.NaN, 0), new Size3d(0.4, 0.6, Double.NaN)), BASE)
         .orElseThrow();
     assertEquals(0.2, f.corners().get(0).x(), 1e-12);
     assertEquals(0.2, f.corners().get(0).y(), 1e-12);

@@ -26,7 +26,8 @@ class PlayerPlacesTest {
   @Test
   void theBestGuessIsTheEstimate() {
     Localize.Hypotheses guesses = new Localize.Hypotheses(0, 0, List.of(
-        new Localize.Hypothesis(new Pose2d(1, 1, 1), new double[6], 0.2), new Localize.Hypothesis(new Pose2d(2, 3, 0.5), COVARIANCE, 0.7)));
+        new Localize.Hypothesis(new Pose2d(1, 1, 1), new double[6], 0.2),
+        new Localize.Hypothesis(new Pose2d(2, 3, 0.5), COVARIANCE, 0.7)));
     PoseEstimate best = PlayerPlaces.estimate(guesses, MAP).orElseThrow();
     assertEquals(3, best.pose().translation().y());
     assertEquals(1, best.covariance().get(0));
@@ -43,11 +44,13 @@ class PlayerPlacesTest {
 
   @Test
   void waysMarkersAndParticlesAreInTheirFrames() {
-    assertEquals(2, PlayerPlaces.way(new Planner.Waypoints(3, List.of(new Pose2d(0, 0, 0), new Pose2d(1, 0, 0))), MAP).poses().size());
+    assertEquals(2, PlayerPlaces.way(new Planner.Waypoints(3, List.of(new Pose2d(0, 0, 0), new Pose2d(1, 0, 0))), MAP)
+        .poses().size());
     assertEquals(1, PlayerPlaces.particles(new Localize.Particles(new Pose2d(0, 0, 0), 1,
         List.of(new Localize.Particle(new Pose2d(4, 5, 0), 1))), MAP).poses().size());
     Pose3d pose = new Pose3d(1, 2, 3, 0, 0, 0);
-    assertEquals(3, PlayerPlaces.markers(new Fiducial.Scan(List.of(new Fiducial.Marker(7, pose, pose))), MAP).poses().getFirst().translation().z());
+    assertEquals(3, PlayerPlaces.markers(new Fiducial.Scan(List.of(new Fiducial.Marker(7, pose, pose))), MAP).poses()
+        .getFirst().translation().z());
   }
 
   @Test
@@ -93,12 +96,18 @@ class PlayerPlacesTest {
   void hostileTilesAreRefused() {
     PlayerMap.Info info = new PlayerMap.Info(0.5f, 3, 2, new Pose2d(0, 0, 0));
     byte[] cells = new byte[6];
-    assertThrows(IllegalArgumentException.class, () -> Maps.put(new PlayerMap.Tile(2, 0, 2, 2, 1, packed(1, 1, 1, 1)), info, cells));
-    assertThrows(IllegalArgumentException.class, () -> Maps.put(new PlayerMap.Tile(0xffffffffL, 0, 1, 1, 1, packed(1)), info, cells));
-    assertThrows(IllegalArgumentException.class, () -> Maps.put(new PlayerMap.Tile(0, 0, 2, 2, 1, packed(1, 1)), info, cells));
-    assertThrows(IllegalArgumentException.class, () -> Maps.put(new PlayerMap.Tile(0, 0, 2, 2, 1, new byte[] {1, 2, 3, 4}), info, cells));
-    assertThrows(IllegalArgumentException.class, () -> Maps.put(new PlayerMap.Tile(0, 0, 2, 2, 1, new byte[0]), info, cells));
+    assertThrows(IllegalArgumentException.class,
+        () -> Maps.put(new PlayerMap.Tile(2, 0, 2, 2, 1, packed(1, 1, 1, 1)), info, cells));
+    assertThrows(IllegalArgumentException.class,
+        () -> Maps.put(new PlayerMap.Tile(0xffffffffL, 0, 1, 1, 1, packed(1)), info, cells));
+    assertThrows(IllegalArgumentException.class,
+        () -> Maps.put(new PlayerMap.Tile(0, 0, 2, 2, 1, packed(1, 1)), info, cells));
+    assertThrows(IllegalArgumentException.class,
+        () -> Maps.put(new PlayerMap.Tile(0, 0, 2, 2, 1, new byte[]{1, 2, 3, 4}), info, cells));
+    assertThrows(IllegalArgumentException.class,
+        () -> Maps.put(new PlayerMap.Tile(0, 0, 2, 2, 1, new byte[0]), info, cells));
     assertThrows(IllegalArgumentException.class, () -> Maps.check(new PlayerMap.Info(0, 3, 2, new Pose2d(0, 0, 0))));
-    assertThrows(IllegalArgumentException.class, () -> Maps.check(new PlayerMap.Info(1, 0xffffffffL, 0xffffffffL, new Pose2d(0, 0, 0))));
+    assertThrows(IllegalArgumentException.class,
+        () -> Maps.check(new PlayerMap.Info(1, 0xffffffffL, 0xffffffffL, new Pose2d(0, 0, 0))));
   }
 }

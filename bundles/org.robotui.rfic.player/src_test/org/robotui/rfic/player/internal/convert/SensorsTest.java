@@ -38,7 +38,7 @@ class SensorsTest {
 
   @Test
   void raysLieBetweenBothEnds() {
-    LaserScan scan = Scans.of(new Laser.Scan(-1.5f, 1.5f, 0.9f, 8, new float[] {1, 2, 3, 8}, new byte[0], 1), FRAME);
+    LaserScan scan = Scans.of(new Laser.Scan(-1.5f, 1.5f, 0.9f, 8, new float[]{1, 2, 3, 8}, new byte[0], 1), FRAME);
     assertEquals(1, scan.angleIncrement(), 1e-6, "the resolution is rounded by drivers");
     assertEquals(Float.POSITIVE_INFINITY, scan.ranges().get(3));
     assertTrue(scan.isEcho(2));
@@ -48,32 +48,37 @@ class SensorsTest {
   @Test
   void scansOfOddDevicesAreStillScans() {
     assertEquals(0, Scans.of(new Laser.Scan(0, 1, 0.1f, 8, new float[0], new byte[0], 1), FRAME).ranges().size());
-    assertEquals(0, Scans.of(new Laser.Scan(0, 1, 0.1f, 8, new float[] {1}, new byte[] {1, 2}, 1), FRAME).intensities().size());
-    LaserScan unbounded = Scans.of(new Laser.Scan(0, 1, 0.1f, 0, new float[] {1, 90}, new byte[0], 1), FRAME);
+    assertEquals(0,
+        Scans.of(new Laser.Scan(0, 1, 0.1f, 8, new float[]{1}, new byte[]{1, 2}, 1), FRAME).intensities().size());
+    LaserScan unbounded = Scans.of(new Laser.Scan(0, 1, 0.1f, 0, new float[]{1, 90}, new byte[0], 1), FRAME);
     assertTrue(unbounded.isEcho(1), "a device that does not say how far it sees is believed");
-    assertThrows(IllegalArgumentException.class, () -> Scans.of(new Laser.Scan(0, Float.NaN, 0, 8, new float[] {1, 2}, new byte[0], 1), FRAME));
     assertThrows(IllegalArgumentException.class,
-        () -> Scans.of(new double[] {1, 2}, new Ranger.Config(Double.NaN, 1, 1, 0, 8, 0, 10), FRAME));
+        () -> Scans.of(new Laser.Scan(0, Float.NaN, 0, 8, new float[]{1, 2}, new byte[0], 1), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Scans.of(new double[]{1, 2}, new Ranger.Config(Double.NaN, 1, 1, 0, 8, 0, 10), FRAME));
   }
 
   @Test
   void aRangersConfigurationSaysHowItSees() {
-    LaserScan scan = Scans.of(new double[] {0.05, 2, 8}, new Ranger.Config(-1, 1, 0, 0.1, 8, 0.01, 20), FRAME);
+    LaserScan scan = Scans.of(new double[]{0.05, 2, 8}, new Ranger.Config(-1, 1, 0, 0.1, 8, 0.01, 20), FRAME);
     assertEquals(0.1, scan.rangeMin());
     assertEquals(0.05, scan.scanTime());
     assertFalse(scan.isEcho(0));
-    assertEquals(0, Scans.of(new double[] {1}, new Ranger.Config(0, 0, 0, -3, 8, 0, 0), FRAME).rangeMin());
+    assertEquals(0, Scans.of(new double[]{1}, new Ranger.Config(0, 0, 0, -3, 8, 0, 0), FRAME).rangeMin());
   }
 
   @Test
   void sonarsSeeNothingAtTheirFarthest() {
-    RangeReadings readings = Sonars.of(new double[] {1, 5, Double.NaN}, new Sonars.Beam(0.3, 5), RangeReading.Kind.ULTRASOUND, NAMES, "sonar:2");
+    RangeReadings readings = Sonars.of(new double[]{1, 5, Double.NaN}, new Sonars.Beam(0.3, 5),
+        RangeReading.Kind.ULTRASOUND, NAMES, "sonar:2");
     assertEquals(new FrameId("r", "sonar_2_0"), readings.readings().getFirst().frame());
     assertTrue(readings.readings().get(0).isEcho());
     assertEquals(Double.POSITIVE_INFINITY, readings.readings().get(1).range());
     assertFalse(readings.readings().get(2).isEcho());
-    assertEquals(new Sonars.Beam(0.2618, 4), new Sonars.Beam(0.3, 5).told(new Ranger.Config(-0.1309, 0.1309, 0, 0, 4, 0, 0)));
-    assertEquals(new Sonars.Beam(0.3, 5), new Sonars.Beam(0.3, 5).told(new Ranger.Config(0, Double.NaN, 0, 0, Double.NaN, 0, 0)));
+    assertEquals(new Sonars.Beam(0.2618, 4),
+        new Sonars.Beam(0.3, 5).told(new Ranger.Config(-0.1309, 0.1309, 0, 0, 4, 0, 0)));
+    assertEquals(new Sonars.Beam(0.3, 5),
+        new Sonars.Beam(0.3, 5).told(new Ranger.Config(0, Double.NaN, 0, 0, Double.NaN, 0, 0)));
   }
 
   @Test
@@ -88,33 +93,44 @@ class SensorsTest {
     assertEquals(Battery.Status.UNKNOWN, little.status());
     assertEquals(Battery.Status.DISCHARGING, States.battery(new Power.State(2, 0, 0, 0, -5, 0)).status());
     assertEquals(Battery.Status.NOT_CHARGING, States.battery(new Power.State(16, 0, 0, 0, 0, 0)).status());
-    assertTrue(Double.isNaN(States.battery(new Power.State(8, 0, 250, 0, 0, 0)).charge()), "no battery is fuller than full");
+    assertTrue(Double.isNaN(States.battery(new Power.State(8, 0, 250, 0, 0, 0)).charge()),
+        "no battery is fuller than full");
   }
 
   @Test
   void picturesOfEveryFormat() {
     byte[] grey = {1, 2};
-    assertEquals(PixelEncoding.MONO8, ((RawImage) Pictures.of(new Camera.Image(2, 1, 8, 1, 1, 0, grey), FRAME)).encoding());
+    assertEquals(PixelEncoding.MONO8,
+        ((RawImage) Pictures.of(new Camera.Image(2, 1, 8, 1, 1, 0, grey), FRAME)).encoding());
     RawImage deep = (RawImage) Pictures.of(new Camera.Image(1, 1, 16, 2, 1, 0, grey), FRAME);
     assertTrue(deep.bigEndian());
     assertEquals(PixelEncoding.MONO16, deep.encoding());
-    RawImage wide = (RawImage) Pictures.of(new Camera.Image(2, 1, 16, 4, 1, 0, new byte[] {0, (byte) 0xf8, (byte) 0x1f, 0}), FRAME);
+    RawImage wide =
+        (RawImage) Pictures.of(new Camera.Image(2, 1, 16, 4, 1, 0, new byte[]{0, (byte) 0xf8, (byte) 0x1f, 0}), FRAME);
     assertEquals(PixelEncoding.RGB8, wide.encoding());
     assertEquals(255, wide.pixels().unsigned(0));
     assertEquals(0, wide.pixels().unsigned(2));
     assertEquals(255, wide.pixels().unsigned(5));
     assertEquals(6, ((RawImage) Pictures.of(new Camera.Image(2, 1, 24, 5, 1, 0, new byte[6]), FRAME)).step());
-    assertEquals("jpeg", assertInstanceOf(CompressedImage.class, Pictures.of(new Camera.Image(2, 1, 24, 5, 1, 1, grey), FRAME)).format());
+    assertEquals("jpeg",
+        assertInstanceOf(CompressedImage.class, Pictures.of(new Camera.Image(2, 1, 24, 5, 1, 1, grey), FRAME))
+            .format());
   }
 
   @Test
   void picturesThatCannotBeAreRefused() {
-    assertThrows(IllegalArgumentException.class, () -> Pictures.of(new Camera.Image(100, 100, 24, 5, 1, 0, new byte[6]), FRAME));
-    assertThrows(IllegalArgumentException.class, () -> Pictures.of(new Camera.Image(100, 100, 16, 4, 1, 0, new byte[6]), FRAME));
-    assertThrows(IllegalArgumentException.class, () -> Pictures.of(new Camera.Image(0xffffffffL, 0xffffffffL, 24, 5, 1, 0, new byte[6]), FRAME));
-    assertThrows(IllegalArgumentException.class, () -> Pictures.of(new Camera.Image(0xffffffffL, 0, 24, 5, 1, 0, new byte[6]), FRAME));
-    assertThrows(IllegalArgumentException.class, () -> Pictures.of(new Camera.Image(1, 1, 24, 3, 1, 0, new byte[6]), FRAME));
-    assertThrows(IllegalArgumentException.class, () -> Pictures.of(new Camera.Image(1, 1, 24, 5, 1, 2, new byte[6]), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Pictures.of(new Camera.Image(100, 100, 24, 5, 1, 0, new byte[6]), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Pictures.of(new Camera.Image(100, 100, 16, 4, 1, 0, new byte[6]), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Pictures.of(new Camera.Image(0xffffffffL, 0xffffffffL, 24, 5, 1, 0, new byte[6]), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Pictures.of(new Camera.Image(0xffffffffL, 0, 24, 5, 1, 0, new byte[6]), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Pictures.of(new Camera.Image(1, 1, 24, 3, 1, 0, new byte[6]), FRAME));
+    assertThrows(IllegalArgumentException.class,
+        () -> Pictures.of(new Camera.Image(1, 1, 24, 5, 1, 2, new byte[6]), FRAME));
   }
 
   @Test
@@ -131,15 +147,18 @@ class SensorsTest {
     Imu euler = Sensing.imu(new org.robotui.player.interfaces.Imu.Euler(measured, new Angles(0.1, 0.2, 0.3)), FRAME);
     assertEquals(0.2, euler.orientation().orElseThrow().pitch(), 1e-12);
     Pose3d pose = new Pose3d(1, 2, 3, 0, 0, 0.4);
-    assertEquals(0.4, Sensing.imu(new org.robotui.player.interfaces.Imu.State(pose), FRAME).orientation().orElseThrow().yaw(), 1e-12);
-    Imu all = Sensing.imu(new org.robotui.player.interfaces.Imu.FullState(pose, new Pose3d(0, 0, 0, 1, 2, 3), pose), FRAME);
+    assertEquals(0.4,
+        Sensing.imu(new org.robotui.player.interfaces.Imu.State(pose), FRAME).orientation().orElseThrow().yaw(), 1e-12);
+    Imu all =
+        Sensing.imu(new org.robotui.player.interfaces.Imu.FullState(pose, new Pose3d(0, 0, 0, 1, 2, 3), pose), FRAME);
     assertEquals(Optional.of(new Vector3(1, 2, 3)), all.angularVelocity());
     assertEquals(Optional.of(new Vector3(1, 2, 3)), all.linearAcceleration());
   }
 
   @Test
   void positionsOnEarthAreInRadiansAndMetres() {
-    GpsFix fix = Sensing.fix(new Gps.State(1, 2, 481234567, -115000000, 519_000, 0, 0, 0, 0, 2, 7, 9, 9, 1.5, 2), FRAME);
+    GpsFix fix =
+        Sensing.fix(new Gps.State(1, 2, 481234567, -115000000, 519_000, 0, 0, 0, 0, 2, 7, 9, 9, 1.5, 2), FRAME);
     assertEquals(Math.toRadians(48.1234567), fix.latitude(), 1e-12);
     assertEquals(Math.toRadians(-11.5), fix.longitude(), 1e-12);
     assertEquals(519, fix.altitude());

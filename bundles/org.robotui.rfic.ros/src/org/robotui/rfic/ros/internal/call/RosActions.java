@@ -32,8 +32,8 @@ import org.robotui.ros.message.MessageRegistry;
 import org.robotui.ros.message.SchemaLookup;
 
 /**
- * Sends goals to actions. The topics of an action are ours only while a goal of ours is under way. A call that is cancelled cancels
- * its goal and waits a moment for the server to say how it ended.
+ * Sends goals to actions. The topics of an action are ours only while a goal of ours is under way. A call that is
+ * cancelled cancels its goal and waits a moment for the server to say how it ended.
  */
 public final class RosActions implements CallHandler<ActionRequest, ActionReply>, AutoCloseable {
   private static final Duration PATIENCE = Duration.ofSeconds(5);

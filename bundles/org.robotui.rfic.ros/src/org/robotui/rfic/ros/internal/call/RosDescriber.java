@@ -62,7 +62,8 @@ final class RosDescriber {
     Optional<ActionType> type = found(ActionType.find(item.type(), registry), facts);
     Optional<String> definition = type.map(t -> Stream.of(t.goal(), t.result(), t.feedback()).map(RosDescriber::text)
         .collect(Collectors.joining(PARTS)));
-    return new Description(item, facts, definition, type.map(ActionType::goal).map(RosShapes::of), type.map(ActionType::result).map(RosShapes::of));
+    return new Description(item, facts, definition, type.map(ActionType::goal).map(RosShapes::of),
+        type.map(ActionType::result).map(RosShapes::of));
   }
 
   Description robotNode(Item item, SystemState state) throws CallException {
@@ -93,7 +94,8 @@ final class RosDescriber {
   }
 
   private static List<String> of(Map<String, List<String>> nodesByName, String node) {
-    return nodesByName.entrySet().stream().filter(e -> e.getValue().contains(node)).map(Map.Entry::getKey).sorted().toList();
+    return nodesByName.entrySet().stream().filter(e -> e.getValue().contains(node)).map(Map.Entry::getKey).sorted()
+        .toList();
   }
 
   private static String joined(List<String> names) {

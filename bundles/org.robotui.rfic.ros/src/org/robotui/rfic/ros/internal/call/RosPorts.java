@@ -26,12 +26,14 @@ public final class RosPorts {
       new BrowsePort("graph", Arity.MANY, "Topics, services, actions, nodes and parameters.");
 
   /** Says single messages. */
-  public static final CommandPort<MessageCommand> PUBLISH = new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
-      "Publishes a message on a topic by its name; not on topics that move the robot.");
+  public static final CommandPort<MessageCommand> PUBLISH =
+      new CommandPort<>("publish", MessageCommand.class, Arity.MANY,
+          "Publishes a message on a topic by its name; not on topics that move the robot.");
 
   /** Handles interactive markers. */
-  public static final CommandPort<MarkerFeedback> MARKER_FEEDBACK = new CommandPort<>("marker_feedback", MarkerFeedback.class,
-      Arity.MANY, "Tells servers of interactive markers what a user does with them.");
+  public static final CommandPort<MarkerFeedback> MARKER_FEEDBACK =
+      new CommandPort<>("marker_feedback", MarkerFeedback.class,
+          Arity.MANY, "Tells servers of interactive markers what a user does with them.");
 
   private RosPorts() {}
 }

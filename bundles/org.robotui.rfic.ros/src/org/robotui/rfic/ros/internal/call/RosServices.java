@@ -40,9 +40,11 @@ public final class RosServices implements CallHandler<ServiceRequest, ServiceRep
     ServiceSchema schema = schema(identity);
     DynamicCodec requests = new DynamicCodec(schema.request());
     DynamicCodec replies = new DynamicCodec(schema.response());
-    ServiceCodec<DynamicMessage, DynamicMessage> codec = new ServiceCodec<>(identity.type(), schema.md5(), requests, replies);
+    ServiceCodec<DynamicMessage, DynamicMessage> codec =
+        new ServiceCodec<>(identity.type(), schema.md5(), requests, replies);
     try (ServiceClient<DynamicMessage, DynamicMessage> client = node.serviceClient(request.service(), codec, false)) {
-      return new ServiceReply(new RosRecord(Outcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
+      return new ServiceReply(
+          new RosRecord(Outcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
     } catch (MessageException e) {
       throw new CallException(request.service() + " is not asked like this: " + e.getMessage(), e);
     }

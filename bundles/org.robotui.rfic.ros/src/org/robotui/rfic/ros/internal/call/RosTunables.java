@@ -83,15 +83,17 @@ public final class RosTunables implements AutoCloseable {
     Map<Integer, ConfigGroup> groups =
         description.groups().stream().collect(Collectors.toMap(ConfigGroup::id, g -> g, (a, b) -> a));
     List<Tunable> all = new ArrayList<>();
-    description.groups().forEach(g -> g.parameters().forEach(p -> tunable(p, path(g, groups), now).ifPresent(all::add)));
+    description.groups()
+        .forEach(g -> g.parameters().forEach(p -> tunable(p, path(g, groups), now).ifPresent(all::add)));
     return List.copyOf(all);
   }
 
   private static Optional<Tunable> tunable(ConfigParameter p, String group, ConfigValues values) {
     Optional<Object> value = Optional.ofNullable(values.values().get(p.name())).map(RosTunables::plain);
-    return value.map(v -> new Tunable(p.name(), group, p.description(), v, p.initial().map(RosTunables::plain).orElse(v),
-        p.min().map(RosTunables::plain), p.max().map(RosTunables::plain),
-        p.choices().stream().map(c -> new Choice(c.name(), plain(c.value()), c.description())).toList()));
+    return value
+        .map(v -> new Tunable(p.name(), group, p.description(), v, p.initial().map(RosTunables::plain).orElse(v),
+            p.min().map(RosTunables::plain), p.max().map(RosTunables::plain),
+            p.choices().stream().map(c -> new Choice(c.name(), plain(c.value()), c.description())).toList()));
   }
 
   private static Object plain(ConfigValue value) {
@@ -113,7 +115,7 @@ public final class RosTunables implements AutoCloseable {
   /** Listens no more to those of whom nobody has asked for a while. */
   public void tick() {
     synchronized (servers) {
-      for (Iterator<Server> all = servers.values().iterator(); all.hasNext(); ) {
+      for (Iterator<Server> all = servers.values().iterator(); all.hasNext();) {
         Server server = all.next();
         if (System.nanoTime() - server.askedAt > IDLE.toNanos()) {
           all.remove();

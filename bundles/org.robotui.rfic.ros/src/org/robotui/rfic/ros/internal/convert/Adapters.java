@@ -20,8 +20,9 @@ public final class Adapters {
   public Adapters(MessageRegistry registry) {
     this.records = new RecordDecoder(registry);
     Map<String, Adapter<?, ?>> all = new HashMap<>();
-    List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), NavigationAdapters.all(), StateAdapters.all(),
-            MarkerAdapters.all(registry), PlanAdapters.all(records))
+    List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), NavigationAdapters.all(),
+        StateAdapters.all(),
+        MarkerAdapters.all(registry), PlanAdapters.all(records))
         .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
     this.byType = Map.copyOf(all);
   }
@@ -34,7 +35,8 @@ public final class Adapters {
    */
   public Adapter<?, ?> of(String type) {
     Adapter<?, ?> known = byType.get(type);
-    return known != null ? known : Adapter.of(type, RawCodec::new, DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
+    return known != null ? known
+        : Adapter.of(type, RawCodec::new, DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
   }
 
   /**

@@ -26,8 +26,10 @@ final class CloudAdapters {
   private static PointCloud cloud(PointCloud2 m, FrameNames names) {
     List<PointField> fields = m.fields().stream().map(CloudAdapters::field).toList();
     ByteOrder order = m.isBigendian() ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
-    return new PointCloud(names.frame(m.header().frameId()), Sizes.of("width", m.width()), Sizes.of("height", m.height()),
-        fields, Sizes.of("point_step", m.pointStep()), Sizes.of("row_step", m.rowStep()), order, m.isDense(), Bytes.wrap(m.data()));
+    return new PointCloud(names.frame(m.header().frameId()), Sizes.of("width", m.width()),
+        Sizes.of("height", m.height()),
+        fields, Sizes.of("point_step", m.pointStep()), Sizes.of("row_step", m.rowStep()), order, m.isDense(),
+        Bytes.wrap(m.data()));
   }
 
   private static PointField field(org.robotui.ros.msgs.sensor_msgs.PointField f) {

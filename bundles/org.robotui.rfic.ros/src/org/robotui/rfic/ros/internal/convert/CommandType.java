@@ -29,7 +29,8 @@ import org.robotui.ros.msgs.std_msgs.Header;
  * @param data the data type
  * @param codec writes the messages
  * @param message turns one into the other, with the present time in nanoseconds
- * @param named whether only topics that the configuration names take it: of others that are subscribed to, most show what the robot plans
+ * @param named whether only topics that the configuration names take it: of others that are subscribed to, most show
+ * what the robot plans
  * @param help a sentence for users
  */
 public record CommandType<D extends Data, M>(
@@ -53,20 +54,25 @@ public record CommandType<D extends Data, M>(
   }
 
   private static final List<CommandType<?, ?>> ALL = List.of(
-      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, RecordCodec.of(Twist.class), (c, now) -> twist(c), false,
+      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, RecordCodec.of(Twist.class), (c, now) -> twist(c),
+          false,
           "Velocity of the base."),
       new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, RecordCodec.of(TwistStamped.class),
           (c, now) -> new TwistStamped(new Header(0, now, ""), twist(c)), false, "Velocity of the base."),
       new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, RecordCodec.of(PoseStamped.class),
           (c, now) -> new PoseStamped(new Header(0, now, c.frame().name()), Geometry.pose(c.pose())), false,
           "Where the robot shall go."),
-      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, RecordCodec.of(PoseWithCovarianceStamped.class),
+      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class,
+          RecordCodec.of(PoseWithCovarianceStamped.class),
           CommandType::estimate, false, "Where the robot is, for its localisation."),
-      new CommandType<>("nav_msgs/Path", Path.class, RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), CommandType::path, true,
+      new CommandType<>("nav_msgs/Path", Path.class, RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class),
+          CommandType::path, true,
           "Poses to drive to, one after the other."),
-      new CommandType<>("geometry_msgs/PoseArray", PoseArray.class, RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class),
+      new CommandType<>("geometry_msgs/PoseArray", PoseArray.class,
+          RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class),
           (c, now) -> new org.robotui.ros.msgs.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
-              c.poses().stream().map(Geometry::pose).toList()), true, "Poses to drive to, one after the other."));
+              c.poses().stream().map(Geometry::pose).toList()),
+          true, "Poses to drive to, one after the other."));
 
   /**
    * The command for a topic's type.
@@ -89,7 +95,8 @@ public record CommandType<D extends Data, M>(
 
   private static org.robotui.ros.msgs.nav_msgs.Path path(Path c, long now) {
     Header header = new Header(0, now, c.frame().name());
-    return new org.robotui.ros.msgs.nav_msgs.Path(header, c.poses().stream().map(pose -> new PoseStamped(header, Geometry.pose(pose))).toList());
+    return new org.robotui.ros.msgs.nav_msgs.Path(header,
+        c.poses().stream().map(pose -> new PoseStamped(header, Geometry.pose(pose))).toList());
   }
 
   private static double[] covariance(Doubles given) {

@@ -41,7 +41,8 @@ public final class InteractiveMarkers {
    * @return the moved marker
    */
   public static InteractiveMarker moved(InteractiveMarker marker, InteractiveMarkerPose m, FrameNames names) {
-    return marker.at(names.frame(m.header().frameId()), MarkerAdapters.stamp(m.header().stamp(), names), MarkerAdapters.pose(m.pose()));
+    return marker.at(names.frame(m.header().frameId()), MarkerAdapters.stamp(m.header().stamp(), names),
+        MarkerAdapters.pose(m.pose()));
   }
 
   /**
@@ -54,7 +55,8 @@ public final class InteractiveMarkers {
   public static InteractiveMarkerFeedback feedback(MarkerFeedback f, String client) {
     Header header = new Header(0, f.stamp().map(org.robotui.data.Stamp::nanos).orElse(0L), f.frame().name());
     Vector3 p = f.point().orElse(Vector3.ZERO);
-    return new InteractiveMarkerFeedback(header, client + "/" + f.client(), f.marker(), f.control(), f.event().ordinal(),
+    return new InteractiveMarkerFeedback(header, client + "/" + f.client(), f.marker(), f.control(),
+        f.event().ordinal(),
         Geometry.pose(f.pose()), f.menuEntry(), new Point(p.x(), p.y(), p.z()), f.point().isPresent());
   }
 

@@ -49,13 +49,16 @@ final class MarkerAdapters {
     for (org.robotui.ros.msgs.visualization_msgs.Marker m : markers) {
       Marker.Key key = new Marker.Key(m.ns(), m.id());
       switch (m.action()) {
-        case org.robotui.ros.msgs.visualization_msgs.Marker.ADD -> entries.put(key, new MarkerSet.Entry(key, Optional.of(marker(m, names))));
-        case org.robotui.ros.msgs.visualization_msgs.Marker.DELETE -> entries.put(key, new MarkerSet.Entry(key, Optional.empty()));
+        case org.robotui.ros.msgs.visualization_msgs.Marker.ADD -> entries.put(key,
+            new MarkerSet.Entry(key, Optional.of(marker(m, names))));
+        case org.robotui.ros.msgs.visualization_msgs.Marker.DELETE -> entries.put(key,
+            new MarkerSet.Entry(key, Optional.empty()));
         case org.robotui.ros.msgs.visualization_msgs.Marker.DELETEALL -> {
           all = true;
           entries.clear();
         }
-        default -> throw new IllegalArgumentException("marker " + key + ": action " + m.action() + " is none of 0, 2, 3");
+        default -> throw new IllegalArgumentException(
+            "marker " + key + ": action " + m.action() + " is none of 0, 2, 3");
       }
     }
     return new MarkerSet(all, List.copyOf(entries.values()));
@@ -63,9 +66,11 @@ final class MarkerAdapters {
 
   static Marker marker(org.robotui.ros.msgs.visualization_msgs.Marker m, FrameNames names) {
     boolean known = m.type() >= 0 && m.type() < Marker.Type.UNKNOWN.ordinal();
-    return new Marker(new Marker.Key(m.ns(), m.id()), names.frame(m.header().frameId()), stamp(m.header().stamp(), names),
+    return new Marker(new Marker.Key(m.ns(), m.id()), names.frame(m.header().frameId()),
+        stamp(m.header().stamp(), names),
         System.nanoTime(), known ? TYPES[m.type()] : Marker.Type.UNKNOWN, pose(m.pose()),
-        new Vector3(m.scale().x(), m.scale().y(), m.scale().z()), color(m.color()), Math.max(0, m.lifetime()), m.frameLocked(),
+        new Vector3(m.scale().x(), m.scale().y(), m.scale().z()), color(m.color()), Math.max(0, m.lifetime()),
+        m.frameLocked(),
         points(m.points()), colors(m), m.text(), m.meshResource(), m.meshUseEmbeddedMaterials());
   }
 
@@ -75,7 +80,8 @@ final class MarkerAdapters {
 
   /** As it was sent: without checks. */
   static RigidTransform pose(Pose p) {
-    return new RigidTransform(new Vector3(p.position().x(), p.position().y(), p.position().z()), rotation(p.orientation()));
+    return new RigidTransform(new Vector3(p.position().x(), p.position().y(), p.position().z()),
+        rotation(p.orientation()));
   }
 
   static Quaternion rotation(org.robotui.ros.msgs.geometry_msgs.Quaternion q) {

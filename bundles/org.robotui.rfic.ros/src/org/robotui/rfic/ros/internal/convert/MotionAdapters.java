@@ -50,7 +50,8 @@ final class MotionAdapters {
   }
 
   private static Path path(org.robotui.ros.msgs.nav_msgs.Path m, FrameNames names) {
-    return new Path(names.frame(m.header().frameId()), m.poses().stream().map(p -> Geometry.transform(p.pose())).toList());
+    return new Path(names.frame(m.header().frameId()),
+        m.poses().stream().map(p -> Geometry.transform(p.pose())).toList());
   }
 
   private static GridMap map(OccupancyGrid m, FrameNames names) {

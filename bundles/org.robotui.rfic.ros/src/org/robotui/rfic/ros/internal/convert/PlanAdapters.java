@@ -26,7 +26,8 @@ final class PlanAdapters {
   static List<Adapter<?, ?>> all(RecordDecoder records) {
     return List.of(
         Adapter.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class, PoseArray.class,
-            (m, names) -> new PoseArray(names.frame(m.header().frameId()), m.poses().stream().map(Geometry::transform).toList()),
+            (m, names) -> new PoseArray(names.frame(m.header().frameId()),
+                m.poses().stream().map(Geometry::transform).toList()),
             m -> m.header().stamp()),
         Adapter.of(WrenchStamped.class, Wrench.class,
             (m, names) -> new Wrench(names.frame(m.header().frameId()), Geometry.vector(m.wrench().force()),
@@ -40,11 +41,15 @@ final class PlanAdapters {
   }
 
   private static JointTrajectory.Point point(JointTrajectoryPoint p) {
-    return new JointTrajectory.Point(p.timeFromStart() / NANOS, Doubles.wrap(p.positions()), Doubles.wrap(p.velocities()),
+    return new JointTrajectory.Point(p.timeFromStart() / NANOS, Doubles.wrap(p.positions()),
+        Doubles.wrap(p.velocities()),
         Doubles.wrap(p.accelerations()), Doubles.wrap(p.effort()));
   }
 
-  /** Read by the definition that came with the connection: the type is of a package that is seldom installed where robots are watched. */
+  /**
+   * Read by the definition that came with the connection: the type is of a package that is seldom installed where
+   * robots are watched.
+   */
   private static DisplayedTrajectory displayed(DynamicRecord m) {
     List<JointTrajectory> parts = items(m, "trajectory").map(PlanAdapters::part).toList();
     return new DisplayedTrajectory(text(m, "model_id"), start(m), parts);
@@ -57,7 +62,8 @@ final class PlanAdapters {
 
   private static JointTrajectory.Point point(DynamicRecord m) {
     long nanos = at(m, "time_from_start") instanceof FieldValue.Time time ? time.nanos() : 0;
-    return new JointTrajectory.Point(nanos / NANOS, numbers(m, "positions"), numbers(m, "velocities"), numbers(m, "accelerations"),
+    return new JointTrajectory.Point(nanos / NANOS, numbers(m, "positions"), numbers(m, "velocities"),
+        numbers(m, "accelerations"),
         numbers(m, "effort"));
   }
 
@@ -92,7 +98,8 @@ final class PlanAdapters {
 
   private static List<String> texts(DynamicRecord m, String path) {
     return at(m, path) instanceof FieldValue.Items items
-        ? items.values().stream().filter(FieldValue.Text.class::isInstance).map(v -> ((FieldValue.Text) v).value()).toList()
+        ? items.values().stream().filter(FieldValue.Text.class::isInstance).map(v -> ((FieldValue.Text) v).value())
+            .toList()
         : List.of();
   }
 }

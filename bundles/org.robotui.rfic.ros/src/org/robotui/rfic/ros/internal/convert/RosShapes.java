@@ -54,9 +54,12 @@ public final class RosShapes {
     };
   }
 
-  /** Definitions that contain themselves cannot be sent; they are refused when parsed, and cut off here all the same. */
+  /**
+   * Definitions that contain themselves cannot be sent; they are refused when parsed, and cut off here all the same.
+   */
   private FieldShape nested(String type) {
-    Optional<MessageDefinition> inner = Optional.ofNullable(schema.nested().get(type)).filter(d -> !within.contains(type));
+    Optional<MessageDefinition> inner =
+        Optional.ofNullable(schema.nested().get(type)).filter(d -> !within.contains(type));
     within.push(type);
     FieldShape shape = new FieldShape.Nested(
         inner.map(this::record).orElseGet(() -> new RecordShape(type, List.of(), List.of())));

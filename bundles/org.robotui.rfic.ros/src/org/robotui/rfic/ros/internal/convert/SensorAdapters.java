@@ -31,7 +31,8 @@ final class SensorAdapters {
             SensorAdapters::scan, m -> m.header().stamp()),
         Adapter.of(Range.class, RangeReadings.class, SensorAdapters::range, m -> m.header().stamp()),
         Adapter.of(Image.class, RawImage.class, SensorAdapters::image, m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.CompressedImage.class, CompressedImage.class, SensorAdapters::compressed, m -> m.header().stamp()),
+        Adapter.of(org.robotui.ros.msgs.sensor_msgs.CompressedImage.class, CompressedImage.class,
+            SensorAdapters::compressed, m -> m.header().stamp()),
         Adapter.of(org.robotui.ros.msgs.sensor_msgs.CameraInfo.class, CameraInfo.class,
             SensorAdapters::cameraInfo, m -> m.header().stamp()),
         Adapter.of(org.robotui.ros.msgs.sensor_msgs.Imu.class, Imu.class, SensorAdapters::imu,
@@ -41,7 +42,8 @@ final class SensorAdapters {
 
   private static LaserScan scan(org.robotui.ros.msgs.sensor_msgs.LaserScan m, FrameNames names) {
     Floats intensities = m.intensities().length == m.ranges().length ? Floats.wrap(m.intensities()) : Floats.EMPTY;
-    return new LaserScan(names.frame(m.header().frameId()), m.angleMin(), m.angleIncrement(), m.rangeMin(), m.rangeMax(),
+    return new LaserScan(names.frame(m.header().frameId()), m.angleMin(), m.angleIncrement(), m.rangeMin(),
+        m.rangeMax(),
         Math.max(0, m.scanTime()), Floats.wrap(m.ranges()), intensities);
   }
 
@@ -63,7 +65,8 @@ final class SensorAdapters {
   }
 
   private static CameraInfo cameraInfo(org.robotui.ros.msgs.sensor_msgs.CameraInfo m, FrameNames names) {
-    return new CameraInfo(names.frame(m.header().frameId()), Sizes.of("width", m.width()), Sizes.of("height", m.height()),
+    return new CameraInfo(names.frame(m.header().frameId()), Sizes.of("width", m.width()),
+        Sizes.of("height", m.height()),
         m.distortionModel(), Doubles.wrap(m.d()), Doubles.wrap(m.k()), Doubles.wrap(m.r()), Doubles.wrap(m.p()));
   }
 
@@ -86,7 +89,8 @@ final class SensorAdapters {
       case NavSatStatus.STATUS_GBAS_FIX -> GpsFix.Quality.GROUND_AUGMENTED;
       default -> GpsFix.Quality.NO_FIX;
     };
-    double variance = m.positionCovarianceType() == 0 ? Double.NaN : Math.max(m.positionCovariance()[0], m.positionCovariance()[4]);
+    double variance =
+        m.positionCovarianceType() == 0 ? Double.NaN : Math.max(m.positionCovariance()[0], m.positionCovariance()[4]);
     return new GpsFix(names.frame(m.header().frameId()), quality, Math.toRadians(m.latitude()),
         Math.toRadians(m.longitude()), m.altitude(), Math.sqrt(variance));
   }

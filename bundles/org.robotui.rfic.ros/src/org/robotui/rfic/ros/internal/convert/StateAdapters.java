@@ -84,7 +84,8 @@ public final class StateAdapters {
   }
 
   private static FrameTransform converted(TransformStamped t, FrameNames names, boolean fixed) {
-    return new FrameTransform(names.frame(t.header().frameId()), names.frame(t.childFrameId()), names.stamp(t.header().stamp()),
+    return new FrameTransform(names.frame(t.header().frameId()), names.frame(t.childFrameId()),
+        names.stamp(t.header().stamp()),
         Geometry.transform(t.transform()), fixed);
   }
 
@@ -102,7 +103,8 @@ public final class StateAdapters {
 
   private static JointState joints(org.robotui.ros.msgs.sensor_msgs.JointState m) {
     return new JointState(IntStream.range(0, m.name().size())
-        .mapToObj(i -> new JointState.Joint(m.name().get(i), at(m.position(), i), at(m.velocity(), i), at(m.effort(), i)))
+        .mapToObj(
+            i -> new JointState.Joint(m.name().get(i), at(m.position(), i), at(m.velocity(), i), at(m.effort(), i)))
         .toList());
   }
 

@@ -9,8 +9,8 @@ import org.robotui.data.command.VelocityCommand;
 import org.robotui.rfic.ros.internal.convert.CommandType;
 
 /**
- * The topics that move the base, among all that take velocities (an arm that is servoed, a camera, the inputs of a multiplexer): those named {@code cmd_vel}
- * with the fewest parts before; where nothing has that name, all of them.
+ * The topics that move the base, among all that take velocities (an arm that is servoed, a camera, the inputs of a
+ * multiplexer): those named {@code cmd_vel} with the fewest parts before; where nothing has that name, all of them.
  */
 record BaseTopics(Set<String> topics) implements Predicate<String> {
   private static final String NAME = "/cmd_vel";

@@ -97,7 +97,8 @@ final class CommandTopic implements AutoCloseable {
     }
 
     void stop() {
-      driven.map(Motion::stopped).ifPresent(zero -> publish(command.message().of(command.data().cast(zero), clock.nowNanos()), true));
+      driven.map(Motion::stopped)
+          .ifPresent(zero -> publish(command.message().of(command.data().cast(zero), clock.nowNanos()), true));
       driven = Optional.empty();
       publisher.awaitSent(STOP); // core may have sent a stop a moment ago: closing would drop it
     }
@@ -112,7 +113,8 @@ final class CommandTopic implements AutoCloseable {
     }
 
     private static String stalled(long silenceNanos) {
-      return String.format(Locale.ROOT, "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
+      return String.format(Locale.ROOT,
+          "the robot has not been heard for %.1f s; nothing is sent into a network that may keep it",
           silenceNanos / 1e9);
     }
   }

@@ -14,8 +14,9 @@ import org.robotui.ros.Parameters;
 import org.robotui.ros.XmlRpcValue;
 
 /**
- * What the robot is made of, by its parameters {@code robot_description} and {@code robot_description_semantic}: the master says when they
- * change. A robot without them offers nothing. The thread that follows the graph offers and publishes; others only note what came.
+ * What the robot is made of, by its parameters {@code robot_description} and {@code robot_description_semantic}: the
+ * master says when they change. A robot without them offers nothing. The thread that follows the graph offers and
+ * publishes; others only note what came.
  */
 final class DescriptionFeed implements AutoCloseable {
   static final String NAME = "robot_description";
@@ -59,7 +60,8 @@ final class DescriptionFeed implements AutoCloseable {
 
   private Optional<RobotDescription> now() {
     String model = urdf;
-    return model.isEmpty() ? Optional.empty() : Optional.of(new RobotDescription(context.robot(), topic, model, srdf, roots));
+    return model.isEmpty() ? Optional.empty()
+        : Optional.of(new RobotDescription(context.robot(), topic, model, srdf, roots));
   }
 
   private static String text(Optional<XmlRpcValue> value) {

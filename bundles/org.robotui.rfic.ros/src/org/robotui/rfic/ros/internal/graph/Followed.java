@@ -1,6 +1,9 @@
 package org.robotui.rfic.ros.internal.graph;
 
-/** What is offered because others publish it. The robot is only asked for it while somebody wants it. For the thread that follows the graph. */
+/**
+ * What is offered because others publish it. The robot is only asked for it while somebody wants it. For the thread
+ * that follows the graph.
+ */
 interface Followed extends AutoCloseable {
   String topic();
 

@@ -18,22 +18,25 @@ record GraphSnapshot(Map<String, String> published, Map<String, String> subscrib
   static GraphSnapshot of(SharedGraph graph, String self) {
     Predicate<String> ours = ours(self);
     return new GraphSnapshot(
-        typed(graph.state().publishers(), graph.types(), ours), typed(graph.state().subscribers(), graph.types(), ours));
+        typed(graph.state().publishers(), graph.types(), ours),
+        typed(graph.state().subscribers(), graph.types(), ours));
   }
 
   /**
-   * Our node, and others of this process, which anonymous names tell by its id: what one of our interfaces listens to, be it one on trial,
-   * is nothing that the robot takes commands by.
+   * Our node, and others of this process, which anonymous names tell by its id: what one of our interfaces listens to,
+   * be it one on trial, is nothing that the robot takes commands by.
    */
   private static Predicate<String> ours(String self) {
     int end = self.lastIndexOf('_');
     int begin = end < 0 ? -1 : self.lastIndexOf('_', end - 1);
     String process = begin < 0 ? self : self.substring(begin, end + 1);
-    return begin < 0 ? self::equals : name -> name.startsWith(process, name.lastIndexOf('_', Math.max(0, name.lastIndexOf('_') - 1)));
+    return begin < 0 ? self::equals
+        : name -> name.startsWith(process, name.lastIndexOf('_', Math.max(0, name.lastIndexOf('_') - 1)));
   }
 
   /** Topics of others whose type is known; tools such as rostopic register subscriptions of type "*". */
-  private static Map<String, String> typed(Map<String, List<String>> topics, Map<String, String> types, Predicate<String> self) {
+  private static Map<String, String> typed(Map<String, List<String>> topics, Map<String, String> types,
+      Predicate<String> self) {
     Map<String, String> typed = new TreeMap<>();
     topics.forEach((topic, nodes) -> {
       String type = types.getOrDefault(topic, ANY);

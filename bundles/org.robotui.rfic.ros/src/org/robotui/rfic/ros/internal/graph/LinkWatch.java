@@ -19,7 +19,7 @@ final class LinkWatch implements LinkListener {
     Map<String, String> ofTopic = failures.computeIfAbsent(event.name(), t -> new ConcurrentHashMap<>());
     switch (event.state()) {
       case LinkState.Failed f -> ofTopic.put(event.peer(), f.reason());
-      case LinkState.Connecting c -> { }
+      case LinkState.Connecting c -> {}
       case LinkState.Connected c -> ofTopic.clear();
       case LinkState.Closed c -> ofTopic.remove(event.peer());
     }

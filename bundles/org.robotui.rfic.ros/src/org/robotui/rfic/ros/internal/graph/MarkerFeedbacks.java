@@ -13,8 +13,8 @@ import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
 
 /**
- * Tells servers of interactive markers what users do. A topic is advertised as long as its markers are looked at, so that the first
- * grip is not lost while the server connects. Safe for all threads.
+ * Tells servers of interactive markers what users do. A topic is advertised as long as its markers are looked at, so
+ * that the first grip is not lost while the server connects. Safe for all threads.
  */
 final class MarkerFeedbacks implements CommandSink<MarkerFeedback> {
   /** A click is several messages at once, of which none may be lost. */
@@ -30,7 +30,8 @@ final class MarkerFeedbacks implements CommandSink<MarkerFeedback> {
   }
 
   void open(String topic) {
-    topics.computeIfAbsent(topic, t -> node.publisher(t, RecordCodec.of(InteractiveMarkerFeedback.class), PublisherOptions.commands().withQueue(MOST_WAITING)));
+    topics.computeIfAbsent(topic, t -> node.publisher(t, RecordCodec.of(InteractiveMarkerFeedback.class),
+        PublisherOptions.commands().withQueue(MOST_WAITING)));
   }
 
   void close(String topic) {

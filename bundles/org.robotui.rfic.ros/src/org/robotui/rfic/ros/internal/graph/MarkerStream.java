@@ -22,7 +22,9 @@ import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 
-/** The interactive markers of the servers on one topic as a stream: what the updates and the list of all say together. */
+/**
+ * The interactive markers of the servers on one topic as a stream: what the updates and the list of all say together.
+ */
 final class MarkerStream implements Followed {
   static final String TYPE = "visualization_msgs/InteractiveMarkerUpdate";
   private static final String UPDATE = "/update";
@@ -103,7 +105,8 @@ final class MarkerStream implements Followed {
       feedbacks.open(feedback());
       SubscriberOptions options = SubscriberOptions.observing();
       subscribers.add(node.subscriber(topic, RecordCodec.of(InteractiveMarkerUpdate.class), options, this::updated));
-      subscribers.add(node.subscriber(base() + "/update_full", RecordCodec.of(InteractiveMarkerInit.class), options, this::begun));
+      subscribers.add(
+          node.subscriber(base() + "/update_full", RecordCodec.of(InteractiveMarkerInit.class), options, this::begun));
     } else if (!wanted) {
       end();
     }
@@ -135,7 +138,8 @@ final class MarkerStream implements Followed {
     boolean first = !begun && servers.values().stream().anyMatch(MarkerSync::synchronised);
     if (first || !changed.isEmpty()) {
       begun = true;
-      publication.publish(new InteractiveMarkerSet(first, changed), Optional.empty(), reception.receiveNanos(), Optional.empty());
+      publication.publish(new InteractiveMarkerSet(first, changed), Optional.empty(), reception.receiveNanos(),
+          Optional.empty());
     }
   }
 

@@ -18,8 +18,9 @@ import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerPose;
 import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 
 /**
- * The markers of one server, kept equal to what it has. Updates are numbered: where one is missing, the markers are taken anew from the
- * server's list of all, as soon as an update or a sign of life shows that no change lies between the two. Not safe for several threads.
+ * The markers of one server, kept equal to what it has. Updates are numbered: where one is missing, the markers are
+ * taken anew from the server's list of all, as soon as an update or a sign of life shows that no change lies between
+ * the two. Not safe for several threads.
  */
 final class MarkerSync {
   private static final int MOST_WAITING = 100;
@@ -55,7 +56,8 @@ final class MarkerSync {
       return changes ? apply(update, names) : List.of();
     }
     if (synchronised) {
-      complaints.accept("update " + (last + 1) + " did not come, but " + update.seqNum() + "; all markers are taken anew");
+      complaints
+          .accept("update " + (last + 1) + " did not come, but " + update.seqNum() + "; all markers are taken anew");
       synchronised = false;
     }
     if (waiting.size() >= MOST_WAITING) {
@@ -114,7 +116,9 @@ final class MarkerSync {
   }
 
   private Optional<Entry> move(InteractiveMarkerPose pose, FrameNames names) {
-    return Optional.ofNullable(markers.computeIfPresent(pose.name(), (name, marker) -> InteractiveMarkers.moved(marker, pose, names)))
+    return Optional
+        .ofNullable(
+            markers.computeIfPresent(pose.name(), (name, marker) -> InteractiveMarkers.moved(marker, pose, names)))
         .map(marker -> new Entry(marker.name(), Optional.of(marker)));
   }
 }

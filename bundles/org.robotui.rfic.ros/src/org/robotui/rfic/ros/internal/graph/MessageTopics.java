@@ -20,9 +20,9 @@ import org.robotui.ros.message.MessageSchema;
 import org.robotui.ros.message.SchemaLookup;
 
 /**
- * Says single messages of any type on any topic that somebody listens to. A topic is advertised with its first message, which waits a
- * moment for its listeners to connect, and is given up when nothing was said for a while. Nothing latches: what was said is not said
- * again to those who come later.
+ * Says single messages of any type on any topic that somebody listens to. A topic is advertised with its first message,
+ * which waits a moment for its listeners to connect, and is given up when nothing was said for a while. Nothing
+ * latches: what was said is not said again to those who come later.
  */
 final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable {
   private static final Duration PATIENCE = Duration.ofMillis(1500);
@@ -84,7 +84,7 @@ final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable 
 
   /** Says what waited for its listeners, and gives up what is not used. */
   synchronized void tick() {
-    for (Iterator<Topic> all = topics.values().iterator(); all.hasNext(); ) {
+    for (Iterator<Topic> all = topics.values().iterator(); all.hasNext();) {
       Topic topic = all.next();
       topic.tick();
       if (topic.idleNanos() > IDLE.toNanos()) {

@@ -82,8 +82,8 @@ final class Offers implements AutoCloseable {
   }
 
   /**
-   * Goals and initial poses that others give are no news of the robot: a view would take them for where it is. Velocities that
-   * others command stay visible.
+   * Goals and initial poses that others give are no news of the robot: a view would take them for where it is.
+   * Velocities that others command stay visible.
    */
   private static Map<String, String> withoutOrders(Map<String, String> published, Map<String, String> taken) {
     Map<String, String> news = new TreeMap<>(published);
@@ -94,7 +94,7 @@ final class Offers implements AutoCloseable {
 
   /** A topic that somebody looks at stays when its publisher goes: it is missing, and may return. */
   private void followStreams(Map<String, String> published) {
-    for (Iterator<Followed> i = streams.values().iterator(); i.hasNext(); ) {
+    for (Iterator<Followed> i = streams.values().iterator(); i.hasNext();) {
       Followed stream = i.next();
       String type = published.getOrDefault(stream.topic(), "");
       boolean gone = type.isEmpty() && !stream.wanted() || !type.isEmpty() && !type.equals(stream.type());
@@ -139,7 +139,8 @@ final class Offers implements AutoCloseable {
     gone.forEach(t -> commands.remove(t).close());
     topics.forEach((topic, type) -> {
       if (!commands.containsKey(topic)) {
-        CommandType.of(type).ifPresent(c -> commands.put(topic, new CommandTopic(topic, c, context, settings, node, clock, pulse, () -> bases.test(topic))));
+        CommandType.of(type).ifPresent(c -> commands.put(topic,
+            new CommandTopic(topic, c, context, settings, node, clock, pulse, () -> bases.test(topic))));
       }
     });
   }

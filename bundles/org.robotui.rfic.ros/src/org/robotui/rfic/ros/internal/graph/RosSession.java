@@ -63,7 +63,8 @@ public final class RosSession implements RobotSession {
    * @param care what else the node is given
    * @throws IOException where no node can be opened on this machine
    */
-  public RosSession(RficContext context, RosSettings settings, MessageRegistry registry, SharedMasters masters, UnaryOperator<NodeOptions> care)
+  public RosSession(RficContext context, RosSettings settings, MessageRegistry registry, SharedMasters masters,
+      UnaryOperator<NodeOptions> care)
       throws IOException {
     this.context = context;
     this.settings = settings;
@@ -76,7 +77,8 @@ public final class RosSession implements RobotSession {
     this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch, pulse, feedbacks);
     this.handled = context.offers().command(RosPorts.MARKER_FEEDBACK, feedbacks);
     this.transforms = new TransformFeed(context, node, clock, settings, master);
-    this.description = new DescriptionFeed(context, node.parameters(), settings, Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
+    this.description = new DescriptionFeed(context, node.parameters(), settings,
+        Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
     this.messages = new MessageTopics(node, registry);
     this.publish = context.offers().command(RosPorts.PUBLISH, messages);
     this.services = context.offers().call(RosPorts.SERVICES, new RosServices(node, registry));
@@ -140,7 +142,10 @@ public final class RosSession implements RobotSession {
             : new LinkState.Failed(reason, LOOK));
   }
 
-  /** The master hears of it early: of many robots that are closed at once, each takes its time. But a stop must have gone out by then. */
+  /**
+   * The master hears of it early: of many robots that are closed at once, each takes its time. But a stop must have
+   * gone out by then.
+   */
   @Override
   public void close() {
     offers.stop();

@@ -8,8 +8,9 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.robotui.ros.StaleRegistrations;
 
 /**
- * Removes what earlier runs left, one interface at a time: those of a team that ask meanwhile get the same answer, as what fifty killed
- * nodes left would else be looked at fifty times, at once and by the same master. Safe for all threads.
+ * Removes what earlier runs left, one interface at a time: those of a team that ask meanwhile get the same answer, as
+ * what fifty killed nodes left would else be looked at fifty times, at once and by the same master. Safe for all
+ * threads.
  */
 public final class SharedCleanup {
   /** What a sweep found, and when it ended. */

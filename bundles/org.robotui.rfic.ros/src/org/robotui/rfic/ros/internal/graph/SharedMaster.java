@@ -32,7 +32,8 @@ final class SharedMaster {
   private volatile Optional<Seen> seen = Optional.empty();
 
   /**
-   * The graph. Where nobody asked lately the caller does, by its own node and on its own thread; who comes meanwhile gets what was there before.
+   * The graph. Where nobody asked lately the caller does, by its own node and on its own thread; who comes meanwhile
+   * gets what was there before.
    *
    * @param ask asks the master
    * @param nowNanos {@link System#nanoTime()}
@@ -62,7 +63,8 @@ final class SharedMaster {
 
   /** Whether a name is that of a robot whose interface speaks to this master, or of a namespace in the graph. */
   boolean isNamespace(String name) {
-    return namespaces.contains(name) || seen.flatMap(s -> s.graph().toOptional()).filter(g -> g.namespaces().contains(name)).isPresent();
+    return namespaces.contains(name)
+        || seen.flatMap(s -> s.graph().toOptional()).filter(g -> g.namespaces().contains(name)).isPresent();
   }
 
   /** Takes one more to which what is heard is given; what was said once and holds for good it is told now. */

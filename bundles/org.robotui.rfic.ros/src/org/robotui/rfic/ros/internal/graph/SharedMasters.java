@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * What the interfaces of this process share that speak to one master: where many robots are at one, each would otherwise ask for the same
- * graph, listen to the transforms of all, and remove what all left. Safe for all threads.
+ * What the interfaces of this process share that speak to one master: where many robots are at one, each would
+ * otherwise ask for the same graph, listen to the transforms of all, and remove what all left. Safe for all threads.
  */
 public final class SharedMasters {
   private final Map<URI, SharedMaster> masters = new ConcurrentHashMap<>();

@@ -20,8 +20,8 @@ import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
 
 /**
- * A topic as a stream. The robot is only asked for it while somebody wants it. Core's thread merely notes the demand; the
- * thread that follows the graph acts on it, so that neither waits for a lock of the other.
+ * A topic as a stream. The robot is only asked for it while somebody wants it. Core's thread merely notes the demand;
+ * the thread that follows the graph acts on it, so that neither waits for a lock of the other.
  */
 final class TopicStream implements Followed {
   private final String topic;
@@ -88,7 +88,9 @@ final class TopicStream implements Followed {
     subscriber.ifPresent(s -> count(s.unreadable()));
   }
 
-  /** A link that is soon made again may look well whenever the graph is looked at; what came by it is lost all the same. */
+  /**
+   * A link that is soon made again may look well whenever the graph is looked at; what came by it is lost all the same.
+   */
   private void count(Subscriber.Unreadable now) {
     if (now.count() > unreadable) {
       entry.publication.lost(now.count() - unreadable, now.reason());

@@ -21,8 +21,9 @@ import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
 import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
- * Transforms, moving and static. Of all interfaces that speak to one master one listens, and gives to each what concerns its robot: an
- * interface in a namespace is spared frames that begin with the name of another one. When the one that listens ends, the next one does. The old type {@code tf/tfMessage} has the same definition, and so the same
+ * Transforms, moving and static. Of all interfaces that speak to one master one listens, and gives to each what
+ * concerns its robot: an interface in a namespace is spared frames that begin with the name of another one. When the
+ * one that listens ends, the next one does. The old type {@code tf/tfMessage} has the same definition, and so the same
  * sum, as the present one.
  */
 final class TransformFeed implements AutoCloseable {
@@ -84,8 +85,10 @@ final class TransformFeed implements AutoCloseable {
     Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
     int refused = own.size() - good.map(set -> set.transforms().size()).orElse(0);
     if (refused > 0) {
-      publication.lost(refused, topic(fixed) + " from " + reception.callerId() + ": " + refused + " of " + own.size() + " transforms refused; "
-          + StateAdapters.refusal(message, names).orElse(""));
+      publication.lost(refused,
+          topic(fixed) + " from " + reception.callerId() + ": " + refused + " of " + own.size()
+              + " transforms refused; "
+              + StateAdapters.refusal(message, names).orElse(""));
     }
     good.ifPresent(set -> {
       context.frames().add(set, reception.callerId());

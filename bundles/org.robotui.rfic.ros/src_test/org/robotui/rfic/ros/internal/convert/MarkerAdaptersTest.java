@@ -54,7 +54,8 @@ class MarkerAdaptersTest {
 
   @Test
   void aMarkerKeepsWhatItSays() {
-    MarkerSet set = (MarkerSet) convert("visualization_msgs/Marker", marker(7, Marker.ARROW, Marker.ADD, new double[] {1, 2, 3, 4, 5, 6}, new float[0]));
+    MarkerSet set = (MarkerSet) convert("visualization_msgs/Marker",
+        marker(7, Marker.ARROW, Marker.ADD, new double[]{1, 2, 3, 4, 5, 6}, new float[0]));
     org.robotui.data.marker.Marker marker = set.entries().getFirst().marker().orElseThrow();
     assertEquals("things/7", marker.key().toString());
     assertEquals(new FrameId("robby", "map"), marker.frame());
@@ -70,8 +71,10 @@ class MarkerAdaptersTest {
   @Test
   void anArrayThatTakesAllAwayKeepsOnlyWhatFollows() {
     MarkerSet set = (MarkerSet) convert("visualization_msgs/MarkerArray", new MarkerArray(List.of(
-        marker(1, 1, Marker.ADD, new double[0], new float[0]), marker(0, 0, Marker.DELETEALL, new double[0], new float[0]),
-        marker(2, 1, Marker.ADD, new double[0], new float[0]), marker(3, 1, Marker.DELETE, new double[0], new float[0]))));
+        marker(1, 1, Marker.ADD, new double[0], new float[0]),
+        marker(0, 0, Marker.DELETEALL, new double[0], new float[0]),
+        marker(2, 1, Marker.ADD, new double[0], new float[0]),
+        marker(3, 1, Marker.DELETE, new double[0], new float[0]))));
     assertTrue(set.all());
     assertEquals(List.of(true, false), set.entries().stream().map(e -> e.marker().isPresent()).toList());
   }
@@ -82,7 +85,8 @@ class MarkerAdaptersTest {
     MarkerSet faces = (MarkerSet) convert("visualization_msgs/Marker", marker(1, Marker.TRIANGLE_LIST, 0, SIX, two));
     org.robotui.data.array.Bytes colors = faces.entries().getFirst().marker().orElseThrow().colors();
     assertEquals(24, colors.size());
-    assertEquals(List.of(255, 0, 0, 255, 255, 0, 0, 255), List.of(0, 1, 2, 3, 8, 9, 10, 11).stream().map(colors::unsigned).toList());
+    assertEquals(List.of(255, 0, 0, 255, 255, 0, 0, 255),
+        List.of(0, 1, 2, 3, 8, 9, 10, 11).stream().map(colors::unsigned).toList());
     assertEquals(List.of(0, 0, 255, 128), List.of(12, 13, 14, 15).stream().map(colors::unsigned).toList());
     MarkerSet none = (MarkerSet) convert("visualization_msgs/Marker", marker(1, Marker.POINTS, 0, SIX, two));
     assertEquals(0, none.entries().getFirst().marker().orElseThrow().colors().size());
@@ -90,7 +94,8 @@ class MarkerAdaptersTest {
 
   @Test
   void whatIsNotKnownIsSaidOrShownAsUnknown() {
-    MarkerSet odd = (MarkerSet) convert("visualization_msgs/Marker", marker(1, 99, Marker.ADD, new double[0], new float[0]));
+    MarkerSet odd =
+        (MarkerSet) convert("visualization_msgs/Marker", marker(1, 99, Marker.ADD, new double[0], new float[0]));
     assertEquals(org.robotui.data.marker.Marker.Type.UNKNOWN, odd.entries().getFirst().marker().orElseThrow().type());
     Marker action = marker(1, 0, 17, new double[0], new float[0]);
     assertThrows(IllegalArgumentException.class, () -> convert("visualization_msgs/Marker", action));
@@ -98,7 +103,8 @@ class MarkerAdaptersTest {
 
   @Test
   void aMarkerThatIsMovedKeepsItsControlsAndItsMenu() {
-    org.robotui.data.marker.InteractiveMarker marker = InteractiveMarkers.marker(SampleMarkers.interactive("goal", 4), "/nav/feedback", NAMES);
+    org.robotui.data.marker.InteractiveMarker marker =
+        InteractiveMarkers.marker(SampleMarkers.interactive("goal", 4), "/nav/feedback", NAMES);
     assertEquals("goal", marker.name());
     assertEquals(Mode.MOVE_AXIS, marker.controls().getFirst().mode());
     assertEquals("Go", marker.menu().getFirst().title());
@@ -116,12 +122,14 @@ class MarkerAdaptersTest {
         new WrenchStamped(new Header(0, 0, "wrist"), new org.robotui.ros.msgs.geometry_msgs.Wrench(v, v)));
     assertEquals(new Vector3(1, 2, 3), wrench.torque());
     double[] none = new double[0];
-    JointTrajectoryPoint point = new JointTrajectoryPoint(new double[] {0.5}, none, none, none, 1_500_000_000L);
+    JointTrajectoryPoint point = new JointTrajectoryPoint(new double[]{0.5}, none, none, none, 1_500_000_000L);
     JointTrajectory trajectory = (JointTrajectory) convert("trajectory_msgs/JointTrajectory",
-        new org.robotui.ros.msgs.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow"), List.of(point)));
+        new org.robotui.ros.msgs.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow"),
+            List.of(point)));
     assertEquals(1.5, trajectory.points().getFirst().seconds());
     assertThrows(IllegalArgumentException.class, () -> convert("trajectory_msgs/JointTrajectory",
-        new org.robotui.ros.msgs.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow", "wrist"), List.of(point))));
+        new org.robotui.ros.msgs.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow", "wrist"),
+            List.of(point))));
   }
 
   /** The type is not shipped: it is read by the definition that its publisher sends. */
@@ -154,11 +162,16 @@ class MarkerAdaptersTest {
         duration time_from_start
         """;
     MessageSchema schema = MessageSchema.parse("moveit_msgs/DisplayTrajectory", text);
-    java.util.Map<String, Object> point = java.util.Map.of("positions", List.of(1.0, 2.0), "time_from_start", 250_000_000L);
+    java.util.Map<String, Object> point =
+        java.util.Map.of("positions", List.of(1.0, 2.0), "time_from_start", 250_000_000L);
     ByteBuffer bytes = new DynamicCodec(schema).build(java.util.Map.of("model_id", "arm",
-        "trajectory", List.of(java.util.Map.of("joint_trajectory", java.util.Map.of("joint_names", List.of("a", "b"), "points", List.of(point)))),
-        "trajectory_start", java.util.Map.of("joint_state", java.util.Map.of("name", List.of("a"), "position", List.of(0.5))))).bytes();
-    DisplayedTrajectory plan = (DisplayedTrajectory) convert("moveit_msgs/DisplayTrajectory", new RawMessage(schema.info(), bytes));
+        "trajectory",
+        List.of(java.util.Map.of("joint_trajectory",
+            java.util.Map.of("joint_names", List.of("a", "b"), "points", List.of(point)))),
+        "trajectory_start",
+        java.util.Map.of("joint_state", java.util.Map.of("name", List.of("a"), "position", List.of(0.5))))).bytes();
+    DisplayedTrajectory plan =
+        (DisplayedTrajectory) convert("moveit_msgs/DisplayTrajectory", new RawMessage(schema.info(), bytes));
     assertEquals("arm", plan.model());
     assertEquals(0.5, plan.start().getFirst().position());
     assertEquals(List.of("a", "b"), plan.parts().getFirst().joints());
@@ -170,13 +183,17 @@ class MarkerAdaptersTest {
   @Test
   void damagedMessagesAreConvertedOrRefused() {
     Random random = new Random(5);
-    byte[] array = encoded(RecordCodec.of(MarkerArray.class), new MarkerArray(List.of(marker(1, Marker.POINTS, 0, SIX, new float[24]), marker(2, 0, 0, SIX, new float[0]))));
-    byte[] init = encoded(RecordCodec.of(InteractiveMarkerInit.class), new InteractiveMarkerInit("server", 1, List.of(SampleMarkers.interactive("goal", 1))));
+    byte[] array = encoded(RecordCodec.of(MarkerArray.class),
+        new MarkerArray(List.of(marker(1, Marker.POINTS, 0, SIX, new float[24]), marker(2, 0, 0, SIX, new float[0]))));
+    byte[] init = encoded(RecordCodec.of(InteractiveMarkerInit.class),
+        new InteractiveMarkerInit("server", 1, List.of(SampleMarkers.interactive("goal", 1))));
     int converted = 0;
     for (int round = 0; round < 4_000; round++) {
-      converted += accepts(() -> convert("visualization_msgs/MarkerArray", RecordCodec.of(MarkerArray.class).decode(damaged(array, random)))) ? 1 : 0;
+      converted += accepts(() -> convert("visualization_msgs/MarkerArray",
+          RecordCodec.of(MarkerArray.class).decode(damaged(array, random)))) ? 1 : 0;
       converted += accepts(() -> {
-        for (InteractiveMarker m : RecordCodec.of(InteractiveMarkerInit.class).decode(damaged(init, random)).markers()) {
+        for (InteractiveMarker m : RecordCodec.of(InteractiveMarkerInit.class).decode(damaged(init, random))
+            .markers()) {
           InteractiveMarkers.marker(m, "/feedback", NAMES);
         }
       }) ? 1 : 0;

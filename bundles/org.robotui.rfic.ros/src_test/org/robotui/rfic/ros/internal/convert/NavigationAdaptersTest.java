@@ -24,8 +24,9 @@ class NavigationAdaptersTest {
 
   @SuppressWarnings("unchecked")
   private static NavigationStatus of(int status, String text) {
-    Adapter<MoveBaseActionResult, NavigationStatus> adapter = (Adapter<MoveBaseActionResult, NavigationStatus>)
-        NavigationAdapters.all().stream().filter(a -> a.type().endsWith("Result")).findFirst().orElseThrow();
+    Adapter<MoveBaseActionResult, NavigationStatus> adapter =
+        (Adapter<MoveBaseActionResult, NavigationStatus>) NavigationAdapters.all().stream()
+            .filter(a -> a.type().endsWith("Result")).findFirst().orElseThrow();
     MoveBaseActionResult message = new MoveBaseActionResult(new Header(0, 0, ""),
         new GoalStatus(new GoalID(0, "/move_base-1"), status, text), new MoveBaseResult());
     return adapter.convert().apply(message, null).orElseThrow();

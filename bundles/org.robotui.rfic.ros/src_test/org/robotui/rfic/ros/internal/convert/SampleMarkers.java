@@ -17,7 +17,8 @@ public final class SampleMarkers {
   private SampleMarkers() {}
 
   static Marker marker(String namespace, int id, int type, int action, double[] points, float[] colors) {
-    return new Marker(new Header(0, 5_000_000_000L, "map"), namespace, id, type, action, pose(1, 2, 3), new Vector3(0.1, 0.2, 0.3),
+    return new Marker(new Header(0, 5_000_000_000L, "map"), namespace, id, type, action, pose(1, 2, 3),
+        new Vector3(0.1, 0.2, 0.3),
         new ColorRGBA(1, 0.5f, 0, 1), 2_000_000_000L, true, points, colors, "a text", "package://p/a.dae", true);
   }
 

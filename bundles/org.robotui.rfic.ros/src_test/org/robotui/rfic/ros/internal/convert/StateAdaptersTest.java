@@ -18,7 +18,8 @@ class StateAdaptersTest {
 
   @Test
   void aTransformThatIsNoneIsLeftOutAndNamedByItsFramesAndItsField() {
-    TFMessage message = new TFMessage(List.of(transform("base", 1), transform("arm", Double.NaN), transform("hand", Double.NaN)));
+    TFMessage message =
+        new TFMessage(List.of(transform("base", 1), transform("arm", Double.NaN), transform("hand", Double.NaN)));
 
     assertEquals(1, StateAdapters.transforms(message, NAMES, false).orElseThrow().transforms().size());
     String said = StateAdapters.refusal(message, NAMES).orElseThrow();
@@ -31,6 +32,7 @@ class StateAdaptersTest {
   }
 
   private static TransformStamped transform(String child, double x) {
-    return new TransformStamped(new Header(0, 1, "map"), child, new Transform(new Vector3(x, 0, 0), new Quaternion(0, 0, 0, 1)));
+    return new TransformStamped(new Header(0, 1, "map"), child,
+        new Transform(new Vector3(x, 0, 0), new Quaternion(0, 0, 0, 1)));
   }
 }

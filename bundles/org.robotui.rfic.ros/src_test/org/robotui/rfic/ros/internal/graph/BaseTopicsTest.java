@@ -12,13 +12,16 @@ class BaseTopicsTest {
 
   @Test
   void theBaseIsMovedByTheOutermostTopicOfThatName() {
-    assertEquals(Set.of("/cmd_vel"), BaseTopics.of(Map.of("/cmd_vel", TWIST, "/head/cmd_vel", TWIST, "/arm/servo", STAMPED)).topics());
-    assertEquals(Set.of("/keira/cmd_vel"), BaseTopics.of(Map.of("/keira/cmd_vel", TWIST, "/keira/mux/teleop", TWIST)).topics());
+    assertEquals(Set.of("/cmd_vel"),
+        BaseTopics.of(Map.of("/cmd_vel", TWIST, "/head/cmd_vel", TWIST, "/arm/servo", STAMPED)).topics());
+    assertEquals(Set.of("/keira/cmd_vel"),
+        BaseTopics.of(Map.of("/keira/cmd_vel", TWIST, "/keira/mux/teleop", TWIST)).topics());
   }
 
   @Test
   void whereNothingHasThatNameAllVelocitiesMoveIt() {
-    assertEquals(Set.of("/mobile_base/commands/velocity", "/mux/joystick"), BaseTopics.of(Map.of("/mobile_base/commands/velocity", TWIST,
-        "/mux/joystick", TWIST, "/goal", "geometry_msgs/PoseStamped")).topics());
+    assertEquals(Set.of("/mobile_base/commands/velocity", "/mux/joystick"),
+        BaseTopics.of(Map.of("/mobile_base/commands/velocity", TWIST,
+            "/mux/joystick", TWIST, "/goal", "geometry_msgs/PoseStamped")).topics());
   }
 }

@@ -25,24 +25,29 @@ class MarkerSyncTest {
   private final MarkerSync sync = new MarkerSync("/goals/feedback", complaints::add);
 
   private static InteractiveMarkerInit all(long number, String... names) {
-    return new InteractiveMarkerInit("s", number, Arrays.stream(names).map(n -> SampleMarkers.interactive(n, number)).toList());
+    return new InteractiveMarkerInit("s", number,
+        Arrays.stream(names).map(n -> SampleMarkers.interactive(n, number)).toList());
   }
 
   private static InteractiveMarkerUpdate alive(long number) {
-    return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.KEEP_ALIVE, List.of(), List.of(), List.of());
+    return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.KEEP_ALIVE, List.of(), List.of(),
+        List.of());
   }
 
   private static InteractiveMarkerUpdate moved(long number, String name, double x) {
     InteractiveMarkerPose pose = new InteractiveMarkerPose(new Header(0, 0, "map"), SampleMarkers.pose(x, 0, 0), name);
-    return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(pose), List.of());
+    return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(pose),
+        List.of());
   }
 
   private static InteractiveMarkerUpdate erased(long number, String name) {
-    return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(), List.of(name));
+    return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(),
+        List.of(name));
   }
 
   private static List<String> said(List<Entry> entries) {
-    return entries.stream().map(e -> e.name() + e.marker().map(m -> " at " + m.pose().translation().x()).orElse(" gone")).toList();
+    return entries.stream()
+        .map(e -> e.name() + e.marker().map(m -> " at " + m.pose().translation().x()).orElse(" gone")).toList();
   }
 
   @Test

@@ -131,7 +131,8 @@ public sealed interface ConnectionLine {
    * @param held how long it has been so
    * @param ports the lines of its ports
    */
-  record Part(String ruic, ComponentStatus component, Since held, List<ConnectionLine> ports) implements ConnectionLine {
+  record Part(String ruic, ComponentStatus component, Since held, List<ConnectionLine> ports)
+      implements ConnectionLine {
     /** Copies the list. */
     public Part {
       ports = List.copyOf(ports);
@@ -289,7 +290,8 @@ public sealed interface ConnectionLine {
 
     @Override
     public Optional<Match> decision() {
-      return match.state() == MatchState.AMBIGUOUS && !match.candidates().isEmpty() ? Optional.of(match) : Optional.empty();
+      return match.state() == MatchState.AMBIGUOUS && !match.candidates().isEmpty() ? Optional.of(match)
+          : Optional.empty();
     }
   }
 }

@@ -33,7 +33,8 @@ public record ConnectionsLook(List<Branch> branches, String summary) {
   }
 
   /**
-   * The lines to list: what fits, below what it belongs to. What is folded is closed only while nothing narrows the list.
+   * The lines to list: what fits, below what it belongs to. What is folded is closed only while nothing narrows the
+   * list.
    *
    * @param filter which lines are wanted
    * @param folded the keys of lines below which nothing is shown

@@ -16,7 +16,8 @@ final class Summary {
   static String of(List<RuicSnapshot> ruics) {
     List<String> links = ruics.stream().flatMap(ruic -> ruic.components().stream())
         .filter(component -> component.kind() == ComponentStatus.Kind.RFIC).map(Summary::word).toList();
-    return Stream.of(links(links), decisions(ruics), unconnected(ruics)).filter(part -> !part.isEmpty()).collect(Collectors.joining("; "));
+    return Stream.of(links(links), decisions(ruics), unconnected(ruics)).filter(part -> !part.isEmpty())
+        .collect(Collectors.joining("; "));
   }
 
   private static String links(List<String> words) {
@@ -34,7 +35,8 @@ final class Summary {
     if (component.state() == RuicState.ADDED) {
       return "not started";
     }
-    return component.state() == RuicState.FAILED ? "failed" : component.link().map(Summary::word).orElse("disconnected");
+    return component.state() == RuicState.FAILED ? "failed"
+        : component.link().map(Summary::word).orElse("disconnected");
   }
 
   /** The word of the kind of state: that of a failed link counts down. */
@@ -53,7 +55,8 @@ final class Summary {
   }
 
   private static Stream<ConnectionLine.ViewPort> lines(List<RuicSnapshot> ruics) {
-    return ruics.stream().flatMap(ruic -> ruic.matches().stream().map(match -> new ConnectionLine.ViewPort(ruic.name(), match)));
+    return ruics.stream()
+        .flatMap(ruic -> ruic.matches().stream().map(match -> new ConnectionLine.ViewPort(ruic.name(), match)));
   }
 
   private static String counted(long count, String one, String many) {

@@ -39,10 +39,10 @@ public final class Survey {
   /** By component, in one pass: a RUIC may have very many. */
   private static Map<String, List<ConnectionLine>> ports(RuicSnapshot ruic) {
     Map<String, List<ConnectionLine>> lines = new HashMap<>();
-    ruic.ports().forEach(port ->
-        lines.computeIfAbsent(port.port().component(), id -> new ArrayList<>()).add(new ConnectionLine.RobotPort(ruic.name(), port)));
-    ruic.matches().forEach(match ->
-        lines.computeIfAbsent(match.port().component(), id -> new ArrayList<>()).add(new ConnectionLine.ViewPort(ruic.name(), match)));
+    ruic.ports().forEach(port -> lines.computeIfAbsent(port.port().component(), id -> new ArrayList<>())
+        .add(new ConnectionLine.RobotPort(ruic.name(), port)));
+    ruic.matches().forEach(match -> lines.computeIfAbsent(match.port().component(), id -> new ArrayList<>())
+        .add(new ConnectionLine.ViewPort(ruic.name(), match)));
     return lines;
   }
 }

@@ -16,9 +16,11 @@ public final class Transcript {
   }
 
   private static String of(ConnectionLine line) {
-    String facts = Stream.of(line.since(), line.age().isEmpty() ? "" : "newest " + line.age() + " old", line.dropped(), line.text())
+    String facts = Stream
+        .of(line.since(), line.age().isEmpty() ? "" : "newest " + line.age() + " old", line.dropped(), line.text())
         .filter(fact -> !fact.isEmpty()).collect(Collectors.joining(", "));
-    return ("  ".repeat(line.level()) + mark(line) + " " + padded(line.word()) + " " + line.name() + (facts.isEmpty() ? "" : ": " + facts))
+    return ("  ".repeat(line.level()) + mark(line) + " " + padded(line.word()) + " " + line.name()
+        + (facts.isEmpty() ? "" : ": " + facts))
         .replace('\n', ' ').stripTrailing() + "\n";
   }
 

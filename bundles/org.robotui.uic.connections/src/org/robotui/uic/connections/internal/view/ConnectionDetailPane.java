@@ -87,7 +87,8 @@ final class ConnectionDetailPane {
     ConnectionLine shown = line.get();
     String[] lines = shown.details().split("\n", 2);
     HealthDot.paint(gc, theme, shown.health(), area.x + Theme.EDGE + HealthDot.SIZE / 2, area.y + Theme.EDGE + 9);
-    text(gc, area, Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP, shown.level() == 0 ? lines[0] : shown.ruic() + " \u203a " + lines[0],
+    text(gc, area, Theme.EDGE + HealthDot.SIZE + 2 * Theme.STEP,
+        shown.level() == 0 ? lines[0] : shown.ruic() + " \u203a " + lines[0],
         Face.BODY_STRONG, Role.TEXT);
     rest(gc, area, lines.length > 1 ? lines[1] : "");
   }

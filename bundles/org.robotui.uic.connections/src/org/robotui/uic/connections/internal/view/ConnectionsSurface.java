@@ -28,7 +28,10 @@ import org.robotui.uic.connections.internal.model.ConnectionLine;
 import org.robotui.uic.connections.internal.model.ConnectionsModel.Shown;
 import org.robotui.uic.connections.internal.model.Transcript;
 
-/** What is seen of the view while it is shown: a line of controls, the list, and all of the selected line. Display thread. */
+/**
+ * What is seen of the view while it is shown: a line of controls, the list, and all of the selected line. Display
+ * thread.
+ */
 public final class ConnectionsSurface {
   /** What the user can wish for. */
   public interface Wishes {
@@ -68,7 +71,8 @@ public final class ConnectionsSurface {
   private boolean detailed;
 
   /** Makes the controls. */
-  public ConnectionsSurface(Composite parent, UiContext context, Wishes wishes, Function<String, Optional<SubjectMenu>> subjects) {
+  public ConnectionsSurface(Composite parent, UiContext context, Wishes wishes,
+      Function<String, Optional<SubjectMenu>> subjects) {
     this.context = context;
     this.wishes = wishes;
     this.display = parent.getDisplay();
@@ -86,19 +90,23 @@ public final class ConnectionsSurface {
     detail = new ConnectionDetailPane(root, theme, wishes::connect, () -> list.control().setFocus());
     listen();
     list.menu((menu, lines) -> first(lines).ifPresent(line -> menu(menu, line, subjects)));
-    PortDrag.from(list.control(), at -> selected().flatMap(line -> stream(line).map(stream -> new DraggedPorts(line.ruic(), List.of(stream)))));
+    PortDrag.from(list.control(),
+        at -> selected().flatMap(line -> stream(line).map(stream -> new DraggedPorts(line.ruic(), List.of(stream)))));
   }
 
   private static void menu(PopupMenu menu, ConnectionLine line, Function<String, Optional<SubjectMenu>> subjects) {
     Optional<Subject.Stream> stream = stream(line);
     Optional<SubjectMenu> known = stream.flatMap(s -> subjects.apply(line.ruic()));
-    known.ifPresentOrElse(menus -> menus.fill(menu, stream.get()), () -> menu.push("Copy name", () -> Clipboards.copy(line.name())));
+    known.ifPresentOrElse(menus -> menus.fill(menu, stream.get()),
+        () -> menu.push("Copy name", () -> Clipboards.copy(line.name())));
     menu.line();
     menu.push("Copy all of it as text", () -> Clipboards.copy(line.details()));
   }
 
   private static Optional<Subject.Stream> stream(ConnectionLine line) {
-    return line instanceof ConnectionLine.RobotPort port && port.port().kind() == PortKind.STREAM ? Optional.of(Subject.Stream.of(port.port().port())) : Optional.empty();
+    return line instanceof ConnectionLine.RobotPort port && port.port().kind() == PortKind.STREAM
+        ? Optional.of(Subject.Stream.of(port.port().port()))
+        : Optional.empty();
   }
 
   private boolean focus() {
@@ -174,7 +182,8 @@ public final class ConnectionsSurface {
 
   /** Where it is low, the list has all the room, unless there is something to decide. */
   private void arrange() {
-    boolean wanted = root.getClientArea().height >= DETAIL_HEIGHT + LEAST_LIST || selected().flatMap(ConnectionLine::decision).isPresent();
+    boolean wanted = root.getClientArea().height >= DETAIL_HEIGHT + LEAST_LIST
+        || selected().flatMap(ConnectionLine::decision).isPresent();
     if (detailed != wanted) {
       detailed = wanted;
       below(wanted);
@@ -200,7 +209,7 @@ public final class ConnectionsSurface {
     switch (event.keyCode) {
       case SWT.ARROW_LEFT -> line.ifPresent(l -> wishes.fold(l.key(), true));
       case SWT.ARROW_RIGHT -> line.ifPresent(l -> wishes.fold(l.key(), false));
-      default -> { }
+      default -> {}
     }
   }
 

@@ -66,14 +66,16 @@ final class LineLook implements RowLook<ConnectionLine> {
     }
     HealthDot.paint(gc, theme, row.health(), at.x + lead(row) + HealthDot.SIZE / 2, at.y + at.height / 2);
     int left = lead(row) + HealthDot.SIZE + 2 * Theme.STEP;
-    int end = Math.max(left, Math.min(WIDEST_NAME, (int) (at.width * (at.width >= ROOM_FOR_AGE ? NAME_SHARE : NARROW_NAME_SHARE))));
+    int end = Math.max(left,
+        Math.min(WIDEST_NAME, (int) (at.width * (at.width >= ROOM_FOR_AGE ? NAME_SHARE : NARROW_NAME_SHARE))));
     words.name(gc, at, left, end - left, row.name(), row.level() == 0 ? Face.BODY_STRONG : Face.BODY,
         row.health() == Health.NONE && row.level() == 2 ? Role.DIM : Role.TEXT);
     int x = end + GAP;
     words.right(gc, at, x, WORD, row.word(), wordRole(row));
     x += WORD + GAP;
     if (at.width >= ROOM_FOR_AGE) {
-      words.right(gc, at, x, AGE, row.age().isEmpty() ? row.since() : row.age(), row.health() == Health.STALE ? Role.WARNING : Role.DIM);
+      words.right(gc, at, x, AGE, row.age().isEmpty() ? row.since() : row.age(),
+          row.health() == Health.STALE ? Role.WARNING : Role.DIM);
       x += AGE + GAP;
     }
     if (at.width >= ROOM_FOR_DROPPED) {
@@ -92,7 +94,8 @@ final class LineLook implements RowLook<ConnectionLine> {
 
   private void fold(GC gc, int x, int y, boolean shut) {
     gc.setBackground(theme.color(Role.DIM));
-    gc.fillPolygon(shut ? new int[] {x + 1, y - 4, x + 6, y, x + 1, y + 4} : new int[] {x, y - 2, x + 8, y - 2, x + 4, y + 3});
+    gc.fillPolygon(
+        shut ? new int[]{x + 1, y - 4, x + 6, y, x + 1, y + 4} : new int[]{x, y - 2, x + 8, y - 2, x + 4, y + 3});
   }
 
   private static Role wordRole(ConnectionLine row) {

@@ -24,18 +24,22 @@ class ConnectionsLookTest {
   void listsRobotsTheirComponentsAndThePortsOfThose() {
     assertEquals(List.of(
         "0 Keira", "1 base \u00b7 ros", "2 /scan", "2 /sonar", "2 /amcl_pose", "2 /map", "2 /imu", "2 /diagnostics",
-        "1 camera", "2 image \u00b7 Image", "1 map", "2 scan \u00b7 Image", "2 grid \u00b7 Image", "1 teleop", "2 cmd_vel \u00b7 Image"),
+        "1 camera", "2 image \u00b7 Image", "1 map", "2 scan \u00b7 Image", "2 grid \u00b7 Image", "1 teleop",
+        "2 cmd_vel \u00b7 Image"),
         names(look(Robots.keira()).lines(Filter.ALL, Set.of())));
   }
 
   @Test
   void everyPortSaysWhyItIsAsItIs() {
     ConnectionsLook look = look(Robots.keira());
-    assertLine(look, "image \u00b7 Image", Health.WARNING, "ambiguous", "two ports fit; choose one of /front/image and /rear/image");
+    assertLine(look, "image \u00b7 Image", Health.WARNING, "ambiguous",
+        "two ports fit; choose one of /front/image and /rear/image");
     assertLine(look, "scan \u00b7 Image", Health.OK, "connected", "base./scan");
     assertLine(look, "grid \u00b7 Image", Health.NONE, "pending", "map waits for a GridMap; base offers none");
-    assertLine(look, "cmd_vel \u00b7 Image", Health.BAD, "refused", "teleop needs VelocityCommand on 'cmd_vel'; base offers LaserScan '/scan'");
-    assertLine(look, "/diagnostics", Health.BAD, "failed", "10.0.0.7:45123 sends foo/Diag, expected diagnostic_msgs/DiagnosticArray");
+    assertLine(look, "cmd_vel \u00b7 Image", Health.BAD, "refused",
+        "teleop needs VelocityCommand on 'cmd_vel'; base offers LaserScan '/scan'");
+    assertLine(look, "/diagnostics", Health.BAD, "failed",
+        "10.0.0.7:45123 sends foo/Diag, expected diagnostic_msgs/DiagnosticArray");
     assertEquals("14 dropped", line(look, "/sonar").dropped());
     assertEquals("12\u00a0ms", line(look, "/scan").age());
   }
@@ -58,15 +62,18 @@ class ConnectionsLookTest {
   @Test
   void problemsAreListedBelowWhatTheyBelongTo() {
     assertEquals(List.of("0 Keira", "1 base \u00b7 ros", "2 /sonar", "2 /amcl_pose", "2 /map", "2 /diagnostics",
-            "1 camera", "2 image \u00b7 Image", "1 teleop", "2 cmd_vel \u00b7 Image"),
-        names(look(Robots.keira(), Robots.plain("Natalie", Robots.UP)).lines(Filter.of(true, "", ""), Set.of("Keira"))));
+        "1 camera", "2 image \u00b7 Image", "1 teleop", "2 cmd_vel \u00b7 Image"),
+        names(
+            look(Robots.keira(), Robots.plain("Natalie", Robots.UP)).lines(Filter.of(true, "", ""), Set.of("Keira"))));
   }
 
   @Test
   void theSearchWantsAllWordsAnywhereAlsoInTheRobotsName() {
     ConnectionsLook look = look(Robots.keira(), Robots.plain("Natalie", Robots.UP));
-    assertEquals(List.of("0 Natalie", "1 base \u00b7 ros", "2 /scan"), names(look.lines(Filter.of(false, "", "natalie LASERSCAN"), Set.of())));
-    assertEquals(List.of("0 Keira", "1 base \u00b7 ros", "2 /diagnostics"), names(look.lines(Filter.of(false, "", "foo/Diag"), Set.of())));
+    assertEquals(List.of("0 Natalie", "1 base \u00b7 ros", "2 /scan"),
+        names(look.lines(Filter.of(false, "", "natalie LASERSCAN"), Set.of())));
+    assertEquals(List.of("0 Keira", "1 base \u00b7 ros", "2 /diagnostics"),
+        names(look.lines(Filter.of(false, "", "foo/Diag"), Set.of())));
     assertEquals(List.of(), names(look.lines(Filter.of(false, "", "nowhere"), Set.of())));
   }
 
@@ -98,7 +105,8 @@ class ConnectionsLookTest {
     assertEquals("", part(0, Robots.UP).since());
     assertEquals("> 5\u00a0s", part(5, Robots.UP).since(), "it may have been so for longer");
     assertEquals("now", part(6, Robots.DOWN).since());
-    assertEquals("3\u00a0s", part(9, new LinkState.Connecting("10.0.0.7:11311")).since(), "an attempt does not end a failure");
+    assertEquals("3\u00a0s", part(9, new LinkState.Connecting("10.0.0.7:11311")).since(),
+        "an attempt does not end a failure");
     assertEquals("4\u00a0s", part(10, Robots.DOWN).since());
     assertEquals("retry 4 s", part(10, Robots.DOWN).word());
     assertEquals("now", part(11, Robots.UP).since());
@@ -107,7 +115,8 @@ class ConnectionsLookTest {
 
   @Test
   void aRobotThatFailedSaysWhy() {
-    RuicSnapshot failed = new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Robots.UP, List.of(), List.of(), List.of());
+    RuicSnapshot failed = new RuicSnapshot("Keira", RuicState.FAILED, "the type 'ros' is not installed", Robots.UP,
+        List.of(), List.of(), List.of());
     ConnectionLine line = look(failed).lines(Filter.of(true, "", ""), Set.of()).getFirst();
     assertEquals(Health.BAD, line.health());
     assertEquals("the type 'ros' is not installed", line.text());
@@ -116,8 +125,10 @@ class ConnectionsLookTest {
   @Test
   void aFailedViewIsAProblemOfItsOwn() {
     RuicSnapshot robot = new RuicSnapshot("Keira", RuicState.SELECTED, "", Robots.UP, List.of(new ComponentStatus(
-        "front", "camera", ComponentStatus.Kind.UIC, RuicState.FAILED, "fenced: did not return within 2 s", Optional.empty())), List.of(), List.of());
-    assertEquals(List.of("0 Keira", "1 front \u00b7 camera"), names(look(robot).lines(Filter.of(true, "", ""), Set.of())));
+        "front", "camera", ComponentStatus.Kind.UIC, RuicState.FAILED, "fenced: did not return within 2 s",
+        Optional.empty())), List.of(), List.of());
+    assertEquals(List.of("0 Keira", "1 front \u00b7 camera"),
+        names(look(robot).lines(Filter.of(true, "", ""), Set.of())));
   }
 
   @Test

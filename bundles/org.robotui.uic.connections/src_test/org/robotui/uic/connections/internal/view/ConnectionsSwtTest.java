@@ -46,7 +46,8 @@ class ConnectionsSwtTest {
     theme = Themes.of(TestDisplay.get(), "dark");
     shell.setLayout(new FillLayout());
     shell.setBounds(0, 0, 900, 600);
-    surface = new ConnectionsSurface(shell, UiContext.of(theme, text -> note = text), new Wishes(), ruic -> Optional.empty());
+    surface =
+        new ConnectionsSurface(shell, UiContext.of(theme, text -> note = text), new Wishes(), ruic -> Optional.empty());
     shell.open();
   }
 
@@ -115,7 +116,8 @@ class ConnectionsSwtTest {
   void typingFilters() {
     tick(Robots.keira());
     surface.filterField().words("cmd_vel");
-    assertEquals(List.of("Keira", "teleop", "cmd_vel \u00b7 Image"), surface.list().rows().stream().map(ConnectionLine::name).toList());
+    assertEquals(List.of("Keira", "teleop", "cmd_vel \u00b7 Image"),
+        surface.list().rows().stream().map(ConnectionLine::name).toList());
     surface.filterField().words("");
     assertEquals(15, surface.list().rows().size());
   }
@@ -132,7 +134,8 @@ class ConnectionsSwtTest {
 
   @Test
   void fiftyRobotsWithFiftyPortsEachAreShownWithoutAPause() {
-    RuicSnapshot[] many = IntStream.range(0, 50).mapToObj(i -> Robots.large("robot" + i, 50)).toArray(RuicSnapshot[]::new);
+    RuicSnapshot[] many =
+        IntStream.range(0, 50).mapToObj(i -> Robots.large("robot" + i, 50)).toArray(RuicSnapshot[]::new);
     long best = Long.MAX_VALUE;
     for (int i = 0; i < 5; i++) {
       model.tick(List.of(many), i);

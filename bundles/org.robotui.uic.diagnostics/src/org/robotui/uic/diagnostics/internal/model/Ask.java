@@ -15,7 +15,8 @@ import java.util.TreeSet;
  * @param selected the line whose details are shown
  * @param slot the moment looked at; none for now
  */
-public record Ask(String source, Set<String> opened, Set<String> closed, boolean problems, String search, Optional<String> selected,
+public record Ask(String source, Set<String> opened, Set<String> closed, boolean problems, String search,
+    Optional<String> selected,
     Optional<Long> slot) {
   /** Shows each source below its own name. */
   public static final String ALL_SOURCES = "*";

@@ -23,7 +23,8 @@ final class Details {
     Optional<Moment> moment = reader.moment(node);
     String name = node.part().map(Part::name)
         .orElseGet(() -> node == root ? root.label() : node.key().substring(root.key().length() + 1));
-    return new DiagnosticsDetail(node.key(), name, root.key(), reader.level(node), moment.map(Moment::hardware).orElse(""),
+    return new DiagnosticsDetail(node.key(), name, root.key(), reader.level(node),
+        moment.map(Moment::hardware).orElse(""),
         reader.message(node), reader.told(node), moment.map(Details::values).orElseGet(() -> children(node)),
         node.timeline().strip(lastSlot));
   }
@@ -47,7 +48,8 @@ final class Details {
   private List<DiagnosticsDetail.Value> children(Node node) {
     return node.children().stream().map(child -> {
       String message = reader.message(child);
-      return new DiagnosticsDetail.Value(child.label(), reader.level(child).word() + (message.isBlank() ? "" : ": " + message));
+      return new DiagnosticsDetail.Value(child.label(),
+          reader.level(child).word() + (message.isBlank() ? "" : ": " + message));
     }).toList();
   }
 }

@@ -15,7 +15,8 @@ import java.util.List;
  * @param values names and values, in the order given; of a group, what is below it
  * @param strip how it was
  */
-public record DiagnosticsDetail(String key, String title, String source, Level level, String hardware, String message, String told,
+public record DiagnosticsDetail(String key, String title, String source, Level level, String hardware, String message,
+    String told,
     List<Value> values, Strip strip) {
   /**
    * A detail.
@@ -27,7 +28,8 @@ public record DiagnosticsDetail(String key, String title, String source, Level l
 
   /** As text, for the clipboard. */
   public String text() {
-    StringBuilder text = new StringBuilder(title).append("  ").append(level.word()).append("  ").append(message).append('\n');
+    StringBuilder text =
+        new StringBuilder(title).append("  ").append(level.word()).append("  ").append(message).append('\n');
     if (!hardware.isEmpty()) {
       text.append("hardware: ").append(hardware).append('\n');
     }

@@ -11,7 +11,8 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.status.Diagnostics;
 
 /**
- * What the parts of a robot say, and said. The tick is called on one thread; what is to be shown may be asked for on any.
+ * What the parts of a robot say, and said. The tick is called on one thread; what is to be shown may be asked for on
+ * any.
  */
 public final class DiagnosticsModel {
   /** In how many slots the time looked back on is divided. */
@@ -42,8 +43,9 @@ public final class DiagnosticsModel {
     this.history = new History(mostBytes);
     this.forest = new Forest(history, SLOTS);
     this.slotNanos = minutes * SECONDS_PER_MINUTE * NANOS_PER_SECOND / SLOTS;
-    this.shown = new Shown(Ask.DEFAULT, List.of(), Map.of(), overall.strip(0), Level.UNKNOWN, Optional.empty(), List.of(),
-        Optional.empty(), 0, 0, slotNanos * 1e-9, 0, 0);
+    this.shown =
+        new Shown(Ask.DEFAULT, List.of(), Map.of(), overall.strip(0), Level.UNKNOWN, Optional.empty(), List.of(),
+            Optional.empty(), 0, 0, slotNanos * 1e-9, 0, 0);
   }
 
   /** Takes what came, and prepares what is shown. Whether there is something new. */
@@ -57,7 +59,8 @@ public final class DiagnosticsModel {
     long slot = Math.floorDiv(now, slotNanos);
     boolean changed = mark(now, stale, slot);
     Ask asked = ask;
-    boolean news = taken > 0 || forgotten || changed || !asked.equals(shown.ask()) || seenSecond != Math.floorDiv(now, NANOS_PER_SECOND);
+    boolean news = taken > 0 || forgotten || changed || !asked.equals(shown.ask())
+        || seenSecond != Math.floorDiv(now, NANOS_PER_SECOND);
     if (news) {
       seenSecond = Math.floorDiv(now, NANOS_PER_SECOND);
       shown = shown(asked, now, stale, slot);
@@ -122,7 +125,8 @@ public final class DiagnosticsModel {
       roots.forEach(node -> builder.add(node, 0));
     }
     Details details = new Details(reader, slot);
-    Optional<DiagnosticsDetail> detail = asked.selected().flatMap(key -> roots.stream().flatMap(r -> details.of(r, key).stream()).findFirst());
+    Optional<DiagnosticsDetail> detail =
+        asked.selected().flatMap(key -> roots.stream().flatMap(r -> details.of(r, key).stream()).findFirst());
     Map<Level, Integer> counts = counts(roots, reader);
     return new Shown(asked.at(moment), builder.rows(), counts, overall.strip(slot),
         moment.map(overall::level).orElseGet(() -> worst(roots)), detail,

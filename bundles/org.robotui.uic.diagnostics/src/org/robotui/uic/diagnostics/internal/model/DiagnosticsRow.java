@@ -12,4 +12,5 @@ package org.robotui.uic.diagnostics.internal.model;
  * @param message what it says; for a group that says nothing, what is wrong below
  * @param strip how it was
  */
-public record DiagnosticsRow(String key, int depth, String label, boolean group, boolean open, Level level, String message, Strip strip) {}
+public record DiagnosticsRow(String key, int depth, String label, boolean group, boolean open, Level level,
+    String message, Strip strip) {}

@@ -37,7 +37,8 @@ final class History {
 
   private void change(Part part, Moment moment, Moment before) {
     if (moment.nanos() - before.nanos() < APART_NANOS) {
-      Moment kept = new Moment(before.nanos(), moment.level(), moment.hardware(), moment.message(), moment.keys(), moment.values(),
+      Moment kept = new Moment(before.nanos(), moment.level(), moment.hardware(), moment.message(), moment.keys(),
+          moment.values(),
           moment.bytes());
       bytes += moment.bytes() - part.replaceLast(kept);
     } else {

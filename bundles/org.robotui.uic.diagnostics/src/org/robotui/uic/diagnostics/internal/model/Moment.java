@@ -17,7 +17,8 @@ import org.robotui.data.status.Diagnostics;
  * @param values the details
  * @param bytes about how much memory it takes beyond what it shares with the moment before
  */
-record Moment(long nanos, Level level, String hardware, String message, List<String> keys, List<String> values, int bytes) {
+record Moment(long nanos, Level level, String hardware, String message, List<String> keys, List<String> values,
+    int bytes) {
   private static final int MOST_VALUES = 1000;
   private static final int LONGEST = 8192;
   private static final int OBJECTS = 160;
@@ -36,7 +37,8 @@ record Moment(long nanos, Level level, String hardware, String message, List<Str
 
   /** Whether it says something else than another. */
   boolean differs(Moment other) {
-    return level != other.level || !message.equals(other.message) || !hardware.equals(other.hardware) || !keys.equals(other.keys)
+    return level != other.level || !message.equals(other.message) || !hardware.equals(other.hardware)
+        || !keys.equals(other.keys)
         || !values.equals(other.values);
   }
 

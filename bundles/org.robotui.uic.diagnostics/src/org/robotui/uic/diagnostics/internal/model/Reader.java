@@ -18,10 +18,14 @@ record Reader(long now, long staleNanos, Optional<Long> slot, long slotNanos) {
   }
 
   Optional<Moment> moment(Node node) {
-    return node.part().flatMap(part -> slot.map(s -> part.at(s * slotNanos, (s + 1) * slotNanos - 1)).orElseGet(part::newest));
+    return node.part()
+        .flatMap(part -> slot.map(s -> part.at(s * slotNanos, (s + 1) * slotNanos - 1)).orElseGet(part::newest));
   }
 
-  /** The message of a line; of one that is silent, for how long it has been so; of a group that says nothing, how many are not OK. */
+  /**
+   * The message of a line; of one that is silent, for how long it has been so; of a group that says nothing, how many
+   * are not OK.
+   */
   String message(Node node) {
     String own = own(node);
     return own.isBlank() && !node.children().isEmpty() ? below(node) : own;
@@ -33,7 +37,8 @@ record Reader(long now, long staleNanos, Optional<Long> slot, long slotNanos) {
       return node.part().isPresent() && moment(node).isEmpty() ? "what it said then is no longer kept" : said;
     }
     return node.part().filter(part -> part.silent(now, staleNanos))
-        .map(part -> "no report for " + seconds(now - part.receivedNanos()) + (said.isBlank() ? "" : ", the last was: " + said))
+        .map(part -> "no report for " + seconds(now - part.receivedNanos())
+            + (said.isBlank() ? "" : ", the last was: " + said))
         .orElse(said);
   }
 
@@ -51,7 +56,8 @@ record Reader(long now, long staleNanos, Optional<Long> slot, long slotNanos) {
   private String below(Node node) {
     int[] counts = {0, 0};
     count(node, counts);
-    return counts[0] == 0 ? counts[1] + (counts[1] == 1 ? " part" : " parts") : counts[0] + " of " + counts[1] + " not OK";
+    return counts[0] == 0 ? counts[1] + (counts[1] == 1 ? " part" : " parts")
+        : counts[0] + " of " + counts[1] + " not OK";
   }
 
   private void count(Node node, int[] counts) {

@@ -29,7 +29,10 @@ final class RowBuilder {
     return List.copyOf(rows);
   }
 
-  /** Whether anything was added: a group of nothing is not shown while something is filtered; below a group found, all is. */
+  /**
+   * Whether anything was added: a group of nothing is not shown while something is filtered; below a group found, all
+   * is.
+   */
   private boolean add(Node node, int depth, boolean aboveFound) {
     boolean found = aboveFound || contains(node);
     int at = rows.size();
@@ -43,7 +46,8 @@ final class RowBuilder {
         below |= add(child, depth + 1, found);
       }
     }
-    boolean wanted = !filtered || below || (found || ask.search().isBlank()) && (!ask.problems() || reader.level(node).problem());
+    boolean wanted =
+        !filtered || below || (found || ask.search().isBlank()) && (!ask.problems() || reader.level(node).problem());
     if (!wanted) {
       rows.subList(at, rows.size()).clear();
     }
@@ -55,7 +59,8 @@ final class RowBuilder {
   }
 
   private DiagnosticsRow row(Node node, int depth, boolean group, boolean open) {
-    return new DiagnosticsRow(node.key(), depth, node.label(), group, open, reader.level(node), reader.message(node), node.timeline().strip(lastSlot));
+    return new DiagnosticsRow(node.key(), depth, node.label(), group, open, reader.level(node), reader.message(node),
+        node.timeline().strip(lastSlot));
   }
 
   private boolean contains(Node node) {
@@ -64,7 +69,8 @@ final class RowBuilder {
     }
     Optional<Moment> moment = reader.moment(node);
     String text = (node.part().map(Part::name).orElse(node.label()) + '\n'
-        + moment.map(m -> m.message() + '\n' + m.hardware() + '\n' + m.keys() + m.values()).orElse("")).toLowerCase(Locale.ROOT);
+        + moment.map(m -> m.message() + '\n' + m.hardware() + '\n' + m.keys() + m.values()).orElse(""))
+        .toLowerCase(Locale.ROOT);
     return words.stream().allMatch(text::contains);
   }
 }

@@ -21,7 +21,8 @@ import java.util.Optional;
  * @param newestReport monotonic time of the newest report, seconds
  * @param now monotonic time of this picture, nanoseconds
  */
-public record Shown(Ask ask, List<DiagnosticsRow> rows, Map<Level, Integer> counts, Strip overall, Level level, Optional<DiagnosticsDetail> detail,
+public record Shown(Ask ask, List<DiagnosticsRow> rows, Map<Level, Integer> counts, Strip overall, Level level,
+    Optional<DiagnosticsDetail> detail,
     List<String> sources, Optional<String> source, int parts, long refused, double slotSeconds, double newestReport,
     long now) {
   /** How long ago a slot ended, in seconds; negative where it is still running. */

@@ -6,9 +6,9 @@ import java.util.Optional;
 import org.robotui.api.port.SourceId;
 
 /**
- * Which sources are shown. Robots often report twice: each part for itself, and somebody who sorts the reports of all. Where
- * exactly one source is such, and alive, it is shown alone; as soon as it is silent, all are, since those who report to it
- * may still.
+ * Which sources are shown. Robots often report twice: each part for itself, and somebody who sorts the reports of all.
+ * Where exactly one source is such, and alive, it is shown alone; as soon as it is silent, all are, since those who
+ * report to it may still.
  */
 final class SourceChoice {
   private SourceChoice() {}

@@ -98,6 +98,7 @@ final class CountBar {
   }
 
   private String words() {
-    return ALL.stream().map(level -> counts.getOrDefault(level, 0) + " " + level.word()).collect(Collectors.joining(", "));
+    return ALL.stream().map(level -> counts.getOrDefault(level, 0) + " " + level.word())
+        .collect(Collectors.joining(", "));
   }
 }

@@ -32,7 +32,8 @@ final class DetailHead {
     int right = area.x + area.width - Theme.STEP;
     gc.setFont(theme.font(Face.BODY));
     int word = gc.textExtent(detail.level().word()).x;
-    String name = line(gc, words, area.y + TOP, right - words - word - Theme.EDGE, detail.title(), Face.BODY_STRONG, Role.TEXT);
+    String name =
+        line(gc, words, area.y + TOP, right - words - word - Theme.EDGE, detail.title(), Face.BODY_STRONG, Role.TEXT);
     int end = words + gc.textExtent(name).x + Theme.EDGE;
     Role ink = detail.level() == Level.OK ? Role.DIM : Levels.health(detail.level()).role();
     line(gc, end, area.y + TOP, right - end, detail.level().word(), Face.BODY, ink);

@@ -38,7 +38,8 @@ final class DiagnosticsDetailPane {
     button(theme, Icon.CLOSE, "Close the details (Esc)", close);
     values = new RowTable<>(root, theme, List.of(
         Column.<DiagnosticsDetail.Value>words("Name", DiagnosticsDetail.Value::name).weight(NAME_SHARE).role(Role.DIM),
-        Column.<DiagnosticsDetail.Value>values("Value", DiagnosticsDetail.Value::value).weight(VALUE_SHARE)), DiagnosticsDetail.Value::name);
+        Column.<DiagnosticsDetail.Value>values("Value", DiagnosticsDetail.Value::value).weight(VALUE_SHARE)),
+        DiagnosticsDetail.Value::name);
     values.list().named("Values").several();
     values.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true, 3, 1));
     values.list().control().addListener(SWT.KeyDown, e -> {

@@ -46,7 +46,8 @@ public final class DiagnosticsSurface {
     counts = new CountBar(bar, theme);
     RowData room = new RowData(counts.width(), CountBar.HEIGHT);
     counts.control().setLayoutData(room);
-    problems = new QuietButton(bar, theme, () -> hands.ask(ask.problems(!ask.problems()))).text("Problems").hint("Show only what is not OK");
+    problems = new QuietButton(bar, theme, () -> hands.ask(ask.problems(!ask.problems()))).text("Problems")
+        .hint("Show only what is not OK");
     source = new SourceButton(bar, theme, chosen -> hands.ask(ask.source(chosen)));
     search = new FilterField(bar, theme, "Search", this::search);
     RowData field = new RowData(FIELD_WIDTH, FIELD_HEIGHT);
@@ -88,7 +89,8 @@ public final class DiagnosticsSurface {
     time.show(frame.shown());
     tree.show(frame);
     frame.shown().detail().ifPresent(detail::show);
-    Optional<Control> alone = frame.shown().detail().isPresent() && ask.selected().isPresent() ? Optional.empty() : Optional.of(tree.control());
+    Optional<Control> alone = frame.shown().detail().isPresent() && ask.selected().isPresent() ? Optional.empty()
+        : Optional.of(tree.control());
     if (halves.getMaximizedControl() != alone.orElse(null)) {
       halves.setMaximizedControl(alone.orElse(null));
       ask.selected().ifPresent(tree.list()::select);

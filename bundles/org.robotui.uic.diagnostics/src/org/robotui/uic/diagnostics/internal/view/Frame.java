@@ -30,13 +30,16 @@ public record Frame(Shown shown, Ask ask, InputState state) {
       return Optional.empty();
     }
     if (shown.parts() == 0) {
-      return Optional.of(new Notice(Health.WAITING, "Nothing reported yet", "The diagnostics are connected; what they report appears here."));
+      return Optional.of(new Notice(Health.WAITING, "Nothing reported yet",
+          "The diagnostics are connected; what they report appears here."));
     }
     if (shown.ask().search().isBlank()) {
-      return Optional.of(new Notice(Health.OK, "No problems", shown.parts() == 1 ? "The one part is OK." : "All " + shown.parts() + " parts are OK."));
+      return Optional.of(new Notice(Health.OK, "No problems",
+          shown.parts() == 1 ? "The one part is OK." : "All " + shown.parts() + " parts are OK."));
     }
-    return Optional.of(new Notice(Health.NONE, "No match", (shown.ask().problems() ? "No part with a problem" : "No part")
-        + " contains \u201c" + shown.ask().search().strip() + "\u201d."));
+    return Optional
+        .of(new Notice(Health.NONE, "No match", (shown.ask().problems() ? "No part with a problem" : "No part")
+            + " contains \u201c" + shown.ask().search().strip() + "\u201d."));
   }
 
   /** How the tree is shown: what is known stays in sight, faded, where nothing new can come. */
@@ -58,6 +61,7 @@ public record Frame(Shown shown, Ask ask, InputState state) {
     }
     String link = state instanceof InputState.Live ? "" : "  " + StateView.word(state);
     String refused = shown.refused() == 0 ? "" : "  more parts than can be kept";
-    return shown.parts() + (shown.parts() == 1 ? " part" : " parts") + shown.source().map(s -> "  " + s).orElse("") + link + refused;
+    return shown.parts() + (shown.parts() == 1 ? " part" : " parts") + shown.source().map(s -> "  " + s).orElse("")
+        + link + refused;
   }
 }

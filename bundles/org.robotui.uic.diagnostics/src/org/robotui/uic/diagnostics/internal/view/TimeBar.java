@@ -47,7 +47,8 @@ final class TimeBar {
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.FocusIn, e -> canvas.redraw());
     canvas.addListener(SWT.FocusOut, e -> canvas.redraw());
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
 
   Control control() {
@@ -78,7 +79,8 @@ final class TimeBar {
     int top = at.y + at.height + 2;
     gc.drawText(Figures.of(-seconds / SECONDS_PER_MINUTE, 0, "min"), at.x, top, true);
     if (at.width >= ROOM_FOR_MIDDLE) {
-      text(gc, at, at.x + at.width / 2, top, Figures.of(-seconds / 2 / SECONDS_PER_MINUTE, seconds / 2 < SECONDS_PER_MINUTE ? 1 : 0, "min"));
+      text(gc, at, at.x + at.width / 2, top,
+          Figures.of(-seconds / 2 / SECONDS_PER_MINUTE, seconds / 2 < SECONDS_PER_MINUTE ? 1 : 0, "min"));
     }
     text(gc, at, at.x + at.width, top, "now");
   }
@@ -89,7 +91,8 @@ final class TimeBar {
   }
 
   private static Rectangle strip(Rectangle area) {
-    return new Rectangle(area.x + Theme.EDGE, area.y + STRIP_TOP, Math.max(1, area.width - 2 * Theme.EDGE), STRIP_HEIGHT);
+    return new Rectangle(area.x + Theme.EDGE, area.y + STRIP_TOP, Math.max(1, area.width - 2 * Theme.EDGE),
+        STRIP_HEIGHT);
   }
 
   private void pressed(Event event) {
@@ -109,7 +112,7 @@ final class TimeBar {
       case SWT.ARROW_LEFT -> step(-1);
       case SWT.ARROW_RIGHT -> step(1);
       case SWT.ESC, SWT.END -> looked.accept(Optional.empty());
-      default -> { }
+      default -> {}
     }
   }
 

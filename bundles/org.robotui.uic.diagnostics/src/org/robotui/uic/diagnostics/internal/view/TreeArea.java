@@ -43,10 +43,12 @@ final class TreeArea {
     root = new Composite(parent, SWT.NONE);
     root.setBackground(theme.color(Role.PANEL));
     look = new TreeLook(theme);
-    pill = new QuietButton(root, theme, () -> hands.ask(ask.at(Optional.empty()))).fill(Role.ACCENT).hint("Show what is now (Esc)");
+    pill = new QuietButton(root, theme, () -> hands.ask(ask.at(Optional.empty()))).fill(Role.ACCENT)
+        .hint("Show what is now (Esc)");
     pill.setVisible(false);
     list = new RowList<>(root, theme, look).named("Diagnostics")
-        .onSelect(rows -> hands.ask(ask.select(rows.stream().findFirst().map(DiagnosticsRow::key)))).onOpen(this::toggle)
+        .onSelect(rows -> hands.ask(ask.select(rows.stream().findFirst().map(DiagnosticsRow::key))))
+        .onOpen(this::toggle)
         .menu(TreeArea::menu);
     root.addListener(SWT.Resize, e -> arrange());
     list.control().addListener(SWT.MouseDown, this::pressed);
@@ -100,7 +102,8 @@ final class TreeArea {
   }
 
   private static List<ViewAction> menu(List<DiagnosticsRow> rows) {
-    return rows.stream().findFirst().map(row -> List.of(copy("name", "Copy name", row.label()), copy("message", "Copy message", row.message())))
+    return rows.stream().findFirst()
+        .map(row -> List.of(copy("name", "Copy name", row.label()), copy("message", "Copy message", row.message())))
         .orElse(List.of());
   }
 
@@ -125,8 +128,8 @@ final class TreeArea {
   private void look(int x) {
     Rectangle line = ((Scrollable) list.control()).getClientArea();
     Optional<DiagnosticsRow> row = list.selected().stream().findFirst();
-    TreeLook.strip(line).filter(strip -> row.isPresent() && x >= strip.x).ifPresent(strip ->
-        hands.ask(ask.at(Optional.of(StripPainter.slot(row.get().strip(), x - strip.x, strip.width)))));
+    TreeLook.strip(line).filter(strip -> row.isPresent() && x >= strip.x).ifPresent(
+        strip -> hands.ask(ask.at(Optional.of(StripPainter.slot(row.get().strip(), x - strip.x, strip.width)))));
   }
 
   private void key(Event event) {
@@ -143,7 +146,7 @@ final class TreeArea {
           });
         }
       });
-      default -> { }
+      default -> {}
     }
   }
 

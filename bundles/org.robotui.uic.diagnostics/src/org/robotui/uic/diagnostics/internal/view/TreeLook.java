@@ -67,7 +67,8 @@ final class TreeLook implements RowLook<DiagnosticsRow> {
   /** Where the strip of a line is, none where there is no room. */
   static Optional<Rectangle> strip(Rectangle at) {
     return at.width < ROOM_FOR_STRIP ? Optional.empty()
-        : Optional.of(new Rectangle(at.x + at.width - Theme.EDGE - STRIP, at.y + STRIP_INSET, STRIP, at.height - 2 * STRIP_INSET));
+        : Optional.of(new Rectangle(at.x + at.width - Theme.EDGE - STRIP, at.y + STRIP_INSET, STRIP,
+            at.height - 2 * STRIP_INSET));
   }
 
   @Override
@@ -92,9 +93,11 @@ final class TreeLook implements RowLook<DiagnosticsRow> {
     int end = message ? at.x + Math.min(WIDEST_NAME, (int) (at.width * NAME_SHARE)) : right - WORD - Theme.EDGE;
     words(gc, at, left, end - left, row.label(), row.group() ? Face.BODY_STRONG : Face.BODY, Role.TEXT);
     int word = end + Theme.EDGE;
-    words(gc, at, word, WORD, row.level().word(), Face.BODY, row.level() == Level.OK ? Role.DIM : Levels.health(row.level()).role());
+    words(gc, at, word, WORD, row.level().word(), Face.BODY,
+        row.level() == Level.OK ? Role.DIM : Levels.health(row.level()).role());
     if (message) {
-      words(gc, at, word + WORD, right - word - WORD, row.message(), Face.BODY, row.level().problem() ? Role.TEXT : Role.DIM);
+      words(gc, at, word + WORD, right - word - WORD, row.message(), Face.BODY,
+          row.level().problem() ? Role.TEXT : Role.DIM);
     }
     strip.ifPresent(s -> strips.paint(gc, s, row.strip(), moment));
   }
@@ -103,7 +106,8 @@ final class TreeLook implements RowLook<DiagnosticsRow> {
     gc.setAntialias(SWT.ON);
     gc.setForeground(theme.color(Role.DIM));
     gc.setLineWidth(2);
-    int[] points = open ? new int[] {x - 4, y - 2, x, y + 2, x + 4, y - 2} : new int[] {x - 2, y - 4, x + 2, y, x - 2, y + 4};
+    int[] points =
+        open ? new int[]{x - 4, y - 2, x, y + 2, x + 4, y - 2} : new int[]{x - 2, y - 4, x + 2, y, x - 2, y + 4};
     gc.drawPolyline(points);
     gc.setLineWidth(1);
   }

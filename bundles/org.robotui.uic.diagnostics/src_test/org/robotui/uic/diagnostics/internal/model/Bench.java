@@ -49,7 +49,8 @@ final class Bench {
   }
 
   List<String> lines(double second) {
-    return at(second).rows().stream().map(row -> "  ".repeat(row.depth()) + row.label() + " " + row.level().word()).toList();
+    return at(second).rows().stream().map(row -> "  ".repeat(row.depth()) + row.label() + " " + row.level().word())
+        .toList();
   }
 
   DiagnosticsRow row(double second, String label) {

@@ -95,11 +95,14 @@ class HistoryTest {
   void theMemoryOfTheHistoryIsBoundedAndTheNewestStays() {
     DiagnosticsModel model = new DiagnosticsModel(bench.input, 4, 100_000);
     IntStream.range(0, 2000).forEach(second -> {
-      bench.say(second, item("/Robot/Motor", Diagnostics.Level.OK, "message " + second, "Text", "x".repeat(500) + second), ok("/Robot/Still"));
+      bench.say(second,
+          item("/Robot/Motor", Diagnostics.Level.OK, "message " + second, "Text", "x".repeat(500) + second),
+          ok("/Robot/Still"));
       model.tick(second * Bench.SECOND, Bench.STALE);
     });
     assertTrue(model.historyBytes() <= 100_000, () -> model.historyBytes() + " bytes");
-    assertEquals(List.of("2 parts", "message 1999", "fine"), model.current().rows().stream().map(DiagnosticsRow::message).toList());
+    assertEquals(List.of("2 parts", "message 1999", "fine"),
+        model.current().rows().stream().map(DiagnosticsRow::message).toList());
   }
 
   @Test
@@ -108,9 +111,11 @@ class HistoryTest {
     History history = new History(1 << 20);
     history.note(part, item("motor", Diagnostics.Level.OK, "fine", "Serial", "x".repeat(1000), "Temperature", "40"), 0);
     long first = history.bytes();
-    history.note(part, item("motor", Diagnostics.Level.OK, "fine", "Serial", "x".repeat(1000), "Temperature", "41"), Bench.SECOND);
+    history.note(part, item("motor", Diagnostics.Level.OK, "fine", "Serial", "x".repeat(1000), "Temperature", "41"),
+        Bench.SECOND);
     assertTrue(history.bytes() - first < 500, () -> history.bytes() - first + " bytes more");
-    history.note(part, item("motor", Diagnostics.Level.OK, "fine", "Serial", "x".repeat(1000), "Temperature", "41"), 2 * Bench.SECOND);
+    history.note(part, item("motor", Diagnostics.Level.OK, "fine", "Serial", "x".repeat(1000), "Temperature", "41"),
+        2 * Bench.SECOND);
     assertEquals(Map.of("Serial", "x".repeat(1000), "Temperature", "41"), part.newest().orElseThrow().details());
   }
 
@@ -122,7 +127,8 @@ class HistoryTest {
       history.note(part, item("motor", Diagnostics.Level.OK, "message " + i), i * 1_000_000L);
     }
     assertEquals("message 999", part.newest().orElseThrow().message());
-    long kept = IntStream.range(0, 1000).mapToObj(i -> part.at(i * 1_000_000L, i * 1_000_000L).orElseThrow().message()).distinct().count();
+    long kept = IntStream.range(0, 1000).mapToObj(i -> part.at(i * 1_000_000L, i * 1_000_000L).orElseThrow().message())
+        .distinct().count();
     assertEquals(4, kept);
   }
 }

@@ -20,7 +20,8 @@ class TreeTest {
   void namesMakeATreeAndTheWorstRises() {
     bench.say(1, ok("/Robot/Base/Motor 10"), error("/Robot/Base/Motor 2"), ok("/Robot/Camera"));
     bench.model.ask(Ask.DEFAULT.open("base./diagnostics/Robot/Base", true));
-    assertEquals(List.of("Robot Error", "  Base Error", "    Motor 2 Error", "    Motor 10 OK", "  Camera OK"), bench.lines(1.1));
+    assertEquals(List.of("Robot Error", "  Base Error", "    Motor 2 Error", "    Motor 10 OK", "  Camera OK"),
+        bench.lines(1.1));
     assertEquals("1 of 2 not OK", bench.row(1.1, "Base").message());
   }
 
@@ -65,7 +66,8 @@ class TreeTest {
 
   @Test
   void theSearchFindsNamesMessagesAndValues() {
-    bench.say(1, item("/Robot/Base/Motor", Diagnostics.Level.OK, "fine", "Temperature", "52 C"), ok("/Robot/Camera/Left"));
+    bench.say(1, item("/Robot/Base/Motor", Diagnostics.Level.OK, "fine", "Temperature", "52 C"),
+        ok("/Robot/Camera/Left"));
     bench.model.ask(Ask.DEFAULT.search("temp 52"));
     assertEquals(List.of("Robot OK", "  Base OK", "    Motor OK"), bench.lines(1.1));
     bench.model.ask(Ask.DEFAULT.search("camera"));
@@ -76,7 +78,8 @@ class TreeTest {
 
   @Test
   void twoSourcesAreToldApart() {
-    bench.say(Bench.RAW, 1, ok("motor")).say(new org.robotui.api.port.SourceId("arm", "/diagnostics"), 1, error("motor"));
+    bench.say(Bench.RAW, 1, ok("motor")).say(new org.robotui.api.port.SourceId("arm", "/diagnostics"), 1,
+        error("motor"));
     assertEquals(List.of("/diagnostics OK", "  motor OK", "/diagnostics Error", "  motor Error"), bench.lines(1.1));
     bench.model.ask(Ask.DEFAULT.source("arm./diagnostics"));
     assertEquals(List.of("motor Error"), bench.lines(1.2));
@@ -87,7 +90,8 @@ class TreeTest {
     bench.say(Bench.RAW, 1, ok("driver: motor")).say(Bench.SORTED, 1, ok("/Robot/driver: motor"));
     assertEquals(List.of("Robot OK", "  driver: motor OK"), bench.lines(1.1));
     bench.say(Bench.RAW, 7, error("driver: motor"));
-    assertEquals(List.of("/diagnostics Error", "  driver: motor Error", "/diagnostics_agg Stale", "  Robot Stale"), bench.lines(7.1));
+    assertEquals(List.of("/diagnostics Error", "  driver: motor Error", "/diagnostics_agg Stale", "  Robot Stale"),
+        bench.lines(7.1));
     bench.model.ask(Ask.DEFAULT.source(Ask.ALL_SOURCES));
     bench.say(Bench.SORTED, 7.2, ok("/Robot/driver: motor"));
     assertEquals(4, bench.lines(7.3).size());
@@ -105,7 +109,8 @@ class TreeTest {
 
   @Test
   void hostileNamesAreBounded() {
-    bench.say(1, IntStream.range(0, Forest.MOST_PARTS + 10).mapToObj(i -> ok("part " + i)).toArray(Diagnostics.Item[]::new));
+    bench.say(1,
+        IntStream.range(0, Forest.MOST_PARTS + 10).mapToObj(i -> ok("part " + i)).toArray(Diagnostics.Item[]::new));
     bench.say(1, ok("/".repeat(10)), ok(""), ok("a/".repeat(1000)));
     Shown shown = bench.at(1.1);
     assertEquals(Forest.MOST_PARTS, shown.parts());
@@ -123,13 +128,15 @@ class TreeTest {
 
   @Test
   void theDetailsAreThoseOfTheSelectedLine() {
-    bench.say(1, new Diagnostics.Item("/Robot/Motor", "maxon-7", Diagnostics.Level.WARNING, "warm", Map.of("Temperature", "71 C")));
+    bench.say(1, new Diagnostics.Item("/Robot/Motor", "maxon-7", Diagnostics.Level.WARNING, "warm",
+        Map.of("Temperature", "71 C")));
     bench.model.ask(Ask.DEFAULT.select(Optional.of("base./diagnostics/Robot/Motor")));
     DiagnosticsDetail detail = bench.at(3).detail().orElseThrow();
     assertEquals("/Robot/Motor  Warning  warm\nhardware: maxon-7\nTemperature: 71 C\n", detail.text());
     assertEquals("reported 2.0\u00a0s ago", detail.told());
     bench.model.ask(Ask.DEFAULT.select(Optional.of("base./diagnostics/Robot")));
-    assertEquals(List.of(new DiagnosticsDetail.Value("Motor", "Warning: warm")), bench.at(3.1).detail().orElseThrow().values());
+    assertEquals(List.of(new DiagnosticsDetail.Value("Motor", "Warning: warm")),
+        bench.at(3.1).detail().orElseThrow().values());
   }
 
   @Test

@@ -24,7 +24,9 @@ import org.robotui.ui.scene.Scene;
 import org.robotui.uic.gps.internal.GpsOptions;
 import org.robotui.uic.gps.internal.GpsType;
 
-/** Takes the newest fixes, puts them on the plane and prepares the layers. Worker thread, but for what says otherwise. */
+/**
+ * Takes the newest fixes, puts them on the plane and prepares the layers. Worker thread, but for what says otherwise.
+ */
 public final class GpsModel {
   private static final String GRID = "grid";
   private static final String RECEIVER = "receiver:";
@@ -160,14 +162,16 @@ public final class GpsModel {
 
   private List<Receiver> receivers(Optional<LocalPlane> plane) {
     List<Receiver> receivers = new ArrayList<>();
-    sources.forEach((id, s) -> s.shown.ifPresent(e -> receivers.add(new Receiver(id, name(id, e.value().frame()), s.trace, e.value(),
-        s.place, plane.flatMap(p -> s.place.flatMap(p::point)), input.state(id)))));
+    sources.forEach((id, s) -> s.shown
+        .ifPresent(e -> receivers.add(new Receiver(id, name(id, e.value().frame()), s.trace, e.value(),
+            s.place, plane.flatMap(p -> s.place.flatMap(p::point)), input.state(id)))));
     return List.copyOf(receivers);
   }
 
   /** The robot, and which of its receivers where it has several. */
   private String name(SourceId id, FrameId frame) {
-    List<FrameId> frames = sources.values().stream().flatMap(s -> s.shown.stream()).map(e -> e.value().frame()).toList();
+    List<FrameId> frames =
+        sources.values().stream().flatMap(s -> s.shown.stream()).map(e -> e.value().frame()).toList();
     if (frames.stream().filter(f -> f.robot().equals(frame.robot())).count() < 2) {
       return frame.robot();
     }

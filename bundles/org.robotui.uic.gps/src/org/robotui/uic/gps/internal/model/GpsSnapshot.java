@@ -19,7 +19,8 @@ public record GpsSnapshot(InputState state, Optional<LocalPlane> plane, List<Rec
 
   /** The receiver that is followed. */
   public Optional<Receiver> followed(String id) {
-    return receivers.stream().filter(r -> r.id().toString().equals(id)).findFirst().or(() -> receivers.stream().findFirst());
+    return receivers.stream().filter(r -> r.id().toString().equals(id)).findFirst()
+        .or(() -> receivers.stream().findFirst());
   }
 
   /** Whether there are receivers, and none of them knows where it is. */

@@ -11,7 +11,8 @@ public final class GpsActions {
   private final List<ViewAction> all = List.of(
       made.switched("follow", "Follow the receiver (F)", Icon.FOLLOW, GpsCanvas::following, GpsCanvas::toggleFollow),
       made.action("fit", "Show all (0)", Icon.FIT, c -> c.mover().fit()),
-      made.switched("measure", "Measure between two clicks (M)", Icon.RULER, GpsCanvas::measuring, GpsCanvas::toggleRuler),
+      made.switched("measure", "Measure between two clicks (M)", Icon.RULER, GpsCanvas::measuring,
+          GpsCanvas::toggleRuler),
       made.action("copy", "Copy the coordinates (C)", Icon.COPY, GpsCanvas::copy),
       made.action("options", "What is shown", Icon.MORE, GpsCanvas::openMenu));
 

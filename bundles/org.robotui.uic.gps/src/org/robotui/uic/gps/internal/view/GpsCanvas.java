@@ -53,7 +53,8 @@ public final class GpsCanvas {
     states = new StateView(theme);
     overlay = new GpsOverlay(theme);
     surface = new PaintedCanvas(parent, theme, this::paint);
-    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(), SceneMover.Following.of(this::following, choices::follow),
+    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(),
+        SceneMover.Following.of(this::following, choices::follow),
         this::refresh);
     actions.connect(this);
     surface.atEnd(() -> {
@@ -169,7 +170,8 @@ public final class GpsCanvas {
   private void paint(GC gc, Rectangle area) {
     GpsSnapshot snapshot = model.snapshot();
     GpsOptions options = choices.options();
-    mover.settle(area.width, area.height, followed().flatMap(Receiver::at).map(p -> new Vector3(p.east(), p.north(), 0)));
+    mover.settle(area.width, area.height,
+        followed().flatMap(Receiver::at).map(p -> new Vector3(p.east(), p.north(), 0)));
     if (shows(snapshot)) {
       Painter painter = new Painter(gc, mover.viewport(), theme);
       model.scene().paint(painter);

@@ -37,7 +37,7 @@ final class GpsInput {
       case 'c' -> view.copy();
       case 'd' -> view.toggleWords();
       case SWT.ESC -> endRuler();
-      default -> { }
+      default -> {}
     }
   }
 

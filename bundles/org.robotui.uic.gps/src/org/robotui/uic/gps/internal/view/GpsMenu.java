@@ -46,7 +46,8 @@ final class GpsMenu {
     GpsOptions options = choices.options();
     for (Receiver receiver : receivers) {
       PopupMenu sub = menu.under(receiver.name());
-      boolean followed = options.follow() && model.snapshot().followed(options.followed()).equals(Optional.of(receiver));
+      boolean followed =
+          options.follow() && model.snapshot().followed(options.followed()).equals(Optional.of(receiver));
       sub.check("Follow", followed, on -> {
         if (on) {
           choices.follow(receiver.id());

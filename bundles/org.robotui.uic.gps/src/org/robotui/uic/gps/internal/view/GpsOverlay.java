@@ -87,7 +87,8 @@ final class GpsOverlay {
     Point size = gc.textExtent(text);
     int width = size.x + 2 * Theme.EDGE;
     // Below the place where stale data say their age.
-    int top = Math.max(2 * Theme.EDGE + PILL, wide(area) ? list.y + list.height + Theme.STEP : list.y + list.height + 2 * Theme.STEP + PILL);
+    int top = Math.max(2 * Theme.EDGE + PILL,
+        wide(area) ? list.y + list.height + Theme.STEP : list.y + list.height + 2 * Theme.STEP + PILL);
     Rectangle pill = new Rectangle((area.width - width) / 2, top, width, PILL);
     states.pill(gc, pill);
     gc.setForeground(theme.color(Role.ACCENT));
@@ -99,7 +100,7 @@ final class GpsOverlay {
     gc.setForeground(theme.color(Role.DIM));
     gc.setBackground(theme.color(Role.DIM));
     gc.setAlpha(255);
-    gc.fillPolygon(new int[] {x, y, x + ARROW_HALF, y + ARROW, x, y + ARROW - ARROW_HALF, x - ARROW_HALF, y + ARROW});
+    gc.fillPolygon(new int[]{x, y, x + ARROW_HALF, y + ARROW, x, y + ARROW - ARROW_HALF, x - ARROW_HALF, y + ARROW});
     Point size = gc.textExtent("N");
     gc.drawText("N", x - size.x / 2, y + ARROW + 2, true);
   }
@@ -122,7 +123,8 @@ final class GpsOverlay {
 
   private static void of(Receiver receiver, GpsOptions options, List<String> lines) {
     receiver.place().ifPresent(p -> lines.add(words(p, options)));
-    String altitude = Double.isFinite(receiver.fix().altitude()) ? "  alt " + Figures.of(receiver.fix().altitude(), 1, "m") : "";
+    String altitude =
+        Double.isFinite(receiver.fix().altitude()) ? "  alt " + Figures.of(receiver.fix().altitude(), 1, "m") : "";
     receiver.at().ifPresent(at -> lines.add(metres(at.east(), at.north()) + altitude));
   }
 

@@ -45,7 +45,8 @@ final class ReceiverRows {
     int more = receivers.stream().mapToInt(r -> gc.textExtent(more(r)).x).max().orElse(0);
     nameWidth = names;
     wordWidth = words;
-    return 4 * Theme.STEP + SWATCH + 2 * Theme.STEP + names + GAP + words + (more > 0 ? GAP + more : 0) + Theme.STEP + MARK;
+    return 4 * Theme.STEP + SWATCH + 2 * Theme.STEP + names + GAP + words + (more > 0 ? GAP + more : 0) + Theme.STEP
+        + MARK;
   }
 
   void paint(Receiver receiver, int left, int top, int height, boolean followed) {

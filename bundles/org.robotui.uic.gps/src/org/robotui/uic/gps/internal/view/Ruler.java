@@ -10,8 +10,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Painter;
 
 /**
- * Measures between two clicks: the shortest way on the earth and its bearing. The ends are places, so the measure stays right
- * when the plane changes. Display thread.
+ * Measures between two clicks: the shortest way on the earth and its bearing. The ends are places, so the measure stays
+ * right when the plane changes. Display thread.
  */
 final class Ruler {
   private static final double LABEL_GAP = 12;
@@ -42,7 +42,8 @@ final class Ruler {
   }
 
   String hint() {
-    return held ? "Measure: click the other end \u00b7 Esc ends" : "Measure: click one end, then the other \u00b7 Esc ends";
+    return held ? "Measure: click the other end \u00b7 Esc ends"
+        : "Measure: click one end, then the other \u00b7 Esc ends";
   }
 
   /** What was measured. */
@@ -60,7 +61,8 @@ final class Ruler {
       painter.dashed(1.5, DASH).line(a.get().east(), a.get().north(), end.east(), end.north());
       painter.width(1.5).disc(end.east(), end.north(), DOT);
       measure().ifPresent(m -> painter.label(
-          GeoText.distance(m.distance()) + "  " + GeoText.bearing(m.bearing()), end.east(), end.north(), LABEL_GAP, -LABEL_GAP, Face.FIGURES));
+          GeoText.distance(m.distance()) + "  " + GeoText.bearing(m.bearing()), end.east(), end.north(), LABEL_GAP,
+          -LABEL_GAP, Face.FIGURES));
     }
   }
 }

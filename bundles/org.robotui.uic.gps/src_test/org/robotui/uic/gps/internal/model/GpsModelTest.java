@@ -36,7 +36,8 @@ class GpsModelTest {
     put(KEIRA, fix("Keira", GpsFix.Quality.FIX, 42, -71));
     put(KEIRA, fix("Keira", GpsFix.Quality.FIX, 42.001, -71));
     tick();
-    assertEquals(GeoPoint.degrees(42.001, -71), model.snapshot().plane().orElseThrow().origin(), "the first that was looked at");
+    assertEquals(GeoPoint.degrees(42.001, -71), model.snapshot().plane().orElseThrow().origin(),
+        "the first that was looked at");
     put(KEIRA, fix("Keira", GpsFix.Quality.FIX, 42.002, -71));
     tick();
     assertEquals(111, model.snapshot().receivers().getFirst().at().orElseThrow().north(), 1);

@@ -13,8 +13,8 @@ import org.robotui.uic.graph.internal.model.Vertex.Kind;
 import org.robotui.uic.graph.internal.model.Wiring.Tie;
 
 /**
- * Topics that are wired alike: the same nodes publish them, and the same subscribe. Many of them say no more than one box does, and would
- * make all others too small to read.
+ * Topics that are wired alike: the same nodes publish them, and the same subscribe. Many of them say no more than one
+ * box does, and would make all others too small to read.
  *
  * @param groups by topic, of those that have many like them
  */
@@ -28,7 +28,8 @@ record Alike(Map<Vertex, Vertex> groups) {
     String name() {
       String senders = String.join(", ", from.stream().sorted().toList());
       String receivers = String.join(", ", to.stream().sorted().toList());
-      return from.isEmpty() ? "topics to " + receivers : to.isEmpty() ? "topics of " + senders : "topics from " + senders + " to " + receivers;
+      return from.isEmpty() ? "topics to " + receivers
+          : to.isEmpty() ? "topics of " + senders : "topics from " + senders + " to " + receivers;
     }
 
     boolean few() {

@@ -33,7 +33,8 @@ public record Ask(
     Optional<Vertex> selected,
     boolean measuring) {
   /** At first. */
-  public static final Ask FIRST = new Ask(List.of(), true, true, true, true, true, Set.of(), Set.of(), Optional.empty(), false);
+  public static final Ask FIRST =
+      new Ask(List.of(), true, true, true, true, true, Set.of(), Set.of(), Optional.empty(), false);
 
   /** Copies the collections. */
   public Ask {
@@ -44,12 +45,14 @@ public record Ask(
 
   /** What is left out, and how the rest is shown. */
   public Ask show(boolean withTopics, boolean withoutTools, boolean withoutTf, boolean withoutEnds, boolean framed) {
-    return new Ask(words, withTopics, withoutTools, withoutTf, withoutEnds, framed, opened, closed, selected, measuring);
+    return new Ask(words, withTopics, withoutTools, withoutTf, withoutEnds, framed, opened, closed, selected,
+        measuring);
   }
 
   /** With other words. */
   public Ask search(String typed) {
-    List<String> next = Stream.of(typed.toLowerCase(Locale.ROOT).split("\\s+")).filter(word -> !word.isEmpty()).toList();
+    List<String> next =
+        Stream.of(typed.toLowerCase(Locale.ROOT).split("\\s+")).filter(word -> !word.isEmpty()).toList();
     return new Ask(next, topics, tools, tf, ends, groups, opened, closed, selected, measuring);
   }
 

@@ -22,14 +22,15 @@ import org.robotui.uic.graph.internal.GraphPorts;
 import org.robotui.uic.graph.internal.model.Wiring.Tie;
 
 /**
- * Asks the robots in the background, never oftener than every period and than a tenth of the time. A robot that does not answer keeps what
- * it said before, with the reason.
+ * Asks the robots in the background, never oftener than every period and than a tenth of the time. A robot that does
+ * not answer keeps what it said before, with the reason.
  */
 final class Asker {
   private static final int MOST_TIES = 20_000;
   private static final long REST = 9;
   private static final Comparator<Vertex> BY_NAME = Comparator.comparing(Vertex::robot).thenComparing(Vertex::name);
-  private static final Comparator<Tie> ORDER = Comparator.comparing(Tie::node, BY_NAME).thenComparing(Tie::topic, BY_NAME).thenComparing(Tie::sends);
+  private static final Comparator<Tie> ORDER =
+      Comparator.comparing(Tie::node, BY_NAME).thenComparing(Tie::topic, BY_NAME).thenComparing(Tie::sends);
 
   private record Said(List<Tie> ties, Map<Vertex, String> types) {}
 
@@ -84,7 +85,8 @@ final class Asker {
   private Wiring all(List<BrowseInput.Robot> robots) {
     said.keySet().retainAll(robots.stream().map(robot -> robot.source().component()).toList());
     Map<String, String> failures = new HashMap<>();
-    Map<String, List<SourceId>> ports = streams.candidates().stream().map(Input.Candidate::id).collect(Collectors.groupingBy(SourceId::component));
+    Map<String, List<SourceId>> ports =
+        streams.candidates().stream().map(Input.Candidate::id).collect(Collectors.groupingBy(SourceId::component));
     List<Tie> ties = new ArrayList<>();
     Map<Vertex, String> types = new HashMap<>();
     Map<Vertex, SourceId> found = new HashMap<>();
@@ -97,7 +99,8 @@ final class Asker {
         found.putAll(streams(s.types().keySet(), ports.getOrDefault(name, List.of())));
       });
     }
-    return new Wiring(List.copyOf(ties), Map.copyOf(types), Map.copyOf(found), Set.copyOf(said.keySet()), Map.copyOf(failures));
+    return new Wiring(List.copyOf(ties), Map.copyOf(types), Map.copyOf(found), Set.copyOf(said.keySet()),
+        Map.copyOf(failures));
   }
 
   private static Map<Vertex, SourceId> streams(Set<Vertex> topics, List<SourceId> ports) {
@@ -110,13 +113,17 @@ final class Asker {
   private Optional<String> ask(Browser browser, String robot) {
     try {
       Map<Vertex, String> types = new HashMap<>();
-      browser.list(Browser.Kind.TOPIC).forEach(item -> types.put(new Vertex(Vertex.Kind.TOPIC, robot, item.name()), item.type()));
+      browser.list(Browser.Kind.TOPIC)
+          .forEach(item -> types.put(new Vertex(Vertex.Kind.TOPIC, robot, item.name()), item.type()));
       Set<Tie> ties = new HashSet<>();
       for (Browser.Link link : browser.links()) {
-        ties.add(new Tie(new Vertex(Vertex.Kind.NODE, robot, link.node()), new Vertex(Vertex.Kind.TOPIC, robot, link.topic()), link.sends()));
+        ties.add(new Tie(new Vertex(Vertex.Kind.NODE, robot, link.node()),
+            new Vertex(Vertex.Kind.TOPIC, robot, link.topic()), link.sends()));
       }
       said.put(robot, new Said(ties.stream().sorted(ORDER).limit(MOST_TIES).toList(), types));
-      return ties.size() > MOST_TIES ? Optional.of("it has " + ties.size() + " connections; the first " + MOST_TIES + " are shown") : Optional.empty();
+      return ties.size() > MOST_TIES
+          ? Optional.of("it has " + ties.size() + " connections; the first " + MOST_TIES + " are shown")
+          : Optional.empty();
     } catch (CallException e) {
       return Optional.of(e.getMessage());
     }

@@ -25,8 +25,9 @@ final class Gauges {
   /** Asks for what is wanted, and gives up what is not. */
   void follow(Set<Vertex> topics, Wiring wiring, int most) {
     Map<Vertex, SourceId> next = new HashMap<>();
-    topics.stream().sorted((a, b) -> a.name().compareTo(b.name())).forEach(topic -> wiring.stream(topic).filter(s -> next.size() < most)
-        .ifPresent(stream -> next.put(topic, stream)));
+    topics.stream().sorted((a, b) -> a.name().compareTo(b.name()))
+        .forEach(topic -> wiring.stream(topic).filter(s -> next.size() < most)
+            .ifPresent(stream -> next.put(topic, stream)));
     if (!next.equals(measured)) {
       measured = Map.copyOf(next);
       Set<SourceId> chosen = new HashSet<>(next.values());
@@ -49,7 +50,8 @@ final class Gauges {
 
   Map<Vertex, Measure> measures(long now) {
     Map<Vertex, Measure> all = new HashMap<>();
-    measured.forEach((topic, stream) -> all.put(topic, meters.containsKey(stream) ? meters.get(stream).measure(now) : Measure.NOTHING));
+    measured.forEach((topic, stream) -> all.put(topic,
+        meters.containsKey(stream) ? meters.get(stream).measure(now) : Measure.NOTHING));
     return Map.copyOf(all);
   }
 

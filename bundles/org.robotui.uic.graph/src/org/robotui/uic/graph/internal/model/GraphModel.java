@@ -19,8 +19,8 @@ import org.robotui.uic.graph.internal.model.Vertex.Kind;
 import org.robotui.uic.graph.internal.model.Wiring.Tie;
 
 /**
- * How the programs of robots are connected, laid out. The tick prepares all that is seen; what is asked for may be said on any thread and
- * counts from the next tick on. Robots are asked, and nets laid out, in the background.
+ * How the programs of robots are connected, laid out. The tick prepares all that is seen; what is asked for may be said
+ * on any thread and counts from the next tick on. Robots are asked, and nets laid out, in the background.
  */
 public final class GraphModel {
   /** The most boxes that are laid out. */
@@ -92,7 +92,9 @@ public final class GraphModel {
 
   private void measure(long now, Ask wanted, GraphOptions options, boolean visible) {
     gauges.drain();
-    gauges.follow(visible && wanted.measuring() ? wanted.selected().map(this::topicsOf).orElseGet(this::topics) : Set.of(), netted, options.measured());
+    gauges.follow(
+        visible && wanted.measuring() ? wanted.selected().map(this::topicsOf).orElseGet(this::topics) : Set.of(),
+        netted, options.measured());
     if (now - figures >= FIGURES_NANOS || !ever) {
       figures = now;
       measures = gauges.measures(now);
@@ -113,30 +115,36 @@ public final class GraphModel {
   private GraphViewState look(Ask wanted, InputState state) {
     Laying.Laid laid = laying.laid();
     boolean crowded = net.vertices().size() > MOST_BOXES;
-    Diagram diagram = crowded || net.vertices().isEmpty() ? Diagram.EMPTY : Labels.with(laid.diagram(), laid.net(), measures);
+    Diagram diagram =
+        crowded || net.vertices().isEmpty() ? Diagram.EMPTY : Labels.with(laid.diagram(), laid.net(), measures);
     Optional<String> notice = Optional.of(Presence.notice(state, netted.failures())).filter(why -> !why.isEmpty())
         .or(() -> Optional.of(laid.failure()).filter(why -> !why.isEmpty()));
     return new GraphViewState(wanted, state, diagram, laying.busy(), notice, empty(wanted, crowded),
         wanted.selected().map(vertex -> VertexText.of(vertex, netted, measures)).orElse(""),
-        (int) sifted.stream().map(Tie::node).distinct().count(), (int) sifted.stream().map(Tie::topic).distinct().count());
+        (int) sifted.stream().map(Tie::node).distinct().count(),
+        (int) sifted.stream().map(Tie::topic).distinct().count());
   }
 
   private Optional<GraphViewState.Empty> empty(Ask wanted, boolean crowded) {
     if (crowded) {
-      return Optional.of(new GraphViewState.Empty(Health.WARNING, "Too many boxes to draw", net.vertices().size() + " boxes; up to " + MOST_BOXES
-          + " are laid out. Filter, close namespaces, or show nodes only."));
+      return Optional.of(new GraphViewState.Empty(Health.WARNING, "Too many boxes to draw",
+          net.vertices().size() + " boxes; up to " + MOST_BOXES
+              + " are laid out. Filter, close namespaces, or show nodes only."));
     }
     if (!net.vertices().isEmpty()) {
       return Optional.empty();
     }
-    String what = wanted.words().isEmpty() ? "There are no topics here besides those of tools. The eye lists what is hidden."
-        : "No node or topic that is shown contains these words. Esc clears the filter.";
-    return Optional.of(new GraphViewState.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "No match", what));
+    String what =
+        wanted.words().isEmpty() ? "There are no topics here besides those of tools. The eye lists what is hidden."
+            : "No node or topic that is shown contains these words. Esc clears the filter.";
+    return Optional
+        .of(new GraphViewState.Empty(Health.NONE, wanted.words().isEmpty() ? "Nothing to draw" : "No match", what));
   }
 
   private static boolean same(GraphViewState one, GraphViewState other) {
     return one.diagram().equals(other.diagram()) && one.ask().equals(other.ask()) && one.state().equals(other.state())
-        && one.laying() == other.laying() && one.notice().equals(other.notice()) && one.selected().equals(other.selected())
+        && one.laying() == other.laying() && one.notice().equals(other.notice())
+        && one.selected().equals(other.selected())
         && one.empty().equals(other.empty()) && one.title().equals(other.title());
   }
 

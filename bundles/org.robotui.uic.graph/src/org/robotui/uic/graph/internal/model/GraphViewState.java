@@ -39,7 +39,8 @@ public record GraphViewState(
 
   /** The short text of the title line. */
   public String title() {
-    return nodes == 0 ? "" : nodes + (nodes == 1 ? " node, " : " nodes, ") + topics + (topics == 1 ? " topic" : " topics")
-        + (laying ? "  laying out\u2026" : "");
+    return nodes == 0 ? ""
+        : nodes + (nodes == 1 ? " node, " : " nodes, ") + topics + (topics == 1 ? " topic" : " topics")
+            + (laying ? "  laying out\u2026" : "");
   }
 }

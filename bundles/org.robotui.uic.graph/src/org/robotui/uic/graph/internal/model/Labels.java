@@ -21,7 +21,8 @@ final class Labels {
   /** Without measures: the topic where it has no box, or how many there are. */
   static String plain(Edge edge) {
     boolean boxed = edge.from().kind() == Kind.TOPIC || edge.to().kind() == Kind.TOPIC;
-    return boxed ? "" : edge.topics().size() == 1 ? edge.topics().iterator().next().name() : edge.topics().size() + " topics";
+    return boxed ? ""
+        : edge.topics().size() == 1 ? edge.topics().iterator().next().name() : edge.topics().size() + " topics";
   }
 
   /** The diagram with what is measured now. */
@@ -32,8 +33,10 @@ final class Labels {
     Map<List<Vertex>, Set<Vertex>> topics = new HashMap<>();
     net.edges().forEach(edge -> topics.put(List.of(edge.from(), edge.to()), edge.topics()));
     List<Wire> wires = diagram.wires().stream().map(wire -> {
-      String measured = words(topics.getOrDefault(List.of((Vertex) wire.from(), (Vertex) wire.to()), Set.of()), measures);
-      String label = measured.isEmpty() ? wire.label() : wire.label().isEmpty() ? measured : wire.label() + "  " + measured;
+      String measured =
+          words(topics.getOrDefault(List.of((Vertex) wire.from(), (Vertex) wire.to()), Set.of()), measures);
+      String label =
+          measured.isEmpty() ? wire.label() : wire.label().isEmpty() ? measured : wire.label() + "  " + measured;
       return wire.labelled(label);
     }).toList();
     return new Diagram(diagram.boxes(), wires, diagram.width(), diagram.height());
@@ -50,6 +53,7 @@ final class Labels {
   }
 
   static String bandwidth(double bytes) {
-    return bytes >= MEGA ? Figures.of(bytes / MEGA, 1, "MB/s") : bytes >= KILO ? Figures.of(bytes / KILO, 1, "kB/s") : Figures.of(bytes, 0, "B/s");
+    return bytes >= MEGA ? Figures.of(bytes / MEGA, 1, "MB/s")
+        : bytes >= KILO ? Figures.of(bytes / KILO, 1, "kB/s") : Figures.of(bytes, 0, "B/s");
   }
 }

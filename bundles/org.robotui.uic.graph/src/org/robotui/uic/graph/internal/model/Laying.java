@@ -7,7 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Has nets laid out in the background, one at a time; of those that are asked for meanwhile, the newest. The one before stays in sight until then.
+ * Has nets laid out in the background, one at a time; of those that are asked for meanwhile, the newest. The one before
+ * stays in sight until then.
  */
 final class Laying {
   private static final Logger LOG = LoggerFactory.getLogger(Laying.class);

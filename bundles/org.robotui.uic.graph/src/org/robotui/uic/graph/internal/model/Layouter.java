@@ -32,8 +32,9 @@ import org.robotui.uic.graph.internal.model.Net.Edge;
 import org.robotui.uic.graph.internal.model.Vertex.Kind;
 
 /**
- * Lays a net out from left to right, by the layered algorithm of the Eclipse Layout Kernel. What was there before keeps its order among what
- * stands above and below it. Takes up to seconds for a thousand boxes; for a background thread, whose interruption ends it.
+ * Lays a net out from left to right, by the layered algorithm of the Eclipse Layout Kernel. What was there before keeps
+ * its order among what stands above and below it. Takes up to seconds for a thousand boxes; for a background thread,
+ * whose interruption ends it.
  */
 final class Layouter {
   private static final double PADDING = 24;
@@ -111,7 +112,8 @@ final class Layouter {
     ElkNode made = ElkGraphUtil.createNode(parent(vertex, root));
     double wanted = Math.max(widths.title(title(vertex)), widths.note(note(vertex))) + PADDING;
     double wires = Math.max(begins.getOrDefault(vertex, 0), ends.getOrDefault(vertex, 0)) * BETWEEN_WIRES;
-    made.setDimensions(Math.clamp(wanted, LEAST, MOST), Math.clamp(wires, note(vertex).isEmpty() ? Box.LOW : Box.HIGH, HIGHEST));
+    made.setDimensions(Math.clamp(wanted, LEAST, MOST),
+        Math.clamp(wires, note(vertex).isEmpty() ? Box.LOW : Box.HIGH, HIGHEST));
     before.ifPresent(box -> made.setProperty(LayeredOptions.POSITION, new KVector(box.x(), box.y())));
     return made;
   }
@@ -136,7 +138,8 @@ final class Layouter {
   private Diagram diagram(ElkNode root) {
     List<Box> boxes = new ArrayList<>();
     net.frames().forEach(frame -> boxes.add(box(frame, Box.Form.GROUP)));
-    net.vertices().forEach(vertex -> boxes.add(box(vertex, vertex.kind() == Kind.TOPIC ? Box.Form.PILL : Box.Form.ROUNDED)));
+    net.vertices()
+        .forEach(vertex -> boxes.add(box(vertex, vertex.kind() == Kind.TOPIC ? Box.Form.PILL : Box.Form.ROUNDED)));
     List<Wire> wires = net.edges().stream().map(this::wire).flatMap(Optional::stream).toList();
     return new Diagram(boxes, wires, root.getWidth(), root.getHeight());
   }
@@ -145,7 +148,8 @@ final class Layouter {
     ElkNode node = nodes.get(vertex);
     KVector at = absolute(node);
     Role role = vertex.kind() == Kind.NODE ? Role.ACCENT : vertex.kind() == Kind.TOPIC ? Role.LINE : Role.DIM;
-    return new Box(vertex, at.x, at.y, node.getWidth(), node.getHeight(), form, form == Box.Form.GROUP ? frameTitle(vertex) : title(vertex),
+    return new Box(vertex, at.x, at.y, node.getWidth(), node.getHeight(), form,
+        form == Box.Form.GROUP ? frameTitle(vertex) : title(vertex),
         form == Box.Form.GROUP ? "" : note(vertex), Health.NONE, role);
   }
 
@@ -161,7 +165,8 @@ final class Layouter {
     section.getBendPoints().forEach(bend -> corners.add(new Corner(at.x + bend.getX(), at.y + bend.getY())));
     corners.add(new Corner(at.x + section.getEndX(), at.y + section.getEndY()));
     Optional<Corner> room = laid.getLabels().stream().findFirst()
-        .map(label -> new Corner(at.x + label.getX() + label.getWidth() / 2, at.y + label.getY() + label.getHeight() / 2));
+        .map(label -> new Corner(at.x + label.getX() + label.getWidth() / 2,
+            at.y + label.getY() + label.getHeight() / 2));
     return Optional.of(new Wire(edge.from(), edge.to(), corners, Labels.plain(edge), room, Role.DIM, false));
   }
 
@@ -177,7 +182,8 @@ final class Layouter {
   private String title(Vertex vertex) {
     String outer = net.frameOf(vertex).map(Vertex::name).orElse("");
     String name = vertex.name().isEmpty() ? vertex.robot() : vertex.name();
-    return outer.isEmpty() || name.equals(outer) || !name.startsWith(outer + "/") ? name : name.substring(outer.length() + 1);
+    return outer.isEmpty() || name.equals(outer) || !name.startsWith(outer + "/") ? name
+        : name.substring(outer.length() + 1);
   }
 
   private String frameTitle(Vertex frame) {

@@ -14,7 +14,8 @@ import java.util.Set;
  * @param within the frame in which a vertex or a frame lies, where it does
  * @param sizes how many nodes and topics a closed namespace holds
  */
-record Net(List<Vertex> vertices, List<Edge> edges, List<Vertex> frames, Map<Vertex, Vertex> within, Map<Vertex, Integer> sizes) {
+record Net(List<Vertex> vertices, List<Edge> edges, List<Vertex> frames, Map<Vertex, Vertex> within,
+    Map<Vertex, Integer> sizes) {
   static final Net EMPTY = new Net(List.of(), List.of(), List.of(), Map.of(), Map.of());
 
   /**

@@ -16,12 +16,13 @@ import org.robotui.uic.graph.internal.model.Vertex.Kind;
 import org.robotui.uic.graph.internal.model.Wiring.Tie;
 
 /**
- * Makes the net of boxes and edges: topics as boxes or as edges, and namespaces closed to one box. A node of the name of a namespace lies in
- * it. Where there are more boxes than wanted, each namespace with several of them is closed until it is opened, and so are many topics that
- * are wired alike. Used once.
+ * Makes the net of boxes and edges: topics as boxes or as edges, and namespaces closed to one box. A node of the name
+ * of a namespace lies in it. Where there are more boxes than wanted, each namespace with several of them is closed
+ * until it is opened, and so are many topics that are wired alike. Used once.
  */
 final class Netting {
-  private static final Comparator<Vertex> ORDER = Comparator.comparing(Vertex::robot).thenComparing(Vertex::name).thenComparing(Vertex::kind);
+  private static final Comparator<Vertex> ORDER =
+      Comparator.comparing(Vertex::robot).thenComparing(Vertex::name).thenComparing(Vertex::kind);
   private static final int SMALL = 8;
 
   private final Ask ask;
@@ -56,12 +57,14 @@ final class Netting {
 
   private Net net(List<Tie> ties) {
     Map<Vertex, Vertex> shown = new HashMap<>();
-    all.forEach(vertex -> shown.put(vertex, paths.get(vertex).stream().filter(this::closed).findFirst().orElse(vertex)));
+    all.forEach(
+        vertex -> shown.put(vertex, paths.get(vertex).stream().filter(this::closed).findFirst().orElse(vertex)));
     Map<List<Vertex>, Set<Vertex>> edges = ask.topics() ? throughTopics(ties, shown) : fromNodeToNode(ties, shown);
     Set<Vertex> vertices = new TreeSet<>(ORDER);
     vertices.addAll(shown.values());
-    List<Edge> sorted = edges.entrySet().stream().map(e -> new Edge(e.getKey().get(0), e.getKey().get(1), Set.copyOf(e.getValue())))
-        .sorted(Comparator.comparing(Edge::from, ORDER).thenComparing(Edge::to, ORDER)).toList();
+    List<Edge> sorted =
+        edges.entrySet().stream().map(e -> new Edge(e.getKey().get(0), e.getKey().get(1), Set.copyOf(e.getValue())))
+            .sorted(Comparator.comparing(Edge::from, ORDER).thenComparing(Edge::to, ORDER)).toList();
     Map<Vertex, Vertex> within = ask.groups() ? frames(shown) : Map.of();
     Set<Vertex> frames = new TreeSet<>(ORDER);
     frames.addAll(within.values());
@@ -74,7 +77,8 @@ final class Netting {
       Vertex node = shown.get(tie.node());
       Vertex topic = shown.get(tie.topic());
       if (!node.equals(topic)) {
-        edges.computeIfAbsent(tie.sends() ? List.of(node, topic) : List.of(topic, node), e -> new HashSet<>()).add(tie.topic());
+        edges.computeIfAbsent(tie.sends() ? List.of(node, topic) : List.of(topic, node), e -> new HashSet<>())
+            .add(tie.topic());
       }
     }
     return edges;
@@ -82,7 +86,8 @@ final class Netting {
 
   private static Map<List<Vertex>, Set<Vertex>> fromNodeToNode(List<Tie> ties, Map<Vertex, Vertex> shown) {
     Map<Vertex, Set<Vertex>> senders = new HashMap<>();
-    ties.stream().filter(Tie::sends).forEach(tie -> senders.computeIfAbsent(tie.topic(), t -> new HashSet<>()).add(shown.get(tie.node())));
+    ties.stream().filter(Tie::sends)
+        .forEach(tie -> senders.computeIfAbsent(tie.topic(), t -> new HashSet<>()).add(shown.get(tie.node())));
     Map<List<Vertex>, Set<Vertex>> edges = new LinkedHashMap<>();
     ties.stream().filter(tie -> !tie.sends()).forEach(tie -> {
       Vertex to = shown.get(tie.node());
@@ -100,7 +105,9 @@ final class Netting {
       List<Vertex> around = paths.get(vertex).stream().filter(group -> !closed(group) && sizes.get(group) > 1).toList();
       if (drawn.add(box)) {
         // A closed namespace lies in the frames above it, a vertex in all of its own.
-        List<Vertex> frames = around.stream().takeWhile(group -> box.kind() != Kind.GROUP || box.name().startsWith(group.name()) && !box.equals(group)).toList();
+        List<Vertex> frames = around.stream()
+            .takeWhile(group -> box.kind() != Kind.GROUP || box.name().startsWith(group.name()) && !box.equals(group))
+            .toList();
         for (int i = 0; i + 1 < frames.size(); i++) {
           within.put(frames.get(i + 1), frames.get(i));
         }

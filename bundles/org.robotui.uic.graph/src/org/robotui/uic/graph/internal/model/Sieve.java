@@ -20,8 +20,9 @@ final class Sieve {
   private Sieve() {}
 
   static List<Tie> sift(List<Tie> ties, Ask ask) {
-    List<Tie> left = keep(ties, tie -> !(ask.tools() && (matches(TOOLS, tie.node()) || matches(TOOL_TOPICS, tie.topic())))
-        && !(ask.tf() && matches(TF, tie.topic())));
+    List<Tie> left =
+        keep(ties, tie -> !(ask.tools() && (matches(TOOLS, tie.node()) || matches(TOOL_TOPICS, tie.topic())))
+            && !(ask.tf() && matches(TF, tie.topic())));
     if (ask.ends()) {
       Set<Vertex> sent = topics(left, true);
       Set<Vertex> taken = topics(left, false);
@@ -32,7 +33,10 @@ final class Sieve {
     return ask.words().isEmpty() ? left : found(left, ask.words());
   }
 
-  /** What has the words, and what is wired to it: of a node its topics and those at their other ends, of a topic its nodes. */
+  /**
+   * What has the words, and what is wired to it: of a node its topics and those at their other ends, of a topic its
+   * nodes.
+   */
   private static List<Tie> found(List<Tie> ties, List<String> words) {
     Set<Vertex> hits = new HashSet<>();
     ties.forEach(tie -> {

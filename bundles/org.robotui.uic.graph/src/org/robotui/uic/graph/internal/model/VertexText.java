@@ -15,22 +15,26 @@ final class VertexText {
 
   static String of(Vertex vertex, Wiring wiring, Map<Vertex, Measure> measures) {
     return switch (vertex.kind()) {
-      case NODE -> vertex.name() + DOT + "sends " + count(wiring, vertex, true) + DOT + "takes " + count(wiring, vertex, false);
-      case TOPIC -> topic(vertex, wiring) + Optional.ofNullable(measures.get(vertex)).map(VertexText::measured).orElse("");
+      case NODE -> vertex.name() + DOT + "sends " + count(wiring, vertex, true) + DOT + "takes "
+          + count(wiring, vertex, false);
+      case TOPIC -> topic(vertex, wiring)
+          + Optional.ofNullable(measures.get(vertex)).map(VertexText::measured).orElse("");
       case GROUP -> vertex.name().isEmpty() ? vertex.robot() : vertex.name();
     };
   }
 
   private static String topic(Vertex topic, Wiring wiring) {
     String type = wiring.types().getOrDefault(topic, "");
-    return topic.name() + (type.isEmpty() ? "" : DOT + type) + DOT + "sent by " + count(wiring, topic, true) + DOT + "taken by "
+    return topic.name() + (type.isEmpty() ? "" : DOT + type) + DOT + "sent by " + count(wiring, topic, true) + DOT
+        + "taken by "
         + count(wiring, topic, false) + (wiring.stream(topic).isPresent() ? "" : DOT + "no stream to measure");
   }
 
   private static String measured(Measure measure) {
     return DOT + (measure.count() == 0 ? "no message yet" : Figures.rate(measure.hertz()))
         + (measure.bytesPerSecond().isPresent() && measure.bytesPerSecond().getAsDouble() > 0
-            ? DOT + Labels.bandwidth(measure.bytesPerSecond().getAsDouble()) : "");
+            ? DOT + Labels.bandwidth(measure.bytesPerSecond().getAsDouble())
+            : "");
   }
 
   private static long count(Wiring wiring, Vertex vertex, boolean sends) {

@@ -15,7 +15,8 @@ import org.robotui.api.port.SourceId;
  * @param known the robots that have ever answered
  * @param failures why robots do not answer now, by robot
  */
-record Wiring(List<Tie> ties, Map<Vertex, String> types, Map<Vertex, SourceId> streams, Set<String> known, Map<String, String> failures) {
+record Wiring(List<Tie> ties, Map<Vertex, String> types, Map<Vertex, SourceId> streams, Set<String> known,
+    Map<String, String> failures) {
   static final Wiring NOTHING = new Wiring(List.of(), Map.of(), Map.of(), Set.of(), Map.of());
 
   /**

@@ -60,21 +60,25 @@ public final class GraphSurface {
 
   /** In a part of a window. */
   public GraphSurface(
-      Composite parent, UiContext context, Wishes wishes, Function<Vertex, Optional<Subject>> subject, SubjectMenu subjects) {
+      Composite parent, UiContext context, Wishes wishes, Function<Vertex, Optional<Subject>> subject,
+      SubjectMenu subjects) {
     this.context = context;
     this.wishes = wishes;
     Theme theme = context.theme();
     root = Boxes.root(parent, theme, this::focus);
     Composite bar = Boxes.bar(root, theme, 5);
-    nodes = new QuietButton(bar, theme, () -> show(false)).text("Nodes").hint("Draw nodes, with topics as wires between them");
+    nodes = new QuietButton(bar, theme, () -> show(false)).text("Nodes")
+        .hint("Draw nodes, with topics as wires between them");
     topics = new QuietButton(bar, theme, () -> show(true)).text("Nodes and topics").hint("Draw nodes and topics");
-    rates = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().measure(!wishes.asked().measuring()))).text("Rates")
+    rates = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().measure(!wishes.asked().measuring())))
+        .text("Rates")
         .hint("Measure what is drawn: all topics, or those of what is selected, up to a number that can be configured");
     eye = new QuietButton(bar, theme, this::choose).icon(Icon.EYE).hint("What is hidden");
     filter = new FilterField(bar, theme, "Filter", words -> wishes.ask(wishes.asked().search(words)));
     filter.setLayoutData(Boxes.end(WIDEST_FILTER));
     notice = new NoticeLine(root, theme, Face.BODY);
-    canvas = new DiagramCanvas(root, theme).onSelect(key -> wishes.ask(wishes.asked().select(key.map(Vertex.class::cast)))).onOpen(this::open)
+    canvas = new DiagramCanvas(root, theme)
+        .onSelect(key -> wishes.ask(wishes.asked().select(key.map(Vertex.class::cast)))).onOpen(this::open)
         .hints(GraphSurface::hint).onMenu((menu, box) -> menu(menu, (Vertex) box.key(), subject, subjects));
     canvas.control().setLayoutData(Boxes.fill());
     canvas.fit();
@@ -91,8 +95,10 @@ public final class GraphSurface {
   }
 
   /** Of a topic that no stream carries, no more than its name is known. */
-  private static void menu(PopupMenu menu, Vertex vertex, Function<Vertex, Optional<Subject>> subject, SubjectMenu subjects) {
-    subject.apply(vertex).ifPresentOrElse(s -> subjects.fill(menu, s), () -> menu.push("Copy name", () -> Clipboards.copy(vertex.name())));
+  private static void menu(PopupMenu menu, Vertex vertex, Function<Vertex, Optional<Subject>> subject,
+      SubjectMenu subjects) {
+    subject.apply(vertex).ifPresentOrElse(s -> subjects.fill(menu, s),
+        () -> menu.push("Copy name", () -> Clipboards.copy(vertex.name())));
   }
 
   /** What stands in the part. */
@@ -150,12 +156,15 @@ public final class GraphSurface {
   private void choose() {
     Ask ask = wishes.asked();
     PopupMenu menu = new PopupMenu(eye);
-    menu.check("Hide tools (rviz, rqt, /rosout, ...)", ask.tools(), on -> wishes.ask(ask.show(ask.topics(), on, ask.tf(), ask.ends(), ask.groups())));
-    menu.check("Hide /tf", ask.tf(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), on, ask.ends(), ask.groups())));
+    menu.check("Hide tools (rviz, rqt, /rosout, ...)", ask.tools(),
+        on -> wishes.ask(ask.show(ask.topics(), on, ask.tf(), ask.ends(), ask.groups())));
+    menu.check("Hide /tf", ask.tf(),
+        on -> wishes.ask(ask.show(ask.topics(), ask.tools(), on, ask.ends(), ask.groups())));
     menu.check("Hide dead ends: topics without a publisher or without a subscriber", ask.ends(),
         on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), on, ask.groups())));
     menu.line();
-    menu.check("Frame namespaces", ask.groups(), on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), ask.ends(), on)));
+    menu.check("Frame namespaces", ask.groups(),
+        on -> wishes.ask(ask.show(ask.topics(), ask.tools(), ask.tf(), ask.ends(), on)));
     menu.openBelow(eye);
   }
 

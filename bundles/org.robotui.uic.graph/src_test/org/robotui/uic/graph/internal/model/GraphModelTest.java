@@ -72,7 +72,8 @@ class GraphModelTest {
   }
 
   private static Set<String> names(GraphViewState look, Box.Form form) {
-    return look.diagram().boxes().stream().filter(box -> box.form() == form).map(box -> ((Vertex) box.key()).name()).collect(Collectors.toSet());
+    return look.diagram().boxes().stream().filter(box -> box.form() == form).map(box -> ((Vertex) box.key()).name())
+        .collect(Collectors.toSet());
   }
 
   @Test
@@ -102,10 +103,12 @@ class GraphModelTest {
   @Test
   void toolsTransformsAndDeadEndsAreLeftOut() {
     GraphViewState look = look(Robots.base(), ask -> ask);
-    assertEquals(Set.of("/laser/driver", "/base/driver", "/amcl", "/map_server", "/move_base", "/mission", "/camera/driver", "/camera/rectify",
+    assertEquals(Set.of("/laser/driver", "/base/driver", "/amcl", "/map_server", "/move_base", "/mission",
+        "/camera/driver", "/camera/rectify",
         "/detector"), names(look, Box.Form.ROUNDED));
     assertTrue(names(look, Box.Form.PILL).containsAll(Set.of("/scan", "/move_base/goal", "/camera/image_rect")));
-    assertFalse(names(look, Box.Form.PILL).contains("/tf") || names(look, Box.Form.PILL).contains("/move_base/unheard"));
+    assertFalse(
+        names(look, Box.Form.PILL).contains("/tf") || names(look, Box.Form.PILL).contains("/move_base/unheard"));
     GraphViewState all = look(Robots.base(), ask -> ask.show(true, false, false, false, true));
     assertTrue(names(all, Box.Form.PILL).containsAll(Set.of("/tf", "/rosout", "/move_base/unheard")));
     assertTrue(names(all, Box.Form.ROUNDED).contains("/robotui_77"));
@@ -113,7 +116,8 @@ class GraphModelTest {
 
   @Test
   void deadEndsStayWhereNothingElseIsLeft() {
-    assertEquals(Set.of("/odom", "/cmd_vel"), names(look(new Robots().tie("/robot > /odom", "/robot < /cmd_vel"), ask -> ask), Box.Form.PILL));
+    assertEquals(Set.of("/odom", "/cmd_vel"),
+        names(look(new Robots().tie("/robot > /odom", "/robot < /cmd_vel"), ask -> ask), Box.Form.PILL));
   }
 
   @Test
@@ -122,7 +126,8 @@ class GraphModelTest {
     assertEquals(Set.of("/camera", "/move_base"), names(look, Box.Form.GROUP));
     Box frame = look.diagram().find(group("/move_base")).orElseThrow();
     Box inside = look.diagram().find(node("/move_base")).orElseThrow();
-    assertTrue(frame.contains(inside.x(), inside.y()) && frame.contains(inside.x() + inside.width() - 1, inside.y() + inside.height() - 1));
+    assertTrue(frame.contains(inside.x(), inside.y())
+        && frame.contains(inside.x() + inside.width() - 1, inside.y() + inside.height() - 1));
     assertEquals("goal", look.diagram().find(topic("/move_base/goal")).orElseThrow().title());
   }
 
@@ -137,7 +142,9 @@ class GraphModelTest {
   }
 
   private static void assertTouches(Box box, Wire.Corner at) {
-    assertTrue(at.x() >= box.x() - 2 && at.x() <= box.x() + box.width() + 2 && at.y() >= box.y() - 2 && at.y() <= box.y() + box.height() + 2,
+    assertTrue(
+        at.x() >= box.x() - 2 && at.x() <= box.x() + box.width() + 2 && at.y() >= box.y() - 2
+            && at.y() <= box.y() + box.height() + 2,
         box + " " + at);
   }
 
@@ -145,8 +152,9 @@ class GraphModelTest {
   void withNodesOnlyTopicsAreWires() {
     GraphViewState look = look(Robots.base(), ask -> ask.show(false, true, true, true, false));
     assertEquals(Set.of(), names(look, Box.Form.PILL));
-    assertTrue(look.diagram().wires().stream().anyMatch(wire -> wire.from().equals(node("/laser/driver")) && wire.to().equals(node("/amcl"))
-        && wire.label().equals("/scan")));
+    assertTrue(look.diagram().wires().stream()
+        .anyMatch(wire -> wire.from().equals(node("/laser/driver")) && wire.to().equals(node("/amcl"))
+            && wire.label().equals("/scan")));
   }
 
   @Test
@@ -206,7 +214,8 @@ class GraphModelTest {
   private static Map<Long, List<Object>> columns(Diagram diagram) {
     Map<Long, List<Object>> columns = new HashMap<>();
     diagram.boxes().stream().filter(box -> box.form() != Box.Form.GROUP).sorted(Comparator.comparingDouble(Box::y))
-        .forEach(box -> columns.computeIfAbsent(Math.round(box.x() + box.width() / 2), x -> new ArrayList<>()).add(box.key()));
+        .forEach(box -> columns.computeIfAbsent(Math.round(box.x() + box.width() / 2), x -> new ArrayList<>())
+            .add(box.key()));
     return columns;
   }
 
@@ -241,7 +250,8 @@ class GraphModelTest {
     GraphModel model = model(robot);
     FakeInput<Data> input = context.input(GraphPorts.ALL);
     SourceId scan = new SourceId("base", "/scan");
-    input.candidates(List.of(new Candidate(scan, "LaserScan"), new Candidate(new SourceId("base", "/odom"), "Odometry")));
+    input.candidates(
+        List.of(new Candidate(scan, "LaserScan"), new Candidate(new SourceId("base", "/odom"), "Odometry")));
     assertEquals(Set.of(), input.chosen());
     look(model, Ask.FIRST.select(Optional.of(topic("/scan"))));
     assertEquals(Set.of(), input.chosen(), "not asked for");

@@ -34,12 +34,17 @@ public final class Robots implements Browser {
 
   /** A mobile base as many are. */
   public static Robots base() {
-    return new Robots().tie("/laser/driver > /scan", "/base/driver > /odom", "/base/driver > /tf", "/base/driver < /cmd_vel", "/amcl < /scan",
-        "/amcl < /tf", "/amcl > /tf", "/amcl > /amcl_pose", "/map_server > /map", "/amcl < /map", "/move_base < /map", "/move_base < /scan",
+    return new Robots().tie("/laser/driver > /scan", "/base/driver > /odom", "/base/driver > /tf",
+        "/base/driver < /cmd_vel", "/amcl < /scan",
+        "/amcl < /tf", "/amcl > /tf", "/amcl > /amcl_pose", "/map_server > /map", "/amcl < /map", "/move_base < /map",
+        "/move_base < /scan",
         "/move_base < /odom", "/move_base > /cmd_vel", "/move_base > /move_base/plan", "/move_base < /move_base/goal",
-        "/mission > /move_base/goal", "/mission < /move_base/plan", "/mission < /amcl_pose", "/camera/driver > /camera/image_raw",
-        "/camera/driver > /camera/camera_info", "/camera/rectify < /camera/image_raw", "/camera/rectify < /camera/camera_info",
-        "/camera/rectify > /camera/image_rect", "/detector < /camera/image_rect", "/detector > /detections", "/mission < /detections",
+        "/mission > /move_base/goal", "/mission < /move_base/plan", "/mission < /amcl_pose",
+        "/camera/driver > /camera/image_raw",
+        "/camera/driver > /camera/camera_info", "/camera/rectify < /camera/image_raw",
+        "/camera/rectify < /camera/camera_info",
+        "/camera/rectify > /camera/image_rect", "/detector < /camera/image_rect", "/detector > /detections",
+        "/mission < /detections",
         "/rosout < /rosout", "/mission > /rosout", "/robotui_77 < /scan", "/move_base > /move_base/unheard");
   }
 

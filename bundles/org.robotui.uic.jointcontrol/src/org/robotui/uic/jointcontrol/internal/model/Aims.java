@@ -63,11 +63,13 @@ final class Aims {
       return Optional.of(name + " cannot be driven: its position is not measured");
     }
     return seen.state().source() == JointControl.Source.SAFE
-        ? Optional.of(name + " cannot be driven: it is in its safe state until its plugin is started again") : Optional.empty();
+        ? Optional.of(name + " cannot be driven: it is in its safe state until its plugin is started again")
+        : Optional.empty();
   }
 
   void begin(Joints.Seen seen) {
-    aims.computeIfAbsent(seen.model().name(), name -> Aim.from(Span.of(seen.model()).within(seen.state().measured().position())));
+    aims.computeIfAbsent(seen.model().name(),
+        name -> Aim.from(Span.of(seen.model()).within(seen.state().measured().position())));
   }
 
   void toward(String joint, double position) {
@@ -85,13 +87,14 @@ final class Aims {
   }
 
   /**
-   * Gives up joints that went away, fell into their safe state, or do not take over what they are told: one that began to listen
-   * after the user has turned to something else would move when nobody expects it.
+   * Gives up joints that went away, fell into their safe state, or do not take over what they are told: one that began
+   * to listen after the user has turned to something else would move when nobody expects it.
    */
   Optional<String> deaf(Joints joints, long now) {
     Optional<String> told = Optional.empty();
     for (String name : List.copyOf(aims.keySet())) {
-      Optional<String> why = joints.find(name).map(seen -> deaf(seen, now)).orElse(Optional.of(name + " is not driven any more: it is gone"));
+      Optional<String> why = joints.find(name).map(seen -> deaf(seen, now))
+          .orElse(Optional.of(name + " is not driven any more: it is gone"));
       if (why.isPresent()) {
         aims.remove(name);
         unheardSince.remove(name);
@@ -112,13 +115,18 @@ final class Aims {
     }
     long since = unheardSince.computeIfAbsent(name, n -> now);
     String owner = seen.state().owner();
-    return now - since < DEAF_NANOS ? Optional.empty() : Optional.of(name + " does not take commands: "
-        + (owner.isEmpty() ? "no plugin owns it; start the one for communication" : owner + " owns it"));
+    return now - since < DEAF_NANOS ? Optional.empty()
+        : Optional.of(name + " does not take commands: "
+            + (owner.isEmpty() ? "no plugin owns it; start the one for communication" : owner + " owns it"));
   }
 
-  /** The state is a little older than what was sent, so that the reference may lie behind on a moving target, but not stay there. */
+  /**
+   * The state is a little older than what was sent, so that the reference may lie behind on a moving target, but not
+   * stay there.
+   */
   private boolean isHeard(Joints.Seen seen) {
-    boolean commanded = seen.state().source() == JointControl.Source.COMMANDED && seen.state().modes().contains(JointMode.POSITION);
+    boolean commanded =
+        seen.state().source() == JointControl.Source.COMMANDED && seen.state().modes().contains(JointMode.POSITION);
     Aim aim = aims.get(seen.model().name());
     double near = Math.max(HEARD, BEHIND_SECONDS * speed(seen.model(), MotionLimits.NONE, share));
     return commanded && Math.abs(seen.state().reference().position() - aim.target()) <= near;

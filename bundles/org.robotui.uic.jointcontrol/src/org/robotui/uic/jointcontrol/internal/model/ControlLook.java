@@ -26,11 +26,11 @@ public record ControlLook(InputState state, Joints joints, DriveLook drive, bool
     long faults = joints.byName().values().stream().filter(seen -> seen.state().faults() != 0).count();
     int count = joints.byName().size();
     return Stream.of(
-            count == 0 ? "" : count == 1 ? "1 joint" : count + " joints",
-            faults == 0 ? "" : faults == 1 ? "1 fault" : faults + " faults",
-            safe == 0 ? "" : safe + " in safe state",
-            count > 0 && !joints.described() ? "limits not known" : "",
-            StateView.word(state))
+        count == 0 ? "" : count == 1 ? "1 joint" : count + " joints",
+        faults == 0 ? "" : faults == 1 ? "1 fault" : faults + " faults",
+        safe == 0 ? "" : safe + " in safe state",
+        count > 0 && !joints.described() ? "limits not known" : "",
+        StateView.word(state))
         .filter(part -> !part.isEmpty()).collect(Collectors.joining(" \u00b7 "));
   }
 }

@@ -21,7 +21,8 @@ public final class ControlModel {
   private volatile ControlLook look;
 
   /** With the inputs, the driver and the user's wish for degrees. */
-  public ControlModel(Input<JointControl> control, Input<JointModel> model, JointDriver driver, BooleanSupplier degrees) {
+  public ControlModel(Input<JointControl> control, Input<JointModel> model, JointDriver driver,
+      BooleanSupplier degrees) {
     this.control = control;
     this.model = model;
     this.driver = driver;

@@ -19,8 +19,10 @@ import java.util.Optional;
  * @param blocked why joints cannot be driven now
  * @param told what is to be said: why driving ended, or what does not go well
  */
-public record DriveLook(Phase phase, String robot, String moves, Map<String, Aim> aims, boolean jog, double speed, Optional<String> holder,
-    boolean mine, Optional<String> stoppedBy, Optional<String> owners, Optional<String> blocked, Optional<String> told) {
+public record DriveLook(Phase phase, String robot, String moves, Map<String, Aim> aims, boolean jog, double speed,
+    Optional<String> holder,
+    boolean mine, Optional<String> stoppedBy, Optional<String> owners, Optional<String> blocked,
+    Optional<String> told) {
   /** Copies the map. */
   public DriveLook {
     aims = Map.copyOf(aims);

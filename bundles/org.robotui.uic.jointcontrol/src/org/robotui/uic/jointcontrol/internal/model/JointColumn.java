@@ -12,7 +12,8 @@ public enum JointColumn {
   /** Where its reference comes from. */
   SOURCE("Source", 104, 0, 3, Comparator.comparing(r -> r.state().source())),
   /** The bar between the limits. */
-  RANGE("Measured and commanded", 116, 6, 0, Comparator.comparingDouble(r -> r.span().share(r.state().measured().position()))),
+  RANGE("Measured and commanded", 116, 6, 0,
+      Comparator.comparingDouble(r -> r.span().share(r.state().measured().position()))),
   /** The measured position. */
   POSITION("Position", 96, 0, 1, Comparator.comparingDouble(r -> r.state().measured().position())),
   /** Where the user drives it. */
@@ -97,7 +98,8 @@ public enum JointColumn {
       case TARGET -> row.aim().map(aim -> row.measure().position(aim.goal())).orElse("");
       case VELOCITY -> row.measure().velocity(row.state().measured().velocity());
       case EFFORT -> row.measure().effort(row.state().measured().effort());
-      case TEMPERATURE -> Double.isNaN(row.temperature()) ? Figures.UNKNOWN : Figures.of(row.temperature(), 0, "\u00b0C");
+      case TEMPERATURE -> Double.isNaN(row.temperature()) ? Figures.UNKNOWN
+          : Figures.of(row.temperature(), 0, "\u00b0C");
       case MODE -> row.modes();
       case GAINS -> row.gains();
       case OWNER -> row.owner();
@@ -117,9 +119,11 @@ public enum JointColumn {
       case TEMPERATURE -> Optional.of("Motor " + temperature(row.state().measured().motorTemperature()) + ", driver "
           + temperature(row.state().measured().driverTemperature()));
       case FAULTS -> Optional.of(row.faultSentence());
-      case COUNTS -> Optional.of(row.state().clamped() + " commands were cut at a limit, " + row.state().rejected() + " refused");
-      case GAINS -> Optional.of("Stiffness " + row.measure().stiffness(row.state().reference().stiffness()) + ", damping "
-          + row.measure().damping(row.state().reference().damping()));
+      case COUNTS -> Optional
+          .of(row.state().clamped() + " commands were cut at a limit, " + row.state().rejected() + " refused");
+      case GAINS -> Optional
+          .of("Stiffness " + row.measure().stiffness(row.state().reference().stiffness()) + ", damping "
+              + row.measure().damping(row.state().reference().damping()));
       case POSITION, TARGET, MODE -> Optional.empty();
     };
   }

@@ -28,16 +28,17 @@ public final class JointDetail {
     return List.of(
         new Entry("Commanded", commanded(row) + BETWEEN + row.sourceSentence(), false),
         new Entry("Motor", motor(row), false),
-        row.state().faults() != 0 ? new Entry("Fault", row.faultSentence(), true) : new Entry("Limits", limits(row), false));
+        row.state().faults() != 0 ? new Entry("Fault", row.faultSentence(), true)
+            : new Entry("Limits", limits(row), false));
   }
 
   private static String commanded(JointRow row) {
     Reference reference = row.state().reference();
     Measure measure = row.measure();
     String words = Stream.of(
-            has(row, JointMode.POSITION, measure.position(reference.position())),
-            has(row, JointMode.VELOCITY, measure.velocity(reference.velocity())),
-            has(row, JointMode.EFFORT, measure.effort(reference.effort())))
+        has(row, JointMode.POSITION, measure.position(reference.position())),
+        has(row, JointMode.VELOCITY, measure.velocity(reference.velocity())),
+        has(row, JointMode.EFFORT, measure.effort(reference.effort())))
         .filter(part -> !part.isEmpty()).collect(Collectors.joining(BETWEEN));
     return words.isEmpty() ? Figures.UNKNOWN : words;
   }
@@ -48,14 +49,17 @@ public final class JointDetail {
 
   private static String motor(JointRow row) {
     Measured measured = row.state().measured();
-    return String.join(BETWEEN, row.measure().position(measured.motorPosition()), row.measure().velocity(measured.motorVelocity()),
+    return String.join(BETWEEN, row.measure().position(measured.motorPosition()),
+        row.measure().velocity(measured.motorVelocity()),
         celsius(measured.motorTemperature()), "driver " + celsius(measured.driverTemperature()));
   }
 
   private static String limits(JointRow row) {
     String span = row.span().limited()
-        ? row.measure().position(row.span().lower()) + " to " + row.measure().position(row.span().upper()) : "no end";
-    return String.join(BETWEEN, span, row.measure().velocity(row.model().velocity()), row.measure().effort(row.model().effort()),
+        ? row.measure().position(row.span().lower()) + " to " + row.measure().position(row.span().upper())
+        : "no end";
+    return String.join(BETWEEN, span, row.measure().velocity(row.model().velocity()),
+        row.measure().effort(row.model().effort()),
         row.state().clamped() + " cut, " + row.state().rejected() + " refused");
   }
 

@@ -13,9 +13,10 @@ import org.robotui.api.port.InputState;
 import org.robotui.data.joint.JointCommand;
 
 /**
- * Turns what the hands want into references of joints, within lease and stop. Nothing is sent before the user has taken control and
- * answered a question that names what will move; whatever makes driving doubtful ends it, and says why. Hands come from the display
- * thread, ticks from the view's worker: one lock, never held while anything blocks, so that no reference follows the release.
+ * Turns what the hands want into references of joints, within lease and stop. Nothing is sent before the user has taken
+ * control and answered a question that names what will move; whatever makes driving doubtful ends it, and says why.
+ * Hands come from the display thread, ticks from the view's worker: one lock, never held while anything blocks, so that
+ * no reference follows the release.
  */
 public final class JointDriver {
   /** How long a reference holds. */
@@ -66,7 +67,10 @@ public final class JointDriver {
     }
   }
 
-  /** The user has read what will move, and wants that. The holder that the question named may be taken over, nobody else. */
+  /**
+   * The user has read what will move, and wants that. The holder that the question named may be taken over, nobody
+   * else.
+   */
   public synchronized void confirm(boolean takeover) {
     if (phase != Phase.ASKING) {
       return;

@@ -59,8 +59,10 @@ public record JointFooter(Health health, String text, List<Button> buttons) {
 
   private static JointFooter question(DriveLook look) {
     String drive = "rive " + look.moves() + " of " + look.robot() + "? They move when you set a target, at "
-        + Math.round(look.speed() * PERCENT) + "\u00a0% of their speed at most" + look.owners().map(o -> ". " + o).orElse("");
-    return look.holder().map(other -> new JointFooter(Health.WARNING, other + " has control now. Take over and d" + drive,
+        + Math.round(look.speed() * PERCENT) + "\u00a0% of their speed at most"
+        + look.owners().map(o -> ". " + o).orElse("");
+    return look.holder()
+        .map(other -> new JointFooter(Health.WARNING, other + " has control now. Take over and d" + drive,
             List.of(Button.TAKE_OVER, Button.CANCEL)))
         .orElseGet(() -> new JointFooter(Health.WARNING, "D" + drive, List.of(Button.DRIVE, Button.CANCEL)));
   }
@@ -68,7 +70,8 @@ public record JointFooter(Health health, String text, List<Button> buttons) {
   private static JointFooter driving(DriveLook look) {
     String how = look.jog() ? "hold a bar, or \u2190 \u2192, to move" : "drag a knob, type, or \u2190 \u2192";
     return look.told().map(told -> new JointFooter(Health.WARNING, told, List.of()))
-        .orElseGet(() -> new JointFooter(Health.OK, "You control " + look.robot() + ": " + how + "; Esc ends", List.of()));
+        .orElseGet(
+            () -> new JointFooter(Health.OK, "You control " + look.robot() + ": " + how + "; Esc ends", List.of()));
   }
 
   private static JointFooter monitor(DriveLook look) {

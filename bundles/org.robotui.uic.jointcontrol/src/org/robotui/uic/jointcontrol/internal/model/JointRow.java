@@ -21,7 +21,8 @@ import org.robotui.ui.Health;
  * @param aim where the user drives it, while that is so
  * @param measure how its figures are written
  */
-public record JointRow(String chain, JointModel.Joint model, JointControl.Joint state, Optional<Aim> aim, Measure measure) implements JointLine {
+public record JointRow(String chain, JointModel.Joint model, JointControl.Joint state, Optional<Aim> aim,
+    Measure measure) implements JointLine {
   @Override
   public String key() {
     return chain + "/" + model.name();
@@ -102,8 +103,10 @@ public record JointRow(String chain, JointModel.Joint model, JointControl.Joint 
   /** Stiffness and damping, where they are meant. */
   public String gains() {
     List<String> parts = new ArrayList<>();
-    parts.add(state.modes().contains(JointMode.STIFFNESS) ? Figures.fixed(state.reference().stiffness(), 0) : Figures.UNKNOWN);
-    parts.add(state.modes().contains(JointMode.DAMPING) ? Figures.fixed(state.reference().damping(), 1) : Figures.UNKNOWN);
+    parts.add(state.modes().contains(JointMode.STIFFNESS) ? Figures.fixed(state.reference().stiffness(), 0)
+        : Figures.UNKNOWN);
+    parts.add(
+        state.modes().contains(JointMode.DAMPING) ? Figures.fixed(state.reference().damping(), 1) : Figures.UNKNOWN);
     return String.join(" / ", parts);
   }
 
@@ -130,7 +133,7 @@ public record JointRow(String chain, JointModel.Joint model, JointControl.Joint 
     if (state.faults() == 0) {
       return "No fault";
     }
-    List<Integer> bits = BitSet.valueOf(new long[] {state.faults()}).stream().boxed().toList();
+    List<Integer> bits = BitSet.valueOf(new long[]{state.faults()}).stream().boxed().toList();
     String numbers = bits.stream().map(String::valueOf).collect(Collectors.joining(", "));
     return "The hardware reports fault " + faults() + (bits.size() == 1 ? ", bit " : ", bits ") + numbers;
   }

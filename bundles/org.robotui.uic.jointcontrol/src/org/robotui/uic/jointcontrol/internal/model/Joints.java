@@ -37,13 +37,15 @@ public record Joints(Map<String, Seen> byName, List<JointModel.Chain> chains, bo
     Map<String, JointModel.Joint> described = new HashMap<>();
     model.ifPresent(m -> m.joints().forEach(joint -> described.put(joint.name(), joint)));
     Map<String, Seen> seen = new LinkedHashMap<>();
-    control.joints().forEach(state -> seen.put(state.name(), new Seen(described.getOrDefault(state.name(), unknown(state.name())), state)));
+    control.joints().forEach(
+        state -> seen.put(state.name(), new Seen(described.getOrDefault(state.name(), unknown(state.name())), state)));
     return new Joints(seen, chains(model.map(JointModel::chains).orElse(List.of()), seen.keySet()), model.isPresent());
   }
 
   /** Without a description nothing is known but the name. */
   private static JointModel.Joint unknown(String name) {
-    return new JointModel.Joint(name, -1, JointModel.Type.REVOLUTE, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NaN, Double.NaN);
+    return new JointModel.Joint(name, -1, JointModel.Type.REVOLUTE, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY,
+        Double.NaN, Double.NaN);
   }
 
   private static List<JointModel.Chain> chains(List<JointModel.Chain> told, Set<String> names) {
@@ -73,6 +75,7 @@ public record Joints(Map<String, Seen> byName, List<JointModel.Chain> chains, bo
     List<String> named = chains.stream().map(JointModel.Chain::name).filter(name -> !name.isEmpty()).toList();
     String joints = count == 1 ? "joint " + byName.keySet().iterator().next() : "all " + count + " joints";
     String more = named.size() > NAMED ? ", \u2026" : "";
-    return named.isEmpty() ? joints : joints + " (" + String.join(", ", named.subList(0, Math.min(NAMED, named.size()))) + more + ")";
+    return named.isEmpty() ? joints
+        : joints + " (" + String.join(", ", named.subList(0, Math.min(NAMED, named.size()))) + more + ")";
   }
 }

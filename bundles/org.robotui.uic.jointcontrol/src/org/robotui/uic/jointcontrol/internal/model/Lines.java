@@ -52,13 +52,15 @@ public final class Lines {
   private static List<JointRow> rows(ControlLook look, JointModel.Chain chain) {
     Map<String, Aim> aims = look.drive().aims();
     return chain.joints().stream().map(look.joints().byName()::get)
-        .map(seen -> new JointRow(chain.name(), seen.model(), seen.state(), Optional.ofNullable(aims.get(seen.model().name())),
+        .map(seen -> new JointRow(chain.name(), seen.model(), seen.state(),
+            Optional.ofNullable(aims.get(seen.model().name())),
             new Measure(seen.model().type(), look.degrees())))
         .toList();
   }
 
   private static boolean fits(JointRow row, List<String> wanted) {
-    String text = String.join(" ", row.name(), row.chain(), row.state().owner(), row.source(), row.state().faults() == 0 ? "" : "fault")
+    String text = String
+        .join(" ", row.name(), row.chain(), row.state().owner(), row.source(), row.state().faults() == 0 ? "" : "fault")
         .toLowerCase(Locale.ROOT);
     return wanted.stream().allMatch(text::contains);
   }
@@ -72,10 +74,13 @@ public final class Lines {
   /** Counts what is not all the same. */
   static String words(List<JointRow> rows) {
     long faults = rows.stream().filter(row -> row.state().faults() != 0).count();
-    Map<Source, Long> counts = rows.stream().collect(Collectors.groupingBy(row -> row.state().source(), Collectors.counting()));
+    Map<Source, Long> counts =
+        rows.stream().collect(Collectors.groupingBy(row -> row.state().source(), Collectors.counting()));
     String sources = counts.entrySet().stream().sorted(Map.Entry.comparingByKey(Comparator.reverseOrder()))
-        .map(e -> counts.size() == 1 ? "all " + word(e.getKey()) : e.getValue() + " " + word(e.getKey())).collect(Collectors.joining(", "));
-    return (rows.size() == 1 ? "1 joint" : rows.size() + " joints") + ", " + (rows.size() == 1 ? sources.replace("all ", "") : sources)
+        .map(e -> counts.size() == 1 ? "all " + word(e.getKey()) : e.getValue() + " " + word(e.getKey()))
+        .collect(Collectors.joining(", "));
+    return (rows.size() == 1 ? "1 joint" : rows.size() + " joints") + ", "
+        + (rows.size() == 1 ? sources.replace("all ", "") : sources)
         + (faults == 0 ? "" : faults == 1 ? ", 1 fault" : ", " + faults + " faults");
   }
 

@@ -30,7 +30,8 @@ public record Measure(JointModel.Type type, boolean degrees) {
 
   /** A velocity with its unit. */
   public String velocity(double value) {
-    return inDegrees() ? figure(Math.toDegrees(value), 1, "\u00b0/s") : figure(value, slides() ? 4 : 3, slides() ? "m/s" : "rad/s");
+    return inDegrees() ? figure(Math.toDegrees(value), 1, "\u00b0/s")
+        : figure(value, slides() ? 4 : 3, slides() ? "m/s" : "rad/s");
   }
 
   /** A torque or force with its unit. */

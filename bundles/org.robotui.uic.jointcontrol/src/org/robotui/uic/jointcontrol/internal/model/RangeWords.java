@@ -10,7 +10,9 @@ final class RangeWords {
     Measure measure = row.measure();
     String commanded = row.hasReference() ? measure.position(row.state().reference().position()) : Figures.UNKNOWN;
     String limits = row.span().limited()
-        ? "limits " + measure.position(row.span().lower()) + " to " + measure.position(row.span().upper()) : "no limits";
-    return "Measured " + measure.position(row.state().measured().position()) + ", commanded " + commanded + ", " + limits;
+        ? "limits " + measure.position(row.span().lower()) + " to " + measure.position(row.span().upper())
+        : "no limits";
+    return "Measured " + measure.position(row.state().measured().position()) + ", commanded " + commanded + ", "
+        + limits;
   }
 }

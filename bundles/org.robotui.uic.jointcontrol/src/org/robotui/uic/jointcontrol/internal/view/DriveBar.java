@@ -49,7 +49,8 @@ final class DriveBar {
         .hint("Take control of the robot and move joints by hand; asks first");
     target = button(theme, () -> run(() -> driver.jog(false), done)).text("Target")
         .hint("Joints go where you set them, and stay there");
-    jog = button(theme, () -> run(() -> driver.jog(true), done)).text("Jog").hint("Joints move only while you hold the bar or a key");
+    jog = button(theme, () -> run(() -> driver.jog(true), done)).text("Jog")
+        .hint("Joints move only while you hold the bar or a key");
     speed = new LimitBar(root, theme, 1, wishes::speed);
     speed.setToolTipText("How fast joints are moved at most, as a share of their speed: drag, wheel or arrow keys");
     GridData wide = Boxes.middle();
@@ -59,7 +60,8 @@ final class DriveBar {
     GridData words = Boxes.middle();
     words.widthHint = SPEED_WORDS;
     speedWords.setLayoutData(words);
-    degrees = button(theme, () -> wishes.degrees(!wishes.degrees())).text("Degrees").hint("Angles in degrees or radians");
+    degrees =
+        button(theme, () -> wishes.degrees(!wishes.degrees())).text("Degrees").hint("Angles in degrees or radians");
     PlainLabel gap = new PlainLabel(root, SWT.NONE, theme, Face.SMALL, Role.DIM);
     gap.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     filter = new FilterField(root, theme, "Filter joints", search);
@@ -96,7 +98,8 @@ final class DriveBar {
     changed |= Boxes.seen(filter, room >= (driving ? ROOM_FOR_BOTH : ROOM_FOR_FILTER));
     if (changed) {
       // Columns of what is not seen would keep the filter from the right edge by the room between them.
-      ((GridLayout) root.getLayout()).numColumns = (int) Stream.of(root.getChildren()).filter(Control::getVisible).count();
+      ((GridLayout) root.getLayout()).numColumns =
+          (int) Stream.of(root.getChildren()).filter(Control::getVisible).count();
       root.layout();
     }
   }

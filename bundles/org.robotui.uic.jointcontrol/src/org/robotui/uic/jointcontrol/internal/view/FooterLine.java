@@ -20,7 +20,10 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.uic.jointcontrol.internal.model.JointFooter;
 
-/** The line below the table. What does not fit into one line goes on in the next: a question must be read whole. Display thread. */
+/**
+ * The line below the table. What does not fit into one line goes on in the next: a question must be read whole. Display
+ * thread.
+ */
 final class FooterLine {
   private static final int LINE = 28;
   private static final int LEFT = Theme.STEP + HealthDot.SIZE + 2 * Theme.STEP;

@@ -51,8 +51,9 @@ final class Headings {
 
   private void paint(GC gc, Rectangle area) {
     gc.setFont(theme.font(Face.SMALL));
-    grid.get().places().forEach((column, place) -> heading(gc, column, new Rectangle(place.left() + TableLook.PADDING, 0,
-        Math.max(0, place.width() - 2 * TableLook.PADDING), area.height)));
+    grid.get().places()
+        .forEach((column, place) -> heading(gc, column, new Rectangle(place.left() + TableLook.PADDING, 0,
+            Math.max(0, place.width() - 2 * TableLook.PADDING), area.height)));
     gc.setForeground(theme.color(Role.LINE));
     gc.setLineWidth(1);
     gc.drawLine(0, area.height - 1, area.width, area.height - 1);
@@ -76,6 +77,6 @@ final class Headings {
   private void arrow(GC gc, int x, int middle) {
     int point = sorting.descending() ? 2 : -2;
     gc.setBackground(theme.color(Role.TEXT));
-    gc.fillPolygon(new int[] {x, middle - point, x + ARROW, middle - point, x + ARROW / 2, middle + point});
+    gc.fillPolygon(new int[]{x, middle - point, x + ARROW, middle - point, x + ARROW / 2, middle + point});
   }
 }

@@ -48,7 +48,8 @@ final class JointDetailPane {
     GridData wide = new GridData(SWT.FILL, SWT.FILL, true, true);
     wide.widthHint = 0;
     figures.setLayoutData(wide);
-    stiffness = new GainField(root, theme, "Stiffness", value -> shown.ifPresent(row -> driver.stiffness(row.name(), value)));
+    stiffness =
+        new GainField(root, theme, "Stiffness", value -> shown.ifPresent(row -> driver.stiffness(row.name(), value)));
     damping = new GainField(root, theme, "Damping", value -> shown.ifPresent(row -> driver.damping(row.name(), value)));
     Boxes.seen(root, false);
     Boxes.seen(rule, false);
@@ -81,7 +82,8 @@ final class JointDetailPane {
   /** The fields stand beside the figures, or below them where it is narrow; whether that changed. */
   private boolean arrange() {
     boolean beside = root.getParent().getClientArea().width >= ROOM_BESIDE;
-    boolean fields = !((GridData) stiffness.control().getLayoutData()).exclude || !((GridData) damping.control().getLayoutData()).exclude;
+    boolean fields = !((GridData) stiffness.control().getLayoutData()).exclude
+        || !((GridData) damping.control().getLayoutData()).exclude;
     int height = HEIGHT + 2 * Theme.STEP + (beside || !fields ? 0 : BELOW);
     GridData place = (GridData) root.getLayoutData();
     boolean changed = place.heightHint != height;

@@ -29,7 +29,10 @@ import org.robotui.uic.jointcontrol.internal.model.JointRow;
 import org.robotui.uic.jointcontrol.internal.model.Lines;
 import org.robotui.uic.jointcontrol.internal.model.Sorting;
 
-/** What is seen of the view while it is shown: switch, table, the selected joint, and who drives. Display thread, but for {@link #prepare}. */
+/**
+ * What is seen of the view while it is shown: switch, table, the selected joint, and who drives. Display thread, but
+ * for {@link #prepare}.
+ */
 public final class JointsSurface implements TableHands.Deeds {
   private static final int ROOM_FOR_DETAIL = 240;
 
@@ -61,7 +64,8 @@ public final class JointsSurface implements TableHands.Deeds {
     bar = new DriveBar(root, context.theme(), driver, wishes, this::pressed, this::search);
     look = new TableLook(context.theme());
     headings = new Headings(root, context.theme(), this::grid, this::sort);
-    list = new RowList<>(root, context.theme(), look).named("Joints").onFind(() -> bar.filter().focus()).onSelect(rows -> show())
+    list = new RowList<>(root, context.theme(), look).named("Joints").onFind(() -> bar.filter().focus())
+        .onSelect(rows -> show())
         .menu(this::menu);
     list.control().setLayoutData(Boxes.fill());
     editor = new NumberEditor((Composite) list.control(), context.theme());
@@ -122,7 +126,8 @@ public final class JointsSurface implements TableHands.Deeds {
     if (!now.look().drivable()) {
       editor.cancel();
     }
-    Optional<JointRow> selected = list.selected().stream().filter(JointRow.class::isInstance).map(JointRow.class::cast).findFirst()
+    Optional<JointRow> selected = list.selected().stream().filter(JointRow.class::isInstance).map(JointRow.class::cast)
+        .findFirst()
         .filter(row -> root.getClientArea().height >= ROOM_FOR_DETAIL && StateView.showsContent(now.look().state()));
     if (detail.show(selected, now.look().drivable(), now.look().state() instanceof InputState.Live)) {
       root.layout(true, true);
@@ -136,7 +141,8 @@ public final class JointsSurface implements TableHands.Deeds {
     } else if (now.look().joints().byName().isEmpty()) {
       list.message(Health.NONE, "No joints", "The robot's control has no joints.");
     } else {
-      list.message(Health.NONE, "No match", "No joint contains these words in its name, chain, owner or source. Esc clears the filter.");
+      list.message(Health.NONE, "No match",
+          "No joint contains these words in its name, chain, owner or source. Esc clears the filter.");
     }
   }
 
@@ -209,7 +215,8 @@ public final class JointsSurface implements TableHands.Deeds {
   private List<ViewAction> menu(List<JointLine> lines) {
     return lines.stream().filter(JointRow.class::isInstance).map(JointRow.class::cast).findFirst()
         .map(row -> List.of(
-            new ViewAction("copy", "Copy row\tCtrl+C", Icon.COPY.id(), Optional.empty(), () -> Clipboards.copy(look.text(row))),
+            new ViewAction("copy", "Copy row\tCtrl+C", Icon.COPY.id(), Optional.empty(),
+                () -> Clipboards.copy(look.text(row))),
             new ViewAction("name", "Copy name", Icon.TEXT.id(), Optional.empty(), () -> Clipboards.copy(row.name()))))
         .orElse(List.of());
   }

@@ -14,7 +14,10 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 
-/** A number edited where it stands: Enter sets it, Esc and leaving give up, so that nothing moves by looking away. Display thread. */
+/**
+ * A number edited where it stands: Enter sets it, Esc and leaving give up, so that nothing moves by looking away.
+ * Display thread.
+ */
 final class NumberEditor {
   private final Composite parent;
   private final Theme theme;
@@ -48,7 +51,8 @@ final class NumberEditor {
     }
     int height = Math.min(at.height, text.computeSize(SWT.DEFAULT, SWT.DEFAULT).y);
     text.setBounds(at.x, at.y + (at.height - height) / 2, at.width, height);
-    text.addListener(SWT.Modify, e -> text.setForeground(theme.color(read.apply(text.getText()).isPresent() ? Role.TEXT : Role.BAD)));
+    text.addListener(SWT.Modify,
+        e -> text.setForeground(theme.color(read.apply(text.getText()).isPresent() ? Role.TEXT : Role.BAD)));
     text.addListener(SWT.KeyDown, e -> key(e, text, read, set));
     text.addListener(SWT.Traverse, e -> e.doit = false);
     text.addListener(SWT.FocusOut, e -> parent.getDisplay().asyncExec(() -> left(text)));

@@ -12,8 +12,8 @@ import org.robotui.uic.jointcontrol.internal.model.Aim;
 import org.robotui.uic.jointcontrol.internal.model.JointRow;
 
 /**
- * A joint between its limits: a bar to where it is measured, a mark where it is commanded, and a knob where the user drives it.
- * Display thread.
+ * A joint between its limits: a bar to where it is measured, a mark where it is commanded, and a knob where the user
+ * drives it. Display thread.
  */
 final class RangeBar {
   private static final int ASIDE = 16;
@@ -40,7 +40,8 @@ final class RangeBar {
   }
 
   void paint(GC gc, Rectangle cell, JointRow row, boolean drivable) {
-    Rectangle track = new Rectangle(cell.x + ASIDE, cell.y + (cell.height - THICKNESS) / 2, cell.width - 2 * ASIDE, THICKNESS);
+    Rectangle track =
+        new Rectangle(cell.x + ASIDE, cell.y + (cell.height - THICKNESS) / 2, cell.width - 2 * ASIDE, THICKNESS);
     gc.setAntialias(SWT.ON);
     track(gc, track, row);
     measured(gc, track, row);
@@ -91,8 +92,8 @@ final class RangeBar {
     gc.setBackground(theme.color(Role.TEXT));
     int top = track.y - 1;
     int bottom = track.y + THICKNESS + 1;
-    gc.fillPolygon(new int[] {x - MARK, top - MARK, x + MARK + 1, top - MARK, x, top + 1});
-    gc.fillPolygon(new int[] {x - MARK, bottom + MARK, x + MARK + 1, bottom + MARK, x, bottom - 1});
+    gc.fillPolygon(new int[]{x - MARK, top - MARK, x + MARK + 1, top - MARK, x, top + 1});
+    gc.fillPolygon(new int[]{x - MARK, bottom + MARK, x + MARK + 1, bottom + MARK, x, bottom - 1});
   }
 
   private void knob(GC gc, Rectangle track, JointRow row) {
@@ -102,7 +103,8 @@ final class RangeBar {
       return;
     }
     int middle = track.y + THICKNESS / 2;
-    aim.filter(Aim::isMoving).ifPresent(a -> way(gc, x(track, row.span().share(a.target())), x(track, row.span().share(a.goal())), middle));
+    aim.filter(Aim::isMoving)
+        .ifPresent(a -> way(gc, x(track, row.span().share(a.target())), x(track, row.span().share(a.goal())), middle));
     int x = x(track, row.span().share(position));
     circle(gc, x, middle, KNOB, theme.color(Role.PANEL));
     circle(gc, x, middle, KNOB - 2, theme.color(Role.ACCENT));

@@ -16,7 +16,9 @@ import org.robotui.uic.jointcontrol.internal.model.JointRow;
 
 /** Mouse and keys in the table on the way to the driver. Display thread. */
 final class TableHands {
-  /** A key that repeats may come as pairs of release and press; a release counts when no press follows within this time. */
+  /**
+   * A key that repeats may come as pairs of release and press; a release counts when no press follows within this time.
+   */
   private static final int SETTLE_MILLIS = 40;
   private static final double COARSE = 10;
   /** How far beside the middle of a knob it is still gripped, points. */
@@ -77,7 +79,8 @@ final class TableHands {
     switch (line.get()) {
       case ChainHead head -> deeds.fold(head);
       case JointRow row -> {
-        dragged = deeds.drivable() ? deeds.grid().find(JointColumn.RANGE).flatMap(place -> grip(row, place, event.x)) : Optional.empty();
+        dragged = deeds.drivable() ? deeds.grid().find(JointColumn.RANGE).flatMap(place -> grip(row, place, event.x))
+            : Optional.empty();
         if (deeds.jogging()) {
           drag(event);
         }
@@ -86,8 +89,8 @@ final class TableHands {
   }
 
   /**
-   * A joint that goes to its target without a hand is taken by its knob alone, where the hand grips it: a press beside it selects, and
-   * moves nothing. One that moves only while held may be pressed anywhere on its bar.
+   * A joint that goes to its target without a hand is taken by its knob alone, where the hand grips it: a press beside
+   * it selects, and moves nothing. One that moves only while held may be pressed anywhere on its bar.
    */
   private Optional<JointRow> grip(JointRow row, Grid.Place place, int x) {
     if (deeds.jogging()) {
@@ -126,7 +129,8 @@ final class TableHands {
   }
 
   private Optional<JointLine> lineAt(int y) {
-    return list.visible(1).stream().filter(line -> list.bounds(line.key()).filter(at -> within(at, y)).isPresent()).findFirst();
+    return list.visible(1).stream().filter(line -> list.bounds(line.key()).filter(at -> within(at, y)).isPresent())
+        .findFirst();
   }
 
   private static boolean within(Rectangle at, int y) {
@@ -135,7 +139,7 @@ final class TableHands {
 
   private void open(JointLine line) {
     switch (line) {
-      case ChainHead head -> { }
+      case ChainHead head -> {}
       case JointRow row -> edit(row, "");
     }
   }

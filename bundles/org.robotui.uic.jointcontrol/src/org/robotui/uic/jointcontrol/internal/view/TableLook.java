@@ -68,7 +68,8 @@ final class TableLook implements RowLook<JointLine> {
   public String text(JointLine line) {
     return switch (line) {
       case ChainHead head -> head.title() + "\t" + head.words();
-      case JointRow row -> Stream.of(JointColumn.values()).map(column -> column.text(row)).filter(words -> !words.isEmpty())
+      case JointRow row -> Stream.of(JointColumn.values()).map(column -> column.text(row))
+          .filter(words -> !words.isEmpty())
           .collect(Collectors.joining("\t"));
     };
   }
@@ -78,7 +79,8 @@ final class TableLook implements RowLook<JointLine> {
     return switch (line) {
       case ChainHead head -> head.words();
       // A tooltip would lie over the joints below while a hand drags; the figures stand in the row.
-      case JointRow row -> grid(at.width, driving).at(x - at.x).filter(column -> !(drivable && column == JointColumn.RANGE))
+      case JointRow row -> grid(at.width, driving).at(x - at.x)
+          .filter(column -> !(drivable && column == JointColumn.RANGE))
           .flatMap(column -> column.hint(row)).orElse("");
     };
   }
@@ -87,8 +89,8 @@ final class TableLook implements RowLook<JointLine> {
   public void paint(GC gc, Rectangle at, JointLine line) {
     switch (line) {
       case ChainHead head -> head(gc, at, head);
-      case JointRow row -> grid(at.width, driving).places().forEach((column, place) ->
-          cell(gc, new Rectangle(at.x + place.left(), at.y, place.width(), at.height), column, row));
+      case JointRow row -> grid(at.width, driving).places().forEach(
+          (column, place) -> cell(gc, new Rectangle(at.x + place.left(), at.y, place.width(), at.height), column, row));
     }
   }
 
@@ -96,11 +98,13 @@ final class TableLook implements RowLook<JointLine> {
     gc.setForeground(theme.color(Role.DIM));
     Icons.paint(gc, head.open() ? Icon.OPEN : Icon.CLOSED, at.x + PADDING, at.y + (at.height - FOLD) / 2, FOLD);
     int left = at.x + PADDING + FOLD + Theme.STEP;
-    int title = text.cell(gc, new Rectangle(left, at.y, at.width - left, at.height), head.title(), Face.SMALL_STRONG, theme.color(Role.TEXT), false);
+    int title = text.cell(gc, new Rectangle(left, at.y, at.width - left, at.height), head.title(), Face.SMALL_STRONG,
+        theme.color(Role.TEXT), false);
     int dot = left + title + Theme.EDGE;
     HealthDot.paint(gc, theme, head.health(), dot + HealthDot.SIZE / 2, at.y + at.height / 2);
     int words = dot + DOT;
-    text.cell(gc, new Rectangle(words, at.y, Math.max(0, at.x + at.width - words - PADDING), at.height), head.words(), Face.SMALL,
+    text.cell(gc, new Rectangle(words, at.y, Math.max(0, at.x + at.width - words - PADDING), at.height), head.words(),
+        Face.SMALL,
         theme.color(Role.DIM), false);
   }
 
@@ -112,7 +116,8 @@ final class TableLook implements RowLook<JointLine> {
       case SOURCE -> text.cell(gc, at, row.source(), Face.BODY, color(JointRow.health(row.state().source())), false);
       case FAULTS -> faults(gc, at, row);
       case EFFORT -> effort(gc, at, row);
-      default -> text.cell(gc, at, column.text(row), column.isFigure() ? Face.FIGURES : Face.BODY, ink(column, row), column.isFigure());
+      default -> text.cell(gc, at, column.text(row), column.isFigure() ? Face.FIGURES : Face.BODY, ink(column, row),
+          column.isFigure());
     }
   }
 
@@ -132,7 +137,8 @@ final class TableLook implements RowLook<JointLine> {
 
   private void dotted(GC gc, Rectangle at, Health health, String words, Color color) {
     HealthDot.paint(gc, theme, health, at.x + HealthDot.SIZE / 2, at.y + at.height / 2);
-    text.cell(gc, new Rectangle(at.x + DOT, at.y, Math.max(0, at.width - DOT), at.height), words, Face.BODY, color, false);
+    text.cell(gc, new Rectangle(at.x + DOT, at.y, Math.max(0, at.width - DOT), at.height), words, Face.BODY, color,
+        false);
   }
 
   private void faults(GC gc, Rectangle at, JointRow row) {

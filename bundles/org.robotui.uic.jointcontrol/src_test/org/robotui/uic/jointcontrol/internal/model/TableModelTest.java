@@ -22,14 +22,17 @@ import org.robotui.uic.jointcontrol.internal.Robots;
 class TableModelTest {
   private final FakeInput<JointControl> control = new FakeInput<>();
   private final FakeInput<JointModel> described = new FakeInput<>();
-  private final JointDriver driver = new JointDriver(new FakeOutput<JointCommand>(new FakeAuthority("Arm")), FakeAuthority.YOU, () -> 0.2);
+  private final JointDriver driver =
+      new JointDriver(new FakeOutput<JointCommand>(new FakeAuthority("Arm")), FakeAuthority.YOU, () -> 0.2);
   private final ControlModel model = new ControlModel(control, described, driver, () -> true);
 
   @Test
   void jointsStandInTheirChainsAndThenTheRest() {
     put(Robots.arm());
-    assertEquals(List.of("chain arm", "arm/arm_1", "arm/arm_2", "arm/arm_3", "arm/arm_4", "arm/arm_5", "arm/arm_6", "arm/arm_7",
-        "chain gripper", "gripper/finger", "chain ", "/turntable"), keys("", Set.of(), Sorting.CHAIN));
+    assertEquals(
+        List.of("chain arm", "arm/arm_1", "arm/arm_2", "arm/arm_3", "arm/arm_4", "arm/arm_5", "arm/arm_6", "arm/arm_7",
+            "chain gripper", "gripper/finger", "chain ", "/turntable"),
+        keys("", Set.of(), Sorting.CHAIN));
   }
 
   @Test
@@ -43,7 +46,8 @@ class TableModelTest {
   @Test
   void closedChainsKeepTheirHeading() {
     put(Robots.arm());
-    assertEquals(List.of("chain arm", "chain gripper", "gripper/finger", "chain ", "/turntable"), keys("", Set.of("arm"), Sorting.CHAIN));
+    assertEquals(List.of("chain arm", "chain gripper", "gripper/finger", "chain ", "/turntable"),
+        keys("", Set.of("arm"), Sorting.CHAIN));
   }
 
   @Test
@@ -87,8 +91,9 @@ class TableModelTest {
     put(Robots.arm());
     assertEquals("17.8\u00b0", JointColumn.POSITION.text(row("arm/arm_1")));
     assertEquals("0.0213\u00a0m", JointColumn.POSITION.text(row("gripper/finger")));
-    assertEquals("\u2014", JointColumn.POSITION.text(new JointRow("", Robots.armModel().joints().get(5), Robots.troubled().joints().get(5),
-        Optional.empty(), new Measure(JointModel.Type.REVOLUTE, true))));
+    assertEquals("\u2014",
+        JointColumn.POSITION.text(new JointRow("", Robots.armModel().joints().get(5), Robots.troubled().joints().get(5),
+            Optional.empty(), new Measure(JointModel.Type.REVOLUTE, true))));
   }
 
   @Test
@@ -115,7 +120,8 @@ class TableModelTest {
   void whatMattersLeastGoesFirst() {
     assertEquals(JointColumn.values().length, Grid.of(1600, true).places().size());
     Grid narrow = Grid.of(340, false);
-    assertEquals(List.of(JointColumn.NAME, JointColumn.RANGE, JointColumn.POSITION), List.copyOf(narrow.places().keySet()));
+    assertEquals(List.of(JointColumn.NAME, JointColumn.RANGE, JointColumn.POSITION),
+        List.copyOf(narrow.places().keySet()));
     Grid.Place last = narrow.places().get(JointColumn.POSITION);
     assertTrue(last.left() + last.width() <= 340);
   }
@@ -135,7 +141,8 @@ class TableModelTest {
   }
 
   private JointRow row(String key) {
-    return Lines.of(model.look(), "", Set.of(), Sorting.CHAIN).stream().filter(line -> line.key().equals(key)).map(JointRow.class::cast)
+    return Lines.of(model.look(), "", Set.of(), Sorting.CHAIN).stream().filter(line -> line.key().equals(key))
+        .map(JointRow.class::cast)
         .findFirst().orElseThrow();
   }
 

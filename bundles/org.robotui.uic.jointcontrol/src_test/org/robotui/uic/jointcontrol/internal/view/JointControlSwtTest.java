@@ -320,7 +320,7 @@ class JointControlSwtTest implements Wishes {
 
   private void until(BooleanSupplier condition) {
     long end = System.nanoTime() + 10_000_000_000L;
-    display.timerExec(10_100, () -> { });
+    display.timerExec(10_100, () -> {});
     while (!condition.getAsBoolean() && System.nanoTime() < end) {
       if (!display.readAndDispatch()) {
         display.sleep();

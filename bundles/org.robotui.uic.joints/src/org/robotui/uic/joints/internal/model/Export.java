@@ -34,7 +34,8 @@ public final class Export {
   }
 
   private static String yaml(List<JointRow> rows, String source) {
-    return rows.stream().filter(row -> row.source().toString().equals(source)).map(Export::yamlEntry).collect(Collectors.joining());
+    return rows.stream().filter(row -> row.source().toString().equals(source)).map(Export::yamlEntry)
+        .collect(Collectors.joining());
   }
 
   private static String yamlEntry(JointRow row) {
@@ -46,7 +47,8 @@ public final class Export {
     if (Double.isNaN(value)) {
       return ".nan";
     }
-    return Double.isInfinite(value) ? value > 0 ? ".inf" : "-.inf" : Double.toString(value).replaceFirst("E(?=\\d)", "E+");
+    return Double.isInfinite(value) ? value > 0 ? ".inf" : "-.inf"
+        : Double.toString(value).replaceFirst("E(?=\\d)", "E+");
   }
 
   /** Names of robots are hostile: whatever is in them stays one text. */

@@ -26,7 +26,8 @@ record JointPlaces(JointRow.Fields fields, List<String> names, Map<String, Integ
   /** The places after one message more. */
   JointPlaces with(DynamicRecord message) {
     return message.field("name").map(field -> with(JointRow.Fields.ARRAYS, texts(field, Optional::of)))
-        .or(() -> message.field("joints").map(field -> with(JointRow.Fields.RECORDS, texts(field, JointPlaces::nameOf))))
+        .or(() -> message.field("joints")
+            .map(field -> with(JointRow.Fields.RECORDS, texts(field, JointPlaces::nameOf))))
         .orElse(this);
   }
 
@@ -45,7 +46,8 @@ record JointPlaces(JointRow.Fields fields, List<String> names, Map<String, Integ
   private static List<String> texts(FieldValue field, Function<FieldValue, Optional<FieldValue>> text) {
     return field instanceof FieldValue.Items items
         ? items.values().stream()
-            .map(item -> text.apply(item).filter(FieldValue.Text.class::isInstance).map(t -> ((FieldValue.Text) t).value()).orElse(""))
+            .map(item -> text.apply(item).filter(FieldValue.Text.class::isInstance)
+                .map(t -> ((FieldValue.Text) t).value()).orElse(""))
             .toList()
         : List.of();
   }

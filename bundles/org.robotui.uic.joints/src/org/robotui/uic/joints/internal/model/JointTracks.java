@@ -27,7 +27,8 @@ public final class JointTracks {
     sources.keySet().retainAll(connected);
     connected.forEach(this::of);
     input.drain(envelope -> of(envelope.source()).put(envelope.value(), envelope.receivedNanos()));
-    messages.drain(message -> Optional.ofNullable(sources.get(message.source())).ifPresent(source -> source.learn(message, now)));
+    messages.drain(
+        message -> Optional.ofNullable(sources.get(message.source())).ifPresent(source -> source.learn(message, now)));
     Set<SourceId> next = sources.entrySet().stream().filter(e -> e.getValue().wantsMessage(now)).map(Map.Entry::getKey)
         .collect(Collectors.toUnmodifiableSet());
     if (!next.equals(asked)) {
@@ -43,7 +44,8 @@ public final class JointTracks {
 
   /** All that is to be shown. */
   public JointsLook look(Input<JointState> input, JointOptions options, long now) {
-    List<SourceRow> rows = sources.entrySet().stream().map(e -> e.getValue().look(input.state(e.getKey()), now)).toList();
+    List<SourceRow> rows =
+        sources.entrySet().stream().map(e -> e.getValue().look(input.state(e.getKey()), now)).toList();
     List<JointRow> joints = sources.entrySet().stream()
         .flatMap(e -> e.getValue().rows(input.state(e.getKey()), options, now)).toList();
     boolean leftOut = sources.values().stream().anyMatch(SourceTracks::leftOut);

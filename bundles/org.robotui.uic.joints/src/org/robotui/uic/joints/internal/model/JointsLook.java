@@ -17,7 +17,8 @@ import org.robotui.ui.StateView;
  * @param degrees whether angles are in degrees
  * @param leftOut whether there are more joints than are listed
  */
-public record JointsLook(InputState state, List<SourceRow> sources, List<JointRow> joints, boolean degrees, boolean leftOut) {
+public record JointsLook(InputState state, List<SourceRow> sources, List<JointRow> joints, boolean degrees,
+    boolean leftOut) {
   /** Copies the lists. */
   public JointsLook {
     sources = List.copyOf(sources);
@@ -32,7 +33,8 @@ public record JointsLook(InputState state, List<SourceRow> sources, List<JointRo
   /** The joints that contain all of some words in name or source. */
   public List<JointRow> matching(String words) {
     List<String> wanted = Stream.of(words.strip().toLowerCase(Locale.ROOT).split("\\s+")).toList();
-    return joints.stream().filter(row -> wanted.stream().allMatch(row.key().toLowerCase(Locale.ROOT)::contains)).toList();
+    return joints.stream().filter(row -> wanted.stream().allMatch(row.key().toLowerCase(Locale.ROOT)::contains))
+        .toList();
   }
 
   /** Whether a joint has no configured unit, so that rad cannot be told from m. */
@@ -44,9 +46,9 @@ public record JointsLook(InputState state, List<SourceRow> sources, List<JointRo
   public String note() {
     long stale = joints.stream().filter(JointRow::stale).count();
     return Stream.of(
-            joints.size() + (joints.size() == 1 ? " joint" : " joints") + (leftOut ? ", more left out" : ""),
-            stale == 0 ? "" : stale + " stale",
-            several() ? sources.size() + " sources" : "")
+        joints.size() + (joints.size() == 1 ? " joint" : " joints") + (leftOut ? ", more left out" : ""),
+        stale == 0 ? "" : stale + " stale",
+        several() ? sources.size() + " sources" : "")
         .filter(part -> !part.isEmpty()).collect(Collectors.joining(" \u00b7 "));
   }
 

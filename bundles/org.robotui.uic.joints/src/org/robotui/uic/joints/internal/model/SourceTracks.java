@@ -51,7 +51,10 @@ final class SourceTracks {
     }
   }
 
-  /** Learns where joints stand from a message as it came; one without its bytes may be several merged, and counts only if all are so. */
+  /**
+   * Learns where joints stand from a message as it came; one without its bytes may be several merged, and counts only
+   * if all are so.
+   */
   void learn(Envelope<JointState> message, long now) {
     bare = message.raw().isPresent() ? 0 : bare + 1;
     if (bare == 0 || bare >= ENOUGH_BARE) {

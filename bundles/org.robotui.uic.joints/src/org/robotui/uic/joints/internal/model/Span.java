@@ -16,7 +16,8 @@ public record Span(double min, double max, boolean configured) {
     if (configured || !Double.isFinite(position)) {
       return this;
     }
-    return isKnown() ? new Span(Math.min(min, position), Math.max(max, position), false) : new Span(position, position, false);
+    return isKnown() ? new Span(Math.min(min, position), Math.max(max, position), false)
+        : new Span(position, position, false);
   }
 
   /** Whether there is one. */
@@ -24,7 +25,9 @@ public record Span(double min, double max, boolean configured) {
     return !Double.isNaN(min) && !Double.isNaN(max);
   }
 
-  /** Where a position lies, 0 at the lowest and 1 at the highest, the middle where they are the same; NaN where unknown. */
+  /**
+   * Where a position lies, 0 at the lowest and 1 at the highest, the middle where they are the same; NaN where unknown.
+   */
   public double share(double position) {
     if (!isKnown() || !Double.isFinite(position)) {
       return Double.NaN;

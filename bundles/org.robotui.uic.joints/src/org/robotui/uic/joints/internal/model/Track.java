@@ -39,7 +39,8 @@ final class Track {
     return (sourceNanos - received) * NANOS > Math.max(LEAST_SILENCE, INTERVALS * interval);
   }
 
-  JointRow row(SourceId source, JointOptions options, boolean stale, long now, JointRow.Fields fields, OptionalInt index) {
+  JointRow row(SourceId source, JointOptions options, boolean stale, long now, JointRow.Fields fields,
+      OptionalInt index) {
     String name = newest.name();
     return new JointRow(source, newest, options.unit(name), options.limits(name).orElse(seen),
         Math.max(0, (now - received) * NANOS), stale, fields, index);

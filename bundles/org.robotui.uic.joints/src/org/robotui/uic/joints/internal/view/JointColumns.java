@@ -55,13 +55,16 @@ record JointColumns(boolean several, boolean degrees, boolean unitsUnknown) {
   private Column<JointRow> make(JointColumn column, Theme theme) {
     String heading = column.heading(degrees, unitsUnknown);
     return (switch (column) {
-      case JOINT -> Column.<JointRow>words(heading, row -> column.text(row, degrees)).dot(JointColumns::health).role(JointColumns::name);
-      case SOURCE -> Column.<JointRow>words(heading, row -> column.text(row, degrees)).weight(SOURCE_SHARE).role(Role.DIM).from(ROOM_FOR_SOURCE);
+      case JOINT -> Column.<JointRow>words(heading, row -> column.text(row, degrees)).dot(JointColumns::health)
+          .role(JointColumns::name);
+      case SOURCE -> Column.<JointRow>words(heading, row -> column.text(row, degrees)).weight(SOURCE_SHARE)
+          .role(Role.DIM).from(ROOM_FOR_SOURCE);
       case RANGE -> Column.<JointRow>words(heading, row -> column.text(row, degrees)).weight(RANGE_SHARE)
           .painted(new RangePainter(theme, degrees)::paint).hint(row -> hint(row, column)).from(ROOM_FOR_RANGE);
       case POSITION -> figures(column, heading).width(POSITION_WIDTH);
       case VELOCITY, EFFORT -> figures(column, heading).width(FIGURES_WIDTH).from(ROOM_FOR_VELOCITY);
-      case AGE -> Column.<JointRow>figures(heading, row -> column.text(row, degrees)).role(row -> row.stale() ? Role.WARNING : Role.DIM)
+      case AGE -> Column.<JointRow>figures(heading, row -> column.text(row, degrees))
+          .role(row -> row.stale() ? Role.WARNING : Role.DIM)
           .width(AGE_WIDTH).from(ROOM_FOR_AGE);
     }).order(column.order());
   }

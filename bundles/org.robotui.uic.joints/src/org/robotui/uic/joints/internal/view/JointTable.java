@@ -54,12 +54,14 @@ final class JointTable {
 
   /** The column by which it is sorted, and whether downwards. */
   Optional<Sorting> sorting() {
-    return table.order().flatMap(order -> JointColumns.which(columns, order.column()).map(column -> new Sorting(column, order.descending())));
+    return table.order().flatMap(
+        order -> JointColumns.which(columns, order.column()).map(column -> new Sorting(column, order.descending())));
   }
 
   /** Sorts as another table did, where it has that column. */
   void sort(Sorting by) {
-    Optional.ofNullable(columns.get(by.column())).ifPresent(column -> table.order(new RowOrder<>(column, by.descending())));
+    Optional.ofNullable(columns.get(by.column()))
+        .ifPresent(column -> table.order(new RowOrder<>(column, by.descending())));
   }
 
   private void menu(PopupMenu menu, List<JointRow> rows) {
@@ -82,14 +84,19 @@ final class JointTable {
   /** A stream for each port, with the fields of its joints. */
   private static List<Subject.Stream> streams(List<JointRow> rows, JointColumn column) {
     Map<SourceId, List<String>> fields = new LinkedHashMap<>();
-    rows.forEach(row -> Address.field(row, column).ifPresent(field -> fields.computeIfAbsent(row.source(), s -> new ArrayList<>()).add(field)));
+    rows.forEach(row -> Address.field(row, column)
+        .ifPresent(field -> fields.computeIfAbsent(row.source(), s -> new ArrayList<>()).add(field)));
     return fields.entrySet().stream().map(entry -> new Subject.Stream(entry.getKey(), entry.getValue())).toList();
   }
 
-  /** What is dragged is what the column under the pointer shows, of all selected rows: the press has selected the one there. */
+  /**
+   * What is dragged is what the column under the pointer shows, of all selected rows: the press has selected the one
+   * there.
+   */
   private void drag() {
     PortDrag.from(list().control(), at -> {
-      JointColumn column = table.columnAt(at.x).flatMap(c -> JointColumns.which(columns, c)).orElse(JointColumn.POSITION);
+      JointColumn column =
+          table.columnAt(at.x).flatMap(c -> JointColumns.which(columns, c)).orElse(JointColumn.POSITION);
       return Optional.of(new DraggedPorts(ruic, streams(list().selected(), column)));
     });
   }

@@ -20,7 +20,10 @@ import org.robotui.uic.joints.internal.model.Export;
 import org.robotui.uic.joints.internal.model.JointRow;
 import org.robotui.uic.joints.internal.model.JointsLook;
 
-/** What is seen of the view while it is shown: a line of controls and the table. Display thread, but for {@link #prepare}. */
+/**
+ * What is seen of the view while it is shown: a line of controls and the table. Display thread, but for
+ * {@link #prepare}.
+ */
 public final class JointsSurface {
   private static final int WIDEST_FILTER = 160;
   private static final int STRIP_HEIGHT = 26;

@@ -40,7 +40,8 @@ final class SourceStrip {
     if (!next.equals(sources)) {
       sources = next;
       StringBuilder all = new StringBuilder();
-      next.forEach(source -> all.append(all.isEmpty() ? "" : "\n").append(source.source()).append(": ").append(JointsLook.words(source)));
+      next.forEach(source -> all.append(all.isEmpty() ? "" : "\n").append(source.source()).append(": ")
+          .append(JointsLook.words(source)));
       canvas.setToolTipText(all.toString().replace("&", "&&"));
       canvas.redraw();
     }

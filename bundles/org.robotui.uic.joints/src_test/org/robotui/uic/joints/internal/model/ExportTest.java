@@ -23,7 +23,8 @@ class ExportTest {
   @Test
   void csvKeepsHostileNamesInTheirCell() {
     assertEquals("base./joint_states,\"a,\"\"b\"\"\n\",0.0,0.0,0.0,0.5\n",
-        Export.csv(List.of(row("a,\"b\"\n", 0, 0, 0))).substring("source,joint,position,velocity,effort,age_s\n".length()));
+        Export.csv(List.of(row("a,\"b\"\n", 0, 0, 0)))
+            .substring("source,joint,position,velocity,effort,age_s\n".length()));
   }
 
   @Test
@@ -32,7 +33,8 @@ class ExportTest {
         "base./joint_states":
           "shoulder": {position: 1.25, velocity: .nan, effort: -3.0}
           "a: \\"b\\"\\n\\x07": {position: .inf, velocity: 1.0E+12, effort: 1.0E-5}
-        """, Export.yaml(List.of(row("shoulder", 1.25, Double.NaN, -3), row("a: \"b\"\n\u0007", Double.POSITIVE_INFINITY, 1e12, 1e-5))));
+        """, Export.yaml(
+        List.of(row("shoulder", 1.25, Double.NaN, -3), row("a: \"b\"\n\u0007", Double.POSITIVE_INFINITY, 1e12, 1e-5))));
   }
 
   @Test
@@ -41,9 +43,11 @@ class ExportTest {
     assertEquals(Optional.of("position[3]"), Address.field(row, JointColumn.POSITION));
     assertEquals(Optional.of("position[3]"), Address.field(row, JointColumn.JOINT));
     assertEquals(Optional.of("effort[3]"), Address.field(row, JointColumn.EFFORT));
-    JointRow record = new JointRow(ARM, row.joint(), JointUnit.RADIANS, Span.NONE, 0, false, JointRow.Fields.RECORDS, OptionalInt.of(1));
+    JointRow record = new JointRow(ARM, row.joint(), JointUnit.RADIANS, Span.NONE, 0, false, JointRow.Fields.RECORDS,
+        OptionalInt.of(1));
     assertEquals(Optional.of("joints[1].velocity"), Address.field(record, JointColumn.VELOCITY));
-    JointRow nowhere = new JointRow(ARM, row.joint(), JointUnit.RADIANS, Span.NONE, 0, false, JointRow.Fields.ARRAYS, OptionalInt.empty());
+    JointRow nowhere = new JointRow(ARM, row.joint(), JointUnit.RADIANS, Span.NONE, 0, false, JointRow.Fields.ARRAYS,
+        OptionalInt.empty());
     assertEquals(Optional.empty(), Address.field(nowhere, JointColumn.POSITION));
   }
 

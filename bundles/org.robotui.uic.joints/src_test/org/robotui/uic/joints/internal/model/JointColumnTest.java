@@ -31,7 +31,8 @@ class JointColumnTest {
   @Test
   void whatIsUnknownIsADashAndNeverNaN() {
     JointRow row = row(JointUnit.METRES, Double.NaN);
-    for (JointColumn column : List.of(JointColumn.POSITION, JointColumn.VELOCITY, JointColumn.EFFORT, JointColumn.RANGE)) {
+    for (JointColumn column : List.of(JointColumn.POSITION, JointColumn.VELOCITY, JointColumn.EFFORT,
+        JointColumn.RANGE)) {
       assertEquals("\u2014", column.text(row, true), column.name());
       assertEquals("\u2014", column.text(row, false), column.name());
     }
@@ -39,8 +40,9 @@ class JointColumnTest {
 
   @Test
   void unknownValuesSortBelowAllOthers() {
-    List<JointRow> sorted = Stream.of(row(JointUnit.RADIANS, 1), row(JointUnit.RADIANS, Double.NaN), row(JointUnit.RADIANS, -5))
-        .sorted(JointColumn.POSITION.order()).toList();
+    List<JointRow> sorted =
+        Stream.of(row(JointUnit.RADIANS, 1), row(JointUnit.RADIANS, Double.NaN), row(JointUnit.RADIANS, -5))
+            .sorted(JointColumn.POSITION.order()).toList();
     assertTrue(Double.isNaN(sorted.getFirst().joint().position()));
     Comparator<JointRow> down = JointColumn.POSITION.order().reversed();
     assertEquals(1, sorted.stream().sorted(down).findFirst().orElseThrow().joint().position());

@@ -38,7 +38,8 @@ class JointPlacesTest {
   }
 
   static DynamicRecord message(String... names) {
-    return new Message("name", new FieldValue.Items(Stream.of(names).map(n -> (FieldValue) new FieldValue.Text(n)).toList()));
+    return new Message("name",
+        new FieldValue.Items(Stream.of(names).map(n -> (FieldValue) new FieldValue.Text(n)).toList()));
   }
 
   private record Message(String only, FieldValue value) implements DynamicRecord {

@@ -42,7 +42,7 @@ class JointTracksTest {
   @Test
   void aJointThatStopsComingWhileOthersComeIsStale() {
     for (int i = 0; i < 50; i++) {
-      put(ARM, i * 100 * MS, i < 20 ? new String[] {"shoulder", "elbow"} : new String[] {"shoulder"});
+      put(ARM, i * 100 * MS, i < 20 ? new String[]{"shoulder", "elbow"} : new String[]{"shoulder"});
     }
     JointsLook look = look(4_900 * MS);
     assertFalse(row(look, "shoulder").stale());
@@ -54,7 +54,7 @@ class JointTracksTest {
   @Test
   void aJointThatComesSeldomIsNotStaleWithinItsRhythm() {
     for (int i = 0; i <= 120; i++) {
-      put(ARM, i * 100 * MS, i % 30 == 0 ? new String[] {"shoulder", "slow"} : new String[] {"shoulder"});
+      put(ARM, i * 100 * MS, i % 30 == 0 ? new String[]{"shoulder", "slow"} : new String[]{"shoulder"});
     }
     put(ARM, 19_000 * MS, "shoulder");
     assertFalse(row(look(19_000 * MS), "slow").stale(), "it came every 3 s, the last time 7 s ago");
@@ -99,7 +99,8 @@ class JointTracksTest {
   @Test
   void configuredUnitsAndLimitsWin() {
     position(0, 7);
-    JointOptions options = new JointOptions(true, Map.of("joint", JointUnit.METRES), Map.of("joint", new Span(0, 1, true)));
+    JointOptions options =
+        new JointOptions(true, Map.of("joint", JointUnit.METRES), Map.of("joint", new Span(0, 1, true)));
     tracks.take(input, messages, 0);
     JointRow row = tracks.look(input, options, 0).joints().getFirst();
     assertEquals(JointUnit.METRES, row.unit());
@@ -172,9 +173,11 @@ class JointTracksTest {
 
   private void message(boolean kept, String... joints) {
     Optional<RawMessage> raw = kept
-        ? Optional.of(new RawMessage("sensor_msgs/JointState", "ros1", Bytes.of(new byte[0]), bytes -> Optional.of(JointPlacesTest.message(joints))))
+        ? Optional.of(new RawMessage("sensor_msgs/JointState", "ros1", Bytes.of(new byte[0]),
+            bytes -> Optional.of(JointPlacesTest.message(joints))))
         : Optional.empty();
-    messages.put(ARM, new JointState(Stream.of(joints).map(name -> new Joint(name, 0, 0, 0)).toList()), 0, Optional.empty(), raw);
+    messages.put(ARM, new JointState(Stream.of(joints).map(name -> new Joint(name, 0, 0, 0)).toList()), 0,
+        Optional.empty(), raw);
   }
 
   private void position(long at, double position) {
@@ -182,7 +185,8 @@ class JointTracksTest {
   }
 
   private void put(SourceId source, long at, String... joints) {
-    input.put(source, new JointState(Stream.of(joints).map(name -> new Joint(name, 0, 0, 0)).toList()), at, Optional.empty());
+    input.put(source, new JointState(Stream.of(joints).map(name -> new Joint(name, 0, 0, 0)).toList()), at,
+        Optional.empty());
   }
 
   private JointsLook look(long now) {

@@ -155,12 +155,14 @@ class JointsSwtTest {
 
   private static JointsLook look(JointRow... rows) {
     InputState live = new InputState.Live(10, 0.02);
-    List<SourceRow> sources = List.of(rows).stream().map(JointRow::source).distinct().map(s -> new SourceRow(s, live, 1, 0.02)).toList();
+    List<SourceRow> sources =
+        List.of(rows).stream().map(JointRow::source).distinct().map(s -> new SourceRow(s, live, 1, 0.02)).toList();
     return new JointsLook(live, sources, List.of(rows), false, false);
   }
 
   private static JointRow row(SourceId source, String name, double position) {
-    return new JointRow(source, new Joint(name, position, 0, Double.NaN), JointUnit.RADIANS, new Span(-1, 3, false), 0.02, false,
+    return new JointRow(source, new Joint(name, position, 0, Double.NaN), JointUnit.RADIANS, new Span(-1, 3, false),
+        0.02, false,
         JointRow.Fields.ARRAYS, OptionalInt.of(0));
   }
 

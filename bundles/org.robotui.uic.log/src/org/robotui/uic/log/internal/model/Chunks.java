@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A queue that is read by index and of which a picture can be taken at little cost: pictures share the chunks, of which only
- * places that no picture shows are written. One thread writes.
+ * A queue that is read by index and of which a picture can be taken at little cost: pictures share the chunks, of which
+ * only places that no picture shows are written. One thread writes.
  */
 final class Chunks<T> {
   static final int CHUNK = 512;

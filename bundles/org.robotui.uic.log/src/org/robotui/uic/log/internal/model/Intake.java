@@ -36,8 +36,9 @@ final class Intake {
       return Optional.empty();
     }
     String message = cut(value.message(), LONGEST_MESSAGE);
-    return Optional.of(new Entry(nextId++, value.severity(), origin, message, shared(cut(value.location(), LONGEST_LOCATION)),
-        nanos(envelope), value.message().length() - message.length()));
+    return Optional
+        .of(new Entry(nextId++, value.severity(), origin, message, shared(cut(value.location(), LONGEST_LOCATION)),
+            nanos(envelope), value.message().length() - message.length()));
   }
 
   /** To be called after each drain. */

@@ -16,7 +16,8 @@ import org.robotui.data.status.Severity;
  */
 public record LogFilter(Set<Severity> levels, Set<String> only, Set<String> hidden, Search search, boolean collapse) {
   /** Shows all. */
-  public static final LogFilter ALL = new LogFilter(EnumSet.allOf(Severity.class), Set.of(), Set.of(), Search.ALL, false);
+  public static final LogFilter ALL =
+      new LogFilter(EnumSet.allOf(Severity.class), Set.of(), Set.of(), Search.ALL, false);
 
   /** Copies the sets. */
   public LogFilter {

@@ -12,8 +12,8 @@ import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
 
 /**
- * The log: takes what comes, keeps the newest, shows what the filter leaves. The tick is called on one thread; filter and
- * clearing may be asked for on any.
+ * The log: takes what comes, keeps the newest, shows what the filter leaves. The tick is called on one thread; filter
+ * and clearing may be asked for on any.
  */
 public final class LogModel {
   /** How long a tick may look for matches. */
@@ -117,13 +117,16 @@ public final class LogModel {
     Map<Severity, Integer> counts = new EnumMap<>(Severity.class);
     Arrays.stream(Severity.values()).forEach(severity -> counts.put(severity, store.count(severity)));
     return new Shown(matches.lines(), filter, Map.copyOf(counts), store.origins(), store.size(), total,
-        end() - matches.next(), store.endId() - end(), rate.hertz(), Math.max(0, input.dropped() - droppedBefore), cleared);
+        end() - matches.next(), store.endId() - end(), rate.hertz(), Math.max(0, input.dropped() - droppedBefore),
+        cleared);
   }
 
   private static boolean same(Shown one, Shown other) {
     return one.kept() == other.kept() && one.total() == other.total() && one.lines().size() == other.lines().size()
-        && one.left() == other.left() && one.held() == other.held() && one.rateHz() == other.rateHz() && one.dropped() == other.dropped()
-        && one.filter().equals(other.filter()) && one.filter().search().problem().equals(other.filter().search().problem())
+        && one.left() == other.left() && one.held() == other.held() && one.rateHz() == other.rateHz()
+        && one.dropped() == other.dropped()
+        && one.filter().equals(other.filter())
+        && one.filter().search().problem().equals(other.filter().search().problem())
         && one.cleared() == other.cleared();
   }
 }

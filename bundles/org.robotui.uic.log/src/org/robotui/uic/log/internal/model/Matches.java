@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * The lines that a filter leaves of a store. It looks at each entry once, as far as its time allows: a changed filter over
- * many entries, or a slow expression, takes several ticks and never holds one up. One thread.
+ * The lines that a filter leaves of a store. It looks at each entry once, as far as its time allows: a changed filter
+ * over many entries, or a slow expression, takes several ticks and never holds one up. One thread.
  */
 final class Matches {
   private final Chunks<LogLine> lines = new Chunks<>();

@@ -6,7 +6,7 @@ final class Metered implements CharSequence {
   private final int[] left;
 
   Metered(String text, int reads) {
-    this(text, new int[] {reads});
+    this(text, new int[]{reads});
   }
 
   private Metered(String text, int[] left) {

@@ -29,7 +29,8 @@ public record Notice(Health health, String title, String sentence) {
       return Optional.of(new Notice(Health.NONE, "Paused", shown.held() + " entries came meanwhile."));
     }
     return Optional.of(new Notice(Health.NONE, "No match",
-        shown.kept() + " entries are hidden by " + shown.filter().words() + ". \u201cShow all\u201d brings them back."));
+        shown.kept() + " entries are hidden by " + shown.filter().words()
+            + ". \u201cShow all\u201d brings them back."));
   }
 
   /** What is said above the rows: a bad search, or that nothing new can come. */
@@ -47,7 +48,8 @@ public record Notice(Health health, String title, String sentence) {
   /** The short text of the view's title line. */
   public static String title(Shown shown) {
     StringBuilder text = new StringBuilder();
-    text.append(shown.lines().size() == shown.kept() ? count(shown.kept()) : count(shown.lines().size()) + " of " + count(shown.kept()));
+    text.append(shown.lines().size() == shown.kept() ? count(shown.kept())
+        : count(shown.lines().size()) + " of " + count(shown.kept()));
     if (shown.rateHz() > 0) {
       text.append("  ").append(org.robotui.ui.Figures.of(shown.rateHz(), shown.rateHz() < 10 ? 1 : 0, "/s"));
     }

@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 
 /**
- * What is searched for. An expression that cannot be read, or that once took too long, searches nothing and says so: all
- * entries are shown then. Safe for all threads.
+ * What is searched for. An expression that cannot be read, or that once took too long, searches nothing and says so:
+ * all entries are shown then. Safe for all threads.
  */
 public final class Search {
   /** Shows all. */

@@ -19,7 +19,8 @@ import org.robotui.data.status.Severity;
  * @param dropped entries lost on the way
  * @param cleared whether the log was cleared
  */
-public record Shown(List<LogLine> lines, LogFilter filter, Map<Severity, Integer> counts, List<OriginCount> origins, int kept, long total,
+public record Shown(List<LogLine> lines, LogFilter filter, Map<Severity, Integer> counts, List<OriginCount> origins,
+    int kept, long total,
     long left, long held, double rateHz, long dropped, boolean cleared) {
   /** Nothing came yet. */
   public static final Shown NOTHING = new Shown(List.of(), LogFilter.ALL, Map.of(), List.of(), 0, 0, 0, 0, 0, 0, false);

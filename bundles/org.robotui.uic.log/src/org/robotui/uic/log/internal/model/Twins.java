@@ -10,9 +10,9 @@ import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
 
 /**
- * Recognises what a robot says twice, on two ports, as where one repeats what comes on others. An entry of a second source is
- * a twin where another source gave the same (stamp, origin, severity, message) within two seconds; what one source itself
- * repeats is no twin. One thread.
+ * Recognises what a robot says twice, on two ports, as where one repeats what comes on others. An entry of a second
+ * source is a twin where another source gave the same (stamp, origin, severity, message) within two seconds; what one
+ * source itself repeats is no twin. One thread.
  */
 final class Twins {
   static final int MOST = 20_000;
@@ -39,8 +39,10 @@ final class Twins {
     long received = envelope.receivedNanos();
     newest = Math.max(newest, received);
     LogEntry e = envelope.value();
-    Key key = new Key(envelope.stamp().map(s -> s.nanos()).orElse(0L), origin, e.severity(), e.message().length(), e.message().hashCode());
-    Seen known = seen.compute(key, (k, old) -> old == null || Math.abs(received - old.since) > WITHIN_NANOS ? new Seen(received) : old);
+    Key key = new Key(envelope.stamp().map(s -> s.nanos()).orElse(0L), origin, e.severity(), e.message().length(),
+        e.message().hashCode());
+    Seen known = seen.compute(key,
+        (k, old) -> old == null || Math.abs(received - old.since) > WITHIN_NANOS ? new Seen(received) : old);
     int ofThisSource = known.perSource.merge(envelope.source(), 1, Integer::sum);
     if (seen.size() > MOST) {
       forget(MOST, Long.MIN_VALUE);
@@ -55,8 +57,8 @@ final class Twins {
   }
 
   /**
-   * Forgets what is too old to have twins. To be called between drains: in one drain sources may come one after the other,
-   * each with all it has.
+   * Forgets what is too old to have twins. To be called between drains: in one drain sources may come one after the
+   * other, each with all it has.
    */
   void settle() {
     forget(MOST, newest - WITHIN_NANOS);

@@ -47,14 +47,16 @@ public final class Wording {
     Entry e = line.last();
     String again = line.count() > 1 ? " (" + line.count() + " times since " + date(line.first()) + ")" : "";
     String where = e.location().isEmpty() ? "" : "  (" + e.location() + ")";
-    return date(e) + "  " + String.format(Locale.ROOT, "%-5s", word(e.severity()).toUpperCase(Locale.ROOT)) + "  [" + e.origin() + "]  "
+    return date(e) + "  " + String.format(Locale.ROOT, "%-5s", word(e.severity()).toUpperCase(Locale.ROOT)) + "  ["
+        + e.origin() + "]  "
         + whole(e).stripTrailing().replace("\n", "\n    ") + where + again;
   }
 
   /** The message, and what was not kept of it. */
   public static String whole(Entry entry) {
     return entry.cut() == 0 ? entry.message()
-        : entry.message() + "\n[" + String.format(Locale.ROOT, "%,d", entry.cut()).replace(',', ' ') + " further characters were not kept]";
+        : entry.message() + "\n[" + String.format(Locale.ROOT, "%,d", entry.cut()).replace(',', ' ')
+            + " further characters were not kept]";
   }
 
   private String written(long nanos, DateTimeFormatter form) {

@@ -20,6 +20,7 @@ public record Frame(Shown shown, LogFilter filter, InputState state, boolean pau
   public boolean looksLike(Frame other) {
     return filter.equals(other.filter) && paused == other.paused && nodes == other.nodes && told.equals(other.told)
         && state.getClass() == other.state.getClass() && (state instanceof InputState.Live
-            || StateView.word(state).equals(StateView.word(other.state)) && state.explanation().equals(other.state.explanation()));
+            || StateView.word(state).equals(StateView.word(other.state))
+                && state.explanation().equals(other.state.explanation()));
   }
 }

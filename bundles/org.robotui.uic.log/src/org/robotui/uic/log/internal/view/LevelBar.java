@@ -63,7 +63,8 @@ final class LevelBar {
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.FocusIn, e -> canvas.redraw());
     canvas.addListener(SWT.FocusOut, e -> canvas.redraw());
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     canvas.getAccessible().addAccessibleListener(new AccessibleAdapter() {
       @Override
       public void getName(AccessibleEvent e) {
@@ -95,7 +96,8 @@ final class LevelBar {
   }
 
   private String words() {
-    return ALL.stream().map(s -> Wording.word(s) + " " + counts.getOrDefault(s, 0) + (shown.contains(s) ? " shown" : " hidden"))
+    return ALL.stream()
+        .map(s -> Wording.word(s) + " " + counts.getOrDefault(s, 0) + (shown.contains(s) ? " shown" : " hidden"))
         .collect(Collectors.joining(", "));
   }
 
@@ -171,7 +173,8 @@ final class LevelBar {
   private void hover(int index) {
     if (index != hot) {
       hot = index;
-      canvas.setToolTipText(index < 0 ? null : (shown.contains(ALL.get(index)) ? "Hide " : "Show ") + Wording.word(ALL.get(index)));
+      canvas.setToolTipText(
+          index < 0 ? null : (shown.contains(ALL.get(index)) ? "Hide " : "Show ") + Wording.word(ALL.get(index)));
       canvas.redraw();
     }
   }
@@ -189,7 +192,7 @@ final class LevelBar {
       case SWT.ARROW_LEFT -> marked = Math.max(0, marked - 1);
       case SWT.ARROW_RIGHT -> marked = Math.min(ALL.size() - 1, marked + 1);
       case ' ', SWT.CR -> toggled.accept(ALL.get(marked));
-      default -> { }
+      default -> {}
     }
     canvas.redraw();
   }

@@ -111,11 +111,12 @@ final class LineLook implements RowLook<LogLine> {
   }
 
   private void level(GC gc, Rectangle at, int x, Severity severity) {
-    Severities.dot(severity).ifPresent(health ->
-        HealthDot.paint(gc, theme, health, x + HealthDot.SIZE / 2, at.y + at.height / 2));
+    Severities.dot(severity)
+        .ifPresent(health -> HealthDot.paint(gc, theme, health, x + HealthDot.SIZE / 2, at.y + at.height / 2));
     int lead = HealthDot.SIZE + 6;
     Face face = severity == Severity.FATAL ? Face.BODY_STRONG : Face.BODY;
-    words(gc, at, x + lead, LEVEL - lead + 6, Wording.word(severity), face, theme.color(Severities.role(severity)), false);
+    words(gc, at, x + lead, LEVEL - lead + 6, Wording.word(severity), face, theme.color(Severities.role(severity)),
+        false);
   }
 
   private int count(GC gc, Rectangle at, int right, int count) {
@@ -127,7 +128,8 @@ final class LineLook implements RowLook<LogLine> {
     Point size = gc.textExtent(text);
     int width = size.x + 2 * Theme.STEP;
     gc.setBackground(theme.mix(Role.TEXT, Role.PANEL, TINT));
-    gc.fillRoundRectangle(right - width, at.y + (at.height - size.y) / 2 - 1, width, size.y + 2, 2 * CORNER, 2 * CORNER);
+    gc.fillRoundRectangle(right - width, at.y + (at.height - size.y) / 2 - 1, width, size.y + 2, 2 * CORNER,
+        2 * CORNER);
     gc.setForeground(theme.color(Role.TEXT));
     gc.drawText(text, right - width + Theme.STEP, at.y + (at.height - size.y) / 2, true);
     return width + GAP;

@@ -88,7 +88,8 @@ final class ListArea {
   private void tellNew(boolean paused) {
     boolean wanted = paused || !list.following() && !shown.lines().isEmpty();
     if (wanted) {
-      String words = paused ? "Paused, resume" + (shown.held() == 0 ? "" : ", " + shown.held() + " new") : words(newLines());
+      String words =
+          paused ? "Paused, resume" + (shown.held() == 0 ? "" : ", " + shown.held() + " new") : words(newLines());
       pill.text(words);
       arrange();
     }

@@ -37,8 +37,10 @@ final class LogBar {
     search.onDown(down);
     expression = new QuietButton(root, theme, () -> search(search.words(), !this.filter.search().expression()))
         .text(".*").hint("Search by regular expression");
-    nodes = new QuietButton(root, theme, () -> hands.nodes(!nodesShown)).text("Nodes").hint("List the nodes, to show or hide each");
-    levels = new LevelBar(root, theme, severity -> hands.filter(this.filter.level(severity, !this.filter.levels().contains(severity))));
+    nodes = new QuietButton(root, theme, () -> hands.nodes(!nodesShown)).text("Nodes")
+        .hint("List the nodes, to show or hide each");
+    levels = new LevelBar(root, theme,
+        severity -> hands.filter(this.filter.level(severity, !this.filter.levels().contains(severity))));
     RowData place = new RowData(levels.width(), LevelBar.HEIGHT);
     levels.control().setLayoutData(place);
     parent.addListener(SWT.Resize, e -> place.width = Math.min(levels.width(), parent.getSize().x - 4 * Theme.STEP));

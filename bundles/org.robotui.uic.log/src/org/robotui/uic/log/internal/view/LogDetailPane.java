@@ -85,7 +85,8 @@ final class LogDetailPane {
       HealthDot.paint(gc, theme, health, x[0] + HealthDot.SIZE / 2, middle);
       x[0] += HealthDot.SIZE + 2 * Theme.STEP;
     });
-    word(gc, area, x, Wording.word(shown.last().severity()), Face.BODY_STRONG, Severities.role(shown.last().severity()));
+    word(gc, area, x, Wording.word(shown.last().severity()), Face.BODY_STRONG,
+        Severities.role(shown.last().severity()));
     word(gc, area, x, wording.date(shown.last()), Face.FIGURES, Role.DIM);
     word(gc, area, x, shown.last().origin(), Face.BODY_STRONG, Role.TEXT);
     if (shown.count() > 1) {

@@ -157,18 +157,21 @@ public final class LogSurface {
 
   private void fill(PopupMenu menu, List<LogLine> chosen) {
     menu(chosen).forEach(menu::action);
-    chosen.stream().findFirst().ifPresent(line -> subjects.fill(menu.line().under(line.last().origin()), new Subject.Node(line.last().origin())));
+    chosen.stream().findFirst().ifPresent(
+        line -> subjects.fill(menu.line().under(line.last().origin()), new Subject.Node(line.last().origin())));
   }
 
   private List<ViewAction> menu(List<LogLine> chosen) {
     List<ViewAction> actions = new ArrayList<>();
     if (!chosen.isEmpty()) {
       LogLine line = chosen.getFirst();
-      actions.add(NodePane.action("copy", chosen.size() == 1 ? "Copy this entry" : "Copy " + chosen.size() + " entries", this::copy));
-      actions.add(NodePane.action("json", "Copy as JSON", () -> Clipboards.copy(chosen.stream().map(LogJson::of).collect(Collectors.joining()))));
+      actions.add(NodePane.action("copy", chosen.size() == 1 ? "Copy this entry" : "Copy " + chosen.size() + " entries",
+          this::copy));
+      actions.add(NodePane.action("json", "Copy as JSON",
+          () -> Clipboards.copy(chosen.stream().map(LogJson::of).collect(Collectors.joining()))));
       actions.addAll(NodePane.menu(List.of(new OriginCount(line.last().origin(), 0)), frame.filter(), hands));
-      actions.add(NodePane.action("alike", "Search for this message", () ->
-          hands.filter(frame.filter().search(Search.of(line.last().firstLine(FIRST_WORDS), false)))));
+      actions.add(NodePane.action("alike", "Search for this message",
+          () -> hands.filter(frame.filter().search(Search.of(line.last().firstLine(FIRST_WORDS), false)))));
     }
     actions.add(NodePane.action("show_all", "Show all levels and nodes, and end the search", hands::showAll));
     actions.add(NodePane.action("clear", "Clear", hands::clear));

@@ -25,7 +25,8 @@ final class NodePane {
   NodePane(Composite parent, Theme theme, LogHands hands) {
     this.hands = hands;
     look = new NodeLook(theme);
-    list = new RowList<>(parent, theme, look).named("Nodes").onOpen(this::toggle).menu(nodes -> menu(nodes, filter, hands));
+    list = new RowList<>(parent, theme, look).named("Nodes").onOpen(this::toggle)
+        .menu(nodes -> menu(nodes, filter, hands));
     list.control().addListener(SWT.MouseUp, this::released);
   }
 

@@ -75,7 +75,8 @@ class LogModelTest {
     assertEquals("", LogFilter.ALL.words());
     assertEquals("level, node, search",
         LogFilter.ALL.level(Severity.INFO, false).onlyOrigin("/a").search(Search.of("x", false)).words());
-    assertEquals(Set.of("/a"), LogFilter.ALL.onlyOrigin("/a").origin("/a", false).only(), "nothing at all is no choice");
+    assertEquals(Set.of("/a"), LogFilter.ALL.onlyOrigin("/a").origin("/a", false).only(),
+        "nothing at all is no choice");
   }
 
   @Test

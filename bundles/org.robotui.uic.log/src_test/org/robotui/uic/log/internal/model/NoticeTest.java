@@ -36,7 +36,8 @@ class NoticeTest {
     log.info("one").tick();
     Notice lost = Notice.above(log.model.current(), new InputState.Stale(12, "the link is lost")).orElseThrow();
     assertEquals("stale 12\u00a0s: the link is lost", lost.title() + ": " + lost.sentence());
-    assertEquals("not connected", Notice.above(log.model.current(), new InputState.Unconnected("gone")).orElseThrow().title());
+    assertEquals("not connected",
+        Notice.above(log.model.current(), new InputState.Unconnected("gone")).orElseThrow().title());
     assertEquals(Optional.empty(), Notice.above(log.model.current(), LIVE));
   }
 

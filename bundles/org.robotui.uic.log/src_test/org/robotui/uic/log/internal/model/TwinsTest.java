@@ -57,7 +57,8 @@ class TwinsTest {
   void whatIsTooOldToHaveTwinsIsForgotten() {
     Twins twins = new Twins();
     twins.isTwin(new Envelope<>(HOT, Log.DIRECT, 0, Optional.empty(), 0, Optional.empty()), "/motor");
-    twins.isTwin(new Envelope<>(HOT, Log.DIRECT, 0, Optional.of(new Stamp(1, ClockKind.ROBOT)), 3 * Log.SECOND, Optional.empty()), "/motor");
+    twins.isTwin(new Envelope<>(HOT, Log.DIRECT, 0, Optional.of(new Stamp(1, ClockKind.ROBOT)), 3 * Log.SECOND,
+        Optional.empty()), "/motor");
     twins.settle();
     assertEquals(1, twins.size());
   }
@@ -67,7 +68,9 @@ class TwinsTest {
     Twins twins = new Twins();
     assertEquals(List.of(false, false), List.of(
         twins.isTwin(envelope(0), "/motor"),
-        twins.isTwin(new Envelope<>(HOT, Log.REPEATED, 1, Optional.of(new Stamp(1, ClockKind.ROBOT)), 0, Optional.empty()), "/motor")));
+        twins.isTwin(
+            new Envelope<>(HOT, Log.REPEATED, 1, Optional.of(new Stamp(1, ClockKind.ROBOT)), 0, Optional.empty()),
+            "/motor")));
   }
 
   @Test

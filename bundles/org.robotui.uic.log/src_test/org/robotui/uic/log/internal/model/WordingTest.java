@@ -46,7 +46,8 @@ class WordingTest {
   void aLogIsWrittenToAFile(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("robot.log");
     assertEquals("saved 2 entries to " + file,
-        LogFile.write(List.of(LogLine.of(entry(Log.START, "häßlich")), LogLine.of(entry(Log.START, "b"))), wording, file));
+        LogFile.write(List.of(LogLine.of(entry(Log.START, "häßlich")), LogLine.of(entry(Log.START, "b"))), wording,
+            file));
     assertEquals(List.of("2026-01-02 03:04:05.000  WARN   [/motor]  häßlich  (motor.cpp:3)",
         "2026-01-02 03:04:05.000  WARN   [/motor]  b  (motor.cpp:3)"), Files.readAllLines(file));
   }

@@ -15,7 +15,8 @@ class NodePaneTest {
   @Test
   void nodesThatAFilterNamesStayInTheListAlsoWhenTheySayNothing() {
     List<OriginCount> seen = List.of(new OriginCount("/b", 3));
-    assertEquals(List.of(new OriginCount("/a", 0), new OriginCount("/b", 3)), NodePane.rows(seen, LogFilter.ALL.origin("/a", false)));
+    assertEquals(List.of(new OriginCount("/a", 0), new OriginCount("/b", 3)),
+        NodePane.rows(seen, LogFilter.ALL.origin("/a", false)));
     assertEquals(seen, NodePane.rows(seen, LogFilter.ALL));
   }
 

@@ -26,8 +26,8 @@ import org.robotui.ui.scene.Scene;
 import org.robotui.uic.map.internal.Kind;
 
 /**
- * One input of the map: gives each source a layer of its own, prepares its entity from the newest value, and says what is
- * wrong. Worker thread, but for {@link #detail}.
+ * One input of the map: gives each source a layer of its own, prepares its entity from the newest value, and says what
+ * is wrong. Worker thread, but for {@link #detail}.
  *
  * @param <T> the type of the data
  * @param <E> the entity that draws it
@@ -69,7 +69,8 @@ public final class Feed<T extends Data, E extends Entity> {
   }
 
   private enum Trouble {
-    FAILED("failed"), WAITING("wait for data"), REFUSED("sent what was refused"), UNPLACED("without a transform"), STALE("stale");
+    FAILED("failed"), WAITING("wait for data"), REFUSED("sent what was refused"), UNPLACED("without a transform"),
+    STALE("stale");
 
     final String words;
 
@@ -127,7 +128,10 @@ public final class Feed<T extends Data, E extends Entity> {
     return input.sources().stream().flatMap(id -> input.latest(id).stream()).toList();
   }
 
-  /** What users should know of its sources, those of the same trouble in one line; nothing of those that are well or hidden. */
+  /**
+   * What users should know of its sources, those of the same trouble in one line; nothing of those that are well or
+   * hidden.
+   */
   public List<Note> notes(TickContext tick) {
     Map<Trouble, List<Note>> notes = new EnumMap<>(Trouble.class);
     sources.forEach((id, source) -> {
@@ -141,7 +145,8 @@ public final class Feed<T extends Data, E extends Entity> {
 
   private Note together(Trouble trouble, List<Note> notes) {
     String first = trouble == Trouble.STALE ? "" : ", for example " + notes.getFirst().text();
-    return new Note(notes.getFirst().health(), kind.data() + ": " + notes.size() + " of " + sources.size() + " " + trouble.words + first);
+    return new Note(notes.getFirst().health(),
+        kind.data() + ": " + notes.size() + " of " + sources.size() + " " + trouble.words + first);
   }
 
   /** Where a layer's data come from and how old they are; any thread. */
@@ -241,7 +246,8 @@ public final class Feed<T extends Data, E extends Entity> {
       case FAILED, WAITING -> new Note(StateView.health(state), name + ": " + state.explanation());
       case REFUSED -> new Note(Health.WARNING, name + ": " + state.explanation());
       case UNPLACED -> new Note(Health.WARNING, name + ": " + source.problem.orElse(""));
-      case STALE -> new Note(Health.STALE, name + " " + (state instanceof InputState.Stale old ? StateView.sentence(old) : StateView.word(state)));
+      case STALE -> new Note(Health.STALE,
+          name + " " + (state instanceof InputState.Stale old ? StateView.sentence(old) : StateView.word(state)));
     };
   }
 

@@ -70,13 +70,16 @@ public final class MapModel {
     team = new Team(context.ruic());
     maps = new Feed<>(Kind.MAP, context.input(MapPorts.MAP), scene, (n, source) -> new GridMapEntity(n), MapModel::map,
         (map, tick) -> latest(map.frame(), tick));
-    sonars = new Feed<>(Kind.SONAR, context.input(MapPorts.SONAR), scene, (n, source) -> new SonarEntity(), MapModel::sonar,
-        (readings, tick) -> "");
-    bumpers = new Feed<>(Kind.BUMPER, context.input(MapPorts.BUMPER), scene, (n, source) -> new BumperEntity(), MapModel::bumper,
+    sonars =
+        new Feed<>(Kind.SONAR, context.input(MapPorts.SONAR), scene, (n, source) -> new SonarEntity(), MapModel::sonar,
+            (readings, tick) -> "");
+    bumpers = new Feed<>(Kind.BUMPER, context.input(MapPorts.BUMPER), scene, (n, source) -> new BumperEntity(),
+        MapModel::bumper,
         (told, tick) -> latest(told.frame(), tick));
     scans = new Feed<>(Kind.SCAN, context.input(MapPorts.SCAN), scene, (n, source) -> scanOf(source), MapModel::scan,
         (scan, tick) -> "");
-    trails = new Feed<>(Kind.TRAIL, context.input(MapPorts.ODOM), scene, (n, source) -> new OdometryEntity(team.tint(source).orElse(n)), MapModel::trail,
+    trails = new Feed<>(Kind.TRAIL, context.input(MapPorts.ODOM), scene,
+        (n, source) -> new OdometryEntity(team.tint(source).orElse(n)), MapModel::trail,
         (odometry, tick) -> List.of(latest(odometry.frame(), tick), tick.options().trailLength()));
     paths = new Feed<>(Kind.PATH, context.input(MapPorts.PATH), scene, (n, source) -> pathOf(source), MapModel::path,
         (path, tick) -> List.of(latest(path.frame(), tick), tick.robot(path.frame().robot())));
@@ -119,7 +122,8 @@ public final class MapModel {
     }
     boolean fans = options.fan() && tick.robots().size() <= MOST_FANS;
     scene.layers().forEach(layer -> configure(layer, options, fans));
-    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick), failures(), team.selected());
+    MapSnapshot next = new MapSnapshot(fixed, frames.all(), state(), notes(tick), tick.robots(), ways(tick), failures(),
+        team.selected());
     changed |= !next.equals(snapshot);
     snapshot = next;
     return changed;
@@ -160,17 +164,17 @@ public final class MapModel {
       case LaserScanEntity scan -> scan.showFan(fans);
       case OdometryEntity trail -> trail.showUncertainty(options.uncertainty());
       case GridEntity grid -> layer.show(options.shown().contains(Kind.GRID));
-      default -> { }
+      default -> {}
     }
   }
 
   private List<FrameId> named() {
     return Stream.of(
-            maps.values().stream().map(e -> e.value().frame()),
-            trails.values().stream().map(e -> e.value().frame()),
-            poses.values().stream().map(e -> e.value().frame()),
-            paths.values().stream().map(e -> e.value().frame()),
-            scans.values().stream().map(e -> e.value().frame()))
+        maps.values().stream().map(e -> e.value().frame()),
+        trails.values().stream().map(e -> e.value().frame()),
+        poses.values().stream().map(e -> e.value().frame()),
+        paths.values().stream().map(e -> e.value().frame()),
+        scans.values().stream().map(e -> e.value().frame()))
         .flatMap(s -> s)
         .toList();
   }
@@ -182,17 +186,20 @@ public final class MapModel {
   }
 
   private List<GoalFailure> failures() {
-    return navigation.sources().stream().flatMap(id -> navigation.latest(id).stream()).flatMap(said -> GoalFailure.of(said).stream()).toList();
+    return navigation.sources().stream().flatMap(id -> navigation.latest(id).stream())
+        .flatMap(said -> GoalFailure.of(said).stream()).toList();
   }
 
   private Optional<List<Vector3>> ways(TickContext tick) {
     boolean told = paths.states().stream().anyMatch(StateView::showsContent);
-    return told ? Optional.of(paths.values().stream().flatMap(e -> end(e.value(), tick).stream()).toList()) : Optional.empty();
+    return told ? Optional.of(paths.values().stream().flatMap(e -> end(e.value(), tick).stream()).toList())
+        : Optional.empty();
   }
 
   private static Optional<Vector3> end(Path path, TickContext tick) {
-    return path.poses().isEmpty() ? Optional.empty() : tick.placer().flatMap(p -> p.latest(path.frame()).found())
-        .map(fixedFromPath -> fixedFromPath.apply(path.poses().getLast().translation()));
+    return path.poses().isEmpty() ? Optional.empty()
+        : tick.placer().flatMap(p -> p.latest(path.frame()).found())
+            .map(fixedFromPath -> fixedFromPath.apply(path.poses().getLast().translation()));
   }
 
   private InputState state() {

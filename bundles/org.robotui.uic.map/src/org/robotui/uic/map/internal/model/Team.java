@@ -35,7 +35,9 @@ public final class Team {
     return ruic.authority(source.component()).map(Authority::robot);
   }
 
-  /** The colour of what a source gives; none where there is one robot only, whose things have colours by what they are. */
+  /**
+   * The colour of what a source gives; none where there is one robot only, whose things have colours by what they are.
+   */
   OptionalInt tint(SourceId source) {
     return isSeveral() ? OptionalInt.of(robot(source).map(this::number).orElse(numbers.size())) : OptionalInt.empty();
   }

@@ -11,8 +11,9 @@ final class WholeState {
   private WholeState() {}
 
   static InputState of(List<InputState> states) {
-    InputState best = states.stream().min(Comparator.comparingInt(WholeState::rank).thenComparingDouble(WholeState::age))
-        .orElse(new InputState.Unconnected(""));
+    InputState best =
+        states.stream().min(Comparator.comparingInt(WholeState::rank).thenComparingDouble(WholeState::age))
+            .orElse(new InputState.Unconnected(""));
     return best instanceof InputState.Unconnected u ? new InputState.Unconnected(HELP + u.explanation()) : best;
   }
 

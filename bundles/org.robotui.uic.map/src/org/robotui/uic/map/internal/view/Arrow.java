@@ -15,6 +15,6 @@ final class Arrow {
     Vector3 left = pose.apply(new Vector3((length - head) * unit, head * 0.6 * unit, 0));
     Vector3 right = pose.apply(new Vector3((length - head) * unit, -head * 0.6 * unit, 0));
     painter.line(from.x(), from.y(), tip.x(), tip.y());
-    painter.area(new double[] {tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y()}, 3);
+    painter.area(new double[]{tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y()}, 3);
   }
 }

@@ -11,7 +11,10 @@ import org.robotui.ui.Theme;
 import org.robotui.uic.map.internal.model.RobotPlace;
 import org.robotui.uic.map.internal.model.Team;
 
-/** Which colour is which robot's, top right, where there are a few. Where there are many, each has its name beside it. Display thread. */
+/**
+ * Which colour is which robot's, top right, where there are a few. Where there are many, each has its name beside it.
+ * Display thread.
+ */
 final class Legend {
   private static final int MOST = 8;
   private static final int ROW = 20;
@@ -34,7 +37,8 @@ final class Legend {
     gc.setFont(theme.font(Face.SMALL));
     int widest = robots.stream().mapToInt(r -> gc.textExtent(r.robot()).x).max().orElse(0);
     int width = widest + DISC + 2 * Theme.STEP + 2 * Theme.EDGE;
-    Rectangle box = new Rectangle(area.width - width - Theme.EDGE, Theme.EDGE, width, robots.size() * ROW + 2 * Theme.STEP);
+    Rectangle box =
+        new Rectangle(area.width - width - Theme.EDGE, Theme.EDGE, width, robots.size() * ROW + 2 * Theme.STEP);
     states.pill(gc, box);
     for (int i = 0; i < robots.size(); i++) {
       String name = robots.get(i).robot();

@@ -80,7 +80,8 @@ public final class MapCanvas {
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
     surface = new PaintedCanvas(parent, theme, this::paint);
-    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(), SceneMover.Following.of(this::following, choices::follow),
+    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(),
+        SceneMover.Following.of(this::following, choices::follow),
         this::repaint);
     picture = new ScenePicture(model.scene(), surface, theme);
     actions.connect(this);
@@ -107,7 +108,9 @@ public final class MapCanvas {
     }
   }
 
-  /** Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work. */
+  /**
+   * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
+   */
   public boolean upToDate() {
     return picture.upToDate();
   }
@@ -258,7 +261,8 @@ public final class MapCanvas {
   }
 
   double presentHeading(double x, double y) {
-    return (team.isTeam() ? team.meantPlace(model.snapshot().robots()) : robot()).map(r -> r.fixedFromBase().rotation().yaw()).orElse(0.0);
+    return (team.isTeam() ? team.meantPlace(model.snapshot().robots()) : robot())
+        .map(r -> r.fixedFromBase().rotation().yaw()).orElse(0.0);
   }
 
   private void paint(GC gc, Rectangle area) {
@@ -322,9 +326,11 @@ public final class MapCanvas {
 
   private Tool make(String id) {
     return switch (id) {
-      case MapActions.GOAL -> new PoseTool(id, "Goal: press at the place, drag in the direction the robot shall face \u00b7 Esc ends",
+      case MapActions.GOAL -> new PoseTool(id,
+          "Goal: press at the place, drag in the direction the robot shall face \u00b7 Esc ends",
           Role.PLAN, this::usualHeading, this::sendGoal);
-      case MapActions.POSE -> new PoseTool(id, "Pose estimate: press where the robot is, drag in the direction it faces \u00b7 Esc ends",
+      case MapActions.POSE -> new PoseTool(id,
+          "Pose estimate: press where the robot is, drag in the direction it faces \u00b7 Esc ends",
           Role.WARNING, this::presentHeading, this::sendPose);
       default -> new MeasureTool();
     };

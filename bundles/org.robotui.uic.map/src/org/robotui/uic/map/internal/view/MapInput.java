@@ -93,7 +93,7 @@ final class MapInput {
       case 'p' -> map.toggleTool(MapActions.POSE);
       case 'l' -> map.openLayers();
       case SWT.ESC -> endTool();
-      default -> { }
+      default -> {}
     }
   }
 

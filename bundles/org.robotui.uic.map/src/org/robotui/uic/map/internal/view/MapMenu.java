@@ -42,9 +42,9 @@ final class MapMenu {
   /** Asks whether really all shall go. */
   void askAll(Control control, FrameId fixed, RigidTransform pose) {
     new PopupMenu(control, map::refresh)
-        .push("Send all selected robots there: that is every one", false, () -> { })
+        .push("Send all selected robots there: that is every one", false, () -> {})
         .push("Yes, send all", () -> map.team().sendMeant(fixed, pose))
-        .push("No", () -> { })
+        .push("No", () -> {})
         .open();
   }
 
@@ -59,7 +59,7 @@ final class MapMenu {
     for (Scene.Hit hit : hits) {
       Layer layer = hit.layer();
       menu.under(hit.description().text().lines().findFirst().orElse(layer.caption()))
-          .push(layer.caption(), false, () -> { })
+          .push(layer.caption(), false, () -> {})
           .push("Hide", () -> choices.show(layer.id(), false));
     }
     menu.line();
@@ -72,7 +72,8 @@ final class MapMenu {
     } else {
       menu.push("Send a goal here", () -> map.sendGoal(there));
     }
-    menu.push(map.team().isTeam() ? "Set the pose estimate of the selected robot here" : "Set the pose estimate here", () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
+    menu.push(map.team().isTeam() ? "Set the pose estimate of the selected robot here" : "Set the pose estimate here",
+        () -> map.sendPose(RigidTransform.planar(x, y, map.presentHeading(x, y))));
     menu.push("Centre here", () -> map.mover().center(x, y));
     menu.push("Measure", () -> map.toggleTool(MapActions.MEASURE));
     menu.push("Copy coordinates", () -> Clipboards.copy(Figures.fixed(x, 3).replace('\u2212', '-') + " "

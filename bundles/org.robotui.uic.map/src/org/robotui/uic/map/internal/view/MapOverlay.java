@@ -41,7 +41,8 @@ final class MapOverlay {
     ScaleBar.paint(gc, theme, viewport);
     String frame = snapshot.fixed().map(f -> f.name() + "   ").orElse("");
     String place = pointer
-        .map(p -> "x " + Figures.fixed(viewport.worldX(p.x), 2) + "  y " + Figures.fixed(viewport.worldY(p.y), 2) + " m")
+        .map(
+            p -> "x " + Figures.fixed(viewport.worldX(p.x), 2) + "  y " + Figures.fixed(viewport.worldY(p.y), 2) + " m")
         .orElse("");
     if (!(frame + place).isBlank()) {
       coordinates(gc, viewport, frame, place);

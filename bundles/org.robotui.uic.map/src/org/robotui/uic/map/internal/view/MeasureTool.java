@@ -6,7 +6,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Painter;
 
 /**
- * Measures distance and direction between two points, given by two clicks or by one drag. The measure stays until the next one.
+ * Measures distance and direction between two points, given by two clicks or by one drag. The measure stays until the
+ * next one.
  */
 final class MeasureTool implements Tool {
   private static final double LABEL_GAP = 12;

@@ -35,7 +35,8 @@ final class NoteList {
    * @param gc where to
    * @param area the map's area
    * @param notes what to say
-   * @param below how far down words in the middle of the upper edge go; where the lines are as long as that, they stand below those
+   * @param below how far down words in the middle of the upper edge go; where the lines are as long as that, they stand
+   * below those
    */
   void paint(GC gc, Rectangle area, List<Note> notes, int below) {
     if (notes.isEmpty()) {

@@ -15,8 +15,9 @@ import org.robotui.uic.map.internal.model.MapSnapshot;
 import org.robotui.uic.map.internal.model.Note;
 
 /**
- * The goal that was sent last, until the robot is there, the fixed frame is another, or the user is done with it. Why it failed is
- * said beside it, in the words of navigation; where navigation says nothing, but the robot tells what it plans, that there is no path.
+ * The goal that was sent last, until the robot is there, the fixed frame is another, or the user is done with it. Why
+ * it failed is said beside it, in the words of navigation; where navigation says nothing, but the robot tells what it
+ * plans, that there is no path.
  */
 final class SentGoal {
   /** After which no path there means that there will be none. */

@@ -29,8 +29,8 @@ import org.robotui.ui.scene.Commander;
 import org.robotui.uic.map.internal.MapPorts;
 
 /**
- * Sends several robots to a place: each to a spot of its own around it, given in a frame of its own, through the arbiter of its own; and tells one
- * where it is. Never blocks.
+ * Sends several robots to a place: each to a spot of its own around it, given in a frame of its own, through the
+ * arbiter of its own; and tells one where it is. Never blocks.
  */
 public final class TeamGoals {
   private static final Duration VALID = Duration.ofSeconds(2);
@@ -87,7 +87,8 @@ public final class TeamGoals {
     String who = sent.size() == 1 ? sent.keySet().iterator().next() : sent.size() + " robots";
     String why = String.join("; ", not);
     CommandNotice told = not.isEmpty() ? new CommandNotice(Health.OK, "Goal sent to " + who)
-        : new CommandNotice(Health.BAD, sent.isEmpty() ? "Not sent. " + why : "Goal sent to " + who + ", but not to " + why);
+        : new CommandNotice(Health.BAD,
+            sent.isEmpty() ? "Not sent. " + why : "Goal sent to " + who + ", but not to " + why);
     return new Sent(told, sent);
   }
 
@@ -100,7 +101,8 @@ public final class TeamGoals {
    */
   CommandNotice place(String robot, FrameId fixed, RigidTransform pose) {
     return send(poses, robot, POSES, fixed, pose, Commander::roughly)
-        .map(why -> new CommandNotice(Health.BAD, "Not sent. " + robot + ": " + why)).orElse(new CommandNotice(Health.OK, "Pose sent to " + robot));
+        .map(why -> new CommandNotice(Health.BAD, "Not sent. " + robot + ": " + why))
+        .orElse(new CommandNotice(Health.OK, "Pose sent to " + robot));
   }
 
   private Optional<String> send(String robot, FrameId fixed, RigidTransform spot) {
@@ -109,14 +111,17 @@ public final class TeamGoals {
 
   /** Why it was not sent, none where it was. */
   private <T extends Data> Optional<String> send(
-      Output<T> output, String robot, Words words, FrameId fixed, RigidTransform spot, BiFunction<FrameId, RigidTransform, T> command) {
+      Output<T> output, String robot, Words words, FrameId fixed, RigidTransform spot,
+      BiFunction<FrameId, RigidTransform, T> command) {
     List<SourceId> fitting = output.targets().stream()
         .filter(t -> authority(t).filter(a -> a.robot().equals(robot)).isPresent()).toList();
-    List<SourceId> usual = fitting.stream().filter(t -> words.usual().contains(t.port().substring(t.port().lastIndexOf('/') + 1))).toList();
+    List<SourceId> usual = fitting.stream()
+        .filter(t -> words.usual().contains(t.port().substring(t.port().lastIndexOf('/') + 1))).toList();
     List<SourceId> one = fitting.size() == 1 ? fitting : usual;
     if (one.size() != 1) {
       return Optional.of(fitting.isEmpty() ? "it takes no " + words.what()
-          : "it takes several kinds of " + words.what() + "; name one under 'connect', for example  map." + words.port() + ": " + fitting.getFirst());
+          : "it takes several kinds of " + words.what() + "; name one under 'connect', for example  map." + words.port()
+              + ": " + fitting.getFirst());
     }
     Optional<T> own = own(robot, fixed, spot, command);
     if (own.isEmpty()) {
@@ -126,16 +131,20 @@ public final class TeamGoals {
     if (authority.take(context.principal(), false) instanceof LeaseOutcome.HeldBy held) {
       return Optional.of(held.holder().label() + " controls it");
     }
-    return output.send(one.getFirst(), own.get(), VALID) instanceof CommandOutcome.Refused r ? Optional.of(r.explanation()) : Optional.empty();
+    return output.send(one.getFirst(), own.get(), VALID) instanceof CommandOutcome.Refused r
+        ? Optional.of(r.explanation())
+        : Optional.empty();
   }
 
   /** The command in a frame of the robot: that of the same name, else its map, else where its odometry began. */
-  private <T> Optional<T> own(String robot, FrameId fixed, RigidTransform spot, BiFunction<FrameId, RigidTransform, T> command) {
+  private <T> Optional<T> own(String robot, FrameId fixed, RigidTransform spot,
+      BiFunction<FrameId, RigidTransform, T> command) {
     if (fixed.robot().equals(robot)) {
       return Optional.of(command.apply(fixed, spot));
     }
     Set<FrameId> known = Set.copyOf(context.frames().all());
-    return Stream.concat(Stream.of(fixed.name()), MAPS.stream()).distinct().map(name -> new FrameId(robot, name)).filter(known::contains)
+    return Stream.concat(Stream.of(fixed.name()), MAPS.stream()).distinct().map(name -> new FrameId(robot, name))
+        .filter(known::contains)
         .flatMap(frame -> context.frames().lookup(frame, fixed, Optional.empty()).transform()
             .map(t -> command.apply(frame, t.times(spot))).stream())
         .findFirst();

@@ -63,12 +63,14 @@ final class TeamHands {
   CommandNotice place(FrameId fixed, RigidTransform pose) {
     Set<String> selected = team.selected();
     return selected.size() == 1 ? goals.place(selected.iterator().next(), fixed, pose)
-        : new CommandNotice(Health.WARNING, "Not sent: select the one robot that is there, here or in the team's table");
+        : new CommandNotice(Health.WARNING,
+            "Not sent: select the one robot that is there, here or in the team's table");
   }
 
   /** Where the one that is selected looks. */
   Optional<RobotPlace> meantPlace(List<RobotPlace> robots) {
-    return robots.stream().filter(robot -> team.selected().size() == 1 && team.selected().contains(robot.robot())).findFirst();
+    return robots.stream().filter(robot -> team.selected().size() == 1 && team.selected().contains(robot.robot()))
+        .findFirst();
   }
 
   /** Sends all who are selected, without a question. */
@@ -87,11 +89,13 @@ final class TeamHands {
     List<String> meant = meant();
     boolean all = meant.size() > 1 && meant.size() == goals.robots().size();
     if (meant.isEmpty()) {
-      menu.push("Send a goal here (select robots first)", false, () -> { });
+      menu.push("Send a goal here (select robots first)", false, () -> {});
     } else if (all) {
-      menu.under("Send all " + meant.size() + " robots here").push("Yes, all " + meant.size(), () -> send(meant, fixed, pose));
+      menu.under("Send all " + meant.size() + " robots here").push("Yes, all " + meant.size(),
+          () -> send(meant, fixed, pose));
     } else {
-      menu.push("Send " + (meant.size() == 1 ? meant.getFirst() : meant.size() + " robots") + " here", () -> send(meant, fixed, pose));
+      menu.push("Send " + (meant.size() == 1 ? meant.getFirst() : meant.size() + " robots") + " here",
+          () -> send(meant, fixed, pose));
     }
     menu.push("Select all robots", () -> team.select(goals.robots()));
   }

@@ -11,7 +11,10 @@ import org.robotui.ui.scene.Painter;
 import org.robotui.uic.map.internal.model.MapSnapshot;
 import org.robotui.uic.map.internal.model.Team;
 
-/** Where the robots of a team were sent, each until it is there, the fixed frame is another, or the user is done with it. Display thread. */
+/**
+ * Where the robots of a team were sent, each until it is there, the fixed frame is another, or the user is done with
+ * it. Display thread.
+ */
 final class TeamMarks {
   private static final double NEAR = 0.5;
   private static final double RING = 7;

@@ -42,7 +42,8 @@ class MapModelTest {
     MapModel model = new MapModel(context);
     tick(model);
     assertEquals(List.of("grid", "map:base.map", "sonar:base.sonar", "scan:base.scan", "trail:base.odom",
-        "path:base.plan", "robot:Keira", "bumper:base.bumper"), model.scene().layers().stream().map(Layer::id).toList());
+        "path:base.plan", "robot:Keira", "bumper:base.bumper"),
+        model.scene().layers().stream().map(Layer::id).toList());
     assertTrue(model.scene().layers().stream().allMatch(Layer::visible));
     assertEquals(List.of(), model.snapshot().notes());
     assertEquals(Optional.of(DemoRoom.MAP), model.snapshot().fixed());
@@ -212,7 +213,8 @@ class MapModelTest {
     DemoRoom.fill(context, now);
     MapModel model = new MapModel(context);
     tick(model);
-    assertEquals("base.scan  \u00b7  2.0\u00a0s ago", model.detail("scan:base.scan", now + 2_000_000_000L).orElseThrow());
+    assertEquals("base.scan  \u00b7  2.0\u00a0s ago",
+        model.detail("scan:base.scan", now + 2_000_000_000L).orElseThrow());
     assertTrue(model.detail("grid", now).isEmpty());
   }
 

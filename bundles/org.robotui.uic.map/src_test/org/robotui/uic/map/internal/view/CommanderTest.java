@@ -17,7 +17,6 @@ import org.robotui.uic.map.internal.MapPorts;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-
 class CommanderTest {
   private static final FrameId MAP = new FrameId("Keira", "map");
   private final FakeUicContext context = new FakeUicContext("map", MapOptions.schema());
@@ -42,8 +41,8 @@ class CommanderTest {
 
   @Test
   void aRefusalIsPassedOn() {
-    context.output(MapPorts.GOAL).outcome(() ->
-        new CommandOutcome.Refused(CommandOutcome.Why.STOPPED, "the stop is latched; release it first"));
+    context.output(MapPorts.GOAL)
+        .outcome(() -> new CommandOutcome.Refused(CommandOutcome.Why.STOPPED, "the stop is latched; release it first"));
     assertEquals("Not sent: the stop is latched; release it first",
         commander.goal(MAP, RigidTransform.IDENTITY).text());
   }

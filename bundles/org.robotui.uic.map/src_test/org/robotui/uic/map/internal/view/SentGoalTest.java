@@ -84,6 +84,7 @@ class SentGoalTest {
   private static MapSnapshot snapshot(Optional<List<Vector3>> ways, Vector3 robot, GoalFailure... failed) {
     List<GoalFailure> failures = List.of(failed);
     RobotPlace place = new RobotPlace("Keira", RigidTransform.planar(robot.x(), robot.y(), 0), 0);
-    return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways, failures, Set.of());
+    return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways,
+        failures, Set.of());
   }
 }

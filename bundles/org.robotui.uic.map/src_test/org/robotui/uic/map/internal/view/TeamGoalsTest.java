@@ -45,7 +45,8 @@ class TeamGoalsTest {
   }
 
   private void targets(String... ports) {
-    output.targets(List.of(ports).stream().map(p -> new SourceId(p.substring(0, p.indexOf('.')), p.substring(p.indexOf('.') + 1))).toList());
+    output.targets(List.of(ports).stream()
+        .map(p -> new SourceId(p.substring(0, p.indexOf('.')), p.substring(p.indexOf('.') + 1))).toList());
   }
 
   @Test
@@ -57,7 +58,8 @@ class TeamGoalsTest {
     NavigationGoal last = output.sent().getLast().command();
     assertEquals(List.of(new SourceId("base3", "goal")), output.sent().getLast().targets());
     assertEquals(new FrameId("r3", "map"), last.frame());
-    assertEquals(1, Math.abs(first.pose().translation().y() - (last.pose().translation().y() + 20)), 1e-9, "a metre from one another");
+    assertEquals(1, Math.abs(first.pose().translation().y() - (last.pose().translation().y() + 20)), 1e-9,
+        "a metre from one another");
     assertEquals(Optional.of(FakeAuthority.YOU), robots.get("base1").holder());
     assertEquals(Optional.empty(), robots.get("base2").holder());
   }
@@ -78,13 +80,15 @@ class TeamGoalsTest {
     goals.send(List.of("r1"), HALL, RigidTransform.IDENTITY, 1);
     assertEquals("move_base_simple/goal", output.sent().getFirst().targets().getFirst().port());
     targets("base1.dock", "base1.charge");
-    assertTrue(goals.send(List.of("r1"), HALL, RigidTransform.IDENTITY, 1).told().text().contains("map.goals: base1.dock"));
+    assertTrue(
+        goals.send(List.of("r1"), HALL, RigidTransform.IDENTITY, 1).told().text().contains("map.goals: base1.dock"));
   }
 
   @Test
   void whoIsNotJoinedCannotBeSentThere() {
     FrameId elsewhere = new FrameId("r9", "odom");
-    assertTrue(goals.send(List.of("r1"), elsewhere, RigidTransform.IDENTITY, 1).told().text().contains("write it under 'frames'"));
+    assertTrue(goals.send(List.of("r1"), elsewhere, RigidTransform.IDENTITY, 1).told().text()
+        .contains("write it under 'frames'"));
   }
 
   @Test
@@ -105,7 +109,8 @@ class TeamGoalsTest {
   @Test
   void oneIsToldWhereItIsInAFrameOfItsOwn() {
     FakeOutput<PoseEstimate> poses = context.output(MapPorts.INITIAL_POSES);
-    poses.targets(List.of(new SourceId("base1", "initialpose"), new SourceId("base2", "initialpose"), new SourceId("base2", "other_pose")));
+    poses.targets(List.of(new SourceId("base1", "initialpose"), new SourceId("base2", "initialpose"),
+        new SourceId("base2", "other_pose")));
 
     assertEquals("Pose sent to r2", goals.place("r2", HALL, RigidTransform.planar(5, 20, 1)).text());
 

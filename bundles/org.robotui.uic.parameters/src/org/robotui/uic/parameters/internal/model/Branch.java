@@ -64,7 +64,8 @@ public record Branch(Key key, String label, boolean parameter, List<Branch> chil
 
     Branch grown(Key key, String label) {
       List<Branch> branches = new ArrayList<>();
-      children.forEach((part, sprout) -> branches.add(sprout.grown(new Key(key.robot(), key.name() + "/" + part), part)));
+      children
+          .forEach((part, sprout) -> branches.add(sprout.grown(new Key(key.robot(), key.name() + "/" + part), part)));
       int leaves = branches.stream().mapToInt(Branch::leaves).sum() + (parameter ? 1 : 0);
       return new Branch(key, label, parameter, List.copyOf(branches), leaves);
     }

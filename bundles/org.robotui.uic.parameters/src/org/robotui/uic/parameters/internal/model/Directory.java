@@ -57,8 +57,9 @@ record Directory(List<Branch> trees, List<Key> servers, Map<String, String> fail
       List<Key> servers = new ArrayList<>();
       asked.forEach(r -> tunable.getOrDefault(r, List.of()).forEach(item -> servers.add(new Key(r, item.name()))));
       Directory next = new Directory(grown, List.copyOf(servers), Map.copyOf(failures), asked);
-      boolean same = same(grown, last.trees()) && next.servers().equals(last.servers()) && failures.equals(last.failures())
-          && asked.equals(last.asked());
+      boolean same =
+          same(grown, last.trees()) && next.servers().equals(last.servers()) && failures.equals(last.failures())
+              && asked.equals(last.asked());
       last = same ? last : next;
       return last;
     }

@@ -136,7 +136,8 @@ final class FlowParser {
   }
 
   private static Object realOrText(String word) {
-    boolean number = Character.isDigit(word.charAt(word.length() - 1)) || word.endsWith(".") || word.endsWith(".inf") || word.equals(".nan");
+    boolean number = Character.isDigit(word.charAt(word.length() - 1)) || word.endsWith(".") || word.endsWith(".inf")
+        || word.equals(".nan");
     try {
       return number ? (Object) ValueReader.real(word) : word;
     } catch (Unreadable notReal) {

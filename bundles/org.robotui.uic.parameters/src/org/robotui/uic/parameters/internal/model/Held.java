@@ -12,7 +12,8 @@ import java.util.Optional;
  * @param readAt when it was read, {@link System#nanoTime()}
  * @param text the value in one line, cut where it is long; made once, since a value may have megabytes
  */
-record Held(Optional<Object> value, Optional<Object> first, Optional<String> problem, boolean busy, long readAt, String text) {
+record Held(Optional<Object> value, Optional<Object> first, Optional<String> problem, boolean busy, long readAt,
+    String text) {
   private static final int LONGEST = 2000;
 
   static final Held NOTHING = new Held(Optional.empty(), Optional.empty(), Optional.empty(), false, 0, "");

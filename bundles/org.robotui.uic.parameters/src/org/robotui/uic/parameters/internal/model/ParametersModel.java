@@ -22,8 +22,8 @@ import org.robotui.uic.parameters.internal.ParametersOptions;
 import org.robotui.uic.parameters.internal.ParametersPorts;
 
 /**
- * The parameters of robots and the settings of their running programs. The tick prepares what is seen; all that asks a robot runs in
- * the background. Wishes may be said on any thread.
+ * The parameters of robots and the settings of their running programs. The tick prepares what is seen; all that asks a
+ * robot runs in the background. Wishes may be said on any thread.
  */
 public final class ParametersModel {
   private static final long SEEN_NANOS = 3_000_000_000L;
@@ -147,7 +147,8 @@ public final class ParametersModel {
   /** Chooses the program whose settings are shown. */
   public void tune(Optional<Key> server) {
     if (!server.equals(tuner.map(Tuner::server))) {
-      tuner = server.flatMap(key -> browser(key.robot()).map(browser -> new Tuner(key, browser, context.background(), control)));
+      tuner = server
+          .flatMap(key -> browser(key.robot()).map(browser -> new Tuner(key, browser, context.background(), control)));
     }
   }
 
@@ -246,12 +247,14 @@ public final class ParametersModel {
   private ParametersViewState look(List<ParameterRow> rows) {
     Directory now = directory;
     InputState state = presence.state(now.known(), now.failures());
-    return new ParametersViewState(tuning, state, rows, now.parameters(), filter, now.servers(), tuner.map(Tuner::panel),
+    return new ParametersViewState(tuning, state, rows, now.parameters(), filter, now.servers(),
+        tuner.map(Tuner::panel),
         Presence.notice(state, now.failures()), told, control.question(),
         undo.peek().map(last -> last.key().name()).orElse(""));
   }
 
   private Optional<Browser> browser(String robot) {
-    return browse.robots().stream().filter(r -> r.source().component().equals(robot)).map(BrowseInput.Robot::browser).findFirst();
+    return browse.robots().stream().filter(r -> r.source().component().equals(robot)).map(BrowseInput.Robot::browser)
+        .findFirst();
   }
 }

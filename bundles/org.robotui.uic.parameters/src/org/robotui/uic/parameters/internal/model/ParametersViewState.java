@@ -21,14 +21,14 @@ import org.robotui.ui.ask.ControlFirst;
  * @param undo what can be undone, empty where nothing can
  */
 public record ParametersViewState(
-  boolean tuning,
-  InputState state,
-  List<ParameterRow> rows,
-  int parameters,
-  String filter,
-  List<Key> servers,
-  Optional<Panel> panel,
-  String notice,
-  ParameterNotice told,
-  Optional<ControlFirst.Question> question,
-  String undo) {}
+    boolean tuning,
+    InputState state,
+    List<ParameterRow> rows,
+    int parameters,
+    String filter,
+    List<Key> servers,
+    Optional<Panel> panel,
+    String notice,
+    ParameterNotice told,
+    Optional<ControlFirst.Question> question,
+    String undo) {}

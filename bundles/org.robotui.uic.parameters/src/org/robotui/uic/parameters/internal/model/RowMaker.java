@@ -56,7 +56,8 @@ final class RowMaker {
   private ParameterRow row(Branch branch, int depth, boolean open) {
     Optional<Held> held = branch.parameter() ? values.get(branch.key()) : Optional.empty();
     Optional<Object> value = held.flatMap(Held::value);
-    return new ParameterRow(branch.key(), depth, branch.label(), branch.isNamespace(), open, branch.leaves(), branch.parameter(), value,
+    return new ParameterRow(branch.key(), depth, branch.label(), branch.isNamespace(), open, branch.leaves(),
+        branch.parameter(), value,
         text(branch, held), value.map(ValueText::type).orElse(""), state(branch, held),
         held.filter(Held::changed).flatMap(Held::first).map(Held::line));
   }

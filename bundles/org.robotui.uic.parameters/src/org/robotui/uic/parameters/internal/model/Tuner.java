@@ -14,8 +14,8 @@ import org.robotui.api.port.CallException;
 import org.robotui.ui.ask.ControlFirst;
 
 /**
- * The settings of one running program: read slowly, and set as fast as the user drags but at most ten times a second. The last value is
- * always sent. All threads.
+ * The settings of one running program: read slowly, and set as fast as the user drags but at most ten times a second.
+ * The last value is always sent. All threads.
  */
 public final class Tuner {
   private static final long SEND_NANOS = 100_000_000L;
@@ -67,7 +67,8 @@ public final class Tuner {
 
   /** Sets all settings to their defaults. */
   public void restore() {
-    knobs().stream().filter(knob -> !knob.isDefault()).forEach(knob -> set(knob.tunable().name(), knob.tunable().fallback()));
+    knobs().stream().filter(knob -> !knob.isDefault())
+        .forEach(knob -> set(knob.tunable().name(), knob.tunable().fallback()));
   }
 
   /** Sends or reads what is due. */
@@ -97,7 +98,8 @@ public final class Tuner {
 
   private synchronized List<Knob> knobs() {
     return settings.stream().map(t -> new Knob(t, wanted.getOrDefault(t.name(), sent.getOrDefault(t.name(), t.value())),
-        wanted.containsKey(t.name()) || sent.containsKey(t.name()), Optional.ofNullable(problems.get(t.name())))).toList();
+        wanted.containsKey(t.name()) || sent.containsKey(t.name()), Optional.ofNullable(problems.get(t.name()))))
+        .toList();
   }
 
   private void send(long now) {

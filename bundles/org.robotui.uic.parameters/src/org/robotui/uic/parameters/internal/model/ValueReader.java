@@ -51,13 +51,13 @@ public final class ValueReader {
 
   static Double real(String text) throws Unreadable {
     switch (text.toLowerCase(Locale.ROOT)) {
-      case "nan", ".nan":
+      case "nan", ".nan" :
         return Double.NaN;
-      case "inf", ".inf", "+.inf":
+      case "inf", ".inf", "+.inf" :
         return Double.POSITIVE_INFINITY;
-      case "-inf", "-.inf":
+      case "-inf", "-.inf" :
         return Double.NEGATIVE_INFINITY;
-      default:
+      default :
         return finite(text);
     }
   }
@@ -83,7 +83,8 @@ public final class ValueReader {
     List<Object> values = new ArrayList<>();
     for (int i = 0; i < list.size(); i++) {
       Object value = list.get(i);
-      values.add(reals && value instanceof Long whole ? Double.valueOf(whole) : i < like.size() ? nestedLike(like.get(i), value) : value);
+      values.add(reals && value instanceof Long whole ? Double.valueOf(whole)
+          : i < like.size() ? nestedLike(like.get(i), value) : value);
     }
     return values;
   }

@@ -23,7 +23,8 @@ public final class ValueText {
       case String text -> quoted(text);
       case List<?> list -> list.stream().map(ValueText::nested).collect(Collectors.joining(", ", "[", "]"));
       case Map<?, ?> map -> map.entrySet().stream()
-          .map(entry -> quoted(entry.getKey().toString()) + ": " + nested(entry.getValue())).collect(Collectors.joining(", ", "{", "}"));
+          .map(entry -> quoted(entry.getKey().toString()) + ": " + nested(entry.getValue()))
+          .collect(Collectors.joining(", ", "{", "}"));
       case Double number -> number(number);
       default -> value.toString();
     };
@@ -43,8 +44,11 @@ public final class ValueText {
   }
 
   static String quoted(String text) {
-    boolean plain = PLAIN.matcher(text).matches() && !WORD.matcher(text).matches() && text.equals(text.strip()) && !text.contains(": ");
-    return plain ? text : '"' + text.replace("\\", "\\\\").replace("\"", "\\\"").replace("\n", "\\n").replace("\t", "\\t").replace("\r", "\\r") + '"';
+    boolean plain = PLAIN.matcher(text).matches() && !WORD.matcher(text).matches() && text.equals(text.strip())
+        && !text.contains(": ");
+    return plain ? text
+        : '"' + text.replace("\\", "\\\\").replace("\"", "\\\"").replace("\n", "\\n").replace("\t", "\\t").replace("\r",
+            "\\r") + '"';
   }
 
   private static String number(double number) {

@@ -47,7 +47,8 @@ final class Values {
       return;
     }
     List<Key> due = new ArrayList<>(seen.stream().filter(key -> isDue(key, now, periodNanos)).toList());
-    due.sort(Comparator.comparing((Key key) -> held.containsKey(key)).thenComparing(key -> get(key).map(Held::readAt).orElse(0L)));
+    due.sort(Comparator.comparing((Key key) -> held.containsKey(key))
+        .thenComparing(key -> get(key).map(Held::readAt).orElse(0L)));
     if (!due.isEmpty() && reading.compareAndSet(false, true)) {
       List<Key> batch = List.copyOf(due.subList(0, Math.min(BATCH, due.size())));
       background.execute(() -> readAll(batch, now, periodNanos));
@@ -95,7 +96,8 @@ final class Values {
       }
     } catch (CallException e) {
       // One that does not answer is not asked for each value in turn.
-      batch.stream().filter(key -> !held.containsKey(key) || get(key).flatMap(Held::problem).isPresent()).forEach(key -> wrong(key, e.getMessage()));
+      batch.stream().filter(key -> !held.containsKey(key) || get(key).flatMap(Held::problem).isPresent())
+          .forEach(key -> wrong(key, e.getMessage()));
       restUntil = now + periodNanos;
       resting = true;
     } finally {

@@ -12,8 +12,9 @@ final class YamlFile {
   static String of(String namespace, Map<String, Object> values) {
     Map<String, Object> root = new LinkedHashMap<>();
     values.forEach((name, value) -> put(root, name.substring(namespace.length()), value));
-    StringBuilder text = new StringBuilder("# ").append(values.size()).append(values.size() == 1 ? " parameter" : " parameters")
-        .append(" of ").append(namespace.isEmpty() ? "/" : namespace).append('\n');
+    StringBuilder text =
+        new StringBuilder("# ").append(values.size()).append(values.size() == 1 ? " parameter" : " parameters")
+            .append(" of ").append(namespace.isEmpty() ? "/" : namespace).append('\n');
     write(text, root, 0);
     return text.toString();
   }

@@ -22,7 +22,9 @@ import org.robotui.uic.parameters.internal.model.Knob;
 import org.robotui.uic.parameters.internal.model.Tuner;
 import org.robotui.uic.parameters.internal.model.Unreadable;
 
-/** One setting: its name, what sets it, a way back to the default, and below its help or what is wrong. Display thread. */
+/**
+ * One setting: its name, what sets it, a way back to the default, and below its help or what is wrong. Display thread.
+ */
 final class KnobRow {
   private static final int NAME_WIDTH = 150;
   private static final int FIELD_WIDTH = 92;
@@ -54,7 +56,8 @@ final class KnobRow {
     name = new Caption(root, theme, Face.BODY);
     name.width(NAME_WIDTH);
     controls(first.tunable());
-    restore = new QuietButton(root, theme, () -> tuner.set(knob.tunable().name(), knob.tunable().fallback())).icon(Icon.RESTART);
+    restore = new QuietButton(root, theme, () -> tuner.set(knob.tunable().name(), knob.tunable().fallback()))
+        .icon(Icon.RESTART);
     restore.setLayoutData(Boxes.middle());
     below = new Caption(root, theme, Face.SMALL);
     below.indent(NAME_WIDTH + 2 * Theme.STEP, COLUMNS);
@@ -83,8 +86,10 @@ final class KnobRow {
     field.ifPresent(this::write);
     check.ifPresent(c -> c.show(Boolean.TRUE.equals(next.value())));
     choices.ifPresent(c -> c.show(KnobText.of(tunable, next.value())));
-    String help = KnobText.choice(tunable, next.value()).map(Choice::help).filter(h -> !h.isBlank()).orElse(tunable.help());
-    below.show(next.problem().orElse(help), next.problem().isPresent() ? Role.BAD : Role.DIM, next.problem().orElse(help));
+    String help =
+        KnobText.choice(tunable, next.value()).map(Choice::help).filter(h -> !h.isBlank()).orElse(tunable.help());
+    below.show(next.problem().orElse(help), next.problem().isPresent() ? Role.BAD : Role.DIM,
+        next.problem().orElse(help));
   }
 
   private void controls(Tunable tunable) {
@@ -117,7 +122,8 @@ final class KnobRow {
     text.setFont(theme.font(Face.FIGURES));
     text.setBackground(theme.color(Role.GROUND));
     text.setForeground(theme.color(Role.TEXT));
-    GridData data = new GridData(width == SWT.DEFAULT ? SWT.FILL : SWT.BEGINNING, SWT.CENTER, width == SWT.DEFAULT, false);
+    GridData data =
+        new GridData(width == SWT.DEFAULT ? SWT.FILL : SWT.BEGINNING, SWT.CENTER, width == SWT.DEFAULT, false);
     data.widthHint = width == SWT.DEFAULT ? 0 : width;
     data.horizontalSpan = span;
     text.setLayoutData(data);
@@ -178,6 +184,7 @@ final class KnobRow {
 
   /** Shows at once what was done. */
   private void refresh() {
-    tuner.panel().knobs().stream().filter(k -> k.tunable().name().equals(knob.tunable().name())).findFirst().ifPresent(this::show);
+    tuner.panel().knobs().stream().filter(k -> k.tunable().name().equals(knob.tunable().name())).findFirst()
+        .ifPresent(this::show);
   }
 }

@@ -41,7 +41,8 @@ public final class KnobText {
     }
     double step = Math.pow(10, Math.floor(Math.log10(most(tunable, 0) - least(tunable, 0))) - 3);
     double rounded = Math.round(value / step) * step;
-    return Math.clamp(Double.parseDouble(String.format(Locale.ROOT, "%.10g", rounded)), least(tunable, value), most(tunable, value));
+    return Math.clamp(Double.parseDouble(String.format(Locale.ROOT, "%.10g", rounded)), least(tunable, value),
+        most(tunable, value));
   }
 
   static String of(Tunable tunable, Object value) {
@@ -56,7 +57,8 @@ public final class KnobText {
   public static Object read(Tunable tunable, String typed) throws Unreadable {
     Object value = ValueReader.read(typed, tunable.value());
     if (value instanceof Number number
-        && (number.doubleValue() < least(tunable, Double.NEGATIVE_INFINITY) || number.doubleValue() > most(tunable, Double.POSITIVE_INFINITY))) {
+        && (number.doubleValue() < least(tunable, Double.NEGATIVE_INFINITY)
+            || number.doubleValue() > most(tunable, Double.POSITIVE_INFINITY))) {
       throw new Unreadable(range(tunable));
     }
     return value;
@@ -69,6 +71,7 @@ public final class KnobText {
     if (least.isPresent() && most.isPresent()) {
       return "It must be from " + least.get() + " to " + most.get();
     }
-    return least.map(l -> "It must be at least " + l).orElseGet(() -> most.map(m -> "It must be at most " + m).orElse(""));
+    return least.map(l -> "It must be at least " + l)
+        .orElseGet(() -> most.map(m -> "It must be at most " + m).orElse(""));
   }
 }

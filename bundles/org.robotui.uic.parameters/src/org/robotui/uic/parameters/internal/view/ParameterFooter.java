@@ -11,7 +11,9 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
 import org.robotui.uic.parameters.internal.model.ParametersViewState;
 
-/** The line below: what became of the last change, a way back, and the question whether to take over. Display thread. */
+/**
+ * The line below: what became of the last change, a way back, and the question whether to take over. Display thread.
+ */
 final class ParameterFooter {
   private final Composite rule;
   private final Composite root;
@@ -25,20 +27,24 @@ final class ParameterFooter {
     rule = Boxes.rule(parent, theme);
     root = Boxes.bar(parent, theme, 5);
     words = new NoticeLine(root, theme, Face.BODY);
-    takeOver = button(new QuietButton(root, theme, () -> model.control().takeOver()).text("Take over").fill(Role.ACCENT));
+    takeOver =
+        button(new QuietButton(root, theme, () -> model.control().takeOver()).text("Take over").fill(Role.ACCENT));
     cancel = button(new QuietButton(root, theme, () -> model.control().leave()).text("Cancel"));
     undo = button(new QuietButton(root, theme, model::undo).text("Undo"));
-    defaults = button(new QuietButton(root, theme, () -> model.tuner().ifPresent(tuner -> tuner.restore())).text("All defaults")
-        .hint("Sets all settings of the program to their defaults"));
+    defaults = button(
+        new QuietButton(root, theme, () -> model.tuner().ifPresent(tuner -> tuner.restore())).text("All defaults")
+            .hint("Sets all settings of the program to their defaults"));
   }
 
   /** Shows it; whether the line came or went. */
   boolean show(ParametersViewState look) {
     boolean asking = look.question().isPresent();
-    boolean tuned = look.tuning() && look.panel().filter(p -> p.knobs().stream().anyMatch(k -> !k.isDefault())).isPresent();
+    boolean tuned =
+        look.tuning() && look.panel().filter(p -> p.knobs().stream().anyMatch(k -> !k.isDefault())).isPresent();
     boolean undone = !look.tuning() && !look.undo().isEmpty();
     if (asking) {
-      words.show(Health.WARNING, look.question().map(q -> q.holder() + " has control of " + q.robot() + ". Take over?").orElse(""));
+      words.show(Health.WARNING,
+          look.question().map(q -> q.holder() + " has control of " + q.robot() + ". Take over?").orElse(""));
     } else {
       words.show(look.told().health(), look.told().text());
     }

@@ -66,7 +66,8 @@ final class ParameterTree {
     } else if (!look.rows().isEmpty()) {
       table.list().noMessage();
     } else if (look.parameters() > 0) {
-      table.list().message(Health.NONE, "No match", "None of " + look.parameters() + " contains these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "No match",
+          "None of " + look.parameters() + " contains these words. Esc clears the filter.");
     } else {
       table.list().message(Health.NONE, "No parameters", "The robot has none now.");
     }
@@ -146,7 +147,8 @@ final class ParameterTree {
     rows.stream().findFirst().ifPresent(row -> {
       if (row.value().isPresent()) {
         actions.add(action("edit", "Edit (F2)", this::edit));
-        row.before().ifPresent(before -> actions.add(action("was", "Copy earlier value: " + brief(before), () -> Clipboards.copy(before))));
+        row.before().ifPresent(before -> actions
+            .add(action("was", "Copy earlier value: " + brief(before), () -> Clipboards.copy(before))));
         actions.add(action("value", "Copy value", () -> Clipboards.copy(row.value().map(ValueText::of).orElse(""))));
       }
       actions.add(action("name", "Copy name", () -> Clipboards.copy(row.key().name())));
@@ -165,6 +167,7 @@ final class ParameterTree {
 
   private void export(ParameterRow row) {
     String name = row.label().isEmpty() ? "parameters" : row.label();
-    SaveDialog.ask(table.control(), "Export parameters", name + ".yaml", "*.yaml").ifPresent(file -> model.export(row.key(), file));
+    SaveDialog.ask(table.control(), "Export parameters", name + ".yaml", "*.yaml")
+        .ifPresent(file -> model.export(row.key(), file));
   }
 }

@@ -146,14 +146,16 @@ public final class ParametersSurface {
   }
 
   private void arrange() {
-    ((GridData) filter.getLayoutData()).widthHint = root.getClientArea().width >= WIDE_FROM ? FILTER_WIDTH : FILTER_WIDTH / 2;
+    ((GridData) filter.getLayoutData()).widthHint =
+        root.getClientArea().width >= WIDE_FROM ? FILTER_WIDTH : FILTER_WIDTH / 2;
     bar.layout();
   }
 
   private String note(ParametersViewState look) {
     Optional<Panel> panel = look.panel().filter(p -> look.tuning());
     if (panel.isPresent()) {
-      long others = model.tuner().map(Tuner::panel).map(p -> p.knobs().stream().filter(k -> !k.isDefault()).count()).orElse(0L);
+      long others =
+          model.tuner().map(Tuner::panel).map(p -> p.knobs().stream().filter(k -> !k.isDefault()).count()).orElse(0L);
       return others == 0 ? "" : others + " not at the default";
     }
     long changed = look.rows().stream().filter(row -> row.before().isPresent()).count();

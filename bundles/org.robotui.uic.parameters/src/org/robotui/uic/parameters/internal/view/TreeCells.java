@@ -27,7 +27,8 @@ final class TreeCells {
 
   List<Column<ParameterRow>> columns() {
     return List.of(
-        Column.<ParameterRow>words("Name", ParameterRow::label).weight(5).painted(this::name).hint(row -> row.key().name()),
+        Column.<ParameterRow>words("Name", ParameterRow::label).weight(5).painted(this::name)
+            .hint(row -> row.key().name()),
         Column.<ParameterRow>values("Value", ParameterRow::text).weight(5).painted(this::value).hint(TreeCells::hint),
         Column.<ParameterRow>words("Type", ParameterRow::type).width(92).role(Role.DIM).from(420).unsearched());
   }

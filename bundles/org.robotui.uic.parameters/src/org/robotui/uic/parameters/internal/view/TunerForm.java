@@ -18,7 +18,10 @@ import org.robotui.uic.parameters.internal.model.Knob;
 import org.robotui.uic.parameters.internal.model.Panel;
 import org.robotui.uic.parameters.internal.model.Tuner;
 
-/** The form of a program's settings. It is made again only where the settings are others, not where their values are. Display thread. */
+/**
+ * The form of a program's settings. It is made again only where the settings are others, not where their values are.
+ * Display thread.
+ */
 final class TunerForm {
   private final Theme theme;
   private final ScrolledComposite scrolled;

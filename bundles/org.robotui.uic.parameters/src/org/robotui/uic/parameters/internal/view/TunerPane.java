@@ -38,7 +38,8 @@ final class TunerPane {
   TunerPane(Composite parent, Theme theme, ParametersModel model, Runnable find) {
     this.model = model;
     split = Boxes.split(parent, theme, SWT.HORIZONTAL);
-    servers = new RowTable<>(split, theme, List.of(Column.<Key>words("Program", Key::name).hint(Key::name)), key -> key);
+    servers =
+        new RowTable<>(split, theme, List.of(Column.<Key>words("Program", Key::name).hint(Key::name)), key -> key);
     servers.list().named("Programs").onFind(find)
         .onSelect(keys -> keys.stream().findFirst().ifPresent(key -> model.tune(Optional.of(key))));
     stack = new Composite(split, SWT.NONE);
@@ -77,7 +78,8 @@ final class TunerPane {
     if (!StateView.showsContent(look.state())) {
       servers.list().message(StateView.health(look.state()), "No programs", look.state().explanation());
     } else if (look.servers().isEmpty()) {
-      servers.list().message(Health.NONE, "Nothing to tune", "No program of the robot lets its settings be changed while it runs.");
+      servers.list().message(Health.NONE, "Nothing to tune",
+          "No program of the robot lets its settings be changed while it runs.");
     } else if (fitting.isEmpty()) {
       servers.list().message(Health.NONE, "No match", "Esc clears the filter.");
     } else {
@@ -92,7 +94,8 @@ final class TunerPane {
 
   private void settings(ParametersViewState look) {
     Optional<Panel> panel = look.panel();
-    boolean usable = panel.isPresent() && panel.get().known() && !panel.get().knobs().isEmpty() && panel.get().failure().isEmpty();
+    boolean usable =
+        panel.isPresent() && panel.get().known() && !panel.get().knobs().isEmpty() && panel.get().failure().isEmpty();
     if (panel.isEmpty()) {
       message.show(Health.NONE, "No program is chosen", "Choose one to see and change its settings.");
     } else if (panel.get().failure().isPresent()) {

@@ -19,8 +19,8 @@ import org.robotui.uic.parameters.internal.model.ValueReader;
 import org.robotui.uic.parameters.internal.model.ValueText;
 
 /**
- * Edits a value where it stands: Enter sets it, Esc and leaving give up, so that nothing is set by looking away. A text of several
- * lines has a field of several, which Ctrl+Enter sets; a truth value is chosen from a menu. Display thread.
+ * Edits a value where it stands: Enter sets it, Esc and leaving give up, so that nothing is set by looking away. A text
+ * of several lines has a field of several, which Ctrl+Enter sets; a truth value is chosen from a menu. Display thread.
  */
 final class ValueEditor {
   private static final int LONGEST = 200_000;
@@ -59,7 +59,7 @@ final class ValueEditor {
 
   private void choose(ParameterRow row, boolean now, Rectangle at) {
     PopupMenu menu = new PopupMenu(parent);
-    for (boolean value : new boolean[] {true, false}) {
+    for (boolean value : new boolean[]{true, false}) {
       menu.radio(Boolean.toString(value), value == now, () -> {
         if (value != now) {
           model.set(row.key(), value);
@@ -85,7 +85,8 @@ final class ValueEditor {
     place(text, at, lines);
     text.addListener(SWT.Modify, e -> check(text, value));
     text.addListener(SWT.KeyDown, e -> key(e, row, text, value));
-    text.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    text.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     text.addListener(SWT.FocusOut, e -> parent.getDisplay().asyncExec(() -> left(text)));
     field = Optional.of(text);
     text.setFocus();

@@ -59,11 +59,13 @@ public final class FakeRobot implements Browser {
     return List.copyOf(sent);
   }
 
-  public static Tunable number(String name, String group, double value, double fallback, double least, double most, String help) {
+  public static Tunable number(String name, String group, double value, double fallback, double least, double most,
+      String help) {
     return new Tunable(name, group, help, value, fallback, Optional.of(least), Optional.of(most), List.of());
   }
 
-  public static Tunable whole(String name, String group, long value, long fallback, long least, long most, String help) {
+  public static Tunable whole(String name, String group, long value, long fallback, long least, long most,
+      String help) {
     return new Tunable(name, group, help, value, fallback, Optional.of(least), Optional.of(most), List.of());
   }
 
@@ -76,7 +78,8 @@ public final class FakeRobot implements Browser {
   }
 
   public synchronized void elsewhere(String server, String name, Object value) {
-    servers.computeIfPresent(server, (s, all) -> all.stream().map(t -> t.name().equals(name) ? changed(t, value) : t).toList());
+    servers.computeIfPresent(server,
+        (s, all) -> all.stream().map(t -> t.name().equals(name) ? changed(t, value) : t).toList());
   }
 
   private static Tunable changed(Tunable t, Object value) {

@@ -114,7 +114,8 @@ class ParametersModelTest {
     ticks(1);
     assertEquals(ParameterRow.State.WRONG, row("/base/speed").state());
     assertEquals(Health.BAD, model.look().told().health());
-    assertTrue(model.look().told().text().endsWith("the stop is latched; release it first"), model.look().told().text());
+    assertTrue(model.look().told().text().endsWith("the stop is latched; release it first"),
+        model.look().told().text());
     assertEquals("", model.look().undo());
     assertEquals(Optional.of(0.5), row("/base/speed").value());
   }
@@ -144,7 +145,8 @@ class ParametersModelTest {
 
   @Test
   void aNamespaceIsWrittenAsYaml(@TempDir Path folder) throws IOException {
-    robot.with("/base/speed", 0.5).with("/base/pid/gains", List.of(1.0, 2.0)).with("/base/name", "a: b").with("/other", 1L);
+    robot.with("/base/speed", 0.5).with("/base/pid/gains", List.of(1.0, 2.0)).with("/base/name", "a: b").with("/other",
+        1L);
     connect();
     Path file = folder.resolve("base.yaml");
     model.export(key("/base"), file);

@@ -43,12 +43,14 @@ class ValueReaderTest {
 
   @Test
   void listsAndMapsNest() throws Unreadable {
-    assertEquals(List.of(Map.of("a b", List.of("x", true)), "it's"), ValueReader.read("[{'a b': [x, true]}, \"it's\"]", List.of()));
+    assertEquals(List.of(Map.of("a b", List.of("x", true)), "it's"),
+        ValueReader.read("[{'a b': [x, true]}, \"it's\"]", List.of()));
   }
 
   @Test
   void whatIsWrittenIsReadAgain() throws Unreadable {
-    Map<String, Object> value = Map.of("n", List.of(1L, 2.5, true, "true", "1", "a\n\"b\"", "", "x: y", "-"), "e", Map.of(), "l", List.of());
+    Map<String, Object> value =
+        Map.of("n", List.of(1L, 2.5, true, "true", "1", "a\n\"b\"", "", "x: y", "-"), "e", Map.of(), "l", List.of());
     assertEquals(value, ValueReader.read(ValueText.of(value), value));
   }
 

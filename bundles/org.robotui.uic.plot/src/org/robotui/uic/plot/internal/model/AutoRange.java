@@ -3,7 +3,10 @@ package org.robotui.uic.plot.internal.model;
 import java.util.Optional;
 import org.robotui.uic.plot.internal.trace.Summary;
 
-/** Chooses the values that a scale shows from those that are there: with room around them, and without jumping at each change. */
+/**
+ * Chooses the values that a scale shows from those that are there: with room around them, and without jumping at each
+ * change.
+ */
 public final class AutoRange {
   private static final ValueSpan NOTHING = new ValueSpan(-1, 1);
   private static final double ROOM = 0.06;

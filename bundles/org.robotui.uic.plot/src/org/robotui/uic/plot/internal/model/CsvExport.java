@@ -9,8 +9,9 @@ import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
- * Writes samples as comma separated values: a column for the time in seconds and one for each trace, merged by time; what a
- * trace does not have at a time stays empty. Numbers are written the same in all languages, exact to the last digit.
+ * Writes samples as comma separated values: a column for the time in seconds and one for each trace, merged by time;
+ * what a trace does not have at a time stays empty. Numbers are written the same in all languages, exact to the last
+ * digit.
  */
 public final class CsvExport {
   /** A trace to write. */
@@ -54,7 +55,8 @@ public final class CsvExport {
   private String header() {
     StringBuilder header = new StringBuilder("time [s]");
     for (Column column : columns) {
-      header.append(',').append(quoted(column.unit().isEmpty() ? column.name() : column.name() + " [" + column.unit() + "]"));
+      header.append(',')
+          .append(quoted(column.unit().isEmpty() ? column.name() : column.name() + " [" + column.unit() + "]"));
     }
     return header.append('\n').toString();
   }
@@ -89,7 +91,8 @@ public final class CsvExport {
 
   static String seconds(long nanos) {
     long size = Math.abs(nanos);
-    return String.format(Locale.ROOT, "%s%d.%09d", nanos < 0 ? "-" : "", size / TimeSpan.SECOND, size % TimeSpan.SECOND);
+    return String.format(Locale.ROOT, "%s%d.%09d", nanos < 0 ? "-" : "", size / TimeSpan.SECOND,
+        size % TimeSpan.SECOND);
   }
 
   private static String quoted(String text) {

@@ -49,7 +49,8 @@ public final class FieldReader {
   }
 
   private Found number(FieldValue value, String schema) {
-    return number(value).<Found>map(n -> new Number(n, schema)).orElseGet(() -> new Missing(path + " of " + schema + " is " + noun(value)));
+    return number(value).<Found>map(n -> new Number(n, schema))
+        .orElseGet(() -> new Missing(path + " of " + schema + " is " + noun(value)));
   }
 
   private static String noun(FieldValue value) {
@@ -65,14 +66,16 @@ public final class FieldReader {
   private String reason(DynamicRecord data, DynamicRecord own) {
     DynamicRecord deepest = deepest(data).size() >= deepest(own).size() ? data : own;
     List<FieldPath.Step> reached = deepest(deepest);
-    String missing = new FieldPath(path.steps().subList(0, Math.min(path.steps().size(), reached.size() + 1))).toString();
+    String missing =
+        new FieldPath(path.steps().subList(0, Math.min(path.steps().size(), reached.size() + 1))).toString();
     return deepest.schema() + " has no field '" + missing + "'" + there(deepest, reached);
   }
 
   /** How far the path leads. */
   private List<FieldPath.Step> deepest(DynamicRecord record) {
     int reached = 0;
-    while (reached < path.steps().size() && record.at(new FieldPath(path.steps().subList(0, reached + 1))).isPresent()) {
+    while (reached < path.steps().size()
+        && record.at(new FieldPath(path.steps().subList(0, reached + 1))).isPresent()) {
       reached++;
     }
     return path.steps().subList(0, reached);

@@ -13,7 +13,10 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 
-/** All that could be plotted, as the rows of a tree: the sources, and below those that were opened, their fields. One thread. */
+/**
+ * All that could be plotted, as the rows of a tree: the sources, and below those that were opened, their fields. One
+ * thread.
+ */
 public final class FieldTree {
   /**
    * A row.
@@ -26,7 +29,8 @@ public final class FieldTree {
    * @param open whether that is shown
    * @param signals what choosing it plots: one for a number, several for a short list, none for what is no number
    */
-  public record Row(int depth, String key, String name, String detail, boolean opens, boolean open, List<String> signals) {}
+  public record Row(int depth, String key, String name, String detail, boolean opens, boolean open,
+      List<String> signals) {}
 
   /** What a source was seen to have: by the names of our data records, and by the robot's own where these differ. */
   public record Learned(DynamicRecord data, Optional<DynamicRecord> own) {}
@@ -58,8 +62,11 @@ public final class FieldTree {
     return openSources;
   }
 
-  /** The rows to show; with a filter only those that have it in their source, type or path, opened where that is below. */
-  public List<Row> rows(List<Input.Candidate> candidates, Function<SourceId, Optional<Learned>> learned, String filter) {
+  /**
+   * The rows to show; with a filter only those that have it in their source, type or path, opened where that is below.
+   */
+  public List<Row> rows(List<Input.Candidate> candidates, Function<SourceId, Optional<Learned>> learned,
+      String filter) {
     String words = filter.strip().toLowerCase(Locale.ROOT);
     Set<SourceId> opened = new HashSet<>();
     List<Row> rows = new ArrayList<>();
@@ -123,7 +130,8 @@ public final class FieldTree {
 
     private void value(String name, String path, String keys, FieldValue value, int depth) {
       boolean opens = opens(value) && depth < DEEPEST;
-      boolean isOpen = opens && (open.contains(keys + path) || !filter.isEmpty() && !(value instanceof FieldValue.Numbers));
+      boolean isOpen =
+          opens && (open.contains(keys + path) || !filter.isEmpty() && !(value instanceof FieldValue.Numbers));
       boolean seen = filter.isEmpty() || path.toLowerCase(Locale.ROOT).contains(filter);
       int before = rows.size();
       rows.add(new Row(depth, keys + path, name, detail(value), opens, isOpen, signals(path, value)));
@@ -138,11 +146,12 @@ public final class FieldTree {
     private void below(String path, String keys, FieldValue value, int depth) {
       switch (value) {
         case FieldValue.Nested n -> record(n.value(), path, keys, depth);
-        case FieldValue.Numbers n -> IntStream.range(0, Math.min(MOST_ELEMENTS, n.values().size())).forEach(i ->
-            value("[" + i + "]", path + "[" + i + "]", keys, new FieldValue.Num(n.values().get(i), ""), depth));
-        case FieldValue.Items n -> IntStream.range(0, Math.min(MOST_ELEMENTS, n.values().size())).forEach(i ->
-            value("[" + i + "]" + called(n.values().get(i)), path + "[" + i + "]", keys, n.values().get(i), depth));
-        default -> { }
+        case FieldValue.Numbers n -> IntStream.range(0, Math.min(MOST_ELEMENTS, n.values().size())).forEach(
+            i -> value("[" + i + "]", path + "[" + i + "]", keys, new FieldValue.Num(n.values().get(i), ""), depth));
+        case FieldValue.Items n -> IntStream.range(0, Math.min(MOST_ELEMENTS, n.values().size()))
+            .forEach(i -> value("[" + i + "]" + called(n.values().get(i)), path + "[" + i + "]", keys,
+                n.values().get(i), depth));
+        default -> {}
       }
     }
 
@@ -179,7 +188,9 @@ public final class FieldTree {
 
   /** The name that an element gives to itself, as joints do. */
   private static String called(FieldValue element) {
-    return element instanceof FieldValue.Nested n && n.value().field("name").orElse(element) instanceof FieldValue.Text t
-        ? " " + t.value() : "";
+    return element instanceof FieldValue.Nested n
+        && n.value().field("name").orElse(element) instanceof FieldValue.Text t
+            ? " " + t.value()
+            : "";
   }
 }

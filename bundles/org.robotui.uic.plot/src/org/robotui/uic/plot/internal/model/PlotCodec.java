@@ -28,7 +28,8 @@ public final class PlotCodec {
     List<String> faults = new ArrayList<>();
     for (Object axis : settings.list(PlotOptions.AXES)) {
       Map<String, Object> fields = fields(axis);
-      list(fields.get(PlotOptions.TRACES)).stream().map(PlotCodec::trace).forEach(t -> Signal.of(t.signal()).error().ifPresent(faults::add));
+      list(fields.get(PlotOptions.TRACES)).stream().map(PlotCodec::trace)
+          .forEach(t -> Signal.of(t.signal()).error().ifPresent(faults::add));
       for (String range : List.of(PlotOptions.RANGE, PlotOptions.RANGE_RIGHT)) {
         if (fields.get(range) instanceof List<?> limits && range(fields, range) instanceof YRange.Auto) {
           faults.add("'" + range + "' must be [low, high], the lower number first, not " + limits);
@@ -93,15 +94,16 @@ public final class PlotCodec {
         signal(fields),
         text(fields, PlotOptions.LABEL),
         text(fields, PlotOptions.UNIT),
-        text(fields, PlotOptions.COLOUR).map(c -> OptionalInt.of(PlotOptions.COLOURS.indexOf(c))).orElse(OptionalInt.empty()),
+        text(fields, PlotOptions.COLOUR).map(c -> OptionalInt.of(PlotOptions.COLOURS.indexOf(c)))
+            .orElse(OptionalInt.empty()),
         text(fields, PlotOptions.STYLE).map(LineStyle::of),
         text(fields, PlotOptions.SCALE).filter(PlotOptions.RIGHT::equals).isPresent(),
         Boolean.TRUE.equals(fields.get(PlotOptions.HIDDEN)));
   }
 
   private static String signal(Map<String, Object> fields) {
-    String signal = text(fields, PlotOptions.SIGNAL).orElseGet(() ->
-        text(fields, PlotOptions.SOURCE).orElse("") + ":" + text(fields, PlotOptions.PATH).orElse(""));
+    String signal = text(fields, PlotOptions.SIGNAL)
+        .orElseGet(() -> text(fields, PlotOptions.SOURCE).orElse("") + ":" + text(fields, PlotOptions.PATH).orElse(""));
     for (Object function : list(fields.get(PlotOptions.DERIVE))) {
       signal = applied(function.toString().strip(), signal);
     }

@@ -22,8 +22,8 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.uic.plot.internal.signal.Expr;
 
 /**
- * Records the signals that are configured, asks robots for what they need and for nothing else, and says how each is doing.
- * {@link #tick} is called by the worker; {@link #watch} and {@link #newest} by any thread.
+ * Records the signals that are configured, asks robots for what they need and for nothing else, and says how each is
+ * doing. {@link #tick} is called by the worker; {@link #watch} and {@link #newest} by any thread.
  */
 public final class PlotEngine {
   private final Input<Data> input;
@@ -164,13 +164,16 @@ public final class PlotEngine {
     TraceSpec trace = axis.traces().get(index);
     Signal signal = signals.get(trace.signal());
     return signal.expr().map(expr -> view(trace, axis.colour(index), traces.get(expr), sources))
-        .orElseGet(() -> new TraceView(trace, axis.colour(index), trace.label().orElse(trace.signal()), "", "", Optional.empty(),
+        .orElseGet(() -> new TraceView(trace, axis.colour(index), trace.label().orElse(trace.signal()), "", "",
+            Optional.empty(),
             Sources.WRONG, signal.error(), List.of(), 0));
   }
 
   private static TraceView view(TraceSpec spec, int colour, LiveTrace trace, Sources sources) {
-    return new TraceView(spec, colour, spec.label().orElseGet(() -> Labels.of(trace.expr())), Labels.sources(trace.expr()),
-        spec.unit().orElseGet(trace::unit), Optional.of(trace.series()), sources.state(trace.expr()), trace.problem(), trace.losses(),
+    return new TraceView(spec, colour, spec.label().orElseGet(() -> Labels.of(trace.expr())),
+        Labels.sources(trace.expr()),
+        spec.unit().orElseGet(trace::unit), Optional.of(trace.series()), sources.state(trace.expr()), trace.problem(),
+        trace.losses(),
         trace.late());
   }
 }

@@ -43,16 +43,20 @@ public final class PlotOptions {
   private static final double MOST = 1e300;
   private static final ValueType TEXT = new ValueType.Text();
   private static final ValueType SIGNAL_TEXT =
-      new ValueType.Text(TextRule.readBy("a signal, such as base.odom:linear.x, or a function of signals", ExprParser::parse));
-  private static final TextRule FIELD = TextRule.readBy("the path of a field, such as linear.x or ranges[3]", FieldPath::parse);
+      new ValueType.Text(
+          TextRule.readBy("a signal, such as base.odom:linear.x, or a function of signals", ExprParser::parse));
+  private static final TextRule FIELD =
+      TextRule.readBy("the path of a field, such as linear.x or ranges[3]", FieldPath::parse);
   private static final ValueType FUNCTION = new ValueType.Text(TextRule.readBy(
-      "a function, such as derivative or average(0.5)", text -> ExprParser.parse(PlotCodec.applied(text.strip(), "any.port:x"))));
+      "a function, such as derivative or average(0.5)",
+      text -> ExprParser.parse(PlotCodec.applied(text.strip(), "any.port:x"))));
 
   private static final Schema TRACE = Schema.of(
       Setting.optional(SIGNAL, SIGNAL_TEXT,
           "What it shows: SOURCE:PATH, for example base./odom:linear.x, or a function: derivative(s), integral(s), average(s, seconds), "
               + "scale(s, factor, offset), difference(s, t), norm(s, t, ...)."),
-      Setting.optional(SOURCE, new ValueType.Text(TextRule.SOURCE), "In place of signal: component.port, for example base./odom."),
+      Setting.optional(SOURCE, new ValueType.Text(TextRule.SOURCE),
+          "In place of signal: component.port, for example base./odom."),
       Setting.optional(PATH, new ValueType.Text(FIELD), "With source: the field, for example linear.x or ranges[3]."),
       Setting.of(DERIVE, new ValueType.AnyOf(List.of(FUNCTION, new ValueType.ListOf(FUNCTION))), List.of(),
           "Functions of that, the first applied first: derivative, integral, average(0.5), scale(2, 1)."),
@@ -64,7 +68,8 @@ public final class PlotOptions {
       Setting.of(HIDDEN, new ValueType.Flag(), false, "Listed, but not drawn."));
 
   private static final ValueType RANGE_TYPE = new ValueType.AnyOf(List.of(
-      new ValueType.Choice(List.of(YRange.AUTO, YRange.HOLD)), new ValueType.ListOf(new ValueType.Num(-MOST, MOST, ""))));
+      new ValueType.Choice(List.of(YRange.AUTO, YRange.HOLD)),
+      new ValueType.ListOf(new ValueType.Num(-MOST, MOST, ""))));
 
   private static final Schema AXIS = Schema.of(
       Setting.of(TRACES, new ValueType.ListOf(new ValueType.AnyOf(List.of(SIGNAL_TEXT, new ValueType.Section(TRACE)))),
@@ -81,7 +86,8 @@ public final class PlotOptions {
       Setting.of(STYLE, new ValueType.Choice(LineStyle.words()), LineStyle.LINE.word(), "How samples are joined."),
       Setting.of(LEGEND, new ValueType.Choice(List.of("auto", "side", "top", "off")), "auto",
           "Where names and figures stand; auto takes the side where there is room."),
-      Setting.of(MEMORY, new ValueType.Int(1_000, 50_000_000), 1_000_000L, "Samples kept of each trace; 16 bytes each and a little more."),
+      Setting.of(MEMORY, new ValueType.Int(1_000, 50_000_000), 1_000_000L,
+          "Samples kept of each trace; 16 bytes each and a little more."),
       Setting.of(GAP, new ValueType.Num(0, 86_400, "s"), 1.0,
           "A line breaks where nothing came for longer than this and than five of its usual intervals; 0 never breaks it."));
 

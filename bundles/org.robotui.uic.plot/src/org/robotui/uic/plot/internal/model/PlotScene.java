@@ -24,6 +24,7 @@ public record PlotScene(PlotSpec spec, List<List<TraceView>> axes, long now) {
 
   /** From the first sample of all traces to the last. */
   public Optional<TimeSpan> extent() {
-    return traces().flatMap(t -> t.series().stream()).map(Series::extent).flatMap(Optional::stream).reduce(TimeSpan::union);
+    return traces().flatMap(t -> t.series().stream()).map(Series::extent).flatMap(Optional::stream)
+        .reduce(TimeSpan::union);
   }
 }

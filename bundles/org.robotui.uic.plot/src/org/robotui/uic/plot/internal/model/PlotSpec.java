@@ -16,9 +16,12 @@ import java.util.stream.Stream;
  * @param style how samples are joined
  * @param legend where names and figures stand
  */
-public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, boolean linked, LineStyle style, LegendPlace legend) {
+public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, boolean linked, LineStyle style,
+    LegendPlace legend) {
   /** Where names and figures stand. */
-  public enum LegendPlace { AUTO, SIDE, TOP, OFF }
+  public enum LegendPlace {
+    AUTO, SIDE, TOP, OFF
+  }
 
   public PlotSpec {
     axes = List.copyOf(axes);
@@ -35,7 +38,8 @@ public record PlotSpec(List<AxisSpec> axes, double window, boolean byStamp, bool
 
   public Optional<TraceSpec> trace(TraceRef ref) {
     return ref.axis() < axes.size() && ref.trace() < axes.get(ref.axis()).traces().size()
-        ? Optional.of(axes.get(ref.axis()).traces().get(ref.trace())) : Optional.empty();
+        ? Optional.of(axes.get(ref.axis()).traces().get(ref.trace()))
+        : Optional.empty();
   }
 
   /** With a trace more on an axis, which is made where there are fewer. */

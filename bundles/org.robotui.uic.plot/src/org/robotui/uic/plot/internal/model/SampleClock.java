@@ -3,7 +3,10 @@ package org.robotui.uic.plot.internal.model;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.time.RobotClock;
 
-/** Places values in time, nanoseconds since 1970: by their stamps, or by their receipt on this machine's clock. Worker only. */
+/**
+ * Places values in time, nanoseconds since 1970: by their stamps, or by their receipt on this machine's clock. Worker
+ * only.
+ */
 final class SampleClock {
   private static final long TRUSTED = 2_000_000_000L;
 
@@ -28,7 +31,8 @@ final class SampleClock {
   /** When a value was true. One without a stamp was when it was received. */
   long timeOf(Envelope<?> envelope, long nowNanos) {
     long time = byStamp
-        ? envelope.stamp().map(s -> s.nanos()).orElseGet(() -> clock.now().nanos() - (nowNanos - envelope.receivedNanos()))
+        ? envelope.stamp().map(s -> s.nanos())
+            .orElseGet(() -> clock.now().nanos() - (nowNanos - envelope.receivedNanos()))
         : startOffset + envelope.receivedNanos();
     newest = Math.max(newest, time);
     return time;

@@ -35,7 +35,8 @@ final class Sources {
     if (connected.contains(source)) {
       return input.state(source);
     }
-    return offered().contains(source) ? new InputState.Waiting("asking for " + source) : new InputState.Unconnected(absent(source));
+    return offered().contains(source) ? new InputState.Waiting("asking for " + source)
+        : new InputState.Unconnected(absent(source));
   }
 
   /** Asked for only where something is missing: there may be thousands. */
@@ -56,8 +57,10 @@ final class Sources {
           + offered().stream().map(SourceId::component).distinct().limit(MOST_NAMED).collect(Collectors.joining(", "));
     }
     return source.component() + " offers no '" + source.port() + "'; it offers "
-        + same.stream().map(SourceId::port).sorted(Comparator.comparing(p -> !p.contains(source.port().replaceFirst("^/", ""))))
-            .limit(MOST_NAMED).collect(Collectors.joining(", ")) + (same.size() > MOST_NAMED ? ", \u2026" : "");
+        + same.stream().map(SourceId::port)
+            .sorted(Comparator.comparing(p -> !p.contains(source.port().replaceFirst("^/", ""))))
+            .limit(MOST_NAMED).collect(Collectors.joining(", "))
+        + (same.size() > MOST_NAMED ? ", \u2026" : "");
   }
 
   private static int trouble(InputState state) {

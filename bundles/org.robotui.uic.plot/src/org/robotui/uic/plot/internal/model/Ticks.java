@@ -32,7 +32,8 @@ public record Ticks(double first, double step, int count) {
     }
     double wanted = Math.max(FINEST, least);
     double power = Math.pow(10, Math.floor(Math.log10(wanted)));
-    return DoubleStream.of(1, 2, 5, 10).map(m -> m * power).filter(s -> s >= wanted * (1 - HALF)).findFirst().orElse(10 * power);
+    return DoubleStream.of(1, 2, 5, 10).map(m -> m * power).filter(s -> s >= wanted * (1 - HALF)).findFirst()
+        .orElse(10 * power);
   }
 
   public double at(int index) {
@@ -65,7 +66,8 @@ public record Ticks(double first, double step, int count) {
       return Figures.fixed(value, 0);
     }
     int exponent = exponent(Math.abs(value));
-    return Figures.fixed(value / Math.pow(10, exponent), Math.min(decimals, MOST_DECIMALS)) + "e" + Figures.fixed(exponent, 0);
+    return Figures.fixed(value / Math.pow(10, exponent), Math.min(decimals, MOST_DECIMALS)) + "e"
+        + Figures.fixed(exponent, 0);
   }
 
   private static int exponent(double positive) {

@@ -19,8 +19,9 @@ public final class TimeTicks {
   private static final long HOUR = 60 * MINUTE;
   private static final long DAY = 24 * HOUR;
   private static final long[] LONG_STEPS = {
-    SECOND, 2 * SECOND, 5 * SECOND, 10 * SECOND, 15 * SECOND, 30 * SECOND, MINUTE, 2 * MINUTE, 5 * MINUTE, 10 * MINUTE, 15 * MINUTE,
-    30 * MINUTE, HOUR, 2 * HOUR, 3 * HOUR, 6 * HOUR, 12 * HOUR, DAY, 2 * DAY, 7 * DAY, 14 * DAY, 30 * DAY
+      SECOND, 2 * SECOND, 5 * SECOND, 10 * SECOND, 15 * SECOND, 30 * SECOND, MINUTE, 2 * MINUTE, 5 * MINUTE,
+      10 * MINUTE, 15 * MINUTE,
+      30 * MINUTE, HOUR, 2 * HOUR, 3 * HOUR, 6 * HOUR, 12 * HOUR, DAY, 2 * DAY, 7 * DAY, 14 * DAY, 30 * DAY
   };
   /** Below that, times are those of a simulation, counted from its beginning. */
   private static final long MOST_DAYS = Long.MAX_VALUE / DAY;
@@ -62,8 +63,10 @@ public final class TimeTicks {
     if (Math.abs(time) < FIRST_CALENDAR) {
       return Figures.of(time / (double) SECOND, decimals(step), "s");
     }
-    String pattern = step >= DAY ? "yyyy-MM-dd" : step >= MINUTE ? "HH:mm" : step >= SECOND ? "HH:mm:ss"
-        : "HH:mm:ss." + "S".repeat(Math.max(1, decimals(step)));
+    String pattern = step >= DAY ? "yyyy-MM-dd"
+        : step >= MINUTE ? "HH:mm"
+            : step >= SECOND ? "HH:mm:ss"
+                : "HH:mm:ss." + "S".repeat(Math.max(1, decimals(step)));
     Instant instant = Instant.ofEpochSecond(Math.floorDiv(time, SECOND), Math.floorMod(time, SECOND));
     return DateTimeFormatter.ofPattern(pattern, Locale.ROOT).format(instant.atZone(zone));
   }
@@ -88,7 +91,8 @@ public final class TimeTicks {
         return step;
       }
     }
-    return least > SECOND ? Math.min(Math.ceilDiv(least, DAY), MOST_DAYS) * DAY : Math.max(1, Math.round(Ticks.niceStep(least)));
+    return least > SECOND ? Math.min(Math.ceilDiv(least, DAY), MOST_DAYS) * DAY
+        : Math.max(1, Math.round(Ticks.niceStep(least)));
   }
 
   static int decimals(long step) {

@@ -11,12 +11,14 @@ final class TraceNames {
   /** The traces, with their sources in the name where others have the same. */
   static List<List<TraceView>> told(List<List<TraceView>> axes) {
     Map<String, Long> sources = axes.stream().flatMap(List::stream).collect(Collectors.groupingBy(TraceView::label,
-        Collectors.mapping(TraceView::sources, Collectors.collectingAndThen(Collectors.toSet(), set -> (long) set.size()))));
+        Collectors.mapping(TraceView::sources,
+            Collectors.collectingAndThen(Collectors.toSet(), set -> (long) set.size()))));
     return axes.stream().map(axis -> axis.stream().map(t -> told(t, sources.get(t.label()) > 1)).toList()).toList();
   }
 
   private static TraceView told(TraceView trace, boolean several) {
     return several && trace.spec().label().isEmpty() && !trace.sources().isEmpty()
-        ? trace.withLabel(trace.sources() + ":" + trace.label()) : trace;
+        ? trace.withLabel(trace.sources() + ":" + trace.label())
+        : trace;
   }
 }

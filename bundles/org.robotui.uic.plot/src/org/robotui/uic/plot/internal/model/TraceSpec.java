@@ -23,7 +23,8 @@ public record TraceSpec(
     boolean right,
     boolean hidden) {
   public static TraceSpec of(String signal) {
-    return new TraceSpec(signal, Optional.empty(), Optional.empty(), OptionalInt.empty(), Optional.empty(), false, false);
+    return new TraceSpec(signal, Optional.empty(), Optional.empty(), OptionalInt.empty(), Optional.empty(), false,
+        false);
   }
 
   public TraceSpec withSignal(String next) {

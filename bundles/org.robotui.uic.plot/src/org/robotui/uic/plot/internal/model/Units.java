@@ -5,7 +5,10 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.robotui.uic.plot.internal.signal.Expr;
 
-/** The units of the fields of data records and of the robot messages whose definition gives them; and of what is computed. */
+/**
+ * The units of the fields of data records and of the robot messages whose definition gives them; and of what is
+ * computed.
+ */
 public final class Units {
   private static final String METRE = "m";
   private static final String RADIAN = "rad";

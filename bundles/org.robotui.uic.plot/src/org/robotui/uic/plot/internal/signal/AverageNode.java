@@ -1,8 +1,8 @@
 package org.robotui.uic.plot.internal.signal;
 
 /**
- * The mean of the samples of the last seconds. A break begins it anew. What it keeps is bounded: of samples that come faster
- * than that, the newest count.
+ * The mean of the samples of the last seconds. A break begins it anew. What it keeps is bounded: of samples that come
+ * faster than that, the newest count.
  */
 final class AverageNode implements Sink {
   static final int MOST = 1 << 18;

@@ -1,6 +1,8 @@
 package org.robotui.uic.plot.internal.signal;
 
-/** The slope between two samples, put in their middle, where it is most nearly true. Nothing is computed across a break. */
+/**
+ * The slope between two samples, put in their middle, where it is most nearly true. Nothing is computed across a break.
+ */
 final class DerivativeNode implements Sink {
   private static final double NANO = 1e-9;
 

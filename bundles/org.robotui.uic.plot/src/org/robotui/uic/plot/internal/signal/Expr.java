@@ -6,8 +6,8 @@ import java.util.stream.Stream;
 import org.robotui.api.port.SourceId;
 
 /**
- * What a trace shows: a field of a source, or what is computed of one. Its text is what {@link ExprParser} reads, and two that
- * mean the same have the same text.
+ * What a trace shows: a field of a source, or what is computed of one. Its text is what {@link ExprParser} reads, and
+ * two that mean the same have the same text.
  */
 public sealed interface Expr {
   /** The fields it is computed of, in the order of the text. */
@@ -56,7 +56,8 @@ public sealed interface Expr {
   record Average(Expr of, double seconds) implements Expr {
     public Average {
       if (!(seconds > 0) || seconds > 3600) {
-        throw new IllegalArgumentException("an average is taken over more than 0 and at most 3600 seconds, not " + seconds);
+        throw new IllegalArgumentException(
+            "an average is taken over more than 0 and at most 3600 seconds, not " + seconds);
       }
     }
 

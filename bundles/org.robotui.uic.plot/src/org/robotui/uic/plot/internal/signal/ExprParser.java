@@ -6,7 +6,8 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.record.FieldPath;
 
 /**
- * Reads signals: {@code base./odom:twist.linear.x}, or a function of some: {@code derivative(average(base./odom:x, 0.5))}.
+ * Reads signals: {@code base./odom:twist.linear.x}, or a function of some:
+ * {@code derivative(average(base./odom:x, 0.5))}.
  */
 public final class ExprParser {
   static final String FUNCTIONS = "derivative, integral, average, scale, difference, norm";
@@ -83,7 +84,8 @@ public final class ExprParser {
       case "derivative" -> new Expr.Derivative(one(name, of, numbers, 0, 0));
       case "integral" -> new Expr.Integral(one(name, of, numbers, 0, 0));
       case "average" -> new Expr.Average(one(name, of, numbers, 1, 1), numbers.getFirst());
-      case "scale" -> new Expr.Scale(one(name, of, numbers, 1, 2), numbers.getFirst(), numbers.size() > 1 ? numbers.get(1) : 0);
+      case "scale" -> new Expr.Scale(one(name, of, numbers, 1, 2), numbers.getFirst(),
+          numbers.size() > 1 ? numbers.get(1) : 0);
       case "difference" -> difference(of, numbers);
       case "norm" -> norm(of, numbers);
       default -> throw new IllegalArgumentException("there is no function '" + name + "'; there are " + FUNCTIONS);

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Brings several signals to the times of the first: the others are taken between their two nearest samples, linearly, so that
- * the result waits until each has reached that time. Where one has a break there, so has the result; what lies before the
- * first sample of another is left out. What waits is bounded.
+ * Brings several signals to the times of the first: the others are taken between their two nearest samples, linearly,
+ * so that the result waits until each has reached that time. Where one has a break there, so has the result; what lies
+ * before the first sample of another is left out. What waits is bounded.
  */
 final class JoinNode {
   static final int MOST_WAITING = 1 << 16;

@@ -8,7 +8,8 @@ public final class Numbers {
 
   /** The shortest text that reads as the same number; whole numbers without decimals. */
   public static String text(double value) {
-    return value == Math.rint(value) && Math.abs(value) < EXACT_INTEGERS ? Long.toString((long) value) : Double.toString(value);
+    return value == Math.rint(value) && Math.abs(value) < EXACT_INTEGERS ? Long.toString((long) value)
+        : Double.toString(value);
   }
 
   /** Reads a number; the message names what was written. */

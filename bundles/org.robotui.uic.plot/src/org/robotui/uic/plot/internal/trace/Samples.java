@@ -3,8 +3,8 @@ package org.robotui.uic.plot.internal.trace;
 import java.util.List;
 
 /**
- * The samples that a series held at one moment: immutable, and cheap to take since chunks are only ever added to. Indices run
- * from 0. For all threads.
+ * The samples that a series held at one moment: immutable, and cheap to take since chunks are only ever added to.
+ * Indices run from 0. For all threads.
  */
 public final class Samples {
   private final List<Chunk> chunks;

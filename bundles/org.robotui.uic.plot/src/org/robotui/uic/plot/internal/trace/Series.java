@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * The samples of one trace in the order of time, in bounded memory: the oldest are forgotten a chunk at a time. What is asked
- * costs as much as the screen has columns, not as much as there are samples. Safe for all threads.
+ * The samples of one trace in the order of time, in bounded memory: the oldest are forgotten a chunk at a time. What is
+ * asked costs as much as the screen has columns, not as much as there are samples. Safe for all threads.
  */
 public final class Series {
   private final int mostChunks;
@@ -27,7 +27,8 @@ public final class Series {
    */
   public synchronized void add(long time, double value) {
     if (!chunks.isEmpty() && time < lastTime()) {
-      throw new IllegalArgumentException("samples of a series come in the order of time: " + time + " after " + lastTime());
+      throw new IllegalArgumentException(
+          "samples of a series come in the order of time: " + time + " after " + lastTime());
     }
     if (chunks.isEmpty() || chunks.getLast().isFull()) {
       chunks.add(new Chunk());
@@ -73,7 +74,8 @@ public final class Series {
     int before = skip(indexOf(time) - 1, -1);
     OptionalInt best = nearer(time, before, after);
     return best.isPresent() && Math.abs(time(best.getAsInt()) - time) <= within
-        ? Optional.of(new Sample(time(best.getAsInt()), value(best.getAsInt()))) : Optional.empty();
+        ? Optional.of(new Sample(time(best.getAsInt()), value(best.getAsInt())))
+        : Optional.empty();
   }
 
   /** The newest sample that is a number. */
@@ -83,9 +85,9 @@ public final class Series {
   }
 
   /**
-   * Draws the samples of a span for a screen: all of them where they are few, and one beyond each end, so that lines leave the
-   * screen; else of each column the first, the smallest, the largest and the last. Columns lie on a grid that does not move
-   * with the span, so that what scrolls does not shimmer.
+   * Draws the samples of a span for a screen: all of them where they are few, and one beyond each end, so that lines
+   * leave the screen; else of each column the first, the smallest, the largest and the last. Columns lie on a grid that
+   * does not move with the span, so that what scrolls does not shimmer.
    *
    * @param span what is seen
    * @param columns how many can be told apart, at least 1

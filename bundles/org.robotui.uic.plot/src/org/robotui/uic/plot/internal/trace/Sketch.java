@@ -2,7 +2,10 @@ package org.robotui.uic.plot.internal.trace;
 
 import java.util.Arrays;
 
-/** The points of a line as a screen can show it; a value of NaN breaks it. Reused from paint to paint; one thread at a time. */
+/**
+ * The points of a line as a screen can show it; a value of NaN breaks it. Reused from paint to paint; one thread at a
+ * time.
+ */
 public final class Sketch {
   private long[] times = new long[1024];
   private double[] values = new double[1024];

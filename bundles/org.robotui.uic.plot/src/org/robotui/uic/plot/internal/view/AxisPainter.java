@@ -16,7 +16,10 @@ import org.robotui.uic.plot.internal.model.TimeTicks;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.model.ValueSpan;
 
-/** Paints what lies behind and around the lines of an axis: grid, figures, times, and where something was lost. Display thread. */
+/**
+ * Paints what lies behind and around the lines of an axis: grid, figures, times, and where something was lost. Display
+ * thread.
+ */
 final class AxisPainter {
   private static final int TICK_EVERY = 38;
   private static final int TIME_EVERY = 96;
@@ -46,7 +49,8 @@ final class AxisPainter {
   int gutter(GC gc, AxisFrame frame) {
     gc.setFont(theme.font(Face.SMALL_FIGURES));
     int widest = widest(gc, ticks(frame.left(), frame.plot().height));
-    return FIGURE_GAP + Theme.EDGE + frame.right().map(r -> Math.max(widest, widest(gc, ticks(r, frame.plot().height)))).orElse(widest);
+    return FIGURE_GAP + Theme.EDGE
+        + frame.right().map(r -> Math.max(widest, widest(gc, ticks(r, frame.plot().height)))).orElse(widest);
   }
 
   /** Paints all but the lines; of an axis without samples only its edge and the times. */
@@ -98,7 +102,8 @@ final class AxisPainter {
 
   /** The unit that all traces of a scale have in common. */
   static Optional<String> unit(AxisFrame frame, boolean right) {
-    List<String> units = frame.traces().stream().filter(t -> t.spec().right() == right && t.drawn()).map(TraceView::unit).distinct().toList();
+    List<String> units = frame.traces().stream().filter(t -> t.spec().right() == right && t.drawn())
+        .map(TraceView::unit).distinct().toList();
     return units.size() == 1 && !units.getFirst().isEmpty() ? Optional.of(units.getFirst()) : Optional.empty();
   }
 
@@ -107,7 +112,8 @@ final class AxisPainter {
     gc.setFont(theme.font(Face.SMALL));
     unit(frame, false).ifPresent(unit -> unit(gc, unit, frame.plot().x + Theme.STEP, frame.plot().y + 1));
     unit(frame, true).ifPresent(
-        unit -> unit(gc, unit, frame.plot().x + frame.plot().width - gc.textExtent(unit).x - Theme.STEP, frame.plot().y + 1));
+        unit -> unit(gc, unit, frame.plot().x + frame.plot().width - gc.textExtent(unit).x - Theme.STEP,
+            frame.plot().y + 1));
   }
 
   private void unit(GC gc, String unit, int x, int y) {
@@ -127,7 +133,8 @@ final class AxisPainter {
     int right = frame.times().x + frame.times().width;
     for (TimeTicks.Tick tick : ticks) {
       Point size = gc.textExtent(tick.label());
-      int x = Math.max(frame.times().x - size.x / 2, Math.min(right - size.x, Math.round(frame.x(tick.time())) - size.x / 2));
+      int x = Math.max(frame.times().x - size.x / 2,
+          Math.min(right - size.x, Math.round(frame.x(tick.time())) - size.x / 2));
       if (x >= free) {
         gc.drawText(tick.label(), x, frame.times().y + Theme.STEP, true);
         free = x + size.x + FIGURE_GAP;

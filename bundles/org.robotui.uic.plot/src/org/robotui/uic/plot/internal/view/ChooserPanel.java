@@ -23,7 +23,9 @@ import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.plot.internal.model.FieldTree;
 import org.robotui.uic.plot.internal.signal.ExprParser;
 
-/** Where traces are chosen: a field that filters the tree below it, or takes a signal as it is typed. Display thread. */
+/**
+ * Where traces are chosen: a field that filters the tree below it, or takes a signal as it is typed. Display thread.
+ */
 public final class ChooserPanel {
   /** What the panel needs of the view. */
   public interface Robot {
@@ -82,7 +84,7 @@ public final class ChooserPanel {
     text.onDown(list::focus);
     text.setToolTipText("Part of a name, or a signal such as base./odom:linear.x or derivative(base./odom:linear.x)");
     root.addListener(SWT.Resize, e -> place());
-    root.setTabList(new Control[] {text, list.control(), close});
+    root.setTabList(new Control[]{text, list.control(), close});
   }
 
   Composite control() {
@@ -175,7 +177,8 @@ public final class ChooserPanel {
     Optional<String> trouble = wrong.or(this::unreadable);
     gc.setForeground(theme.color(trouble.isPresent() ? Role.WARNING : Role.DIM));
     String words = trouble.orElse(isSignal() ? "Enter adds this signal" : "Double-click adds, drag to an axis");
-    gc.drawText(TextFit.shorten(gc, words, area.width - 2 * Theme.EDGE), Theme.EDGE, area.height - FOOT + Theme.EDGE, true);
+    gc.drawText(TextFit.shorten(gc, words, area.width - 2 * Theme.EDGE), Theme.EDGE, area.height - FOOT + Theme.EDGE,
+        true);
     ground.setToolTipText(trouble.orElse(null));
   }
 

@@ -54,7 +54,8 @@ final class DropZone implements PortDrag.Target {
 
   private Rectangle below(Rectangle area) {
     if (painter.frames().isEmpty()) {
-      return new Rectangle(area.x + Theme.EDGE, area.y + Theme.EDGE, area.width - 2 * Theme.EDGE, area.height - 2 * Theme.EDGE);
+      return new Rectangle(area.x + Theme.EDGE, area.y + Theme.EDGE, area.width - 2 * Theme.EDGE,
+          area.height - 2 * Theme.EDGE);
     }
     int height = Frames.TIMES;
     return new Rectangle(area.x, area.y + area.height - height, area.width, height);

@@ -20,7 +20,10 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.uic.plot.internal.model.FieldTree;
 
-/** The tree of what could be plotted: arrows walk and open, enter or a double click adds, a drag takes along. Display thread. */
+/**
+ * The tree of what could be plotted: arrows walk and open, enter or a double click adds, a drag takes along. Display
+ * thread.
+ */
 final class FieldList {
   /** What is done with rows. */
   interface Hands {
@@ -53,7 +56,8 @@ final class FieldList {
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.FocusIn, e -> canvas.redraw());
     canvas.addListener(SWT.FocusOut, e -> canvas.redraw());
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     dragged();
   }
 
@@ -134,7 +138,7 @@ final class FieldList {
       case SWT.ARROW_RIGHT -> toggle(row, false);
       case SWT.ARROW_LEFT -> toggle(row, true);
       case SWT.CR, SWT.KEYPAD_CR -> act(row);
-      default -> { }
+      default -> {}
     }
   }
 
@@ -208,7 +212,8 @@ final class FieldList {
     gc.setAntialias(SWT.ON);
     gc.setForeground(theme.color(Role.DIM));
     gc.setLineWidth(1);
-    gc.drawPolyline(open ? new int[] {x, y - 2, x + 4, y + 2, x + 8, y - 2} : new int[] {x + 2, y - 4, x + 6, y, x + 2, y + 4});
+    gc.drawPolyline(
+        open ? new int[]{x, y - 2, x + 4, y + 2, x + 8, y - 2} : new int[]{x + 2, y - 4, x + 6, y, x + 2, y + 4});
   }
 
   /** Does something with the row that is marked. */

@@ -10,7 +10,9 @@ import org.robotui.uic.plot.internal.model.PlotSpec.LegendPlace;
 import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
-/** Divides the view among its axes. Axes lie below each other, with the same left and right edge, so that times line up. */
+/**
+ * Divides the view among its axes. Axes lie below each other, with the same left and right edge, so that times line up.
+ */
 final class Frames {
   static final int TIMES = 24;
   static final int CHIPS = 24;
@@ -47,7 +49,8 @@ final class Frames {
     boolean own = !scene.spec().linked();
     int below = own ? TIMES : 0;
     int chips = place == LegendPlace.TOP ? CHIPS : 0;
-    int spare = area.height - (place == LegendPlace.TOP ? Theme.STEP : TOP) - (own ? Theme.STEP : TIMES) - (count - 1) * GAP;
+    int spare =
+        area.height - (place == LegendPlace.TOP ? Theme.STEP : TOP) - (own ? Theme.STEP : TIMES) - (count - 1) * GAP;
     int each = Math.max(LEAST_PLOT + chips + below, spare / Math.max(1, count));
     List<AxisFrame> frames = new ArrayList<>();
     int top = area.y + (place == LegendPlace.TOP ? Theme.STEP : TOP);
@@ -59,14 +62,16 @@ final class Frames {
         default -> new Rectangle(0, 0, 0, 0);
       };
       boolean last = i == count - 1;
-      Rectangle times = own || last ? new Rectangle(left, plot.y + plot.height, width, TIMES) : new Rectangle(0, 0, 0, 0);
+      Rectangle times =
+          own || last ? new Rectangle(left, plot.y + plot.height, width, TIMES) : new Rectangle(0, 0, 0, 0);
       frames.add(frame(scene, state, i, plot, legend, times));
       top += each + GAP;
     }
     return frames;
   }
 
-  private static AxisFrame frame(PlotScene scene, PlotState state, int axis, Rectangle plot, Rectangle legend, Rectangle times) {
+  private static AxisFrame frame(PlotScene scene, PlotState state, int axis, Rectangle plot, Rectangle legend,
+      Rectangle times) {
     List<TraceView> traces = scene.axes().get(axis);
     TimeSpan span = state.span(scene, axis);
     boolean right = traces.stream().anyMatch(t -> t.spec().right() && t.drawn());

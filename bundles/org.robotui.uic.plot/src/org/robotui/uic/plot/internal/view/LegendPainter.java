@@ -37,7 +37,8 @@ final class LegendPainter {
   }
 
   /** Paints the legend of an axis; gives where the traces stand in it. */
-  List<Place> paint(GC gc, AxisFrame frame, Optional<Long> pointed, Optional<CursorPair> cursors, Optional<Point> pointer) {
+  List<Place> paint(GC gc, AxisFrame frame, Optional<Long> pointed, Optional<CursorPair> cursors,
+      Optional<Point> pointer) {
     if (frame.legend().height == 0) {
       return List.of();
     }
@@ -54,7 +55,8 @@ final class LegendPainter {
     int left = area.x + Theme.EDGE;
     int width = area.width - 2 * Theme.EDGE;
     for (int i = 0; i < shown; i++) {
-      Rectangle at = new Rectangle(left - 2 * Theme.STEP, area.y - Theme.STEP + i * height, width + 3 * Theme.STEP, height);
+      Rectangle at =
+          new Rectangle(left - 2 * Theme.STEP, area.y - Theme.STEP + i * height, width + 3 * Theme.STEP, height);
       places.add(new Place(at, new TraceRef(frame.index(), i), rows.get(i)));
       hover(gc, at, pointer);
       first(gc, rows.get(i), left, at.y, width);
@@ -63,7 +65,8 @@ final class LegendPainter {
       }
     }
     if (shown < rows.size()) {
-      small(gc, "and " + (rows.size() - shown) + " more", left + SWATCH + 2 * Theme.STEP, area.y + shown * height, width);
+      small(gc, "and " + (rows.size() - shown) + " more", left + SWATCH + 2 * Theme.STEP, area.y + shown * height,
+          width);
     }
     return places;
   }
@@ -154,7 +157,8 @@ final class LegendPainter {
 
   /** The last step of the paths, where all have the same: what can be left out where there is no room. */
   private static String commonEnd(List<LegendRow> rows) {
-    List<String> ends = rows.stream().map(r -> r.trace().label()).map(l -> l.substring(Math.max(0, l.lastIndexOf('.')))).distinct().toList();
+    List<String> ends = rows.stream().map(r -> r.trace().label()).map(l -> l.substring(Math.max(0, l.lastIndexOf('.'))))
+        .distinct().toList();
     return rows.size() > 1 && ends.size() == 1 && ends.getFirst().startsWith(".") ? ends.getFirst() : "";
   }
 
@@ -174,11 +178,13 @@ final class LegendPainter {
     swatch(gc, row.trace(), at.x, at.y + LOW / 2);
     ink(gc, row.trace());
     gc.drawText(name, text, at.y + (LOW - gc.textExtent(name).y) / 2, true);
-    row.trouble().ifPresent(t -> HealthDot.paint(gc, theme, t.health(), text + named + 2 * Theme.STEP + HealthDot.SIZE / 2, at.y + LOW / 2));
+    row.trouble().ifPresent(t -> HealthDot.paint(gc, theme, t.health(),
+        text + named + 2 * Theme.STEP + HealthDot.SIZE / 2, at.y + LOW / 2));
     if (fits && value > 0) {
       gc.setFont(theme.font(Face.SMALL_FIGURES));
       gc.setForeground(theme.color(Role.DIM));
-      gc.drawText(row.value(), text + named + dot + 2 * Theme.STEP, at.y + (LOW - gc.textExtent(row.value()).y) / 2, true);
+      gc.drawText(row.value(), text + named + dot + 2 * Theme.STEP, at.y + (LOW - gc.textExtent(row.value()).y) / 2,
+          true);
     }
     return width;
   }

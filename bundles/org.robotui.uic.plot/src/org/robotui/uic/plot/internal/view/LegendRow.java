@@ -26,7 +26,8 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
   /** At the pointer where it is over the plot, else the newest. */
   static LegendRow of(AxisFrame frame, TraceView trace, Optional<Long> pointed, Optional<CursorPair> cursors) {
     Optional<Sample> sample = trace.series().flatMap(s -> pointed.isPresent()
-        ? s.nearest(pointed.get(), reach(frame)) : s.newest());
+        ? s.nearest(pointed.get(), reach(frame))
+        : s.newest());
     String value = sample.map(s -> Readout.of(s.value(), trace.unit())).orElse("");
     String number = sample.map(s -> Readout.of(s.value())).orElse("");
     return new LegendRow(trace, value, number, figures(frame, trace, cursors), trouble(trace));
@@ -44,7 +45,8 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
       text.append(" [").append(trace.unit()).append(']');
     }
     if (trace.series().isPresent()) {
-      text.append('\n').append(StateView.word(trace.state())).append(" \u00b7 ").append(trace.series().get().size()).append(" samples kept");
+      text.append('\n').append(StateView.word(trace.state())).append(" \u00b7 ").append(trace.series().get().size())
+          .append(" samples kept");
     }
     trouble.ifPresent(t -> text.append('\n').append(t.text()));
     if (trace.late() > 0) {
@@ -62,7 +64,9 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
       }
       Summary summary = new Summary();
       series.summarize(frame.span(), summary);
-      return summary.isEmpty() ? "" : Readout.of(summary.min()) + " \u2026 " + Readout.of(summary.max()) + "  \u00f8 " + Readout.of(summary.mean());
+      return summary.isEmpty() ? ""
+          : Readout.of(summary.min()) + " \u2026 " + Readout.of(summary.max()) + "  \u00f8 "
+              + Readout.of(summary.mean());
     }).orElse("");
   }
 
@@ -71,7 +75,8 @@ record LegendRow(TraceView trace, String value, String number, String figures, O
       return Optional.of(new Trouble(Health.BAD, trace.problem().get()));
     }
     return switch (trace.state()) {
-      case InputState.Live l when trace.lost() > 0 -> Optional.of(new Trouble(Health.WARNING, trace.lost() + " values lost in transit"));
+      case InputState.Live l when trace.lost() > 0 -> Optional
+          .of(new Trouble(Health.WARNING, trace.lost() + " values lost in transit"));
       case InputState.Live l -> Optional.empty();
       case InputState.Stale s -> Optional.of(new Trouble(Health.STALE, StateView.word(s)
           + (s.explanation().isBlank() ? "" : ": " + s.explanation())));

@@ -3,8 +3,9 @@ package org.robotui.uic.plot.internal.view;
 import java.util.Arrays;
 
 /**
- * The points of an unbroken line on the screen. Points without which it looks the same are left out, since each costs time: what is
- * left lies nowhere further than {@value #FAITHFUL} points above or below the line through all. Reused; one thread at a time.
+ * The points of an unbroken line on the screen. Points without which it looks the same are left out, since each costs
+ * time: what is left lies nowhere further than {@value #FAITHFUL} points above or below the line through all. Reused;
+ * one thread at a time.
  */
 final class LineShape {
   static final float FAITHFUL = 0.3f;

@@ -13,8 +13,9 @@ import org.robotui.uic.plot.internal.model.ValueSpan;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /**
- * Looks around: drag moves time, wheel zooms time, with shift or control values; a drag with shift marks a box to zoom into; over
- * the figures of a scale drag and wheel move and zoom values; double click goes back to live. Display thread.
+ * Looks around: drag moves time, wheel zooms time, with shift or control values; a drag with shift marks a box to zoom
+ * into; over the figures of a scale drag and wheel move and zoom values; double click goes back to live. Display
+ * thread.
  */
 final class Navigation {
   private static final double STEP = 1.25;
@@ -35,7 +36,9 @@ final class Navigation {
     this.painter = painter;
   }
 
-  private enum Kind { TIME, VALUES, BOX, CURSOR_A, CURSOR_B }
+  private enum Kind {
+    TIME, VALUES, BOX, CURSOR_A, CURSOR_B
+  }
 
   /** What is held, since where, and how all lay then. */
   private record Drag(Kind kind, AxisFrame frame, Point start) {}
@@ -49,7 +52,8 @@ final class Navigation {
     canvas.addListener(SWT.MouseVerticalWheel, this::wheel);
     canvas.addListener(SWT.MouseHorizontalWheel, e -> shift(e.count > 0 ? -KEY_SHARE : KEY_SHARE));
     canvas.addListener(SWT.KeyDown, this::key);
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
   }
 
   /** Holds what is seen, or goes back to live. */
@@ -69,7 +73,8 @@ final class Navigation {
 
   /** Shows two cursors, or takes them away. */
   void cursors() {
-    state.cursors(state.cursors().isPresent() ? Optional.empty() : Optional.of(CursorPair.within(state.span(scene.get(), 0))));
+    state.cursors(
+        state.cursors().isPresent() ? Optional.empty() : Optional.of(CursorPair.within(state.span(scene.get(), 0))));
     canvas.redraw();
   }
 
@@ -121,13 +126,14 @@ final class Navigation {
     int dx = here.x - d.start().x;
     if (Math.abs(dx) > STILL || !state.isLive()) {
       long moved = d.frame().time((double) -dx);
-      state.time(scene.get(), d.frame().index(), state.time(scene.get(), d.frame().index()).moved(d.frame().span(), moved));
+      state.time(scene.get(), d.frame().index(),
+          state.time(scene.get(), d.frame().index()).moved(d.frame().span(), moved));
     }
     dragValues(d, here.y - d.start().y, false);
   }
 
   private void dragValues(Drag d, int dy, boolean always) {
-    for (boolean right : new boolean[] {false, true}) {
+    for (boolean right : new boolean[]{false, true}) {
       if (always || state.isZoomed(d.frame().index(), right)) {
         ValueSpan from = d.frame().values(right);
         state.zoom(d.frame().index(), right, from.moved(from.length() * dy / Math.max(1, d.frame().plot().height)));
@@ -139,7 +145,8 @@ final class Navigation {
     Rectangle plot = d.frame().plot();
     int x = Math.clamp(here.x, plot.x, plot.x + plot.width);
     int y = Math.clamp(here.y, plot.y, plot.y + plot.height);
-    return new Rectangle(Math.min(x, d.start().x), Math.min(y, d.start().y), Math.abs(x - d.start().x), Math.abs(y - d.start().y));
+    return new Rectangle(Math.min(x, d.start().x), Math.min(y, d.start().y), Math.abs(x - d.start().x),
+        Math.abs(y - d.start().y));
   }
 
   private void up(Event event) {
@@ -156,7 +163,7 @@ final class Navigation {
     int axis = frame.index();
     TimeSpan span = new TimeSpan(frame.time(box.x), Math.max(frame.time(box.x) + 1, frame.time(box.x + box.width)));
     state.time(scene.get(), axis, state.time(scene.get(), axis).hold(span));
-    for (boolean right : new boolean[] {false, true}) {
+    for (boolean right : new boolean[]{false, true}) {
       double low = frame.value(box.y + box.height, right);
       double high = frame.value(box.y, right);
       if (low < high) {
@@ -187,7 +194,8 @@ final class Navigation {
 
   private void zoomTime(AxisFrame frame, double factor, int x) {
     int axis = frame.index();
-    state.time(scene.get(), axis, state.time(scene.get(), axis).zoomed(state.span(scene.get(), axis), factor, frame.time(x)));
+    state.time(scene.get(), axis,
+        state.time(scene.get(), axis).zoomed(state.span(scene.get(), axis), factor, frame.time(x)));
     canvas.redraw();
   }
 
@@ -222,7 +230,7 @@ final class Navigation {
         state.box(Optional.empty());
         canvas.redraw();
       }
-      default -> { }
+      default -> {}
     }
   }
 

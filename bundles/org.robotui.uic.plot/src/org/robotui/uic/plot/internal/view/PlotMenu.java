@@ -47,7 +47,8 @@ final class PlotMenu {
   /** Shows the menu for a point of the view. */
   void open(Control control, PlotScene scene, PlotState state, PlotPainter painter, Point at) {
     PopupMenu menu = new PopupMenu(control);
-    painter.places().stream().filter(p -> p.at().contains(at)).findFirst().ifPresent(p -> traces.fill(menu, scene, p.trace()));
+    painter.places().stream().filter(p -> p.at().contains(at)).findFirst()
+        .ifPresent(p -> traces.fill(menu, scene, p.trace()));
     menu.line();
     axisAt(painter, at).ifPresent(frame -> axis(menu.under("Axis " + (frame.index() + 1)), scene, frame));
     menu.push("Add a trace\u2026", () -> commands.choose(""));
@@ -71,7 +72,8 @@ final class PlotMenu {
   private void axis(PopupMenu menu, PlotScene scene, AxisFrame frame) {
     int axis = frame.index();
     range(menu.under("Left scale"), axis, false, scene.spec().axes().get(axis).left(), frame.left());
-    frame.right().ifPresent(shown -> range(menu.under("Right scale"), axis, true, scene.spec().axes().get(axis).right(), shown));
+    frame.right()
+        .ifPresent(shown -> range(menu.under("Right scale"), axis, true, scene.spec().axes().get(axis).right(), shown));
     menu.push("Zoom back", () -> commands.zoomBack(axis));
     menu.line();
     menu.push("Remove axis", () -> edits.axes(s -> s.withoutAxis(axis)));
@@ -91,8 +93,8 @@ final class PlotMenu {
 
   private void options(PopupMenu menu, PlotSpec spec) {
     PopupMenu windows = menu.under("Time seen");
-    WINDOWS.forEach((name, seconds) ->
-        windows.radio(name, spec.window() == seconds, () -> edits.set(PlotOptions.WINDOW, seconds)));
+    WINDOWS.forEach(
+        (name, seconds) -> windows.radio(name, spec.window() == seconds, () -> edits.set(PlotOptions.WINDOW, seconds)));
     PopupMenu time = menu.under("Time of values");
     time.radio("of their stamps", spec.byStamp(), () -> edits.set(PlotOptions.TIME, PlotOptions.BY_STAMP));
     time.radio("of their receipt", !spec.byStamp(), () -> edits.set(PlotOptions.TIME, PlotOptions.BY_RECEIPT));

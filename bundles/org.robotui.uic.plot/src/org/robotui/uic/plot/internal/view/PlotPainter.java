@@ -68,7 +68,8 @@ final class PlotPainter {
         axes.units(gc, frame);
       }
       overlay(gc, frame, scene, state, pointed);
-      named.addAll(legends.paint(gc, frame, pointedTime(pointed, scene, frame, state), state.cursors(), state.pointer()));
+      named.addAll(
+          legends.paint(gc, frame, pointedTime(pointed, scene, frame, state), state.cursors(), state.pointer()));
     }
     places = List.copyOf(named);
     state.box().ifPresent(box -> pointers.box(gc, box));
@@ -123,7 +124,8 @@ final class PlotPainter {
     if (frame.traces().stream().allMatch(t -> t.state() instanceof InputState.Stale)) {
       states.paint(gc, frame.plot(), first.state());
     } else if (frame.traces().stream().noneMatch(t -> StateView.showsContent(t.state()))) {
-      states.banner(gc, frame.plot(), StateView.health(first.state()), TextFit.shorten(gc, first.state().explanation(), frame.plot().width / 2));
+      states.banner(gc, frame.plot(), StateView.health(first.state()),
+          TextFit.shorten(gc, first.state().explanation(), frame.plot().width / 2));
     }
   }
 
@@ -137,7 +139,8 @@ final class PlotPainter {
       states.message(gc, frame.plot(), Health.NONE, "No traces", "Drop a field here.");
       return;
     }
-    TraceView first = frame.traces().stream().filter(t -> t.problem().isPresent()).findFirst().orElse(frame.traces().getFirst());
+    TraceView first =
+        frame.traces().stream().filter(t -> t.problem().isPresent()).findFirst().orElse(frame.traces().getFirst());
     if (first.problem().isPresent()) {
       states.message(gc, frame.plot(), Health.BAD, first.spec().signal(), first.problem().get());
     } else if (first.state() instanceof InputState.Live) {

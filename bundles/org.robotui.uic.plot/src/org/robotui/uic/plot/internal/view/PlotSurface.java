@@ -56,7 +56,8 @@ public final class PlotSurface {
    * @param state where the user looks; kept when the control is made anew
    */
   public PlotSurface(
-      Composite parent, UiContext context, PlotScene scene, PlotState state, Edits edits, Exporter exporter, ChooserPanel.Robot robot) {
+      Composite parent, UiContext context, PlotScene scene, PlotState state, Edits edits, Exporter exporter,
+      ChooserPanel.Robot robot) {
     this.context = context;
     this.scene = scene;
     this.state = state;
@@ -67,12 +68,14 @@ public final class PlotSurface {
     this.root = new Composite(parent, SWT.NONE);
     root.setBackground(context.theme().color(Role.PANEL));
     this.canvas = new PaintedCanvas(root, context.theme(), this::paint);
-    this.chooser = new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
+    this.chooser =
+        new ChooserPanel(root, context.theme(), robot, text -> edits.add(text, lastAxis()), this::closeChooser);
     this.navigation = new Navigation(canvas, () -> this.scene, state, painter);
     this.menu = new PlotMenu(edits, new Commands(), robot.ports(context.theme()));
     this.ports = new PortAdder(canvas, robot, new Ports());
     this.drops = new DropZone(canvas, painter, ports);
-    this.choose = new QuietButton(canvas, context.theme(), () -> choose("")).icon(Icon.PLUS).text("Choose a field").fill(Role.ACCENT);
+    this.choose = new QuietButton(canvas, context.theme(), () -> choose("")).icon(Icon.PLUS).text("Choose a field")
+        .fill(Role.ACCENT);
     listen();
     show(scene);
   }
@@ -152,7 +155,8 @@ public final class PlotSurface {
       return;
     }
     TimeSpan span = all ? scene.extent().orElse(state.span(scene, 0)) : state.span(scene, 0);
-    SaveDialog.ask(canvas, "Export traces", "plot.csv", "*.csv").ifPresent(file -> exporter.export(scene, span, file.toString()));
+    SaveDialog.ask(canvas, "Export traces", "plot.csv", "*.csv")
+        .ifPresent(file -> exporter.export(scene, span, file.toString()));
   }
 
   private int lastAxis() {
@@ -233,7 +237,8 @@ public final class PlotSurface {
 
   private void notices(GC gc, Rectangle area) {
     Rectangle across = painter.frames().isEmpty() ? area : painter.frames().getLast().plot();
-    Rectangle low = new Rectangle(across.x, Math.max(area.y, area.y + area.height - Frames.TIMES - NOTICE), across.width, NOTICE);
+    Rectangle low =
+        new Rectangle(across.x, Math.max(area.y, area.y + area.height - Frames.TIMES - NOTICE), across.width, NOTICE);
     Optional<Exporter.Notice> notice = exporter.notice(System.nanoTime());
     if (notice.isPresent()) {
       String words = TextFit.shorten(gc, notice.get().text(), area.width - 6 * Theme.EDGE);

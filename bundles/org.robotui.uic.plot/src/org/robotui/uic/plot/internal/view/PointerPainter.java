@@ -51,12 +51,15 @@ final class PointerPainter {
     for (TraceView trace : frame.traces()) {
       if (trace.drawn()) {
         trace.series().orElseThrow().nearest(time, LegendRow.reach(frame)).ifPresent(sample -> {
-          dot(gc, frame.x(sample.time()), frame.y(sample.value(), trace.spec().right()), traces.color(trace), frame.plot());
-          lines.add(new Line(Readout.of(sample.value(), trace.unit()) + "  " + shortened(trace.label()), traces.color(trace)));
+          dot(gc, frame.x(sample.time()), frame.y(sample.value(), trace.spec().right()), traces.color(trace),
+              frame.plot());
+          lines.add(new Line(Readout.of(sample.value(), trace.unit()) + "  " + shortened(trace.label()),
+              traces.color(trace)));
         });
       }
     }
-    lost(frame, time).ifPresent(loss -> lines.add(new Line(loss.count() + " values lost here", theme.color(Role.WARNING))));
+    lost(frame, time)
+        .ifPresent(loss -> lines.add(new Line(loss.count() + " values lost here", theme.color(Role.WARNING))));
     if (words) {
       pill(gc, frame.plot(), x, y, lines);
     }
@@ -111,7 +114,8 @@ final class PointerPainter {
       gc.setFont(theme.font(Face.SMALL_FIGURES));
       Point size = gc.textExtent(cursors.text());
       int width = size.x + 4 * Theme.STEP;
-      int middle = Math.clamp((a + b) / 2 - width / 2, frame.plot().x, Math.max(frame.plot().x, frame.plot().x + frame.plot().width - width));
+      int middle = Math.clamp((a + b) / 2 - width / 2, frame.plot().x,
+          Math.max(frame.plot().x, frame.plot().x + frame.plot().width - width));
       Rectangle at = new Rectangle(middle, frame.plot().y + HANDLE + 2 * Theme.STEP, width, size.y + 2 * Theme.STEP);
       states.pill(gc, at);
       gc.setForeground(theme.color(Role.TEXT));

@@ -10,7 +10,10 @@ import org.robotui.api.show.Subject;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.show.DraggedPorts;
 
-/** Plots ports that come from other views: their fields where these are named or clear, else those that the user chooses. Display thread. */
+/**
+ * Plots ports that come from other views: their fields where these are named or clear, else those that the user
+ * chooses. Display thread.
+ */
 final class PortAdder implements DropZone.Taker {
   /** What it has the view do. */
   interface Plot {
@@ -71,7 +74,8 @@ final class PortAdder implements DropZone.Taker {
       return;
     }
     PopupMenu menu = new PopupMenu(control);
-    numbers.stream().limit(MOST_ASKED).forEach(field -> menu.push(field, () -> plot.add(signals(port, List.of(field)), axis)));
+    numbers.stream().limit(MOST_ASKED)
+        .forEach(field -> menu.push(field, () -> plot.add(signals(port, List.of(field)), axis)));
     menu.line().push("Choose among all\u2026", () -> plot.choose(port));
     menu.open(control.toDisplay(at));
   }

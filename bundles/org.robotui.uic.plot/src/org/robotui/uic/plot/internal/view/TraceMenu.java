@@ -47,7 +47,8 @@ final class TraceMenu {
     move(menu.under("Move to"), scene, ref);
     menu.line();
     menu.push("Copy signal", () -> Clipboards.copy(spec.signal()));
-    fields(spec.signal()).forEach(field -> ports.fill(menu.under(field.toString()), new Subject.Stream(field.source(), List.of(field.path()))));
+    fields(spec.signal()).forEach(
+        field -> ports.fill(menu.under(field.toString()), new Subject.Stream(field.source(), List.of(field.path()))));
   }
 
   /** The fields that a signal is made of; none of one that cannot be read. */

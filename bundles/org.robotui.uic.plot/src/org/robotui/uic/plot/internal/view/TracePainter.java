@@ -14,8 +14,8 @@ import org.robotui.uic.plot.internal.model.TraceView;
 import org.robotui.uic.plot.internal.trace.Sketch;
 
 /**
- * Draws the line of a trace. Smooth lines are antialiased; one that goes up and down so much that it fills an area is not,
- * since that takes ten times as long and looks the same. Display thread.
+ * Draws the line of a trace. Smooth lines are antialiased; one that goes up and down so much that it fills an area is
+ * not, since that takes ten times as long and looks the same. Display thread.
  */
 final class TracePainter {
   private static final float WEIGHT = 1.5f;

@@ -37,7 +37,8 @@ class CsvExportTest {
 
   @Test
   void severalSamplesOfOneTimeMakeSeveralRows() throws IOException {
-    assertEquals("time [s],x\n1.000000000,1\n1.000000000,2\n", written(new TimeSpan(0, 9 * SECOND), column("x", "", 1, 1, 1, 2)));
+    assertEquals("time [s],x\n1.000000000,1\n1.000000000,2\n",
+        written(new TimeSpan(0, 9 * SECOND), column("x", "", 1, 1, 1, 2)));
   }
 
   @Test
@@ -45,7 +46,8 @@ class CsvExportTest {
     Locale before = Locale.getDefault();
     try {
       Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
-      assertEquals("time [s],x\n1234.500000000,1.0E-10\n", written(new TimeSpan(0, 9999 * SECOND), column("x", "", 1234.5, 1e-10)));
+      assertEquals("time [s],x\n1234.500000000,1.0E-10\n",
+          written(new TimeSpan(0, 9999 * SECOND), column("x", "", 1234.5, 1e-10)));
     } finally {
       Locale.setDefault(before);
     }

@@ -26,7 +26,8 @@ class PlotCodecTest {
     TraceSpec full = new TraceSpec("derivative(a.b:c)", Optional.of("jerk"), Optional.of("m/s"), OptionalInt.of(3),
         Optional.of(LineStyle.STEP), true, true);
     List<AxisSpec> axes = List.of(
-        new AxisSpec(List.of(TraceSpec.of("a.b:c"), full), new YRange.Fixed(-1.5, 2), new YRange.Hold()), AxisSpec.EMPTY);
+        new AxisSpec(List.of(TraceSpec.of("a.b:c"), full), new YRange.Fixed(-1.5, 2), new YRange.Hold()),
+        AxisSpec.EMPTY);
     settings.set(PlotOptions.AXES, PlotCodec.write(axes));
     assertEquals(axes, PlotCodec.read(settings.current()).axes());
   }
@@ -40,7 +41,8 @@ class PlotCodecTest {
   @Test
   void sourcePathAndFunctionsMakeASignal() {
     assertEquals("base./odom:linear.x", signal(Map.of("source", "base./odom", "path", "linear.x")));
-    assertEquals("derivative(base./odom:x)", signal(Map.of("source", "base./odom", "path", "x", "derive", "derivative")));
+    assertEquals("derivative(base./odom:x)",
+        signal(Map.of("source", "base./odom", "path", "x", "derive", "derivative")));
     assertEquals("scale(average(base./odom:x, 0.5), 2, 1)",
         signal(Map.of("source", "base./odom", "path", "x", "derive", List.of("average(0.5)", "scale(2, 1)"))));
   }
@@ -55,7 +57,8 @@ class PlotCodecTest {
   void newTracesGetColoursThatAreFree() {
     PlotSpec spec = PlotCodec.read(settings.current()).plus(0, TraceSpec.of("a.b:x")).plus(0, TraceSpec.of("a.b:y"))
         .plus(0, TraceSpec.of("a.b:z")).without(new TraceRef(0, 1)).plus(0, TraceSpec.of("a.b:w"));
-    assertEquals(List.of(0, 2, 1), List.of(spec.axes().getFirst().colour(0), spec.axes().getFirst().colour(1), spec.axes().getFirst().colour(2)));
+    assertEquals(List.of(0, 2, 1),
+        List.of(spec.axes().getFirst().colour(0), spec.axes().getFirst().colour(1), spec.axes().getFirst().colour(2)));
   }
 
   @Test
@@ -79,7 +82,8 @@ class PlotCodecTest {
   void partsThatMakeNoSignalOrRangeTogetherAreFaults() {
     assertEquals(List.of(), PlotCodec.faults(settings.current()));
     settings.set(PlotOptions.AXES, List.of(
-        Map.of("traces", List.of("a.b:c", Map.of("source", "a.b")), "range", List.of(3.0, 1.0), "range_right", List.of(1.0, 2.0)),
+        Map.of("traces", List.of("a.b:c", Map.of("source", "a.b")), "range", List.of(3.0, 1.0), "range_right",
+            List.of(1.0, 2.0)),
         Map.of("range", List.of(1.0))));
     List<String> faults = PlotCodec.faults(settings.current());
     assertEquals(3, faults.size(), faults.toString());

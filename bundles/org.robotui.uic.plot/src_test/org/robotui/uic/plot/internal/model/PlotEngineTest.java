@@ -136,8 +136,10 @@ class PlotEngineTest {
     tick();
     drive(1, 1);
     tick();
-    assertTrue(trace(0).problem().orElseThrow().contains("no field 'linear.q'; fields there are: x, y, z"), trace(0).problem().orElseThrow());
-    assertTrue(trace(1).state().explanation().startsWith("base offers no '/nothing'; it offers /odom"), trace(1).state().explanation());
+    assertTrue(trace(0).problem().orElseThrow().contains("no field 'linear.q'; fields there are: x, y, z"),
+        trace(0).problem().orElseThrow());
+    assertTrue(trace(1).state().explanation().startsWith("base offers no '/nothing'; it offers /odom"),
+        trace(1).state().explanation());
     assertTrue(trace(2).problem().orElseThrow().contains("no signal"), trace(2).problem().orElseThrow());
     assertTrue(trace(3).problem().isPresent());
   }
@@ -169,7 +171,8 @@ class PlotEngineTest {
   void theSameFieldOfSeveralSourcesIsToldApart() {
     plot(X, "sim./odom:linear.x", "base./odom:linear.y");
     tick();
-    assertEquals(List.of("base./odom:linear.x", "sim./odom:linear.x", "linear.y"), engine.begin(0).traces().map(TraceView::label).toList());
+    assertEquals(List.of("base./odom:linear.x", "sim./odom:linear.x", "linear.y"),
+        engine.begin(0).traces().map(TraceView::label).toList());
   }
 
   @Test
@@ -178,7 +181,8 @@ class PlotEngineTest {
     tick();
     drive(1, 1);
     tick();
-    settings.set(PlotOptions.AXES, List.of(Map.of("traces", List.of("base./odom:angular.z")), Map.of("traces", List.of(X))));
+    settings.set(PlotOptions.AXES,
+        List.of(Map.of("traces", List.of("base./odom:angular.z")), Map.of("traces", List.of(X))));
     tick();
     assertEquals(1, engine.begin(0).axes().get(1).getFirst().series().orElseThrow().size());
   }

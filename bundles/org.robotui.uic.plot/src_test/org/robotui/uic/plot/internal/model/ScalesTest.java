@@ -19,7 +19,8 @@ class ScalesTest {
 
   @Test
   void scalesAreBoundedWhateverTheNumbersAre() {
-    double[] values = {-Double.MAX_VALUE, -1e300, -1, -Double.MIN_VALUE, 0, Double.MIN_VALUE, 1e-300, 1, 1e9, 1e300, Double.MAX_VALUE};
+    double[] values = {-Double.MAX_VALUE, -1e300, -1, -Double.MIN_VALUE, 0, Double.MIN_VALUE, 1e-300, 1, 1e9, 1e300,
+        Double.MAX_VALUE};
     for (double low : values) {
       for (double high : values) {
         if (low <= high) {
@@ -38,7 +39,7 @@ class ScalesTest {
     long[] times = {Long.MIN_VALUE, Long.MIN_VALUE + 1, -SECOND, 0, 1, NOON, Long.MAX_VALUE - 1, Long.MAX_VALUE};
     for (long from : times) {
       for (long to : times) {
-        for (int most : new int[] {1, 7}) {
+        for (int most : new int[]{1, 7}) {
           if (from <= to) {
             assertTrue(TimeTicks.relative(new TimeSpan(from, to), most).size() <= most + 2);
             assertTrue(TimeTicks.absolute(new TimeSpan(from, to), most, ZoneOffset.UTC).size() <= most + 2);
@@ -66,7 +67,8 @@ class ScalesTest {
     Random random = new Random(2);
     for (int i = 0; i < 3000; i++) {
       double low = random.nextGaussian() * Math.pow(10, random.nextInt(12) - 6);
-      double high = low + Math.abs(random.nextGaussian() + 0.01) * Math.pow(10, random.nextInt(8) - 4) + Math.abs(low) * 1e-6;
+      double high =
+          low + Math.abs(random.nextGaussian() + 0.01) * Math.pow(10, random.nextInt(8) - 4) + Math.abs(low) * 1e-6;
       int most = 2 + random.nextInt(12);
       Ticks ticks = Ticks.of(low, high, most);
       List<String> labels = labels(ticks);
@@ -80,7 +82,8 @@ class ScalesTest {
 
   @Test
   void liveTimesAreCountedBackFromNow() {
-    assertEquals(List.of("\u221260\u00a0s", "\u221245\u00a0s", "\u221230\u00a0s", "\u221215\u00a0s", "now"), relative(60, 5));
+    assertEquals(List.of("\u221260\u00a0s", "\u221245\u00a0s", "\u221230\u00a0s", "\u221215\u00a0s", "now"),
+        relative(60, 5));
     assertEquals(List.of("\u22121.0\u00a0s", "\u22120.5\u00a0s", "now"), relative(1, 2));
     assertEquals(List.of("\u221210\u00a0min", "\u22125\u00a0min", "now"), relative(600, 3));
     assertEquals("\u22122\u00a0h", relative(7200, 3).getFirst());
@@ -101,11 +104,12 @@ class ScalesTest {
   @Test
   void timesAreNeverMoreThanFitAndNeverEqual() {
     for (double seconds = 1e-5; seconds < 1e8; seconds *= 1.37) {
-      for (int most : new int[] {1, 3, 8}) {
+      for (int most : new int[]{1, 3, 8}) {
         TimeSpan span = TimeSpan.until(NOON, seconds);
         List<TimeTicks.Tick> ticks = TimeTicks.relative(span, most);
         assertTrue(ticks.size() <= most + 1, seconds + " s: " + ticks);
-        assertEquals(ticks.size(), ticks.stream().map(TimeTicks.Tick::label).distinct().count(), seconds + " s: " + ticks);
+        assertEquals(ticks.size(), ticks.stream().map(TimeTicks.Tick::label).distinct().count(),
+            seconds + " s: " + ticks);
         assertTrue(TimeTicks.absolute(span, most, ZoneOffset.UTC).size() <= most + 1);
       }
     }
@@ -176,7 +180,8 @@ class ScalesTest {
     TimeSpan span = TimeView.LIVE.span(NOON, 10, Optional.empty());
     TimeSpan live = TimeView.LIVE.zoomed(span, 0.5, span.from()).span(NOON, 10, Optional.empty());
     assertEquals(new TimeSpan(NOON - 5 * SECOND, NOON), live);
-    TimeSpan held = TimeView.LIVE.hold(span).zoomed(span, 0.5, span.from() + 2 * SECOND).span(NOON, 10, Optional.empty());
+    TimeSpan held =
+        TimeView.LIVE.hold(span).zoomed(span, 0.5, span.from() + 2 * SECOND).span(NOON, 10, Optional.empty());
     assertEquals(new TimeSpan(span.from() + SECOND, span.from() + 6 * SECOND), held);
   }
 
@@ -227,7 +232,8 @@ class ScalesTest {
   }
 
   private static List<String> absolute(long from, double seconds, int most, ZoneId zone) {
-    return TimeTicks.absolute(new TimeSpan(from, from + TimeSpan.nanos(seconds)), most, zone).stream().map(TimeTicks.Tick::label).toList();
+    return TimeTicks.absolute(new TimeSpan(from, from + TimeSpan.nanos(seconds)), most, zone).stream()
+        .map(TimeTicks.Tick::label).toList();
   }
 
   private static Summary seen(double low, double high) {

@@ -20,12 +20,12 @@ import org.robotui.uic.plot.internal.signal.ExprParser;
 class WordsTest {
   @ParameterizedTest
   @CsvSource(delimiter = ';', value = {
-    "base./odom:linear.x ; linear.x",
-    "derivative(base./odom:linear.x) ; d/dt linear.x",
-    "difference(a.b:x, average(c.d:y, 0.5)) ; x \u2212 (mean 0.5\u00a0s y)",
-    "scale(a.b:x, 2, -1) ; x \u00b7 2 \u2212 1",
-    "scale(integral(a.b:x), 1, 3) ; (\u222b x) + 3",
-    "norm(a.b:x, a.b:y) ; |x, y|",
+      "base./odom:linear.x ; linear.x",
+      "derivative(base./odom:linear.x) ; d/dt linear.x",
+      "difference(a.b:x, average(c.d:y, 0.5)) ; x \u2212 (mean 0.5\u00a0s y)",
+      "scale(a.b:x, 2, -1) ; x \u00b7 2 \u2212 1",
+      "scale(integral(a.b:x), 1, 3) ; (\u222b x) + 3",
+      "norm(a.b:x, a.b:y) ; |x, y|",
   })
   void signalsHaveShortNames(String signal, String label) {
     assertEquals(label, Labels.of(ExprParser.parse(signal)));
@@ -33,17 +33,17 @@ class WordsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "a.b:linear.x, m/s",
-    "derivative(a.b:linear.x), m/s\u00b2",
-    "derivative(a.b:pose.translation.x), m/s",
-    "integral(a.b:linear.x), m",
-    "integral(derivative(derivative(a.b:pose.translation.x))), m/s",
-    "a.b:angular.z, rad/s",
-    "'difference(a.b:linear.x, a.b:linear.y)', m/s",
-    "'difference(a.b:linear.x, a.b:angular.z)', ''",
-    "'scale(a.b:linear.x, 2)', ''",
-    "'average(a.b:linear.x, 1)', m/s",
-    "a.b:twistCovariance[3], ''",
+      "a.b:linear.x, m/s",
+      "derivative(a.b:linear.x), m/s\u00b2",
+      "derivative(a.b:pose.translation.x), m/s",
+      "integral(a.b:linear.x), m",
+      "integral(derivative(derivative(a.b:pose.translation.x))), m/s",
+      "a.b:angular.z, rad/s",
+      "'difference(a.b:linear.x, a.b:linear.y)', m/s",
+      "'difference(a.b:linear.x, a.b:angular.z)', ''",
+      "'scale(a.b:linear.x, 2)', ''",
+      "'average(a.b:linear.x, 1)', m/s",
+      "a.b:twistCovariance[3], ''",
   })
   void unitsFollowWhatIsComputed(String signal, String unit) {
     assertEquals(unit, Units.of(ExprParser.parse(signal), f -> Units.of("Odometry", f.path())));
@@ -61,17 +61,19 @@ class WordsTest {
   @Test
   void theNamesOfOurRecordsComeBeforeThoseOfTheRobot() {
     DynamicRecord own = new Own();
-    assertEquals(new FieldReader.Number(1, "Odometry"), new FieldReader("linear.x").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
-    assertEquals(new FieldReader.Number(1, "test/Own"), new FieldReader("moving").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
+    assertEquals(new FieldReader.Number(1, "Odometry"),
+        new FieldReader("linear.x").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
+    assertEquals(new FieldReader.Number(1, "test/Own"),
+        new FieldReader("moving").read(DataRecord.of(Robots.odometry(1, 2)), () -> own));
   }
 
   @ParameterizedTest
   @CsvSource(delimiter = '|', value = {
-    "speed | has no field 'speed'; fields there are: frame, childFrame, pose",
-    "linear.x.y | has no field 'linear.x.y'; linear.x has no fields",
-    "linear | linear of Odometry is a group; fields there are: x, y, z",
-    "name | name of test/Own is a text, not a number",
-    "twistCovariance[3] | has no field 'twistCovariance[3]'; twistCovariance has 0 elements",
+      "speed | has no field 'speed'; fields there are: frame, childFrame, pose",
+      "linear.x.y | has no field 'linear.x.y'; linear.x has no fields",
+      "linear | linear of Odometry is a group; fields there are: x, y, z",
+      "name | name of test/Own is a text, not a number",
+      "twistCovariance[3] | has no field 'twistCovariance[3]'; twistCovariance has 0 elements",
   })
   void whyThereIsNoNumberIsSaid(String path, String reason) {
     FieldReader.Found found = new FieldReader(path).read(DataRecord.of(Robots.odometry(1, 2)), Own::new);

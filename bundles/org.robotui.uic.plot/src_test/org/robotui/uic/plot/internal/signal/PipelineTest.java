@@ -69,7 +69,8 @@ class PipelineTest {
     }
     for (int i = 0; i < fed.size(); i += 97) {
       long now = fed.get(i).time();
-      double mean = fed.subList(0, i + 1).stream().filter(s -> s.time() > now - SECOND / 2).mapToDouble(Sample::value).average().orElseThrow();
+      double mean = fed.subList(0, i + 1).stream().filter(s -> s.time() > now - SECOND / 2).mapToDouble(Sample::value)
+          .average().orElseThrow();
       assertEquals(mean, out.get(i).value(), 1e-3);
     }
   }

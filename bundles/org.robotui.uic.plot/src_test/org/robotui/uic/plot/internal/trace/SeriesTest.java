@@ -184,7 +184,8 @@ class SeriesTest {
       }
       Summary real = new Summary();
       for (; sample < all.size() && Math.floorDiv(all.get(sample).time(), width) <= column; sample++) {
-        if (Math.floorDiv(all.get(sample).time(), width) == column && (sketch.isDense() || span.contains(all.get(sample).time()))) {
+        if (Math.floorDiv(all.get(sample).time(), width) == column
+            && (sketch.isDense() || span.contains(all.get(sample).time()))) {
           real.add(all.get(sample).value());
         }
       }

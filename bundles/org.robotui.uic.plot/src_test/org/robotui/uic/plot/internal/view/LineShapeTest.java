@@ -58,7 +58,7 @@ class LineShapeTest {
 
   @Test
   void edgesOfStepsStay() {
-    add(new float[] {0, 5, 5, 10, 10}, new float[] {1, 1, 9, 9, 1});
+    add(new float[]{0, 5, 5, 10, 10}, new float[]{1, 1, 9, 9, 1});
     assertEquals(5, shape.size());
     assertEquals(9, shape.y(2));
   }

@@ -20,6 +20,8 @@ record Baseline(ControlPlugins plugins, Optional<LoopTiming> timing, long nanos)
   /** A plugin whose process was started again counts from zero. */
   Optional<ControlPlugins.Plugin> plugin(ControlPlugins.Plugin now) {
     return plugins.plugins().stream()
-        .filter(plugin -> plugin.name().equals(now.name()) && plugin.respawns() == now.respawns() && plugin.cycles() <= now.cycles()).findFirst();
+        .filter(plugin -> plugin.name().equals(now.name()) && plugin.respawns() == now.respawns()
+            && plugin.cycles() <= now.cycles())
+        .findFirst();
   }
 }

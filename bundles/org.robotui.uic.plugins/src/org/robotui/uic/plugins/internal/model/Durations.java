@@ -33,8 +33,9 @@ public final class Durations {
 
   /** A round duration of an axis, without needless zeros. */
   public static String round(double nanos) {
-    return nanos < MICRO ? Figures.of(nanos, 0, "ns") : nanos < MILLI ? Figures.of(nanos / MICRO, 0, "\u00b5s")
-        : nanos < SECOND ? Figures.of(nanos / MILLI, 0, "ms") : Figures.of(nanos / SECOND, 0, "s");
+    return nanos < MICRO ? Figures.of(nanos, 0, "ns")
+        : nanos < MILLI ? Figures.of(nanos / MICRO, 0, "\u00b5s")
+            : nanos < SECOND ? Figures.of(nanos / MILLI, 0, "ms") : Figures.of(nanos / SECOND, 0, "s");
   }
 
   /** A period, as a rate where that is a round one. */

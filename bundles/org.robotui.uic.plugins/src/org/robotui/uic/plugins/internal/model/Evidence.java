@@ -29,7 +29,8 @@ public record Evidence(Histogram histogram, double p50, double p99, double max, 
   }
 
   private static Evidence of(Histogram histogram, double max, boolean bound) {
-    return new Evidence(histogram, Math.min(histogram.percentile(HALF), max), Math.min(histogram.percentile(MOST), max), max, bound);
+    return new Evidence(histogram, Math.min(histogram.percentile(HALF), max), Math.min(histogram.percentile(MOST), max),
+        max, bound);
   }
 
   /** The end of the highest bucket in which there is anything; NaN where all are empty. */

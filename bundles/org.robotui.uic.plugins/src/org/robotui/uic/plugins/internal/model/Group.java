@@ -22,8 +22,11 @@ public record Group(LoopLine loop, List<PluginLine> plugins) {
     plugins = List.copyOf(plugins);
   }
 
-  /** Puts the plugins below their threads: the measured threads first, in their order, then those that nobody measures. */
-  static List<Group> of(ControlPlugins plugins, Optional<LoopTiming> timing, Optional<Baseline> baseline, Predicate<String> pending) {
+  /**
+   * Puts the plugins below their threads: the measured threads first, in their order, then those that nobody measures.
+   */
+  static List<Group> of(ControlPlugins plugins, Optional<LoopTiming> timing, Optional<Baseline> baseline,
+      Predicate<String> pending) {
     Map<String, LoopLine> loops = new LinkedHashMap<>();
     timing.ifPresent(t -> t.loops().forEach(loop -> {
       LoopLine line = LoopLine.of(loop, baseline.flatMap(b -> b.loop(loop)));

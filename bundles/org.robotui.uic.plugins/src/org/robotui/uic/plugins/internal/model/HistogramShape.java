@@ -6,7 +6,8 @@ import java.util.stream.DoubleStream;
 import org.robotui.data.control.Histogram;
 
 /**
- * How a histogram is drawn: durations from left to right on a logarithmic axis, counts logarithmic too, since what matters is the rare.
+ * How a histogram is drawn: durations from left to right on a logarithmic axis, counts logarithmic too, since what
+ * matters is the rare.
  *
  * @param bars those with anything in them
  * @param from the left end, nanoseconds, a power of ten
@@ -51,8 +52,9 @@ public record HistogramShape(List<Bar> bars, double from, double to) {
     for (int i = 0; i < histogram.counts().size(); i++) {
       if (histogram.counts().get(i) > 0) {
         double lower = histogram.lower().get(i);
-        double upper = i + 1 < histogram.lower().size() ? histogram.lower().get(i + 1) : Math.max(histogram.max(), lower * 2);
-        filled.add(new double[] {lower, upper, histogram.counts().get(i)});
+        double upper =
+            i + 1 < histogram.lower().size() ? histogram.lower().get(i + 1) : Math.max(histogram.max(), lower * 2);
+        filled.add(new double[]{lower, upper, histogram.counts().get(i)});
       }
     }
     return filled;

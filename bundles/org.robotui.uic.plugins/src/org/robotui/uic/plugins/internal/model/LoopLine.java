@@ -21,7 +21,8 @@ import org.robotui.ui.Health;
  * @param busy how long one cycle took
  * @param period nanoseconds
  */
-public record LoopLine(String process, String thread, Optional<Schedule> schedule, Counts counts, Evidence wakeUp, Evidence busy, long period)
+public record LoopLine(String process, String thread, Optional<Schedule> schedule, Counts counts, Evidence wakeUp,
+    Evidence busy, long period)
     implements Line {
   private static final Histogram NOTHING = new Histogram(List.of(), List.of(), 0);
 
@@ -30,7 +31,8 @@ public record LoopLine(String process, String thread, Optional<Schedule> schedul
     Optional<Loop> before = earlier.filter(e -> e.counts().cycles() <= loop.counts().cycles());
     return new LoopLine(loop.process(), loop.name(), Optional.of(loop.schedule()),
         before.map(e -> less(loop.counts(), e.counts())).orElse(loop.counts()),
-        Evidence.of(loop.wakeUp(), before.map(Loop::wakeUp)), Evidence.of(loop.busy(), before.map(Loop::busy)), loop.schedule().period());
+        Evidence.of(loop.wakeUp(), before.map(Loop::wakeUp)), Evidence.of(loop.busy(), before.map(Loop::busy)),
+        loop.schedule().period());
   }
 
   /** A thread of which nothing is known but that plugins belong there. */
@@ -59,7 +61,8 @@ public record LoopLine(String process, String thread, Optional<Schedule> schedul
     if (schedule.isEmpty()) {
       return Health.NONE;
     }
-    return counts.overruns() + counts.missed() + counts.allocations() > 0 || busy.share(period) >= 1 ? Health.WARNING : Health.OK;
+    return counts.overruns() + counts.missed() + counts.allocations() > 0 || busy.share(period) >= 1 ? Health.WARNING
+        : Health.OK;
   }
 
   @Override
@@ -70,8 +73,8 @@ public record LoopLine(String process, String thread, Optional<Schedule> schedul
   /** When it runs, for a reader. */
   public String scheduled() {
     return schedule.map(s -> Stream.of("every " + Durations.period(s.period()),
-            s.priority() > 0 ? "real-time priority " + s.priority() : "no real-time priority",
-            s.core() >= 0 ? "processor " + s.core() : "any processor").collect(Collectors.joining(", ")))
+        s.priority() > 0 ? "real-time priority " + s.priority() : "no real-time priority",
+        s.core() >= 0 ? "processor " + s.core() : "any processor").collect(Collectors.joining(", ")))
         .orElse("This thread is not measured");
   }
 
@@ -81,9 +84,9 @@ public record LoopLine(String process, String thread, Optional<Schedule> schedul
       return "";
     }
     return Stream.of(
-            "wakes p99 " + Durations.of(wakeUp.p99()) + ", max " + wakeUp.longest(),
-            some(counts.overruns(), "overrun", "overruns"), some(counts.missed(), "missed", "missed"),
-            some(counts.allocations(), "allocation", "allocations"), some(counts.pageFaults(), "page fault", "page faults"))
+        "wakes p99 " + Durations.of(wakeUp.p99()) + ", max " + wakeUp.longest(),
+        some(counts.overruns(), "overrun", "overruns"), some(counts.missed(), "missed", "missed"),
+        some(counts.allocations(), "allocation", "allocations"), some(counts.pageFaults(), "page fault", "page faults"))
         .filter(part -> !part.isEmpty()).collect(Collectors.joining(" \u00b7 "));
   }
 

@@ -31,7 +31,9 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
 
   /** What it is, behind its name. */
   public String kind() {
-    return plugin().map(p -> Stream.of(p.plugin().type(), "in " + loop.name()).filter(part -> !part.isBlank()).collect(Collectors.joining(", ")))
+    return plugin()
+        .map(p -> Stream.of(p.plugin().type(), "in " + loop.name()).filter(part -> !part.isBlank())
+            .collect(Collectors.joining(", ")))
         .orElse("thread");
   }
 
@@ -52,8 +54,9 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
 
   private String said() {
     return plugin().map(p -> p.word() + (saysNoMore(p) ? "" : ": " + p.plugin().status().strip())
-        + (p.plugin().respawns() == 0 ? "" : p.plugin().respawns() == 1 ? " \u00b7 its process was started again once"
-            : " \u00b7 its process was started again " + p.plugin().respawns() + " times"))
+        + (p.plugin().respawns() == 0 ? ""
+            : p.plugin().respawns() == 1 ? " \u00b7 its process was started again once"
+                : " \u00b7 its process was started again " + p.plugin().respawns() + " times"))
         .orElseGet(loop::scheduled);
   }
 
@@ -72,9 +75,10 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
   /** What the thread counted. */
   public String counts() {
     Counts counts = loop.counts();
-    return loop.schedule().isEmpty() ? "Its thread is not measured" : Durations.count(counts.cycles()) + " cycles \u00b7 "
-        + counted(counts.overruns(), "overrun") + " \u00b7 " + Durations.count(counts.missed()) + " missed \u00b7 "
-        + counted(counts.allocations(), "allocation") + " \u00b7 " + counted(counts.pageFaults(), "page fault");
+    return loop.schedule().isEmpty() ? "Its thread is not measured"
+        : Durations.count(counts.cycles()) + " cycles \u00b7 "
+            + counted(counts.overruns(), "overrun") + " \u00b7 " + Durations.count(counts.missed()) + " missed \u00b7 "
+            + counted(counts.allocations(), "allocation") + " \u00b7 " + counted(counts.pageFaults(), "page fault");
   }
 
   private static String counted(long count, String what) {
@@ -83,7 +87,8 @@ public record PluginDetail(Line line, LoopLine loop, PluginNotice told, String s
 
   /** From when on the figures count. */
   public String from() {
-    return plugin().filter(p -> !p.busy().isEmpty()).map(p -> "Called " + Durations.count(p.busy().histogram().count()) + " times " + since)
+    return plugin().filter(p -> !p.busy().isEmpty())
+        .map(p -> "Called " + Durations.count(p.busy().histogram().count()) + " times " + since)
         .orElse("Figures " + since);
   }
 

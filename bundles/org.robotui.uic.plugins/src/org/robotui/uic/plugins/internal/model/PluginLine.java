@@ -42,7 +42,8 @@ public record PluginLine(Plugin plugin, Evidence busy, boolean pending) implemen
     return switch (plugin.state()) {
       case RUNNING -> busy.share(period()) >= 1 ? Health.WARNING : Health.OK;
       case STARTING, STOPPING, LOADED -> Health.WAITING;
-      // One whose process died is stopped when that is there again: what was wrong is to be seen until it is started or loaded anew.
+      // One whose process died is stopped when that is there again: what was wrong is to be seen until it is started or
+      // loaded anew.
       case STOPPED -> plugin.error().isBlank() ? Health.NONE : Health.BAD;
       case ABSENT -> Health.WARNING;
       case FAILED -> Health.BAD;
@@ -79,11 +80,13 @@ public record PluginLine(Plugin plugin, Evidence busy, boolean pending) implemen
 
   /** Whether it can be switched: what failed or has no process has to be loaded first. */
   public boolean isSwitchable() {
-    return !pending && (plugin.state() == State.STOPPED || plugin.state() == State.RUNNING || plugin.state() == State.STARTING);
+    return !pending
+        && (plugin.state() == State.STOPPED || plugin.state() == State.RUNNING || plugin.state() == State.STARTING);
   }
 
   /** Whether it can be loaded anew: it must not run. */
   public boolean isReloadable() {
-    return !pending && (plugin.state() == State.STOPPED || plugin.state() == State.FAILED || plugin.state() == State.LOADED);
+    return !pending
+        && (plugin.state() == State.STOPPED || plugin.state() == State.FAILED || plugin.state() == State.LOADED);
   }
 }

@@ -23,7 +23,8 @@ import org.robotui.ui.ask.ControlFirst;
  * @param question whether to take over from somebody
  * @param switchable whether there is a control that switches plugins
  */
-public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean> realTime, Optional<Long> sinceReset, Map<String, PluginNotice> told,
+public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean> realTime, Optional<Long> sinceReset,
+    Map<String, PluginNotice> told,
     Optional<ControlFirst.Question> question, boolean switchable) {
   /** Copies the list and the map. */
   public PluginsLook {
@@ -43,7 +44,9 @@ public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean
 
   /** The thread of a line. */
   public Optional<LoopLine> loop(Line line) {
-    return groups.stream().filter(group -> group.loop().key().equals(line.key()) || group.plugins().stream().anyMatch(p -> p.key().equals(line.key())))
+    return groups.stream()
+        .filter(group -> group.loop().key().equals(line.key())
+            || group.plugins().stream().anyMatch(p -> p.key().equals(line.key())))
         .map(Group::loop).findFirst();
   }
 
@@ -73,10 +76,10 @@ public record PluginsLook(InputState state, List<Group> groups, Optional<Boolean
     long running = plugins.stream().filter(p -> p.plugin().state() == State.RUNNING).count();
     long failed = plugins.stream().filter(p -> p.plugin().state() == State.FAILED).count();
     return Stream.of(
-            plugins.isEmpty() ? "" : running + " of " + plugins.size() + " running",
-            failed == 0 ? "" : failed + " failed",
-            isNotRealTime() ? "no real-time rights" : "",
-            StateView.word(state))
+        plugins.isEmpty() ? "" : running + " of " + plugins.size() + " running",
+        failed == 0 ? "" : failed + " failed",
+        isNotRealTime() ? "no real-time rights" : "",
+        StateView.word(state))
         .filter(part -> !part.isEmpty()).collect(Collectors.joining(" \u00b7 "));
   }
 }

@@ -32,7 +32,8 @@ public final class PluginsModel {
   private volatile PluginsLook look;
 
   /** With the inputs and the control that switches plugins. */
-  public PluginsModel(UicContext context, Input<ControlPlugins> plugins, Input<LoopTiming> timing, Caller<PluginRequest, PluginReply> caller,
+  public PluginsModel(UicContext context, Input<ControlPlugins> plugins, Input<LoopTiming> timing,
+      Caller<PluginRequest, PluginReply> caller,
       Supplier<Duration> timeout) {
     this.plugins = plugins;
     this.timing = timing;
@@ -91,8 +92,10 @@ public final class PluginsModel {
   private PluginsLook now(long nowNanos) {
     Optional<LoopTiming> measured = StateView.showsContent(timing.state()) ? newest(timing) : Optional.empty();
     List<Group> groups = StateView.showsContent(plugins.state())
-        ? newest(plugins).map(told -> Group.of(told, measured, baseline, verbs::isPending)).orElse(List.of()) : List.of();
-    return new PluginsLook(plugins.state(), groups, measured.map(LoopTiming::realTime), baseline.map(b -> (nowNanos - b.nanos()) / SECOND),
+        ? newest(plugins).map(told -> Group.of(told, measured, baseline, verbs::isPending)).orElse(List.of())
+        : List.of();
+    return new PluginsLook(plugins.state(), groups, measured.map(LoopTiming::realTime),
+        baseline.map(b -> (nowNanos - b.nanos()) / SECOND),
         verbs.told(), control.question(), verbs.isConnected());
   }
 

@@ -14,7 +14,10 @@ import org.robotui.api.port.PluginRequest.Verb;
 import org.robotui.ui.Health;
 import org.robotui.ui.ask.ControlFirst;
 
-/** Asks the control to do something with a plugin, once the user has control of the robot. One request a plugin at a time. All threads. */
+/**
+ * Asks the control to do something with a plugin, once the user has control of the robot. One request a plugin at a
+ * time. All threads.
+ */
 public final class Verbs {
   private final Caller<PluginRequest, PluginReply> caller;
   private final ControlFirst control;
@@ -38,7 +41,8 @@ public final class Verbs {
     if (!isConnected()) {
       tell(plugin, new PluginNotice(Health.BAD, "Not asked: no control is connected that switches plugins"));
     } else if (begin(plugin)) {
-      control.with(caller.targets().getFirst().component(), () -> send(new PluginRequest(plugin, verb, words)), () -> end(plugin, PluginNotice.NOTHING));
+      control.with(caller.targets().getFirst().component(), () -> send(new PluginRequest(plugin, verb, words)),
+          () -> end(plugin, PluginNotice.NOTHING));
     }
   }
 
@@ -78,12 +82,16 @@ public final class Verbs {
 
   private static PluginNotice answer(PluginRequest request, CallOutcome<PluginReply> outcome) {
     return switch (outcome) {
-      case CallOutcome.Replied<PluginReply> replied when replied.reply().done() ->
-          new PluginNotice(Health.OK, done(request) + said(replied.reply().text(), ": "));
-      case CallOutcome.Replied<PluginReply> replied -> new PluginNotice(Health.BAD, failed(request) + said(replied.reply().text(), ": "));
-      case CallOutcome.Failed<PluginReply> failed -> new PluginNotice(Health.BAD, failed(request) + said(failed.reason(), ": "));
-      case CallOutcome.TimedOut<PluginReply> late -> new PluginNotice(Health.BAD, failed(request) + ": the control did not answer in time");
-      case CallOutcome.Cancelled<PluginReply> gone -> new PluginNotice(Health.WARNING, failed(request) + ": it was cancelled");
+      case CallOutcome.Replied<PluginReply> replied when replied.reply().done() -> new PluginNotice(Health.OK,
+          done(request) + said(replied.reply().text(), ": "));
+      case CallOutcome.Replied<PluginReply> replied -> new PluginNotice(Health.BAD,
+          failed(request) + said(replied.reply().text(), ": "));
+      case CallOutcome.Failed<PluginReply> failed -> new PluginNotice(Health.BAD,
+          failed(request) + said(failed.reason(), ": "));
+      case CallOutcome.TimedOut<PluginReply> late -> new PluginNotice(Health.BAD,
+          failed(request) + ": the control did not answer in time");
+      case CallOutcome.Cancelled<PluginReply> gone -> new PluginNotice(Health.WARNING,
+          failed(request) + ": it was cancelled");
     };
   }
 

@@ -10,7 +10,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.uic.plugins.internal.model.Line;
 
-/** How much of its period something takes: p50 strong, p99 fainter, the longest as a mark, and that in figures. Display thread. */
+/**
+ * How much of its period something takes: p50 strong, p99 fainter, the longest as a mark, and that in figures. Display
+ * thread.
+ */
 final class BudgetBar {
   private static final int THICKNESS = 8;
   private static final int TICK = 14;

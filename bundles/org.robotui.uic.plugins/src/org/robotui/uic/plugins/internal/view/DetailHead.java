@@ -41,7 +41,8 @@ final class DetailHead {
     name.setLayoutData(wide);
     start = button("Start", Icon.PLAY, () -> ask(verbs, Verb.START, done));
     stop = button("Stop", Icon.STOP, () -> ask(verbs, Verb.STOP, done));
-    reload = button("Reload", Icon.RESTART, () -> ask(verbs, Verb.RELOAD, done)).hint("Loads it again from its library; it must not run");
+    reload = button("Reload", Icon.RESTART, () -> ask(verbs, Verb.RELOAD, done))
+        .hint("Loads it again from its library; it must not run");
   }
 
   QuietButton start() {

@@ -82,7 +82,8 @@ final class HistogramView {
   }
 
   private static Rectangle plot(Rectangle area) {
-    return new Rectangle(area.x + Theme.EDGE, area.y + TITLE + LABELS, area.width - 2 * Theme.EDGE, area.height - TITLE - LABELS - AXIS);
+    return new Rectangle(area.x + Theme.EDGE, area.y + TITLE + LABELS, area.width - 2 * Theme.EDGE,
+        area.height - TITLE - LABELS - AXIS);
   }
 
   private void heading(GC gc, Rectangle area) {
@@ -139,7 +140,8 @@ final class HistogramView {
       mark(gc, plot, shape, new Mark("period", period, shown.max() >= period ? Role.BAD : Role.DIM), Integer.MIN_VALUE);
     }
     int taken = Integer.MIN_VALUE;
-    for (Mark mark : List.of(new Mark("p50", shown.p50(), Role.TEXT), new Mark("p99", shown.p99(), Role.TEXT), new Mark("max", shown.max(), Role.WARNING))) {
+    for (Mark mark : List.of(new Mark("p50", shown.p50(), Role.TEXT), new Mark("p99", shown.p99(), Role.TEXT),
+        new Mark("max", shown.max(), Role.WARNING))) {
       taken = mark(gc, plot, shape, mark, taken);
     }
   }
@@ -171,9 +173,11 @@ final class HistogramView {
   private void tell(Event event) {
     Rectangle plot = plot(canvas.getClientArea());
     double share = (double) (event.x - plot.x) / Math.max(1, plot.width);
-    String hint = evidence.map(e -> HistogramShape.of(e.histogram(), period)).stream().flatMap(shape -> shape.bars().stream())
+    String hint = evidence.map(e -> HistogramShape.of(e.histogram(), period)).stream()
+        .flatMap(shape -> shape.bars().stream())
         .filter(bar -> share >= bar.left() && share < bar.right()).findFirst()
-        .map(bar -> Durations.of(bar.lower()) + " to " + Durations.of(bar.upper()) + ": " + Durations.count(bar.count()))
+        .map(
+            bar -> Durations.of(bar.lower()) + " to " + Durations.of(bar.upper()) + ": " + Durations.count(bar.count()))
         .orElse("Both axes are logarithmic");
     if (!hint.equals(canvas.getToolTipText())) {
       canvas.setToolTipText(hint);

@@ -54,7 +54,8 @@ final class ListLook implements RowLook<Line> {
 
   /** The column at a place. */
   Optional<PluginColumn> at(int room, int x) {
-    return places(room).entrySet().stream().filter(e -> x >= e.getValue().left() && x < e.getValue().left() + e.getValue().width())
+    return places(room).entrySet().stream()
+        .filter(e -> x >= e.getValue().left() && x < e.getValue().left() + e.getValue().width())
         .map(Map.Entry::getKey).findFirst();
   }
 
@@ -75,7 +76,8 @@ final class ListLook implements RowLook<Line> {
 
   @Override
   public String text(Line line) {
-    return Stream.of(PluginColumn.values()).map(column -> column.text(line)).filter(words -> !words.isEmpty()).collect(Collectors.joining("\t"));
+    return Stream.of(PluginColumn.values()).map(column -> column.text(line)).filter(words -> !words.isEmpty())
+        .collect(Collectors.joining("\t"));
   }
 
   @Override
@@ -93,8 +95,9 @@ final class ListLook implements RowLook<Line> {
     if (!usable) {
       return "Plugins cannot be switched now: no control is connected that switches them, or it is silent";
     }
-    return line.isTurning() ? line.name() + " is " + line.word() : !line.isSwitchable() ? line.name() + " must be loaded first"
-        : (line.isOn() ? "Stop " : "Start ") + line.name();
+    return line.isTurning() ? line.name() + " is " + line.word()
+        : !line.isSwitchable() ? line.name() + " must be loaded first"
+            : (line.isOn() ? "Stop " : "Start ") + line.name();
   }
 
   @Override
@@ -103,7 +106,8 @@ final class ListLook implements RowLook<Line> {
       gc.setBackground(theme.mix(Role.TITLE, Role.PANEL, GROUND));
       gc.fillRectangle(at.x, at.y, at.width, 1);
     }
-    places(at.width).forEach((column, place) -> cell(gc, new Rectangle(at.x + place.left(), at.y, place.width(), at.height), column, line));
+    places(at.width).forEach(
+        (column, place) -> cell(gc, new Rectangle(at.x + place.left(), at.y, place.width(), at.height), column, line));
   }
 
   private void cell(GC gc, Rectangle cell, PluginColumn column, Line line) {
@@ -112,14 +116,16 @@ final class ListLook implements RowLook<Line> {
       case SWITCH -> control(gc, cell, line);
       case NAME -> name(gc, at, line);
       case BUDGET -> budget.paint(gc, at, line);
-      default -> text.cell(gc, at, column.text(line), column.isFigure() ? Face.FIGURES : Face.BODY, ink(column, line), column.isFigure());
+      default -> text.cell(gc, at, column.text(line), column.isFigure() ? Face.FIGURES : Face.BODY, ink(column, line),
+          column.isFigure());
     }
   }
 
   private void control(GC gc, Rectangle cell, Line line) {
     switch (line) {
       case PluginLine plugin -> switches.paint(gc, cell, plugin, usable);
-      case LoopLine loop -> HealthDot.paint(gc, theme, loop.health(), cell.x + cell.width / 2, cell.y + cell.height / 2);
+      case LoopLine loop -> HealthDot.paint(gc, theme, loop.health(), cell.x + cell.width / 2,
+          cell.y + cell.height / 2);
     }
   }
 
@@ -129,14 +135,16 @@ final class ListLook implements RowLook<Line> {
       case LoopLine loop -> text.cell(gc, at, loop.name(), Face.BODY_STRONG, theme.color(Role.TEXT), false);
       case PluginLine plugin -> {
         HealthDot.paint(gc, theme, plugin.health(), at.x + HealthDot.SIZE / 2, at.y + at.height / 2);
-        text.cell(gc, new Rectangle(at.x + DOT, at.y, Math.max(0, at.width - DOT), at.height), plugin.name(), Face.BODY, theme.color(Role.TEXT), false);
+        text.cell(gc, new Rectangle(at.x + DOT, at.y, Math.max(0, at.width - DOT), at.height), plugin.name(), Face.BODY,
+            theme.color(Role.TEXT), false);
       }
     }
   }
 
   private Color ink(PluginColumn column, Line line) {
     boolean bad = line.health() == Health.BAD && (column == PluginColumn.STATE || column == PluginColumn.WORDS);
-    boolean quiet = column == PluginColumn.WORDS || line instanceof LoopLine && column == PluginColumn.STATE || line.health() == Health.NONE;
+    boolean quiet = column == PluginColumn.WORDS || line instanceof LoopLine && column == PluginColumn.STATE
+        || line.health() == Health.NONE;
     return theme.color(bad ? Role.BAD : quiet ? Role.DIM : Role.TEXT);
   }
 }

@@ -63,7 +63,8 @@ final class PluginDetailPane {
     ((GridLayout) bar.getLayout()).marginWidth = 0;
     ((GridLayout) bar.getLayout()).marginHeight = 0;
     since = new NoticeLine(bar, theme, Face.SMALL);
-    QuietButton reset = new QuietButton(bar, theme, resetPressed).text("Reset").hint("Has all figures count from now on");
+    QuietButton reset =
+        new QuietButton(bar, theme, resetPressed).text("Reset").hint("Has all figures count from now on");
     reset.setLayoutData(Boxes.middle());
     plots.addListener(SWT.Resize, e -> arrange());
   }
@@ -100,7 +101,8 @@ final class PluginDetailPane {
   }
 
   private boolean tell(PluginDetail detail) {
-    PluginNotice said = detail.plugin().isPresent() && detail.told().health() != Health.BAD ? detail.told() : PluginNotice.NOTHING;
+    PluginNotice said =
+        detail.plugin().isPresent() && detail.told().health() != Health.BAD ? detail.told() : PluginNotice.NOTHING;
     told.show(said.health(), said.text());
     return Boxes.seen(told.control(), !said.text().isEmpty());
   }

@@ -21,7 +21,8 @@ final class PluginFooter {
     rule = Boxes.rule(parent, theme);
     root = Boxes.bar(parent, theme, 3);
     words = new NoticeLine(root, theme, Face.BODY);
-    QuietButton takeOver = new QuietButton(root, theme, () -> run(control::takeOver, done)).text("Take over").fill(Role.ACCENT);
+    QuietButton takeOver =
+        new QuietButton(root, theme, () -> run(control::takeOver, done)).text("Take over").fill(Role.ACCENT);
     takeOver.setLayoutData(Boxes.middle());
     QuietButton cancel = new QuietButton(root, theme, () -> run(control::leave, done)).text("Cancel");
     cancel.setLayoutData(Boxes.middle());
@@ -31,7 +32,8 @@ final class PluginFooter {
 
   /** Asks, where there is something to be asked; whether the line came or went. */
   boolean show(PluginsLook look) {
-    words.show(Health.WARNING, look.question().map(q -> q.holder() + " has control of " + q.robot() + ". Take over?").orElse(""));
+    words.show(Health.WARNING,
+        look.question().map(q -> q.holder() + " has control of " + q.robot() + ". Take over?").orElse(""));
     return Boxes.seen(root, look.question().isPresent()) | Boxes.seen(rule, look.question().isPresent());
   }
 

@@ -26,7 +26,10 @@ import org.robotui.uic.plugins.internal.model.PluginLine;
 import org.robotui.uic.plugins.internal.model.PluginsLook;
 import org.robotui.uic.plugins.internal.model.PluginsModel;
 
-/** What is seen of the view while it is shown: threads with their plugins, and beside them what is selected. Display thread. */
+/**
+ * What is seen of the view while it is shown: threads with their plugins, and beside them what is selected. Display
+ * thread.
+ */
 public final class PluginsSurface {
   private static final int BESIDE_FROM = 900;
   private static final int LEAST_HEIGHT = 300;
@@ -56,7 +59,8 @@ public final class PluginsSurface {
     Composite left = Boxes.panel(split, context.theme(), 1);
     look = new ListLook(context.theme());
     headings = new Headings(left, context.theme(), () -> look.places(width()));
-    list = new RowList<>(left, context.theme(), look).named("Threads and plugins").onSelect(rows -> refresh()).menu(this::menu);
+    list = new RowList<>(left, context.theme(), look).named("Threads and plugins").onSelect(rows -> refresh())
+        .menu(this::menu);
     list.control().setLayoutData(Boxes.fill());
     detail = new PluginDetailPane(split, context.theme(), model.verbs(), this::again, this::reset);
     list.onOpen(row -> detail.command().focus());
@@ -106,7 +110,8 @@ public final class PluginsSurface {
     if (list.selected().isEmpty()) {
       now.lines().stream().findFirst().ifPresent(first -> list.select(first.key()));
     }
-    Optional<PluginDetail> chosen = list.selected().stream().findFirst().flatMap(line -> PluginDetail.of(now, line.key()));
+    Optional<PluginDetail> chosen =
+        list.selected().stream().findFirst().flatMap(line -> PluginDetail.of(now, line.key()));
     boolean room = StateView.showsContent(now.state()) && (beside() || root.getClientArea().height >= LEAST_HEIGHT);
     Control only = chosen.isPresent() && room ? null : list.control().getParent();
     if (split.getMaximizedControl() != only) {
@@ -160,7 +165,8 @@ public final class PluginsSurface {
   private void pressed(Event event) {
     boolean onSwitch = look.at(width(), event.x).filter(column -> column == PluginColumn.SWITCH).isPresent();
     if (event.button == 1 && onSwitch) {
-      list.visible(1).stream().filter(line -> list.bounds(line.key()).filter(at -> at.contains(at.x, event.y)).isPresent()).findFirst()
+      list.visible(1).stream()
+          .filter(line -> list.bounds(line.key()).filter(at -> at.contains(at.x, event.y)).isPresent()).findFirst()
           .filter(PluginLine.class::isInstance).map(PluginLine.class::cast).ifPresent(this::flip);
     }
   }
@@ -182,7 +188,8 @@ public final class PluginsSurface {
       if (line instanceof PluginLine plugin && model.look().usable()) {
         verbs(plugin, actions);
       }
-      actions.add(new ViewAction("copy", "Copy row\tCtrl+C", Icon.COPY.id(), Optional.empty(), () -> Clipboards.copy(look.text(line))));
+      actions.add(new ViewAction("copy", "Copy row\tCtrl+C", Icon.COPY.id(), Optional.empty(),
+          () -> Clipboards.copy(look.text(line))));
     });
     return actions;
   }
@@ -190,13 +197,16 @@ public final class PluginsSurface {
   private void verbs(PluginLine plugin, List<ViewAction> actions) {
     if (plugin.isSwitchable()) {
       Verb verb = plugin.isOn() ? Verb.STOP : Verb.START;
-      actions.add(new ViewAction("switch", verb == Verb.STOP ? "Stop" : "Start", Icon.PLAY.id(), Optional.empty(), () -> ask(plugin, verb)));
+      actions.add(new ViewAction("switch", verb == Verb.STOP ? "Stop" : "Start", Icon.PLAY.id(), Optional.empty(),
+          () -> ask(plugin, verb)));
     }
     if (plugin.isReloadable()) {
-      actions.add(new ViewAction("reload", "Reload", Icon.RESTART.id(), Optional.empty(), () -> ask(plugin, Verb.RELOAD)));
+      actions
+          .add(new ViewAction("reload", "Reload", Icon.RESTART.id(), Optional.empty(), () -> ask(plugin, Verb.RELOAD)));
     }
     if (!plugin.plugin().error().isBlank()) {
-      actions.add(new ViewAction("error", "Copy error", Icon.COPY.id(), Optional.empty(), () -> Clipboards.copy(plugin.plugin().error())));
+      actions.add(new ViewAction("error", "Copy error", Icon.COPY.id(), Optional.empty(),
+          () -> Clipboards.copy(plugin.plugin().error())));
     }
   }
 }

@@ -38,8 +38,11 @@ class PluginsModelTest {
   @Test
   void pluginsStandBelowTheirThreads() {
     put();
-    assertEquals(List.of("loop HAL/hal", "loop motion/fast", "plugin homing", "plugin gravity", "plugin sine", "loop motion/slow",
-        "plugin cartesian", "plugin logging", "loop links/io", "plugin communication"), model.look().lines().stream().map(Line::key).toList());
+    assertEquals(
+        List.of("loop HAL/hal", "loop motion/fast", "plugin homing", "plugin gravity", "plugin sine",
+            "loop motion/slow",
+            "plugin cartesian", "plugin logging", "loop links/io", "plugin communication"),
+        model.look().lines().stream().map(Line::key).toList());
     assertEquals("3 of 6 running \u00b7 1 failed \u00b7 10.0\u00a0Hz", model.look().note());
   }
 
@@ -124,7 +127,8 @@ class PluginsModelTest {
     assertEquals("Not stopped: the control did not answer in time", told("homing").text());
     model.verbs().ask("homing", Verb.COMMAND, "speed 2");
     answer(new CallOutcome.Failed<>("Keira is stopped by You; release the stop first"));
-    assertEquals("\u201cspeed 2\u201d was not taken: Keira is stopped by You; release the stop first", told("homing").text());
+    assertEquals("\u201cspeed 2\u201d was not taken: Keira is stopped by You; release the stop first",
+        told("homing").text());
   }
 
   @Test
@@ -182,7 +186,8 @@ class PluginsModelTest {
   @Test
   void aPluginThatWasStoppedByTheDeathOfItsProcessIsSeenAmongTheOthersAndCanBeStarted() {
     List<ControlPlugins.Plugin> changed = new ArrayList<>(Controls.arm().plugins());
-    changed.set(0, Controls.plugin("homing", "motion", "fast", State.STOPPED, "", "The process of the host motion ended by signal 11.", Controls.nothing()));
+    changed.set(0, Controls.plugin("homing", "motion", "fast", State.STOPPED, "",
+        "The process of the host motion ended by signal 11.", Controls.nothing()));
     plugins.put(new ControlPlugins(changed));
     model.tick(0);
     PluginLine lost = (PluginLine) line("plugin homing");
@@ -213,8 +218,10 @@ class PluginsModelTest {
     model.reset(0);
     ControlPlugins.Plugin old = Controls.arm().plugins().getFirst();
     List<ControlPlugins.Plugin> changed = new ArrayList<>(Controls.arm().plugins());
-    changed.set(0, new ControlPlugins.Plugin(old.name(), old.type(), old.process(), old.thread(), State.RUNNING, "", "", 1, old.period(), 500,
-        Controls.durations(500, 20_000, 30_000)));
+    changed.set(0,
+        new ControlPlugins.Plugin(old.name(), old.type(), old.process(), old.thread(), State.RUNNING, "", "", 1,
+            old.period(), 500,
+            Controls.durations(500, 20_000, 30_000)));
     plugins.put(new ControlPlugins(changed));
     model.tick(0);
     assertTrue(line("plugin homing").busy().histogram().count() >= 490);

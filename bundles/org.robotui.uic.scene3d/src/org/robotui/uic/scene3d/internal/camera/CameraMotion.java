@@ -29,7 +29,8 @@ public final class CameraMotion {
   /** Where it is now. */
   public synchronized CameraPose at(long nowNanos) {
     journey = journey.filter(j -> nowNanos - j.begunNanos() < JOURNEY_NANOS);
-    return journey.map(j -> j.from().toward(pose, eased((nowNanos - j.begunNanos()) / (double) JOURNEY_NANOS))).orElse(pose);
+    return journey.map(j -> j.from().toward(pose, eased((nowNanos - j.begunNanos()) / (double) JOURNEY_NANOS)))
+        .orElse(pose);
   }
 
   /** Whether it is on a journey. */

@@ -106,7 +106,8 @@ public record CameraPose(CameraKind kind, Vector3 focus, double distance, double
     Box3 all = seen.orElse(new Box3(focus, focus)).union(new Box3(focus, focus));
     double beyond = all.center().minus(eye()).norm() + all.radius();
     if (kind == CameraKind.TOP) {
-      Vector3 above = new Vector3(focus.x(), focus.y(), within(Math.max(focus.z() + distance, all.high().z() + 1), focus.z() + 2 * FARTHEST));
+      Vector3 above = new Vector3(focus.x(), focus.y(),
+          within(Math.max(focus.z() + distance, all.high().z() + 1), focus.z() + 2 * FARTHEST));
       double far = within(above.z() - all.low().z() + 1, 4 * FARTHEST);
       return new Eye(new RigidTransform(above, rotation()), new Eye.Projection.Parallel(height()), far / DEPTHS, far);
     }
@@ -133,7 +134,8 @@ public record CameraPose(CameraKind kind, Vector3 focus, double distance, double
   }
 
   private static Vector3 corner(Box3 box, int number) {
-    return new Vector3((number & 1) == 0 ? box.low().x() : box.high().x(), (number & 2) == 0 ? box.low().y() : box.high().y(),
+    return new Vector3((number & 1) == 0 ? box.low().x() : box.high().x(),
+        (number & 2) == 0 ? box.low().y() : box.high().y(),
         (number & 4) == 0 ? box.low().z() : box.high().z());
   }
 
@@ -141,6 +143,7 @@ public record CameraPose(CameraKind kind, Vector3 focus, double distance, double
   public CameraPose toward(CameraPose other, double share) {
     double turn = Math.IEEEremainder(other.yaw - yaw, 2 * Math.PI);
     return new CameraPose(other.kind, focus.plus(other.focus.minus(focus).times(share)),
-        distance * Math.pow(other.distance / distance, share), yaw + turn * share, pitch + (other.pitch - pitch) * share);
+        distance * Math.pow(other.distance / distance, share), yaw + turn * share,
+        pitch + (other.pitch - pitch) * share);
   }
 }

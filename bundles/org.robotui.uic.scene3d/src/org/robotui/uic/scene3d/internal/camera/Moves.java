@@ -6,7 +6,10 @@ import org.robotui.gl.shape.Ray;
 /** How hands move a camera. Distances on the screen are in points. */
 public final class Moves {
   private static final double RADIANS_PER_POINT = 0.006;
-  /** A key that is held down repeats some 30 times a second: so about half of what is seen in front of the eye passes in one. */
+  /**
+   * A key that is held down repeats some 30 times a second: so about half of what is seen in front of the eye passes in
+   * one.
+   */
   private static final double STEP = 0.02;
 
   private Moves() {}
@@ -19,7 +22,8 @@ public final class Moves {
       case TOP -> pose.looking(pose.yaw() - dx * RADIANS_PER_POINT, pose.pitch());
       case FLY -> {
         // One looks along with the pointer, and the eye stays.
-        CameraPose looked = pose.looking(pose.yaw() - dx * RADIANS_PER_POINT / 2, pose.pitch() + dy * RADIANS_PER_POINT / 2);
+        CameraPose looked =
+            pose.looking(pose.yaw() - dx * RADIANS_PER_POINT / 2, pose.pitch() + dy * RADIANS_PER_POINT / 2);
         yield looked.at(pose.eye().plus(looked.forward().times(pose.distance())));
       }
     };

@@ -22,8 +22,10 @@ public final class DisplayCodec {
       Map<String, Object> fields = Written.fields(group);
       String type = Written.text(fields, SceneOptions.TYPE).strip();
       String wanted = Written.text(fields, SceneOptions.ID).strip();
-      specs.add(new DisplaySpec(free(wanted.isEmpty() ? type : wanted, taken), type, Written.text(fields, SceneOptions.NAME).strip(),
-          Written.texts(fields.getOrDefault(SceneOptions.SOURCE, List.of())), Written.flag(fields, SceneOptions.SHOWN, true),
+      specs.add(new DisplaySpec(free(wanted.isEmpty() ? type : wanted, taken), type,
+          Written.text(fields, SceneOptions.NAME).strip(),
+          Written.texts(fields.getOrDefault(SceneOptions.SOURCE, List.of())),
+          Written.flag(fields, SceneOptions.SHOWN, true),
           plain(Written.fields(fields.getOrDefault(SceneOptions.SETTINGS, Map.of())))));
     }
     return List.copyOf(specs);

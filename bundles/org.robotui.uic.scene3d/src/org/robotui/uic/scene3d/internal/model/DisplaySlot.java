@@ -83,7 +83,9 @@ final class DisplaySlot {
     spec = next;
     type = kind;
     choice = kind.map(k -> SourceChoice.of(next, k, offered)).orElse(new SourceChoice(Set.of(), Set.of(), ""));
-    choices = kind.map(k -> k.accepts().stream().flatMap(a -> SourceChoice.fitting(a, offered).stream()).map(SourceName::of).distinct().toList())
+    choices = kind
+        .map(k -> k.accepts().stream().flatMap(a -> SourceChoice.fitting(a, offered).stream()).map(SourceName::of)
+            .distinct().toList())
         .orElse(List.of());
     if (!wanted()) {
       end();
@@ -197,7 +199,8 @@ final class DisplaySlot {
       return Health.WAITING;
     }
     return switch (status()) {
-      case DisplayStatus.Shown s -> settings.filter(k -> !k.problems().isEmpty()).isPresent() ? Health.WARNING : Health.OK;
+      case DisplayStatus.Shown s -> settings.filter(k -> !k.problems().isEmpty()).isPresent() ? Health.WARNING
+          : Health.OK;
       case DisplayStatus.Partly p -> Health.WARNING;
       case DisplayStatus.NoData n -> Health.WAITING;
       case DisplayStatus.NoFrame n -> Health.WARNING;
@@ -210,7 +213,8 @@ final class DisplaySlot {
   private DisplayStatus status() {
     boolean seen = result.status() instanceof DisplayStatus.Shown || result.status() instanceof DisplayStatus.TooOld;
     return seen && state instanceof InputState.Stale old && old.lostSeconds().isPresent()
-        ? new DisplayStatus.TooOld(StateView.sentence(old)) : result.status();
+        ? new DisplayStatus.TooOld(StateView.sentence(old))
+        : result.status();
   }
 
   private String words() {

@@ -13,7 +13,8 @@ import java.util.Map;
  * @param shown whether it is to be seen
  * @param settings of its kind, as written
  */
-public record DisplaySpec(String id, String type, String name, List<String> sources, boolean shown, Map<String, Object> settings) {
+public record DisplaySpec(String id, String type, String name, List<String> sources, boolean shown,
+    Map<String, Object> settings) {
   /** Copies the collections. */
   public DisplaySpec {
     sources = List.copyOf(sources);

@@ -7,7 +7,10 @@ import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Handle;
 import org.robotui.gl.shape.Ray;
 
-/** A hand on a handle. Called on the display thread, acts on the worker; of many moves between two ticks the newest counts. */
+/**
+ * A hand on a handle. Called on the display thread, acts on the worker; of many moves between two ticks the newest
+ * counts.
+ */
 public final class DragState {
   private final Handle handle;
   private final Consumer<Runnable> worker;

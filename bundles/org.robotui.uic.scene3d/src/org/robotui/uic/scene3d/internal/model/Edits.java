@@ -112,8 +112,10 @@ public final class Edits {
   /** Keeps a view under a name. */
   public void keep(String name, CameraPose pose) {
     Map<String, Object> views = new LinkedHashMap<>(written());
-    views.put(name, Map.of(SceneOptions.KIND, pose.kind().word(), "x", pose.focus().x(), "y", pose.focus().y(), "z", pose.focus().z(),
-        "distance", pose.distance(), "yaw", pose.yaw(), "pitch", pose.pitch()));
+    views.put(name,
+        Map.of(SceneOptions.KIND, pose.kind().word(), "x", pose.focus().x(), "y", pose.focus().y(), "z",
+            pose.focus().z(),
+            "distance", pose.distance(), "yaw", pose.yaw(), "pitch", pose.pitch()));
     settings.set(SceneOptions.VIEWS, views);
   }
 
@@ -143,7 +145,8 @@ public final class Edits {
   }
 
   private static CameraPose pose(Map<String, Object> fields) {
-    Vector3 focus = new Vector3(Written.number(fields, "x", 0), Written.number(fields, "y", 0), Written.number(fields, "z", 0));
+    Vector3 focus =
+        new Vector3(Written.number(fields, "x", 0), Written.number(fields, "y", 0), Written.number(fields, "z", 0));
     return new CameraPose(CameraKind.of(Written.text(fields, SceneOptions.KIND)).orElse(CameraKind.ORBIT), focus,
         Written.number(fields, "distance", CameraPose.START.distance()), Written.number(fields, "yaw", 0),
         Written.number(fields, "pitch", CameraPose.START.pitch()));

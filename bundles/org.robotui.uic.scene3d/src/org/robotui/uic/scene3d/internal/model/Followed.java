@@ -43,7 +43,9 @@ public final class Followed {
   private Optional<RigidTransform> place(String wanted, Settings settings, Optional<FrameId> fixed) {
     Frames joined = new JoinedFrames(frames, Joint.read(settings));
     Optional<FrameId> frame = joined.all().stream()
-        .filter(f -> wanted.equals(f.name()) || wanted.equals(f.toString()) || wanted.equals(f.robot() + '/' + f.name())).findFirst();
+        .filter(
+            f -> wanted.equals(f.name()) || wanted.equals(f.toString()) || wanted.equals(f.robot() + '/' + f.name()))
+        .findFirst();
     return fixed.flatMap(f -> frame.flatMap(source -> new Placer(joined, f).latest(source).found()));
   }
 }

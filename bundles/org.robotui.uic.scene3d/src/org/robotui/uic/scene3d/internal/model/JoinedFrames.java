@@ -35,7 +35,8 @@ public final class JoinedFrames implements Frames {
     if (joints.isEmpty() || !apart) {
       return direct;
     }
-    return over(target, source, stamp).<TransformLookup<FrameId>>map(t -> new TransformLookup.Found<>(t, stamp.map(Stamp::nanos).orElse(0L)))
+    return over(target, source, stamp)
+        .<TransformLookup<FrameId>>map(t -> new TransformLookup.Found<>(t, stamp.map(Stamp::nanos).orElse(0L)))
         .orElse(direct);
   }
 
@@ -59,16 +60,17 @@ public final class JoinedFrames implements Frames {
   private List<Reached> steps(Reached at, Optional<Stamp> stamp) {
     List<Reached> steps = new ArrayList<>();
     for (Joint joint : joints) {
-      plain(joint.child(), at.frame(), stamp).ifPresent(t ->
-          steps.add(new Reached(joint.parent(), joint.parentFromChild().times(t).times(at.frameFromSource()))));
-      plain(joint.parent(), at.frame(), stamp).ifPresent(t ->
-          steps.add(new Reached(joint.child(), joint.parentFromChild().inverse().times(t).times(at.frameFromSource()))));
+      plain(joint.child(), at.frame(), stamp).ifPresent(
+          t -> steps.add(new Reached(joint.parent(), joint.parentFromChild().times(t).times(at.frameFromSource()))));
+      plain(joint.parent(), at.frame(), stamp).ifPresent(t -> steps
+          .add(new Reached(joint.child(), joint.parentFromChild().inverse().times(t).times(at.frameFromSource()))));
     }
     return steps;
   }
 
   private Optional<RigidTransform> plain(FrameId target, FrameId source, Optional<Stamp> stamp) {
-    return target.equals(source) ? Optional.of(RigidTransform.IDENTITY) : known.lookup(target, source, stamp).transform();
+    return target.equals(source) ? Optional.of(RigidTransform.IDENTITY)
+        : known.lookup(target, source, stamp).transform();
   }
 
   @Override
@@ -83,7 +85,8 @@ public final class JoinedFrames implements Frames {
 
   @Override
   public Optional<FrameId> parent(FrameId frame) {
-    return known.parent(frame).or(() -> joints.stream().filter(j -> j.child().equals(frame)).map(Joint::parent).findFirst());
+    return known.parent(frame)
+        .or(() -> joints.stream().filter(j -> j.child().equals(frame)).map(Joint::parent).findFirst());
   }
 
   @Override

@@ -26,7 +26,8 @@ public record Joint(FrameId parent, FrameId child, RigidTransform parentFromChil
   private static Optional<Joint> joint(Map<String, Object> fields) {
     Quaternion turned = Quaternion.fromRollPitchYaw(
         Written.number(fields, "roll", 0), Written.number(fields, "pitch", 0), Written.number(fields, "yaw", 0));
-    Vector3 place = new Vector3(Written.number(fields, "x", 0), Written.number(fields, "y", 0), Written.number(fields, "z", 0));
+    Vector3 place =
+        new Vector3(Written.number(fields, "x", 0), Written.number(fields, "y", 0), Written.number(fields, "z", 0));
     Optional<FrameId> child = frame(Written.text(fields, SceneOptions.CHILD));
     return frame(Written.text(fields, SceneOptions.PARENT))
         .flatMap(parent -> child.map(c -> new Joint(parent, c, new RigidTransform(place, turned))));
@@ -35,6 +36,7 @@ public record Joint(FrameId parent, FrameId child, RigidTransform parentFromChil
   /** A frame written as robot/frame or robot:frame. */
   static Optional<FrameId> frame(String written) {
     int cut = written.indexOf(written.indexOf(':') > 0 ? ':' : '/');
-    return cut > 0 ? Optional.of(new FrameId(written.substring(0, cut).strip(), written.substring(cut + 1).strip())) : Optional.empty();
+    return cut > 0 ? Optional.of(new FrameId(written.substring(0, cut).strip(), written.substring(cut + 1).strip()))
+        : Optional.empty();
   }
 }

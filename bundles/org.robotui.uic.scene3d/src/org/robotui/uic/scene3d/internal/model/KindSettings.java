@@ -12,7 +12,8 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 
 /**
- * The settings of a display, checked against the schema of its kind, which core does not know. What is wrong falls back and is said.
+ * The settings of a display, checked against the schema of its kind, which core does not know. What is wrong falls back
+ * and is said.
  *
  * @param settings checked, fallbacks included
  * @param problems sentences

@@ -46,9 +46,11 @@ final class PartsCheck {
   /** The memory of shapes, each counted once. */
   static long bytes(List<Part> parts) {
     Set<Integer> seen = new HashSet<>();
-    long shapes = parts.stream().map(Part::shape).filter(s -> seen.add(System.identityHashCode(s))).mapToLong(s -> s.bytes()).sum();
-    long pictures = parts.stream().flatMap(p -> p.material().texture().stream()).filter(t -> seen.add(System.identityHashCode(t)))
-        .mapToLong(t -> t.rgba().remaining()).sum();
+    long shapes = parts.stream().map(Part::shape).filter(s -> seen.add(System.identityHashCode(s)))
+        .mapToLong(s -> s.bytes()).sum();
+    long pictures =
+        parts.stream().flatMap(p -> p.material().texture().stream()).filter(t -> seen.add(System.identityHashCode(t)))
+            .mapToLong(t -> t.rgba().remaining()).sum();
     return shapes + pictures;
   }
 }

@@ -51,7 +51,10 @@ public final class Picks {
     return hover;
   }
 
-  /** Forgets what is no more, and goes along with what has moved; true where something else is to be said of the selection then. */
+  /**
+   * Forgets what is no more, and goes along with what has moved; true where something else is to be said of the
+   * selection then.
+   */
   public synchronized boolean keep(Stage stage) {
     Optional<Selection> before = selection;
     selection = selection.flatMap(s -> now(s, stage));
@@ -73,7 +76,8 @@ public final class Picks {
   }
 
   private static Optional<Selection> now(Selection s, Stage stage) {
-    return stage.parts().getOrDefault(s.display(), List.of()).stream().filter(p -> p.key().equals(s.part().key())).findFirst()
+    return stage.parts().getOrDefault(s.display(), List.of()).stream().filter(p -> p.key().equals(s.part().key()))
+        .findFirst()
         .map(part -> moved(s, part));
   }
 

@@ -11,13 +11,15 @@ import org.robotui.uic.scene3d.internal.SceneOptions;
 /** Colours of robots: as configured, else in the order in which they are seen first. Worker thread. */
 final class RobotColors {
   /** Told apart by colour-blind eyes too. */
-  private static final List<Integer> COLORS = List.of(0x4da3ff, 0xff9f43, 0x3fb68b, 0xb084eb, 0xb07d5b, 0xe86fa8, 0x9aa5b1);
+  private static final List<Integer> COLORS =
+      List.of(0x4da3ff, 0xff9f43, 0x3fb68b, 0xb084eb, 0xb07d5b, 0xe86fa8, 0x9aa5b1);
   private static final int HEX = 16;
 
   private final List<String> robots = new ArrayList<>();
 
   Rgba of(String robot, Settings settings) {
-    return configured(robot, settings.map(SceneOptions.COLORS)).orElseGet(() -> Rgba.of(COLORS.get(number(robot) % COLORS.size())));
+    return configured(robot, settings.map(SceneOptions.COLORS))
+        .orElseGet(() -> Rgba.of(COLORS.get(number(robot) % COLORS.size())));
   }
 
   private int number(String robot) {

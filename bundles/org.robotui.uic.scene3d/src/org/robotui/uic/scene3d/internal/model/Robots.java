@@ -19,7 +19,8 @@ final class Robots {
 
   /** The base frame of a robot; where no robot has the name, that of the first one. */
   static Optional<FrameId> base(String robot, List<FrameId> frames) {
-    Comparator<FrameId> likely = Comparator.comparing((FrameId f) -> !f.robot().equals(robot)).thenComparing(f -> BASES.indexOf(f.name()));
+    Comparator<FrameId> likely =
+        Comparator.comparing((FrameId f) -> !f.robot().equals(robot)).thenComparing(f -> BASES.indexOf(f.name()));
     return frames.stream().filter(f -> BASES.contains(f.name())).min(likely);
   }
 
@@ -30,6 +31,7 @@ final class Robots {
     List<FrameId> frames = places.all();
     found.replaceAll((robot, none) -> BASES.stream().map(base -> new FrameId(robot, base)).filter(frames::contains)
         .flatMap(base -> places.at(base, Optional.empty()).found().stream()).findFirst());
-    return found.entrySet().stream().map(e -> new Stage.Robot(e.getKey(), colors.apply(e.getKey()), e.getValue())).toList();
+    return found.entrySet().stream().map(e -> new Stage.Robot(e.getKey(), colors.apply(e.getKey()), e.getValue()))
+        .toList();
   }
 }

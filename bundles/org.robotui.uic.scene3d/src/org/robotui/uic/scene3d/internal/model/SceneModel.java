@@ -55,7 +55,8 @@ public final class SceneModel {
   private volatile Stage stage = Stage.NONE;
 
   /** A scene of a view. */
-  public SceneModel(UicContext context, Supplier<List<DisplayType>> kinds, DisplayContext displays, Waypoints waypoints) {
+  public SceneModel(UicContext context, Supplier<List<DisplayType>> kinds, DisplayContext displays,
+      Waypoints waypoints) {
     input = context.input(ScenePorts.DATA);
     known = context.frames();
     settings = context.settings();
@@ -82,14 +83,16 @@ public final class SceneModel {
   public List<DisplaySpec> specs() {
     Settings now = settings.current();
     List<DisplaySpec> written = DisplayCodec.read(now);
-    return written.isEmpty() && now.flag(SceneOptions.AUTOMATIC) ? Automatic.displays(kinds.get(), input.candidates()) : written;
+    return written.isEmpty() && now.flag(SceneOptions.AUTOMATIC) ? Automatic.displays(kinds.get(), input.candidates())
+        : written;
   }
 
   /** A kind of display that takes a stream. Any thread. */
   public Optional<DisplayType> kindFor(SourceId port) {
     List<Input.Candidate> offered = input.candidates();
     return kinds.get().stream()
-        .filter(kind -> kind.accepts().stream().anyMatch(data -> SourceChoice.fitting(data, offered).contains(port))).findFirst();
+        .filter(kind -> kind.accepts().stream().anyMatch(data -> SourceChoice.fitting(data, offered).contains(port)))
+        .findFirst();
   }
 
   /** Prepares; true where there is something new to show. */
@@ -103,7 +106,8 @@ public final class SceneModel {
       input.recall(); // what displays forget now and the robot says but once
     }
     drain();
-    Optional<String> wanted = Optional.of(now.text(SceneOptions.FIXED_FRAME).strip()).filter(f -> !f.isEmpty() && !f.equals(SceneOptions.AUTO));
+    Optional<String> wanted = Optional.of(now.text(SceneOptions.FIXED_FRAME).strip())
+        .filter(f -> !f.isEmpty() && !f.equals(SceneOptions.AUTO));
     Optional<FrameId> fixed = FixedFrame.choose(wanted.map(SceneModel::plain), frames, List.copyOf(named));
     ScenePlaces places = new ScenePlaces(frames, fixed.orElse(new FrameId("scene", "fixed")));
     boolean changed = runTasks();
@@ -119,7 +123,8 @@ public final class SceneModel {
   private List<FrameId> frames(ScenePlaces places) {
     List<FrameId> known = places.all();
     return named.isEmpty() || known.containsAll(named) ? known
-        : Stream.concat(known.stream(), named.stream()).distinct().sorted(Comparator.comparing(FrameId::robot).thenComparing(FrameId::name)).toList();
+        : Stream.concat(known.stream(), named.stream()).distinct()
+            .sorted(Comparator.comparing(FrameId::robot).thenComparing(FrameId::name)).toList();
   }
 
   /** Nobody looks: gives up what it holds, and asks the robot for nothing. */
@@ -128,14 +133,16 @@ public final class SceneModel {
       slots.values().forEach(DisplaySlot::end);
       slots.clear();
       choose(Set.of());
-      input.drain(e -> { });
-      stage = new Stage(stage.version() + 1, Map.of(), stage.rows(), stage.fixed(), stage.frames(), stage.robots(), stage.dropped());
+      input.drain(e -> {});
+      stage = new Stage(stage.version() + 1, Map.of(), stage.rows(), stage.fixed(), stage.frames(), stage.robots(),
+          stage.dropped());
     }
     tasks.clear();
   }
 
   private void configure() {
-    Map<String, DisplayType> byId = kinds.get().stream().collect(Collectors.toMap(DisplayType::id, Function.identity(), (a, b) -> a));
+    Map<String, DisplayType> byId =
+        kinds.get().stream().collect(Collectors.toMap(DisplayType::id, Function.identity(), (a, b) -> a));
     List<Input.Candidate> offered = input.candidates();
     Map<String, DisplaySlot> before = new HashMap<>(slots);
     slots.clear();
@@ -146,7 +153,8 @@ public final class SceneModel {
       slots.put(spec.id(), slot);
     }
     before.values().forEach(DisplaySlot::end);
-    choose(slots.values().stream().filter(DisplaySlot::wanted).flatMap(s -> s.choice().sources().stream()).collect(Collectors.toSet()));
+    choose(slots.values().stream().filter(DisplaySlot::wanted).flatMap(s -> s.choice().sources().stream())
+        .collect(Collectors.toSet()));
   }
 
   private void choose(Set<SourceId> sources) {
@@ -161,7 +169,8 @@ public final class SceneModel {
       if (envelope.value() instanceof Framed framed) {
         framed.frames().limit(MOST_FRAMES).filter(f -> named.size() < MOST_FRAMES).forEach(named::add);
       }
-      slots.values().stream().filter(s -> s.wanted() && s.choice().sources().contains(envelope.source())).forEach(s -> s.take(envelope));
+      slots.values().stream().filter(s -> s.wanted() && s.choice().sources().contains(envelope.source()))
+          .forEach(s -> s.take(envelope));
     });
   }
 
@@ -198,7 +207,8 @@ public final class SceneModel {
     slots.values().forEach(s -> rows.add(s.row()));
     long dropped = input.dropped() + rows.stream().mapToLong(DisplayRow::dropped).sum();
     Stage before = stage;
-    stage = new Stage(other ? before.version() + 1 : before.version(), parts, List.copyOf(rows), fixed, frames, robots, dropped);
+    stage = new Stage(other ? before.version() + 1 : before.version(), parts, List.copyOf(rows), fixed, frames, robots,
+        dropped);
     return other || !rows.equals(before.rows()) || !fixed.equals(before.fixed()) || !robots.equals(before.robots())
         || dropped != before.dropped();
   }

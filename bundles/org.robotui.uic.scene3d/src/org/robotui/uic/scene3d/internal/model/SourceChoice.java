@@ -27,7 +27,9 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
     needed = Set.copyOf(needed);
   }
 
-  /** Chooses: what is named; else the only one that fits, of the robot that the named ones belong to where several do. */
+  /**
+   * Chooses: what is named; else the only one that fits, of the robot that the named ones belong to where several do.
+   */
   public static SourceChoice of(DisplaySpec spec, DisplayType type, List<Input.Candidate> offered) {
     Set<SourceId> sources = new LinkedHashSet<>();
     Set<SourceId> needed = new LinkedHashSet<>();
@@ -53,10 +55,13 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
   /** The sources that fit a type of data. */
   static List<SourceId> fitting(Class<? extends Data> data, List<Input.Candidate> offered) {
     String name = DataType.of(data).name();
-    return offered.stream().filter(c -> c.typeName().equals(name) || isA(data, c.typeName())).map(Input.Candidate::id).toList();
+    return offered.stream().filter(c -> c.typeName().equals(name) || isA(data, c.typeName())).map(Input.Candidate::id)
+        .toList();
   }
 
-  /** Whether a type of the same package is one of a general type: a display of pictures takes raw and compressed ones. */
+  /**
+   * Whether a type of the same package is one of a general type: a display of pictures takes raw and compressed ones.
+   */
   private static boolean isA(Class<? extends Data> data, String typeName) {
     if (!data.isInterface()) {
       return false;

@@ -12,7 +12,10 @@ public final class SourceName {
     return source.component() + '/' + bare(source.port());
   }
 
-  /** A short name among others: without the folders that all of them begin with, as lists have no room for what tells nothing. */
+  /**
+   * A short name among others: without the folders that all of them begin with, as lists have no room for what tells
+   * nothing.
+   */
   static String among(SourceId source, List<SourceId> all) {
     String name = of(source);
     int from = 0;

@@ -23,7 +23,8 @@ import org.robotui.gl.shape.Rgba;
  * @param robots where they are, in the order in which they were seen
  * @param dropped values lost to full queues, or not shown
  */
-public record Stage(long version, Map<Object, List<Part>> parts, List<DisplayRow> rows, Optional<FrameId> fixed, List<FrameId> frames,
+public record Stage(long version, Map<Object, List<Part>> parts, List<DisplayRow> rows, Optional<FrameId> fixed,
+    List<FrameId> frames,
     List<Robot> robots, long dropped) {
   /** Before the first tick. */
   public static final Stage NONE = new Stage(0, Map.of(), List.of(), Optional.empty(), List.of(), List.of(), 0);
@@ -39,7 +40,8 @@ public record Stage(long version, Map<Object, List<Part>> parts, List<DisplayRow
 
   /** Where what came from robots lies: not the kinds without data, for example a grid. */
   public Optional<Box3> fed() {
-    Set<Object> fed = rows.stream().filter(r -> !r.choices().isEmpty()).map(r -> r.spec().id()).collect(Collectors.toSet());
+    Set<Object> fed =
+        rows.stream().filter(r -> !r.choices().isEmpty()).map(r -> r.spec().id()).collect(Collectors.toSet());
     return box(parts.entrySet().stream().filter(e -> fed.contains(e.getKey())).flatMap(e -> e.getValue().stream()));
   }
 

@@ -29,6 +29,7 @@ final class Written {
   }
 
   static List<String> texts(Object value) {
-    return value instanceof List<?> list ? list.stream().map(Object::toString).toList() : value.toString().isBlank() ? List.of() : List.of(value.toString());
+    return value instanceof List<?> list ? list.stream().map(Object::toString).toList()
+        : value.toString().isBlank() ? List.of() : List.of(value.toString());
   }
 }

@@ -26,7 +26,8 @@ final class Budget {
   void learn(Rendered.Figures figures) {
     double drawn = Math.max(1, figures.points());
     double possible = TARGET_SECONDS / Math.max(1e-4, figures.seconds());
-    // A complete picture, of points that lie one after the other, costs less a point: it may lower what is drawn in a hurry, not raise it.
+    // A complete picture, of points that lie one after the other, costs less a point: it may lower what is drawn in a
+    // hurry, not raise it.
     if (figures.seconds() > TARGET_SECONDS * TOO_SLOW && drawn > LEAST) {
       points = Math.min(points, bounded(drawn * possible));
     } else if (figures.seconds() < TARGET_SECONDS * IDLE && figures.pointsLeftOut() > 0) {

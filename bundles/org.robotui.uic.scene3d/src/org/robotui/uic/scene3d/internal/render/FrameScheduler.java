@@ -22,8 +22,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Asks for pictures: when something changed or the camera moves, one at a time, so that what is asked for is never old. Opens the
- * renderer with the first picture. Safe for all threads.
+ * Asks for pictures: when something changed or the camera moves, one at a time, so that what is asked for is never old.
+ * Opens the renderer with the first picture. Safe for all threads.
  */
 public final class FrameScheduler implements AutoCloseable {
   /** After the camera stood still for so long, a picture is complete. */
@@ -33,7 +33,8 @@ public final class FrameScheduler implements AutoCloseable {
   private static final String LOOK_THERE = "See the log.";
   private static final long RETRY_NANOS = 5_000_000_000L;
   private static final Rendered.Unavailable NO_BUNDLE = new Rendered.Unavailable(
-      "The bundle org.robotui.gl, which draws scenes, is not there.", "Install it, or start it in the list of bundles.");
+      "The bundle org.robotui.gl, which draws scenes, is not there.",
+      "Install it, or start it in the list of bundles.");
 
   private final Supplier<Optional<Gl>> graphics;
   private final CameraMotion rig;
@@ -77,7 +78,8 @@ public final class FrameScheduler implements AutoCloseable {
    * @param screen is given each picture
    * @param arrived is told that a picture came, or that there is none, on any thread, and must not block
    */
-  public FrameScheduler(Supplier<Optional<Gl>> graphics, CameraMotion rig, LongSupplier clock, Screen screen, Runnable arrived) {
+  public FrameScheduler(Supplier<Optional<Gl>> graphics, CameraMotion rig, LongSupplier clock, Screen screen,
+      Runnable arrived) {
     this.graphics = graphics;
     this.rig = rig;
     this.clock = clock;
@@ -219,13 +221,14 @@ public final class FrameScheduler implements AutoCloseable {
   }
 
   private synchronized Runnable asking() {
-    return busy || closed ? () -> { } : next();
+    return busy || closed ? () -> {} : next();
   }
 
   private Runnable next() {
     long now = clock.getAsLong();
-    if (unavailable.isPresent() && snapshots.isEmpty() && now - failedNanos < RETRY_NANOS || look.width() < 1 || look.height() < 1) {
-      return () -> { };
+    if (unavailable.isPresent() && snapshots.isEmpty() && now - failedNanos < RETRY_NANOS || look.width() < 1
+        || look.height() < 1) {
+      return () -> {};
     }
     Optional<Renderer> renderer = renderer();
     if (renderer.isEmpty()) {
@@ -238,13 +241,15 @@ public final class FrameScheduler implements AutoCloseable {
     boolean hurry = thinning && moves(now);
     Asked due = new Asked(stage.version(), rig.at(now), look, selection);
     if (unavailable.isEmpty() && asked.equals(Optional.of(due)) && (hurry || complete)) {
-      return () -> { };
+      return () -> {};
     }
     asked = Optional.of(due);
     busy = true;
     unhurriedly = !hurry;
-    RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection, hurry ? budget.points() : Integer.MAX_VALUE);
-    return () -> renderer.render(request).whenComplete((rendered, error) -> made(renderer, due.pose(), rendered, error));
+    RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection,
+        hurry ? budget.points() : Integer.MAX_VALUE);
+    return () -> renderer.render(request)
+        .whenComplete((rendered, error) -> made(renderer, due.pose(), rendered, error));
   }
 
   private Runnable snapshot(Renderer renderer, Snapshot wanted, long now) {
@@ -256,18 +261,22 @@ public final class FrameScheduler implements AutoCloseable {
       synchronized (this) {
         busy = false;
       }
-      wanted.done().complete(error == null ? rendered : new Rendered.Unavailable("The picture failed: " + error.getMessage(), ""));
+      wanted.done().complete(
+          error == null ? rendered : new Rendered.Unavailable("The picture failed: " + error.getMessage(), ""));
       pump();
     });
   }
 
-  private RenderRequest request(int width, int height, float scale, CameraPose pose, List<Selected> selected, int points) {
-    return new RenderRequest(stage.parts(), pose.toEye(seen), width, height, scale, look.background(), points, selected);
+  private RenderRequest request(int width, int height, float scale, CameraPose pose, List<Selected> selected,
+      int points) {
+    return new RenderRequest(stage.parts(), pose.toEye(seen), width, height, scale, look.background(), points,
+        selected);
   }
 
   /** The next picture is drawn while this one is brought to the screen. */
   private void made(Renderer renderer, CameraPose pose, Rendered rendered, Throwable error) {
-    Rendered outcome = error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), LOOK_THERE);
+    Rendered outcome =
+        error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), LOOK_THERE);
     synchronized (this) {
       busy = false;
       take(outcome);
@@ -316,7 +325,7 @@ public final class FrameScheduler implements AutoCloseable {
     failedNanos = now;
     snapshots.forEach(s -> s.done().complete(why));
     snapshots.clear();
-    return news ? arrived : () -> { };
+    return news ? arrived : () -> {};
   }
 
   private Optional<Renderer> renderer() {

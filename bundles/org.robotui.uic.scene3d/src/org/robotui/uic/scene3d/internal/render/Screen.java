@@ -7,7 +7,8 @@ import org.robotui.uic.scene3d.internal.camera.CameraPose;
 @FunctionalInterface
 public interface Screen {
   /**
-   * Takes a picture. On the thread that hands pictures over, one at a time: the next one may be drawn meanwhile, and waits there.
+   * Takes a picture. On the thread that hands pictures over, one at a time: the next one may be drawn meanwhile, and
+   * waits there.
    *
    * @param picture whose pixels are written anew after the call: what is needed of them is copied
    * @param from where it was seen from

@@ -52,10 +52,11 @@ final class DisplayTree {
     title.setText("Displays");
     title.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     total = new PlainLabel(bar, SWT.NONE, theme, Face.SMALL, Role.DIM);
-    QuietButton add = new QuietButton(bar, theme, () -> { }).icon(Icon.PLUS).hint("Add a display");
+    QuietButton add = new QuietButton(bar, theme, () -> {}).icon(Icon.PLUS).hint("Add a display");
     add.addListener(SWT.MouseUp, e -> add(add));
     add.addListener(SWT.KeyDown, e -> keyAdd(e, add));
-    QuietButton more = new QuietButton(bar, theme, this::reset).icon(Icon.RESTART).hint("Show what the robot offers, in place of this list");
+    QuietButton more = new QuietButton(bar, theme, this::reset).icon(Icon.RESTART)
+        .hint("Show what the robot offers, in place of this list");
     more.setLayoutData(Boxes.middle());
     split = Boxes.split(box, theme, SWT.VERTICAL);
     split.setLayoutData(Boxes.fill());
@@ -78,7 +79,8 @@ final class DisplayTree {
       rows = stage.rows();
       list.show(rows);
       choose();
-      rows.stream().filter(r -> settings.shows(r.spec().id())).findFirst().ifPresentOrElse(settings::show, () -> select(Optional.empty()));
+      rows.stream().filter(r -> settings.shows(r.spec().id())).findFirst().ifPresentOrElse(settings::show,
+          () -> select(Optional.empty()));
       if (rows.isEmpty()) {
         list.message(Health.NONE, "No displays", "Add one with +, or take back what the robot offers.");
       } else {
@@ -119,7 +121,8 @@ final class DisplayTree {
 
   private void pressed(Event e) {
     if (e.button == 1 && e.x < DisplayLook.BOX_END) {
-      rows.stream().filter(r -> list.bounds(r.spec().id()).filter((Rectangle at) -> at.contains(e.x, e.y)).isPresent()).findFirst().ifPresent(this::flip);
+      rows.stream().filter(r -> list.bounds(r.spec().id()).filter((Rectangle at) -> at.contains(e.x, e.y)).isPresent())
+          .findFirst().ifPresent(this::flip);
     }
   }
 
@@ -155,7 +158,7 @@ final class DisplayTree {
     List<DisplayType> kinds = parts.kinds().get().stream().sorted(Comparator.comparing(DisplayType::label)).toList();
     kinds.forEach(k -> menu.push(k.label(), () -> add(k)));
     if (kinds.isEmpty()) {
-      menu.push("No bundle brings displays", false, () -> { });
+      menu.push("No bundle brings displays", false, () -> {});
     }
     menu.openBelow(button);
   }
@@ -171,7 +174,9 @@ final class DisplayTree {
       String id = row.spec().id();
       return List.of(
           action(row.spec().shown() ? "Hide" : "Show", () -> flip(row)),
-          action("Show all of it", () -> parts.model().stage().bounds(id).ifPresent(b -> scene.go(parts.rig().aim().fit(b, scene.aspect())))),
+          action("Show all of it",
+              () -> parts.model().stage().bounds(id)
+                  .ifPresent(b -> scene.go(parts.rig().aim().fit(b, scene.aspect())))),
           action("Rename\u2026 (F2)", () -> rename(row)),
           action("Move up", () -> parts.edits().move(id, -1)),
           action("Move down", () -> parts.edits().move(id, 1)),
@@ -184,6 +189,7 @@ final class DisplayTree {
   }
 
   private void rename(DisplayRow row) {
-    NameDialog.ask(box, "Name", row.name()).ifPresent(name -> parts.edits().change(row.spec().id(), s -> s.named(name)));
+    NameDialog.ask(box, "Name", row.name())
+        .ifPresent(name -> parts.edits().change(row.spec().id(), s -> s.named(name)));
   }
 }

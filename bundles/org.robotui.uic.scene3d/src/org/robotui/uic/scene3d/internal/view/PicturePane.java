@@ -15,8 +15,9 @@ import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.render.Screen;
 
 /**
- * The newest picture of a scene in the form in which the platform paints it. A shot belongs to whoever holds it: the thread that hands pictures over
- * until the display takes it, then the display. Images that are shown no more take the next pictures.
+ * The newest picture of a scene in the form in which the platform paints it. A shot belongs to whoever holds it: the
+ * thread that hands pictures over until the display takes it, then the display. Images that are shown no more take the
+ * next pictures.
  */
 final class PicturePane implements Screen {
   /** One is painted, one waits, one is written. */
@@ -102,8 +103,8 @@ final class PicturePane implements Screen {
   }
 
   /**
-   * As large as it is; where a window has just got another size, in its middle, until the next picture comes. An image that is drawn is copied first,
-   * a pattern is not. Display thread.
+   * As large as it is; where a window has just got another size, in its middle, until the next picture comes. An image
+   * that is drawn is copied first, a pattern is not. Display thread.
    */
   static void paint(GC gc, Rectangle area, LiveImage image) {
     if (image.width() == area.width && image.height() == area.height && area.x == 0 && area.y == 0) {
@@ -113,7 +114,8 @@ final class PicturePane implements Screen {
       gc.setBackgroundPattern(null);
       pattern.dispose();
     } else {
-      gc.drawImage(image.image(), area.x + (area.width - image.width()) / 2, area.y + (area.height - image.height()) / 2);
+      gc.drawImage(image.image(), area.x + (area.width - image.width()) / 2,
+          area.y + (area.height - image.height()) / 2);
     }
   }
 

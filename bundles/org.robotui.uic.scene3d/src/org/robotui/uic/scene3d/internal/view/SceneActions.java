@@ -18,7 +18,8 @@ public final class SceneActions {
    */
   public SceneActions(Runnable reset) {
     all = List.of(
-        made.switched("follow", "Follow a frame\u2026", Icon.FOLLOW, SceneSurface::following, s -> s.menus().follow(s.canvas())),
+        made.switched("follow", "Follow a frame\u2026", Icon.FOLLOW, SceneSurface::following,
+            s -> s.menus().follow(s.canvas())),
         made.action("fit", "Show all (0)", Icon.FIT, SceneSurface::fit),
         made.action("camera", "Camera and views (V)", Icon.EYE, s -> s.menus().camera(s.canvas())),
         tool(ToolKind.MEASURE, Icon.RULER),

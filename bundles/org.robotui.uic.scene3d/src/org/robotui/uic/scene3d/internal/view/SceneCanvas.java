@@ -74,7 +74,8 @@ final class SceneCanvas {
     aspect = area.width / (double) Math.max(1, area.height);
     double scale = scale();
     pane.zoom((int) Math.round(scale * HUNDRED));
-    parts.studio().look(new PictureRequest((int) Math.round(area.width * scale), (int) Math.round(area.height * scale), (float) scale, ground));
+    parts.studio().look(new PictureRequest((int) Math.round(area.width * scale), (int) Math.round(area.height * scale),
+        (float) scale, ground));
     Optional<Rendered.Unavailable> none = parts.studio().unavailable();
     Optional<Shot> shot = pane.newest();
     if (none.isPresent()) {
@@ -89,7 +90,8 @@ final class SceneCanvas {
 
   private void over(GC gc, Rectangle area, Shot shot) {
     Lens lens = lens(shot.from());
-    overlay.paint(gc, area, new SceneOverlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
+    overlay.paint(gc, area,
+        new SceneOverlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
     Optional<Selection> selection = parts.picks().selection();
     marks.paint(gc, selection.isPresent() ? SceneOverlay.besideCard(area) : area, lens, surface.tools());
     selection.ifPresent(s -> overlay.card(gc, area, s));

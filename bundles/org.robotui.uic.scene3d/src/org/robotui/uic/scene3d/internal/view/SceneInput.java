@@ -37,7 +37,10 @@ final class SceneInput {
   private Point pointer = new Point(0, 0);
   private boolean hovering;
 
-  /** A button that is held: where it went down, where it was last, whether it is certain by now that it moves the camera. */
+  /**
+   * A button that is held: where it went down, where it was last, whether it is certain by now that it moves the
+   * camera.
+   */
   private record Press(int button, boolean shift, Point from, Point last, boolean moved, boolean turning) {
     Press at(int x, int y) {
       boolean far = moved || Math.abs(x - from.x) + Math.abs(y - from.y) > STILL;
@@ -68,7 +71,8 @@ final class SceneInput {
     canvas.addListener(SWT.MenuDetect, this::menu);
     canvas.addListener(SWT.KeyDown, this::key);
     canvas.addListener(SWT.FocusOut, e -> letGo());
-    canvas.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
+    canvas.addListener(SWT.Traverse,
+        e -> e.doit = e.detail == SWT.TRAVERSE_TAB_NEXT || e.detail == SWT.TRAVERSE_TAB_PREVIOUS);
     canvas.atEnd(() -> display.timerExec(-1, rest));
   }
 
@@ -88,7 +92,9 @@ final class SceneInput {
     }
   }
 
-  /** The answer to what was pressed: a handle is gripped, everything else turns the camera or is a place for a waypoint. */
+  /**
+   * The answer to what was pressed: a handle is gripped, everything else turns the camera or is a place for a waypoint.
+   */
   private void gripped(Optional<Pick> hit, int x, int y) {
     if (scene.tools().using(ToolKind.WAYPOINTS)) {
       pointed(hit.filter(h -> h.part().handle().isPresent()), x, y);
@@ -96,13 +102,17 @@ final class SceneInput {
     if (press.isEmpty()) {
       return;
     }
-    grip = hit.flatMap(h -> h.part().handle().map(handle -> new DragState(handle, scene.lens().ray(x, y), h.place(), parts.model()::soon)));
+    grip = hit.flatMap(h -> h.part().handle()
+        .map(handle -> new DragState(handle, scene.lens().ray(x, y), h.place(), parts.model()::soon)));
     if (grip.isEmpty()) {
       press = press.map(Press::turns);
     }
   }
 
-  /** With the tool for waypoints: a handle is selected, everything else is a place; the hand may have moved on or let go meanwhile. */
+  /**
+   * With the tool for waypoints: a handle is selected, everything else is a place; the hand may have moved on or let go
+   * meanwhile.
+   */
   private void pointed(Optional<Pick> handle, int x, int y) {
     if (handle.isPresent()) {
       parts.model().soon(() -> parts.picks().select(handle.map(Picks::of)));
@@ -176,7 +186,8 @@ final class SceneInput {
 
   /** Selects; a handle that was let go before it was known to be one is clicked, too. */
   private void clicked(Optional<Pick> hit, int x, int y) {
-    hit.ifPresent(h -> h.part().handle().ifPresent(handle -> new DragState(handle, scene.lens().ray(x, y), h.place(), parts.model()::soon).release()));
+    hit.ifPresent(h -> h.part().handle()
+        .ifPresent(handle -> new DragState(handle, scene.lens().ray(x, y), h.place(), parts.model()::soon).release()));
     parts.model().soon(() -> parts.picks().select(hit.map(Picks::of)));
   }
 
@@ -193,7 +204,8 @@ final class SceneInput {
 
   private void doubled() {
     if (scene.tools().kind().isEmpty()) {
-      pick(pointer.x, pointer.y, hit -> hit.ifPresentOrElse(h -> scene.go(parts.rig().aim().at(h.place())), scene::fit));
+      pick(pointer.x, pointer.y,
+          hit -> hit.ifPresentOrElse(h -> scene.go(parts.rig().aim().at(h.place())), scene::fit));
     }
   }
 
@@ -268,7 +280,7 @@ final class SceneInput {
       case 'd' -> moveCamera(pose -> Moves.step(pose, 0, -1, 0));
       case 'e' -> moveCamera(pose -> Moves.step(pose, 0, 0, 1));
       case 'q' -> moveCamera(pose -> Moves.step(pose, 0, 0, -1));
-      default -> { }
+      default -> {}
     }
   }
 

@@ -76,7 +76,8 @@ final class SceneMenus {
     size(menu, shot, (int) (size.x * scale), (int) (size.y * scale), "As seen");
     size(menu, shot, 1920, 1080, "Full HD");
     size(menu, shot, 3840, 2160, "4K");
-    menu.push("Other size\u2026", () -> SizeDialog.ask(scene.canvas(), size.x, size.y).ifPresent(s -> shot.save(s.x, s.y)));
+    menu.push("Other size\u2026",
+        () -> SizeDialog.ask(scene.canvas(), size.x, size.y).ifPresent(s -> shot.save(s.x, s.y)));
     menu.open();
   }
 
@@ -112,7 +113,8 @@ final class SceneMenus {
       under.push("Hide its display", () -> parts.edits().change(selection.display(), s -> s.show(false)));
     }
     under.line();
-    selection.properties().entries().forEach(e -> under.push(e.name() + ":  " + e.value(), () -> Clipboards.copy(e.value())));
+    selection.properties().entries()
+        .forEach(e -> under.push(e.name() + ":  " + e.value(), () -> Clipboards.copy(e.value())));
   }
 
   private void place(PopupMenu menu, Vector3 place) {
@@ -127,8 +129,9 @@ final class SceneMenus {
       scene.tools().toggle(ToolKind.MEASURE);
       scene.tools().measure(place);
     });
-    menu.push("Copy coordinates", () -> Clipboards.copy((Figures.fixed(place.x(), 3) + ' ' + Figures.fixed(place.y(), 3) + ' '
-        + Figures.fixed(place.z(), 3)).replace('\u2212', '-')));
+    menu.push("Copy coordinates",
+        () -> Clipboards.copy((Figures.fixed(place.x(), 3) + ' ' + Figures.fixed(place.y(), 3) + ' '
+            + Figures.fixed(place.z(), 3)).replace('\u2212', '-')));
   }
 
   private void waypoints(PopupMenu menu) {
@@ -136,8 +139,10 @@ final class SceneMenus {
     Route route = waypoints.route();
     WaypointKeys keys = new WaypointKeys(scene, parts);
     boolean some = !route.poses().isEmpty();
-    menu.check("Place and move (R)", scene.tools().using(ToolKind.WAYPOINTS), on -> scene.tools().toggle(ToolKind.WAYPOINTS));
-    menu.push(waypoints.tour().driving().isPresent() ? "End the drive (Enter)" : "Drive to all (Enter)", some, keys::drive);
+    menu.check("Place and move (R)", scene.tools().using(ToolKind.WAYPOINTS),
+        on -> scene.tools().toggle(ToolKind.WAYPOINTS));
+    menu.push(waypoints.tour().driving().isPresent() ? "End the drive (Enter)" : "Drive to all (Enter)", some,
+        keys::drive);
     menu.push("Send all as a path", some && parts.sender().takesPath(), () -> scene.say(parts.sender().path(route)));
     menu.push("Send all as poses", some && parts.sender().takesPoses(), () -> scene.say(parts.sender().poses(route)));
     menu.line();
@@ -157,7 +162,8 @@ final class SceneMenus {
     follows(menu.under("Follow"));
     menu.line();
     parts.edits().views().forEach((name, pose) -> menu.push(name, () -> scene.go(pose)));
-    menu.push("Save this view\u2026", () -> NameDialog.ask(scene.canvas(), "Save this view", "").ifPresent(n -> parts.edits().keep(n, parts.rig().aim())));
+    menu.push("Save this view\u2026", () -> NameDialog.ask(scene.canvas(), "Save this view", "")
+        .ifPresent(n -> parts.edits().keep(n, parts.rig().aim())));
     menu.push("Start with this view", () -> parts.edits().keep(Edits.START, parts.rig().aim()));
     if (!parts.edits().views().isEmpty()) {
       PopupMenu forget = menu.under("Forget");

@@ -61,10 +61,12 @@ final class SceneOverlay {
     Properties properties = selection.properties();
     List<Properties.Entry> entries = new ArrayList<>(properties.entries());
     Vector3 at = selection.place();
-    entries.add(new Properties.Entry("at", Figures.fixed(at.x(), 3) + "  " + Figures.fixed(at.y(), 3) + "  " + Figures.of(at.z(), 3, "m")));
+    entries.add(new Properties.Entry("at",
+        Figures.fixed(at.x(), 3) + "  " + Figures.fixed(at.y(), 3) + "  " + Figures.of(at.z(), 3, "m")));
     int shown = Math.min(entries.size(), MOST_ENTRIES);
     int width = Math.min(CARD_WIDTH, area.width - 2 * Theme.EDGE);
-    Rectangle card = new Rectangle(area.x + area.width - width - Theme.EDGE, area.y + Theme.EDGE, width, (shown + 1) * LINE + 4 * Theme.STEP);
+    Rectangle card = new Rectangle(area.x + area.width - width - Theme.EDGE, area.y + Theme.EDGE, width,
+        (shown + 1) * LINE + 4 * Theme.STEP);
     states.pill(gc, card);
     int inner = width - 4 * Theme.STEP;
     int left = card.x + 2 * Theme.STEP;
@@ -104,7 +106,8 @@ final class SceneOverlay {
 
   private void name(GC gc, Stage.Robot robot, Lens.Spot spot) {
     Point size = gc.textExtent(robot.name());
-    Rectangle pill = new Rectangle((int) spot.x() - size.x / 2 - 3 * Theme.STEP, (int) spot.y() + 3 * Theme.STEP, size.x + 6 * Theme.STEP, size.y + 2);
+    Rectangle pill = new Rectangle((int) spot.x() - size.x / 2 - 3 * Theme.STEP, (int) spot.y() + 3 * Theme.STEP,
+        size.x + 6 * Theme.STEP, size.y + 2);
     states.pill(gc, pill);
     gc.setBackground(color(robot.color()));
     gc.fillOval(pill.x + Theme.STEP, pill.y + pill.height / 2 - 3, 7, 7);
@@ -115,9 +118,10 @@ final class SceneOverlay {
   private void gizmo(GC gc, Rectangle area, Quaternion fixedFromEye) {
     int x = area.x + GIZMO_PLACE;
     int y = area.y + area.height - GIZMO_PLACE;
-    List<Axis> axes = new ArrayList<>(List.of(axis("x", fixedFromEye, new Vector3(1, 0, 0), new Color(0xe5, 0x53, 0x4b)),
-        axis("y", fixedFromEye, new Vector3(0, 1, 0), new Color(0x3f, 0xb6, 0x8b)),
-        axis("z", fixedFromEye, new Vector3(0, 0, 1), new Color(0x4d, 0xa3, 0xff))));
+    List<Axis> axes =
+        new ArrayList<>(List.of(axis("x", fixedFromEye, new Vector3(1, 0, 0), new Color(0xe5, 0x53, 0x4b)),
+            axis("y", fixedFromEye, new Vector3(0, 1, 0), new Color(0x3f, 0xb6, 0x8b)),
+            axis("z", fixedFromEye, new Vector3(0, 0, 1), new Color(0x4d, 0xa3, 0xff))));
     axes.sort(Comparator.comparingDouble((Axis a) -> a.seen().x()).reversed());
     gc.setAntialias(SWT.ON);
     gc.setFont(theme.font(Face.SMALL_STRONG));
@@ -128,7 +132,8 @@ final class SceneOverlay {
       gc.setForeground(axis.color());
       gc.drawLine(x, y, endX, endY);
       Point size = gc.textExtent(axis.name());
-      gc.drawText(axis.name(), endX - (int) Math.round(axis.seen().y() * 8) - size.x / 2, endY - (int) Math.round(axis.seen().z() * 8) - size.y / 2, true);
+      gc.drawText(axis.name(), endX - (int) Math.round(axis.seen().y() * 8) - size.x / 2,
+          endY - (int) Math.round(axis.seen().z() * 8) - size.y / 2, true);
     }
     gc.setLineWidth(1);
   }
@@ -146,7 +151,9 @@ final class SceneOverlay {
     words.add(rate(scene.rate()));
     Rendered.Figures figures = scene.shot().figures();
     if (figures.points() + figures.pointsLeftOut() > 0) {
-      words.add(count(figures.points()) + (figures.pointsLeftOut() > 0 ? " of " + count(figures.points() + figures.pointsLeftOut()) : "") + " points");
+      words.add(count(figures.points())
+          + (figures.pointsLeftOut() > 0 ? " of " + count(figures.points() + figures.pointsLeftOut()) : "")
+          + " points");
     }
     words.add(Figures.of(stage.bytes() / MILLION, 1, "MB"));
     if (stage.dropped() > 0) {
@@ -165,7 +172,8 @@ final class SceneOverlay {
     List<Note> notes = new ArrayList<>();
     scene.shot().problems().stream().limit(1).forEach(p -> notes.add(new Note(Health.WARNING, p)));
     if (!scene.treeOpen() || stage.fed().isEmpty()) {
-      stage.rows().stream().filter(r -> r.spec().shown() && r.health() != Health.OK).limit(MOST_NOTES).map(SceneOverlay::note).forEach(notes::add);
+      stage.rows().stream().filter(r -> r.spec().shown() && r.health() != Health.OK).limit(MOST_NOTES)
+          .map(SceneOverlay::note).forEach(notes::add);
     }
     if (notes.isEmpty() && stage.fed().isEmpty()) {
       notes.add(new Note(Health.NONE, "No data yet that a display can show."));
@@ -200,7 +208,8 @@ final class SceneOverlay {
   }
 
   private static String count(long points) {
-    return points >= MILLION ? Figures.fixed(points / MILLION, 1) + " M" : points >= 10 * THOUSAND ? Math.round(points / THOUSAND) + " k" : Long.toString(points);
+    return points >= MILLION ? Figures.fixed(points / MILLION, 1) + " M"
+        : points >= 10 * THOUSAND ? Math.round(points / THOUSAND) + " k" : Long.toString(points);
   }
 
   static Color color(Rgba rgba) {

@@ -35,7 +35,8 @@ final class Screenshot {
 
   /** Saves; the file is written in the background. */
   void save(int width, int height, Path file) {
-    parts.studio().snapshot(width, height).thenAccept(made -> parts.background().execute(() -> tell(write(made, file))));
+    parts.studio().snapshot(width, height)
+        .thenAccept(made -> parts.background().execute(() -> tell(write(made, file))));
   }
 
   /** Writes a picture and says what became of it. */
@@ -45,10 +46,11 @@ final class Screenshot {
       return new CommandNotice(Health.BAD, "Not saved: " + why);
     }
     ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[] {data(picture)};
+    loader.data = new ImageData[]{data(picture)};
     try {
       loader.save(file.toString(), SWT.IMAGE_PNG);
-      return new CommandNotice(Health.OK, "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
+      return new CommandNotice(Health.OK,
+          "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
     } catch (SWTException e) {
       return new CommandNotice(Health.BAD, "Not saved: " + e.getMessage());
     }
@@ -58,7 +60,8 @@ final class Screenshot {
   private static ImageData data(Rendered.Picture picture) {
     byte[] bytes = new byte[Integer.BYTES * picture.width() * picture.height()];
     ByteBuffer.wrap(bytes).asIntBuffer().put(picture.rgb(), 0, picture.width() * picture.height());
-    return new ImageData(picture.width(), picture.height(), Integer.SIZE, new PaletteData(0xff0000, 0xff00, 0xff), Integer.BYTES, bytes);
+    return new ImageData(picture.width(), picture.height(), Integer.SIZE, new PaletteData(0xff0000, 0xff00, 0xff),
+        Integer.BYTES, bytes);
   }
 
   private void tell(CommandNotice told) {

@@ -52,7 +52,8 @@ record SettingEditor(Control control, Consumer<Object> show) {
     });
   }
 
-  private static SettingEditor choice(Composite parent, Theme theme, Setting setting, ValueType.Choice type, Consumer<Object> changed) {
+  private static SettingEditor choice(Composite parent, Theme theme, Setting setting, ValueType.Choice type,
+      Consumer<Object> changed) {
     String[] now = {""};
     ChoiceField[] field = new ChoiceField[1];
     field[0] = new ChoiceField(parent, theme, setting.name(), () -> {
@@ -110,7 +111,8 @@ record SettingEditor(Control control, Consumer<Object> show) {
       case ValueType.Text t -> t.fit(typed);
       case ValueType.Num n -> number(words).flatMap(type::fit);
       case ValueType.Int i -> number(words).flatMap(type::fit);
-      case ValueType.Flag f -> words.equals("true") ? Optional.of(true) : words.equals("false") ? Optional.of(false) : Optional.empty();
+      case ValueType.Flag f -> words.equals("true") ? Optional.of(true)
+          : words.equals("false") ? Optional.of(false) : Optional.empty();
       case ValueType.Choice c -> type.fit(words);
       case ValueType.ListOf l -> list(l, words);
       case ValueType.AnyOf any -> any.alternatives().stream().flatMap(a -> read(a, typed).stream()).findFirst();

@@ -68,12 +68,14 @@ final class SettingsPane {
     if (!same) {
       build(row);
     }
-    row.settings().ifPresent(s -> editors.forEach(e -> Optional.ofNullable(s.values().get(e.setting().name())).ifPresent(e.editor()::show)));
+    row.settings().ifPresent(
+        s -> editors.forEach(e -> Optional.ofNullable(s.values().get(e.setting().name())).ifPresent(e.editor()::show)));
   }
 
   /** What the controls are made for; values may change without making them anew. */
   private static List<Object> structure(DisplayRow row) {
-    return List.of(row.spec().id(), row.name(), row.spec().sources(), row.choices(), row.settings().map(Settings::schema));
+    return List.of(row.spec().id(), row.name(), row.spec().sources(), row.choices(),
+        row.settings().map(Settings::schema));
   }
 
   private void build(DisplayRow row) {
@@ -89,7 +91,8 @@ final class SettingsPane {
     if (!row.choices().isEmpty() || !row.spec().sources().isEmpty()) {
       source(row);
     }
-    row.settings().ifPresent(s -> s.schema().settings().stream().filter(SettingsPane::editable).forEach(setting -> setting(row, setting)));
+    row.settings().ifPresent(
+        s -> s.schema().settings().stream().filter(SettingsPane::editable).forEach(setting -> setting(row, setting)));
     fit();
   }
 
@@ -109,7 +112,8 @@ final class SettingsPane {
     String id = row.spec().id();
     PopupMenu menu = new PopupMenu(field, changed);
     menu.radio(AUTOMATIC, row.spec().sources().isEmpty(), () -> parts.edits().change(id, s -> s.from(List.of())));
-    row.choices().forEach(c -> menu.radio(c, row.spec().sources().contains(c), () -> parts.edits().change(id, s -> s.from(List.of(c)))));
+    row.choices().forEach(
+        c -> menu.radio(c, row.spec().sources().contains(c), () -> parts.edits().change(id, s -> s.from(List.of(c)))));
     menu.openBelow(field);
   }
 

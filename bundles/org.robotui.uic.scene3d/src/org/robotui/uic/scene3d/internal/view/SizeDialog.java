@@ -16,7 +16,9 @@ final class SizeDialog {
   private SizeDialog() {}
 
   static Optional<Point> ask(Control over, int width, int height) {
-    return NameDialog.ask(over, "Width \u00d7 height in pixels, " + MOST + " at most", width + " x " + height, words -> read(words).isPresent())
+    return NameDialog
+        .ask(over, "Width \u00d7 height in pixels, " + MOST + " at most", width + " x " + height,
+            words -> read(words).isPresent())
         .flatMap(SizeDialog::read);
   }
 

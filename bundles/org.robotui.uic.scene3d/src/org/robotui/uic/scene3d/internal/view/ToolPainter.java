@@ -43,7 +43,8 @@ final class ToolPainter {
   /** Distance, and its parts along the axes. */
   static String words(Vector3 from, Vector3 to) {
     Vector3 d = to.minus(from);
-    return Figures.of(d.norm(), 3, "m") + "   \u0394x " + Figures.fixed(d.x(), 3) + "  \u0394y " + Figures.fixed(d.y(), 3)
+    return Figures.of(d.norm(), 3, "m") + "   \u0394x " + Figures.fixed(d.x(), 3) + "  \u0394y "
+        + Figures.fixed(d.y(), 3)
         + "  \u0394z " + Figures.of(d.z(), 3, "m");
   }
 
@@ -51,7 +52,8 @@ final class ToolPainter {
     List<Point> points = places.stream().flatMap(p -> SceneOverlay.point(lens, p).stream()).toList();
     line(gc, points);
     if (points.size() == 2) {
-      label(gc, words(places.get(0), places.get(1)), (points.get(0).x + points.get(1).x) / 2, (points.get(0).y + points.get(1).y) / 2);
+      label(gc, words(places.get(0), places.get(1)), (points.get(0).x + points.get(1).x) / 2,
+          (points.get(0).y + points.get(1).y) / 2);
     }
   }
 
@@ -69,7 +71,8 @@ final class ToolPainter {
   private void label(GC gc, String words, int x, int y) {
     gc.setFont(theme.font(Face.FIGURES));
     Point size = gc.textExtent(words);
-    Rectangle pill = new Rectangle(x - size.x / 2 - 2 * Theme.STEP, y + 3 * Theme.STEP, size.x + 4 * Theme.STEP, size.y + 2 * Theme.STEP);
+    Rectangle pill = new Rectangle(x - size.x / 2 - 2 * Theme.STEP, y + 3 * Theme.STEP, size.x + 4 * Theme.STEP,
+        size.y + 2 * Theme.STEP);
     states.pill(gc, pill);
     gc.setForeground(theme.color(Role.TEXT));
     gc.drawText(words, pill.x + 2 * Theme.STEP, pill.y + Theme.STEP, true);
@@ -78,8 +81,9 @@ final class ToolPainter {
   /** An arrow that lies on the floor. */
   private void arrow(GC gc, Lens lens, RigidTransform pose, Role role) {
     double length = lens.pose().height() * ARROW_SHARE * 2;
-    Vector3[] shape = {new Vector3(0, 0, 0), new Vector3(length, 0, 0), new Vector3(length * (1 - HEAD), length * HEAD, 0),
-      new Vector3(length * (1 - HEAD), -length * HEAD, 0)};
+    Vector3[] shape =
+        {new Vector3(0, 0, 0), new Vector3(length, 0, 0), new Vector3(length * (1 - HEAD), length * HEAD, 0),
+            new Vector3(length * (1 - HEAD), -length * HEAD, 0)};
     Point[] p = new Point[shape.length];
     for (int i = 0; i < shape.length; i++) {
       p[i] = SceneOverlay.point(lens, pose.apply(shape[i])).orElse(new Point(-1, -1));
@@ -88,7 +92,7 @@ final class ToolPainter {
     gc.setBackground(theme.color(role));
     gc.setLineWidth(3);
     gc.drawLine(p[0].x, p[0].y, p[1].x, p[1].y);
-    gc.fillPolygon(new int[] {p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y});
+    gc.fillPolygon(new int[]{p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y});
     gc.fillOval(p[0].x - DOT / 2, p[0].y - DOT / 2, DOT, DOT);
     gc.setLineWidth(1);
     label(gc, Figures.degrees(pose.rotation().yaw(), 0), p[0].x, p[0].y);

@@ -57,7 +57,8 @@ final class Tools {
   Optional<String> hint() {
     OptionalInt driving = parts.waypoints().tour().driving();
     return driving.isPresent()
-        ? Optional.of("Driving to waypoint " + (driving.getAsInt() + 1) + " of " + parts.waypoints().route().poses().size() + " \u00b7 Enter ends it")
+        ? Optional.of("Driving to waypoint " + (driving.getAsInt() + 1) + " of "
+            + parts.waypoints().route().poses().size() + " \u00b7 Enter ends it")
         : kind.map(ToolKind::hint);
   }
 
@@ -140,7 +141,8 @@ final class Tools {
 
   /** What is pointed out now. */
   Optional<RigidTransform> pose() {
-    return pressed.map(p -> RigidTransform.planar(p.x(), p.y(), dragged.map(d -> Math.atan2(d.y() - p.y(), d.x() - p.x())).orElse(heading(p))));
+    return pressed.map(p -> RigidTransform.planar(p.x(), p.y(),
+        dragged.map(d -> Math.atan2(d.y() - p.y(), d.x() - p.x())).orElse(heading(p))));
   }
 
   void send(ToolKind what, RigidTransform pose) {
@@ -152,8 +154,9 @@ final class Tools {
     if (what == ToolKind.GOAL && parts.waypoints().tour().driving().isPresent()) {
       parts.waypoints().tour().cede("another goal was given");
     }
-    CommandNotice told = frame.map(f -> what == ToolKind.GOAL ? parts.commander().goal(f, pose) : parts.commander().initialPose(f, pose))
-        .orElse(new CommandNotice(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
+    CommandNotice told =
+        frame.map(f -> what == ToolKind.GOAL ? parts.commander().goal(f, pose) : parts.commander().initialPose(f, pose))
+            .orElse(new CommandNotice(Health.BAD, "Not sent: no frame is known yet in which it could be given"));
     kind = Optional.empty();
     say(told);
   }

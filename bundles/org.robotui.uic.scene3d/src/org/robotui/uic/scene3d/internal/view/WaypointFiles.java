@@ -18,7 +18,9 @@ import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.waypoint.Route;
 import org.robotui.uic.scene3d.internal.waypoint.RouteText;
 
-/** Loads and saves waypoints: files are read and written in the background, and what became of it is said in the scene. */
+/**
+ * Loads and saves waypoints: files are read and written in the background, and what became of it is said in the scene.
+ */
 final class WaypointFiles {
   private static final String YAML = "*.yaml";
   private static final String CSV = "*.csv";
@@ -35,8 +37,8 @@ final class WaypointFiles {
   void load() {
     FileDialog dialog = new FileDialog(scene.canvas().getShell(), SWT.OPEN);
     dialog.setText("Load waypoints");
-    dialog.setFilterExtensions(new String[] {"*.yaml;*.yml;*.csv", "*"});
-    dialog.setFilterNames(new String[] {"Waypoints (*.yaml, *.csv)", "All files"});
+    dialog.setFilterExtensions(new String[]{"*.yaml;*.yml;*.csv", "*"});
+    dialog.setFilterNames(new String[]{"Waypoints (*.yaml, *.csv)", "All files"});
     Optional.ofNullable(dialog.open()).map(Path::of).ifPresent(this::load);
   }
 
@@ -50,7 +52,8 @@ final class WaypointFiles {
     parts.background().execute(() -> {
       switch (read(file)) {
         case RouteText.Outcome.Read read -> parts.model().soon(() -> scene.say(parts.waypoints().take(read)));
-        case RouteText.Outcome.Unreadable not -> scene.say(new CommandNotice(Health.BAD, "Not loaded, " + file.getFileName() + ": " + not.why()));
+        case RouteText.Outcome.Unreadable not -> scene
+            .say(new CommandNotice(Health.BAD, "Not loaded, " + file.getFileName() + ": " + not.why()));
       }
     });
   }
@@ -78,7 +81,8 @@ final class WaypointFiles {
   private static CommandNotice write(Path file, Route route) {
     try {
       Files.writeString(file, RouteText.write(file.getFileName().toString(), route));
-      return new CommandNotice(Health.OK, "Saved " + route.poses().size() + (route.poses().size() == 1 ? " waypoint to " : " waypoints to ") + file.getFileName());
+      return new CommandNotice(Health.OK, "Saved " + route.poses().size()
+          + (route.poses().size() == 1 ? " waypoint to " : " waypoints to ") + file.getFileName());
     } catch (IOException e) {
       return new CommandNotice(Health.BAD, "Not saved, " + file.getFileName() + ": " + e.getMessage());
     }

@@ -24,8 +24,9 @@ final class WaypointKeys {
   }
 
   private boolean chosen(Event e) {
-    OptionalInt index = parts.picks().selection().filter(s -> s.display().equals(Waypoints.DISPLAY)).map(s -> Waypoints.index(s.part()))
-        .orElseGet(OptionalInt::empty);
+    OptionalInt index =
+        parts.picks().selection().filter(s -> s.display().equals(Waypoints.DISPLAY)).map(s -> Waypoints.index(s.part()))
+            .orElseGet(OptionalInt::empty);
     if (index.isEmpty()) {
       return false;
     }

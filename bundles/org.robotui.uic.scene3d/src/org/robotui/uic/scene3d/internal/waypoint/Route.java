@@ -47,7 +47,8 @@ public record Route(Optional<FrameId> frame, List<RigidTransform> poses) {
   /** As a configuration has them. */
   public String yaml() {
     StringBuilder text = new StringBuilder();
-    frame.ifPresent(f -> text.append(SceneOptions.WAYPOINT_FRAME).append(": ").append(f.robot()).append('/').append(f.name()).append('\n'));
+    frame.ifPresent(f -> text.append(SceneOptions.WAYPOINT_FRAME).append(": ").append(f.robot()).append('/')
+        .append(f.name()).append('\n'));
     text.append(SceneOptions.WAYPOINTS).append(poses.isEmpty() ? ": []\n" : ":\n");
     poses.forEach(pose -> text.append("  - ").append(fields(pose).toString().replace("=", ": ")).append('\n'));
     return text.toString();

@@ -11,7 +11,10 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 
-/** Waypoints as files have them: YAML as a configuration has it, or CSV with names of columns in its first line. Any thread. */
+/**
+ * Waypoints as files have them: YAML as a configuration has it, or CSV with names of columns in its first line. Any
+ * thread.
+ */
 public final class RouteText {
   /** The most characters that are read. */
   public static final int MOST = 1 << 20;
@@ -102,14 +105,17 @@ public final class RouteText {
   }
 
   private static List<String> columns(List<String> cells, int line) throws RouteException {
-    boolean good = cells.contains("x") && cells.contains("y") && NUMBERS.containsAll(cells) && cells.stream().distinct().count() == cells.size();
+    boolean good = cells.contains("x") && cells.contains("y") && NUMBERS.containsAll(cells)
+        && cells.stream().distinct().count() == cells.size();
     if (!good) {
-      throw new RouteException(line, "the first line names the columns, for example x,y,z,yaw (metres and radians; z and yaw may be left out)");
+      throw new RouteException(line,
+          "the first line names the columns, for example x,y,z,yaw (metres and radians; z and yaw may be left out)");
     }
     return cells;
   }
 
-  private static RigidTransform pose(List<String> columns, List<String> cells, int line, int before) throws RouteException {
+  private static RigidTransform pose(List<String> columns, List<String> cells, int line, int before)
+      throws RouteException {
     if (cells.size() != columns.size()) {
       throw new RouteException(line, "there are " + cells.size() + " values and " + columns.size() + " columns");
     }
@@ -138,7 +144,8 @@ public final class RouteText {
       // Said below, as for numbers that are none or too large.
     }
     String shown = written.length() > 40 ? written.substring(0, 40) + "\u2026" : written;
-    throw new RouteException(line, "'" + shown + "' is no " + name + ": a number of " + (name.equals(NUMBERS.getLast()) ? "radians" : "metres") + " is expected");
+    throw new RouteException(line, "'" + shown + "' is no " + name + ": a number of "
+        + (name.equals(NUMBERS.getLast()) ? "radians" : "metres") + " is expected");
   }
 
   /** What is wrong, with the line. */

@@ -16,9 +16,9 @@ import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
 
 /**
- * Drives a robot from waypoint to waypoint: the next goal is given when the robot has come near the last one. Whatever takes the robot out of
- * the user's hands ends it: the stop, a lost lease, a refused goal, a robot that stands still for long. It ends for good: nothing drives on by
- * itself afterwards. Asked for from any thread, driven by the worker.
+ * Drives a robot from waypoint to waypoint: the next goal is given when the robot has come near the last one. Whatever
+ * takes the robot out of the user's hands ends it: the stop, a lost lease, a refused goal, a robot that stands still
+ * for long. It ends for good: nothing drives on by itself afterwards. Asked for from any thread, driven by the worker.
  */
 public final class Tour {
   private static final double NEAR_RADIANS = Math.toRadians(30);
@@ -85,13 +85,14 @@ public final class Tour {
    */
   public void tick(Route route, Optional<RigidTransform> frameFromBase, double tolerance, long nowNanos) {
     wish.getAndSet(Optional.empty()).ifPresent(w -> fulfil(w, route, frameFromBase, nowNanos));
-    leg.ifPresent(now -> hindrance(now, route, nowNanos).ifPresentOrElse(why -> end(why, now, route), () -> go(now, route, frameFromBase, tolerance, nowNanos)));
+    leg.ifPresent(now -> hindrance(now, route, nowNanos).ifPresentOrElse(why -> end(why, now, route),
+        () -> go(now, route, frameFromBase, tolerance, nowNanos)));
   }
 
   private void fulfil(Wish wished, Route route, Optional<RigidTransform> frameFromBase, long nowNanos) {
     switch (wished) {
-      case Wish.Start start when route.poses().isEmpty() || start.index >= route.poses().size() ->
-          tell.accept(new CommandNotice(Health.BAD, "There is no waypoint to drive to: R places them"));
+      case Wish.Start start when route.poses().isEmpty() || start.index >= route.poses().size() -> tell
+          .accept(new CommandNotice(Health.BAD, "There is no waypoint to drive to: R places them"));
       case Wish.Start start -> send(start.index, route, frameFromBase, nowNanos);
       case Wish.End ended -> leg.ifPresent(now -> {
         end(ended.why, now, route);
@@ -109,7 +110,8 @@ public final class Tour {
       return Optional.of("stopped by " + authority.stoppedBy().get().label());
     }
     if (authority.holder().filter(principal::equals).isEmpty()) {
-      return Optional.of(authority.holder().map(other -> other.label() + " controls " + authority.robot() + " now").orElse("the lease was given back"));
+      return Optional.of(authority.holder().map(other -> other.label() + " controls " + authority.robot() + " now")
+          .orElse("the lease was given back"));
     }
     if (!(goals.state() instanceof InputState.Live)) {
       return Optional.of(goals.state().explanation());
@@ -117,7 +119,9 @@ public final class Tour {
     if (now.index >= route.poses().size()) {
       return Optional.of("the waypoint was removed");
     }
-    return nowNanos - now.movedNanos > PATIENCE_NANOS ? Optional.of("the robot has not moved for " + PATIENCE_NANOS / 1_000_000_000L + " s") : Optional.empty();
+    return nowNanos - now.movedNanos > PATIENCE_NANOS
+        ? Optional.of("the robot has not moved for " + PATIENCE_NANOS / 1_000_000_000L + " s")
+        : Optional.empty();
   }
 
   private void go(Leg now, Route route, Optional<RigidTransform> frameFromBase, double tolerance, long nowNanos) {
@@ -142,7 +146,8 @@ public final class Tour {
 
   private void send(int index, Route route, Optional<RigidTransform> frameFromBase, long nowNanos) {
     RigidTransform goal = route.poses().get(index);
-    CommandNotice told = route.frame().map((FrameId frame) -> commander.goal(frame, goal)).orElse(new CommandNotice(Health.BAD, "no frame is known yet"));
+    CommandNotice told = route.frame().map((FrameId frame) -> commander.goal(frame, goal))
+        .orElse(new CommandNotice(Health.BAD, "no frame is known yet"));
     if (told.health() == Health.OK) {
       leg = Optional.of(new Leg(index, goal, frameFromBase, nowNanos));
     } else {
@@ -153,11 +158,13 @@ public final class Tour {
 
   private void end(String why, Leg now, Route route) {
     leg = Optional.empty();
-    tell.accept(new CommandNotice(Health.WARNING, "The drive ended at waypoint " + (now.index + 1) + " of " + route.poses().size() + ": " + why));
+    tell.accept(new CommandNotice(Health.WARNING,
+        "The drive ended at waypoint " + (now.index + 1) + " of " + route.poses().size() + ": " + why));
   }
 
   private static boolean isNear(RigidTransform base, RigidTransform wanted, double tolerance) {
-    double distance = Math.hypot(base.translation().x() - wanted.translation().x(), base.translation().y() - wanted.translation().y());
+    double distance = Math.hypot(base.translation().x() - wanted.translation().x(),
+        base.translation().y() - wanted.translation().y());
     return distance <= tolerance && turn(base, wanted) <= NEAR_RADIANS;
   }
 

@@ -8,7 +8,10 @@ import org.robotui.geometry.Vector3;
 import org.robotui.gl.shape.Handle;
 import org.robotui.gl.shape.Ray;
 
-/** A waypoint in the hand of a user: its disc moves it over the level on which it lies, its arrow turns it. Worker thread. */
+/**
+ * A waypoint in the hand of a user: its disc moves it over the level on which it lies, its arrow turns it. Worker
+ * thread.
+ */
 final class WaypointHandle implements Handle {
   private static final int REMOVE = 1;
   private static final int EARLIER = 2;
@@ -38,7 +41,8 @@ final class WaypointHandle implements Handle {
 
   @Override
   public void drag(Ray ray) {
-    pressed.ifPresent(p -> level(ray, p.place.z()).ifPresent(at -> waypoints.hold(index, turns ? turned(p.start, at) : moved(p, at))));
+    pressed.ifPresent(p -> level(ray, p.place.z())
+        .ifPresent(at -> waypoints.hold(index, turns ? turned(p.start, at) : moved(p, at))));
   }
 
   @Override
@@ -52,7 +56,8 @@ final class WaypointHandle implements Handle {
   @Override
   public List<Choice> menu() {
     int last = waypoints.route().poses().size() - 1;
-    List<Choice> all = List.of(choice(REMOVE, "Remove (Del)"), choice(EARLIER, "Earlier (Page up)"), choice(LATER, "Later (Page down)"),
+    List<Choice> all = List.of(choice(REMOVE, "Remove (Del)"), choice(EARLIER, "Earlier (Page up)"),
+        choice(LATER, "Later (Page down)"),
         choice(DRIVE, "Drive from here on"));
     return all.stream().filter(c -> (c.id() != EARLIER || index > 0) && (c.id() != LATER || index < last)).toList();
   }
@@ -64,7 +69,7 @@ final class WaypointHandle implements Handle {
       case EARLIER -> waypoints.move(index, -1);
       case LATER -> waypoints.move(index, 1);
       case DRIVE -> waypoints.tour().start(index);
-      default -> { }
+      default -> {}
     }
   }
 

@@ -21,7 +21,10 @@ import org.robotui.gl.shape.Properties;
 import org.robotui.gl.shape.Rgba;
 import org.robotui.gl.shape.Shape;
 
-/** How waypoints look: a disc with an arrow and a number each, and a line through all. Shapes stay the same objects while they look the same. */
+/**
+ * How waypoints look: a disc with an arrow and a number each, and a line through all. Shapes stay the same objects
+ * while they look the same.
+ */
 final class WaypointLook {
   private static final Rgba COLOR = Rgba.of(0xb07cff);
   private static final Rgba AHEAD = Rgba.of(0x3ecf8e);
@@ -57,12 +60,15 @@ final class WaypointLook {
       RigidTransform at = fixedFromFrame.times(poses.get(i));
       Rgba color = driving.isPresent() && driving.getAsInt() == i ? AHEAD : COLOR;
       Describer words = describer(route, i);
-      parts.add(new Part(new Key("disc", i), disc, at.times(lift), Material.lit(color.withAlpha(0.75)), words, Optional.of(handles.of(i, false))));
-      parts.add(new Part(new Key("arrow", i), arrow, at.times(lift), Material.lit(color), words, Optional.of(handles.of(i, true))));
+      parts.add(new Part(new Key("disc", i), disc, at.times(lift), Material.lit(color.withAlpha(0.75)), words,
+          Optional.of(handles.of(i, false))));
+      parts.add(new Part(new Key("arrow", i), arrow, at.times(lift), Material.lit(color), words,
+          Optional.of(handles.of(i, true))));
       parts.add(new Part(new Key("number", i), numbers.get(i), at.times(above), Material.flat(color).onTop(), words));
     }
     if (poses.size() > 1) {
-      parts.add(new Part(new Key("line", 0), line, fixedFromFrame.times(lift), Material.flat(COLOR), Describer.of("Path through the waypoints")));
+      parts.add(new Part(new Key("line", 0), line, fixedFromFrame.times(lift), Material.flat(COLOR),
+          Describer.of("Path through the waypoints")));
     }
     return parts;
   }
@@ -72,7 +78,9 @@ final class WaypointLook {
       size = wanted;
       disc = new Placings(1).add(RigidTransform.IDENTITY, new Vector3(size, size, FLAT * size)).of(Meshes.cylinder());
       // The arrow begins at the rim of the disc, so that both can be gripped.
-      arrow = new Placings(1).add(new RigidTransform(new Vector3(size / 2, 0, 0), Quaternion.IDENTITY), new Vector3(size, 0.4 * size, 0.4 * size))
+      arrow = new Placings(1)
+          .add(new RigidTransform(new Vector3(size / 2, 0, 0), Quaternion.IDENTITY),
+              new Vector3(size, 0.4 * size, 0.4 * size))
           .of(Meshes.arrow());
     }
     while (numbers.size() < route.poses().size()) {
@@ -92,10 +100,12 @@ final class WaypointLook {
 
   private static Describer describer(Route route, int index) {
     RigidTransform pose = route.poses().get(index);
-    String place = String.format(Locale.ROOT, "%.3f, %.3f, %.3f m", pose.translation().x(), pose.translation().y(), pose.translation().z());
+    String place = String.format(Locale.ROOT, "%.3f, %.3f, %.3f m", pose.translation().x(), pose.translation().y(),
+        pose.translation().z());
     String yaw = String.format(Locale.ROOT, "%.1f\u00b0", Math.toDegrees(pose.rotation().yaw()));
     return (element, hit) -> Properties.of("Waypoint " + (index + 1) + " of " + route.poses().size(),
-        new Properties.Entry("Frame", route.frame().map(f -> f.name()).orElse("")), new Properties.Entry("Place", place),
+        new Properties.Entry("Frame", route.frame().map(f -> f.name()).orElse("")),
+        new Properties.Entry("Place", place),
         new Properties.Entry("Heading", yaw));
   }
 }

@@ -17,8 +17,8 @@ import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 
 /**
- * The waypoints of a scene: what is drawn of them, and how hands change them. They are kept in the settings with each change, and each change
- * can be undone. Worker thread of the scene, where nothing else is said.
+ * The waypoints of a scene: what is drawn of them, and how hands change them. They are kept in the settings with each
+ * change, and each change can be undone. Worker thread of the scene, where nothing else is said.
  */
 public final class Waypoints {
   /** The display that their parts belong to. */
@@ -50,7 +50,8 @@ public final class Waypoints {
 
   /** Which waypoint a part belongs to, from 0; none for the line through all. */
   public static OptionalInt index(Part part) {
-    return part.handle().isPresent() && part.key() instanceof WaypointLook.Key key ? OptionalInt.of(key.index()) : OptionalInt.empty();
+    return part.handle().isPresent() && part.key() instanceof WaypointLook.Key key ? OptionalInt.of(key.index())
+        : OptionalInt.empty();
   }
 
   /** What there is; any thread. */
@@ -71,11 +72,14 @@ public final class Waypoints {
     drawnIn = Optional.of(places.fixed());
     fixedFromFrame = places.at(frame(places.fixed()), Optional.empty()).found();
     Route seen = held.map(h -> route.with(h.index, h.pose)).orElse(route);
-    shown = seen.frame().isPresent() || seen.poses().isEmpty() ? seen : new Route(Optional.of(places.fixed()), seen.poses());
+    shown = seen.frame().isPresent() || seen.poses().isEmpty() ? seen
+        : new Route(Optional.of(places.fixed()), seen.poses());
     while (grips.size() < route.poses().size()) {
       grips.add(new Grips(new WaypointHandle(this, grips.size(), false), new WaypointHandle(this, grips.size(), true)));
     }
-    return fixedFromFrame.map(fixed -> look.parts(shown, fixed, now.number(SceneOptions.WAYPOINT_SIZE), tour.driving(), this::handle)).orElse(List.of());
+    return fixedFromFrame
+        .map(fixed -> look.parts(shown, fixed, now.number(SceneOptions.WAYPOINT_SIZE), tour.driving(), this::handle))
+        .orElse(List.of());
   }
 
   /** Adds one behind the others. */
@@ -86,7 +90,8 @@ public final class Waypoints {
     if (route.poses().isEmpty()) {
       change(new Route(Optional.of(fixed), List.of(pose)));
     } else if (fixedFromFrame.isEmpty()) {
-      return new CommandNotice(Health.BAD, "Not added: it is not known where the frame of the waypoints is, " + frame(fixed).name());
+      return new CommandNotice(Health.BAD,
+          "Not added: it is not known where the frame of the waypoints is, " + frame(fixed).name());
     } else {
       change(route.plus(fixedFromFrame.get().inverse().times(pose)));
     }
@@ -101,7 +106,8 @@ public final class Waypoints {
     int count = read.poses().size();
     return drawnIn.map(fixed -> {
       change(read.route(fixed));
-      return new CommandNotice(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in " + frame(fixed).name() + " \u00b7 Ctrl+Z undoes it");
+      return new CommandNotice(Health.OK, (count == 1 ? "1 waypoint" : count + " waypoints") + " loaded in "
+          + frame(fixed).name() + " \u00b7 Ctrl+Z undoes it");
     }).orElse(new CommandNotice(Health.BAD, "Not loaded: no frame is known yet"));
   }
 
@@ -128,7 +134,9 @@ public final class Waypoints {
   public CommandNotice undo() {
     Optional<Route> last = Optional.ofNullable(before.pollLast());
     last.ifPresent(this::keep);
-    return last.map(r -> new CommandNotice(Health.OK, "Undone: " + r.poses().size() + (r.poses().size() == 1 ? " waypoint" : " waypoints")))
+    return last
+        .map(r -> new CommandNotice(Health.OK,
+            "Undone: " + r.poses().size() + (r.poses().size() == 1 ? " waypoint" : " waypoints")))
         .orElse(new CommandNotice(Health.NONE, "There is nothing to undo"));
   }
 
@@ -139,7 +147,8 @@ public final class Waypoints {
 
   /** Where a waypoint is in the fixed frame. */
   Optional<RigidTransform> place(int index) {
-    return index < route.poses().size() ? fixedFromFrame.map(fixed -> fixed.times(route.poses().get(index))) : Optional.empty();
+    return index < route.poses().size() ? fixedFromFrame.map(fixed -> fixed.times(route.poses().get(index)))
+        : Optional.empty();
   }
 
   /** A hand moves a waypoint. */

@@ -53,9 +53,11 @@ final class YamlRoute {
     for (NodeTuple entry : section(root, "waypoints").getValue()) {
       String name = scalar(entry.getKeyNode(), "a name");
       switch (name) {
-        case SceneOptions.WAYPOINT_FRAME -> frame = Optional.of(scalar(entry.getValueNode(), "a frame").strip()).filter(f -> !f.isEmpty());
+        case SceneOptions.WAYPOINT_FRAME -> frame =
+            Optional.of(scalar(entry.getValueNode(), "a frame").strip()).filter(f -> !f.isEmpty());
         case SceneOptions.WAYPOINTS -> poses = poses(entry.getValueNode());
-        default -> throw new RouteException(line(entry.getKeyNode()), "'" + name + "' is not known here: write " + String.join(" or ", RouteText.words()));
+        default -> throw new RouteException(line(entry.getKeyNode()),
+            "'" + name + "' is not known here: write " + String.join(" or ", RouteText.words()));
       }
     }
     return new Outcome.Read(frame, poses);
@@ -72,7 +74,8 @@ final class YamlRoute {
         String name = scalar(entry.getKeyNode(), "a name");
         int index = RouteText.NUMBERS.indexOf(name);
         if (index < 0) {
-          throw new RouteException(line(entry.getKeyNode()), "'" + name + "' is no part of a waypoint: x, y, z and yaw are");
+          throw new RouteException(line(entry.getKeyNode()),
+              "'" + name + "' is no part of a waypoint: x, y, z and yaw are");
         }
         numbers[index] = RouteText.number(scalar(entry.getValueNode(), "a number"), name, line(entry.getValueNode()));
       }

@@ -66,12 +66,13 @@ class CameraTest {
 
   @Test
   void zoomingKeepsWhatIsUnderThePointer() {
-    for (CameraKind kind : new CameraKind[] {CameraKind.ORBIT, CameraKind.TOP}) {
+    for (CameraKind kind : new CameraKind[]{CameraKind.ORBIT, CameraKind.TOP}) {
       Lens before = new Lens(CameraPose.START.as(kind), 800, 600);
       CameraPose nearer = Moves.zoom(before, 200, 450, 0.5);
       assertEquals(5, nearer.distance(), EXACT);
       Ray ray = before.ray(200, 450);
-      double depth = before.pose().focus().minus(ray.origin()).dot(before.pose().forward()) / ray.direction().dot(before.pose().forward());
+      double depth = before.pose().focus().minus(ray.origin()).dot(before.pose().forward())
+          / ray.direction().dot(before.pose().forward());
       Lens.Spot spot = new Lens(nearer, 800, 600).spot(ray.at(depth)).orElseThrow();
       assertEquals(200, spot.x(), 1e-6);
       assertEquals(450, spot.y(), 1e-6);
@@ -108,9 +109,9 @@ class CameraTest {
   void aBoxThatIsFittedLiesWithinThePicture() {
     Box3 box = new Box3(new Vector3(-3, 1, 0), new Vector3(9, 4, 2));
     for (CameraKind kind : CameraKind.values()) {
-      for (double aspect : new double[] {0.5, 1, 2}) {
+      for (double aspect : new double[]{0.5, 1, 2}) {
         Lens lens = new Lens(CameraPose.START.as(kind).fit(box, aspect), 500 * aspect, 500);
-        for (Vector3 corner : new Vector3[] {box.low(), box.high()}) {
+        for (Vector3 corner : new Vector3[]{box.low(), box.high()}) {
           Lens.Spot spot = lens.spot(corner).orElseThrow();
           assertTrue(spot.x() >= 0 && spot.x() <= 500 * aspect && spot.y() >= 0 && spot.y() <= 500, kind + " " + spot);
         }

@@ -17,9 +17,11 @@ class DisplayFaultsTest {
   @Test
   void settingsOfADisplayAreJudgedByItsKindWhereTheyAreWritten() {
     assertEquals(List.of(), faults("scan", Map.of("size", placed(5.0, 3))));
-    assertEquals(List.of("robot.yaml:3:7: display 'scan': size is 1.0E308, must be a number from 0 to 10 in m"), faults("scan", Map.of("size", placed(1e308, 3))));
+    assertEquals(List.of("robot.yaml:3:7: display 'scan': size is 1.0E308, must be a number from 0 to 10 in m"),
+        faults("scan", Map.of("size", placed(1e308, 3))));
     String file = faults("scan", Map.of("file", placed("/etc/passwd", 4))).getFirst();
-    assertEquals("robot.yaml:4:7: display 'scan': there is no setting 'file'; there are size", file.substring(0, file.indexOf("size") + 4));
+    assertEquals("robot.yaml:4:7: display 'scan': there is no setting 'file'; there are size",
+        file.substring(0, file.indexOf("size") + 4));
   }
 
   @Test
@@ -39,6 +41,7 @@ class DisplayFaultsTest {
 
   private List<String> faults(String type, Map<String, Object> values) {
     settings.set(SceneOptions.DISPLAYS, List.of(Map.of("type", type, "settings", values)));
-    return DisplayFaults.of(settings.current(), List.of(new FakeKind("scan", List.of(LaserScan.class)))).stream().map(SettingFault::toString).toList();
+    return DisplayFaults.of(settings.current(), List.of(new FakeKind("scan", List.of(LaserScan.class)))).stream()
+        .map(SettingFault::toString).toList();
   }
 }

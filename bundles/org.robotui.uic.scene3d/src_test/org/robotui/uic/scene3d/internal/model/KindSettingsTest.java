@@ -19,11 +19,13 @@ class KindSettingsTest {
     KindSettings checked = KindSettings.check(SCHEMA, Map.of("frame", " padded"));
 
     assertEquals("map", checked.settings().text("frame"));
-    assertEquals(List.of("frame is  padded, must be the name of a frame, such as map or Natalie/map"), checked.problems());
+    assertEquals(List.of("frame is  padded, must be the name of a frame, such as map or Natalie/map"),
+        checked.problems());
   }
 
   @Test
   void whatTheSchemaDoesNotKnowIsSaid() {
-    assertEquals(List.of("there is no setting 'size'"), KindSettings.check(SCHEMA, Map.of("frame", "odom", "size", 1L)).problems());
+    assertEquals(List.of("there is no setting 'size'"),
+        KindSettings.check(SCHEMA, Map.of("frame", "odom", "size", 1L)).problems());
   }
 }

@@ -30,7 +30,8 @@ class PicksTest {
   private static Part part(Shape shape, double x) {
     RigidTransform at = new RigidTransform(new Vector3(x, 0, 0), Quaternion.IDENTITY);
     return new Part("link", shape, at, Material.flat(Rgba.WHITE),
-        (element, place) -> Properties.of("link", new Properties.Entry("x", Double.toString(x)), new Properties.Entry("element", "" + element)));
+        (element, place) -> Properties.of("link", new Properties.Entry("x", Double.toString(x)),
+            new Properties.Entry("element", "" + element)));
   }
 
   private static Stage stage(Part... parts) {

@@ -74,7 +74,7 @@ class SceneModelTest {
         return new CommandOutcome.Accepted();
       }
     }, new Waypoints(context.settings(), new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE),
-        context.output(ScenePorts.GOAL), context.principal(), told -> { })));
+        context.output(ScenePorts.GOAL), context.principal(), told -> {})));
     edits = new Edits(context.settings(), model::specs);
   }
 
@@ -83,7 +83,8 @@ class SceneModelTest {
   }
 
   private void put(SourceId source) {
-    input.put(source, new PoseEstimate(BASE, RigidTransform.IDENTITY, Doubles.wrap(new double[0])), System.nanoTime(), Optional.empty());
+    input.put(source, new PoseEstimate(BASE, RigidTransform.IDENTITY, Doubles.wrap(new double[0])), System.nanoTime(),
+        Optional.empty());
   }
 
   private DisplayRow row(int number) {
@@ -143,7 +144,8 @@ class SceneModelTest {
     offer(POSE, OTHER);
     start();
     model.tick(0);
-    assertEquals(List.of("Fake grid", "pose · Fake pose", "other · Fake pose"), model.stage().rows().stream().map(DisplayRow::name).toList());
+    assertEquals(List.of("Fake grid", "pose · Fake pose", "other · Fake pose"),
+        model.stage().rows().stream().map(DisplayRow::name).toList());
     put(OTHER);
     model.tick(1);
     assertTrue(model.stage().parts().containsKey(row(2).spec().id()));
@@ -241,7 +243,8 @@ class SceneModelTest {
   @Test
   void wrongSettingsFallBackAndAreSaid() {
     start();
-    context.settings().set(SceneOptions.DISPLAYS, List.of(Map.of("type", "grid", "settings", Map.of("size", 99L, "style", "round"))));
+    context.settings().set(SceneOptions.DISPLAYS,
+        List.of(Map.of("type", "grid", "settings", Map.of("size", 99L, "style", "round"))));
     model.tick(0);
     assertEquals(1.0, row(0).settings().orElseThrow().number("size"));
     assertEquals("round", row(0).settings().orElseThrow().text("style"));
@@ -272,8 +275,10 @@ class SceneModelTest {
   /** As a publisher of markers alone, without any transform. */
   private static MarkerSet marker(String frame) {
     Marker.Key key = new Marker.Key("things", 1);
-    return new MarkerSet(false, List.of(new MarkerSet.Entry(key, Optional.of(new Marker(key, new FrameId("a", frame), Optional.empty(), 0,
-        Marker.Type.CUBE, RigidTransform.IDENTITY, new Vector3(1, 1, 1), new Color(1, 0, 0, 1), 0, false, Floats.EMPTY, Bytes.EMPTY, "", "", false)))));
+    return new MarkerSet(false,
+        List.of(new MarkerSet.Entry(key, Optional.of(new Marker(key, new FrameId("a", frame), Optional.empty(), 0,
+            Marker.Type.CUBE, RigidTransform.IDENTITY, new Vector3(1, 1, 1), new Color(1, 0, 0, 1), 0, false,
+            Floats.EMPTY, Bytes.EMPTY, "", "", false)))));
   }
 
   @Test
@@ -319,8 +324,9 @@ class SceneModelTest {
   void aSourceThatIsNamedDecidesWhichRobotTheOtherTypesComeFrom() {
     SourceId far = new SourceId("far", "/pose");
     SourceId farMore = new SourceId("far", "/more");
-    List<Input.Candidate> offered = List.of(new Input.Candidate(POSE, "PoseEstimate"), new Input.Candidate(far, "PoseEstimate"),
-        new Input.Candidate(OTHER, "StampedPose"), new Input.Candidate(farMore, "StampedPose"));
+    List<Input.Candidate> offered =
+        List.of(new Input.Candidate(POSE, "PoseEstimate"), new Input.Candidate(far, "PoseEstimate"),
+            new Input.Candidate(OTHER, "StampedPose"), new Input.Candidate(farMore, "StampedPose"));
     SourceChoice choice = SourceChoice.of(DisplaySpec.of("pose", "pose").from(List.of("far/pose")), pose, offered);
     assertEquals(Set.of(far, farMore), choice.sources());
     assertEquals(Set.of(far), choice.needed());

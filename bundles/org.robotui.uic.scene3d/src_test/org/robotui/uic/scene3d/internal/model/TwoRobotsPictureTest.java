@@ -58,7 +58,8 @@ class TwoRobotsPictureTest {
   private final FakeUicContext context = new FakeUicContext("scene", SceneOptions.schema());
   private final FakeFrames frames = new FakeFrames();
   private final FakeInput<Data> input = context.input(ScenePorts.DATA);
-  private final List<DisplayType> kinds = List.of(new GridType(), new RobotModelType(new ModelShelf()), new LaserScanType());
+  private final List<DisplayType> kinds =
+      List.of(new GridType(), new RobotModelType(new ModelShelf()), new LaserScanType());
   private final SceneModel model = made();
 
   private SceneModel made() {
@@ -79,7 +80,8 @@ class TwoRobotsPictureTest {
         throw new AssertionError("nothing is sent");
       }
     };
-    Tour tour = new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), context.output(ScenePorts.GOAL), context.principal(), told -> { });
+    Tour tour = new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE),
+        context.output(ScenePorts.GOAL), context.principal(), told -> {});
     return new SceneModel(context, () -> kinds, displays, new Waypoints(context.settings(), tour));
   }
 
@@ -88,11 +90,14 @@ class TwoRobotsPictureTest {
     FrameId base = new FrameId(robot, "base_link");
     frames.fix(new FrameId(robot, "map"), base, mapFromBase);
     frames.fix(base, new FrameId(robot, "laser"), new RigidTransform(new Vector3(0.3, 0, 0.3), Quaternion.IDENTITY));
-    input.put(new SourceId(component, "/robot_description"), new RobotDescription(robot, "robot_description", urdf, "", List.of()), System.nanoTime(), Optional.empty());
+    input.put(new SourceId(component, "/robot_description"),
+        new RobotDescription(robot, "robot_description", urdf, "", List.of()), System.nanoTime(), Optional.empty());
     double step = Math.toRadians(2);
     float[] ranges = new float[BEAMS];
     IntStream.range(0, BEAMS).forEach(i -> ranges[i] = (float) (1.5 / Math.cos((i - BEAMS / 2) * step)));
-    input.put(new SourceId(component, "/scan"), new LaserScan(new FrameId(robot, "laser"), -BEAMS / 2 * step, step, 0.1, 10, 0.1, Floats.of(ranges), Floats.EMPTY),
+    input.put(new SourceId(component, "/scan"),
+        new LaserScan(new FrameId(robot, "laser"), -BEAMS / 2 * step, step, 0.1, 10, 0.1, Floats.of(ranges),
+            Floats.EMPTY),
         System.nanoTime(), Optional.empty());
   }
 
@@ -104,9 +109,11 @@ class TwoRobotsPictureTest {
   void eachHasItsColourAndItsNameAndStandsWhereTheConfigurationSays() {
     context.settings().set(SceneOptions.FIXED_FRAME, "Natalie/map");
     context.settings().set(SceneOptions.COLORS, Map.of("Keira", "#40c060"));
-    context.settings().set(SceneOptions.FRAMES, List.of(Map.of("parent", "Natalie/map", "child", "Keira/map", "y", 2.0, "yaw", Math.PI / 2)));
+    context.settings().set(SceneOptions.FRAMES,
+        List.of(Map.of("parent", "Natalie/map", "child", "Keira/map", "y", 2.0, "yaw", Math.PI / 2)));
     context.settings().set(SceneOptions.DISPLAYS, List.of(Map.of("type", "grid", "settings", Map.of("cells", 6L)),
-        display("robotmodel", "ros/robot_description", Map.of("color", "robot")), display("robotmodel", "player/robot_description", Map.of("color", "robot")),
+        display("robotmodel", "ros/robot_description", Map.of("color", "robot")),
+        display("robotmodel", "player/robot_description", Map.of("color", "robot")),
         display("laserscan", "ros/scan", Map.of()), display("laserscan", "player/scan", Map.of("color", "#ffd75e"))));
     input.candidates(List.of("ros", "player").stream().flatMap(component -> List.of(
         new Input.Candidate(new SourceId(component, "/robot_description"), "RobotDescription"),
@@ -118,13 +125,15 @@ class TwoRobotsPictureTest {
     model.tick(System.nanoTime());
     Stage stage = model.stage();
     assertEquals(List.of("Keira", "Natalie"), stage.robots().stream().map(Stage.Robot::name).sorted().toList());
-    Vector3 keira = stage.robots().stream().filter(r -> r.name().equals("Keira")).findFirst().flatMap(Stage.Robot::fixedFromBase).orElseThrow().translation();
+    Vector3 keira = stage.robots().stream().filter(r -> r.name().equals("Keira")).findFirst()
+        .flatMap(Stage.Robot::fixedFromBase).orElseThrow().translation();
     assertEquals(0, keira.minus(new Vector3(0, 1.4, 0)).norm(), 1e-9, keira.toString());
     Map<Object, List<Part>> parts = new LinkedHashMap<>(stage.parts());
     parts.put("axes", ScenePictures.withAxes(List.of(), 0.5));
     try (ScenePictures pictures = new ScenePictures()) {
       pictures.assertLike(TwoRobotsPictureTest.class, "two-robots", new RenderRequest(parts,
-          ScenePictures.eye(new Vector3(-3, 0.6, 2.6), new Vector3(0.4, 0.6, 0.2)), ScenePictures.WIDTH, ScenePictures.HEIGHT, 1, ScenePictures.DARK,
+          ScenePictures.eye(new Vector3(-3, 0.6, 2.6), new Vector3(0.4, 0.6, 0.2)), ScenePictures.WIDTH,
+          ScenePictures.HEIGHT, 1, ScenePictures.DARK,
           Integer.MAX_VALUE, List.of()));
     }
   }

@@ -67,7 +67,8 @@ public final class FakeGl implements Gl {
   static Rendered.Picture picture(RenderRequest r, double seconds, long points, long leftOut) {
     int[] rgb = new int[r.width() * r.height()];
     Arrays.fill(rgb, r.background().packed() >>> 8);
-    return new Rendered.Picture(r.width(), r.height(), rgb, new Rendered.Figures(seconds, points, leftOut, 0, 0, 0, 0), List.of());
+    return new Rendered.Picture(r.width(), r.height(), rgb, new Rendered.Figures(seconds, points, leftOut, 0, 0, 0, 0),
+        List.of());
   }
 
   void answer(double seconds, long points, long leftOut) {

@@ -24,7 +24,8 @@ class FrameSchedulerTest {
   private long now = 10_000_000_000L;
   private int arrived;
   private final List<Rendered.Picture> pictures = new ArrayList<>();
-  private final FrameScheduler studio = new FrameScheduler(() -> graphics, rig, () -> now, (picture, from) -> pictures.add(picture), () -> arrived++);
+  private final FrameScheduler studio =
+      new FrameScheduler(() -> graphics, rig, () -> now, (picture, from) -> pictures.add(picture), () -> arrived++);
 
   private static Stage stage(long version) {
     return new Stage(version, Map.of(), List.of(), Optional.empty(), List.of(), List.of(), 0);
@@ -88,7 +89,8 @@ class FrameSchedulerTest {
     gl.answer(0.4, 5_000_000, 0);
     rig.move(p -> Moves.turn(p, 5, 0));
     studio.moved();
-    assertEquals(125_000, gl.requests.getLast().pointBudget(), 1, "as those learned that are drawn one here, one there");
+    assertEquals(125_000, gl.requests.getLast().pointBudget(), 1,
+        "as those learned that are drawn one here, one there");
   }
 
   @Test
@@ -216,7 +218,8 @@ class FrameSchedulerTest {
   @Test
   void theNextPictureIsDrawnWhileOneIsBroughtToTheScreen() {
     List<Integer> asked = new ArrayList<>();
-    try (FrameScheduler other = new FrameScheduler(() -> graphics, rig, () -> now, (picture, from) -> asked.add(gl.requests.size()), () -> arrived++)) {
+    try (FrameScheduler other = new FrameScheduler(() -> graphics, rig, () -> now,
+        (picture, from) -> asked.add(gl.requests.size()), () -> arrived++)) {
       other.look(LOOK);
       other.show(stage(1), List.of());
       gl.answer(0.01, 5, 0);
@@ -229,7 +232,8 @@ class FrameSchedulerTest {
     gl.atOnce = true;
     List<Long> depths = new ArrayList<>();
     Screen screen = (picture, from) -> depths.add(StackWalker.getInstance().walk(frames -> frames.count()));
-    try (FrameScheduler other = new FrameScheduler(() -> graphics, rig, () -> now += 100_000, screen, () -> arrived++)) {
+    try (
+        FrameScheduler other = new FrameScheduler(() -> graphics, rig, () -> now += 100_000, screen, () -> arrived++)) {
       other.look(LOOK);
       rig.go(Moves.turn(CameraPose.START, 300, 0), now);
       other.pump();

@@ -107,7 +107,7 @@ class PicturePaneTest {
 
   @Test
   void aPictureOfAnotherSizeIsNotWrittenIntoAnOldImage() {
-    for (int edge : new int[] {40, 60, 20, 60}) {
+    for (int edge : new int[]{40, 60, 20, 60}) {
       take(0x102030 + edge, edge, edge);
       assertEquals(0x102030 + edge, rgb(painted(edge, edge), edge - 1, edge - 1));
     }

@@ -43,7 +43,8 @@ class RouteTextTest {
   void columnsMayStandInAnyOrderAndFramesWithoutRobotAreThoseOfTheFixedOne() {
     Route route = read("a.csv", "# mine\n\n# frame: odom\nyaw; y; x\n0.5;-2.5;1\n").route(MAP);
     near(new Route(Optional.of(new FrameId("a", "odom")), List.of(RigidTransform.planar(1, -2.5, 0.5))), route);
-    near(new Route(Optional.of(MAP), List.of(RigidTransform.planar(3, 0, 0))), read("a.yaml", "waypoints: [{x: 3}]").route(MAP));
+    near(new Route(Optional.of(MAP), List.of(RigidTransform.planar(3, 0, 0))),
+        read("a.yaml", "waypoints: [{x: 3}]").route(MAP));
   }
 
   @ParameterizedTest
@@ -72,9 +73,12 @@ class RouteTextTest {
   @Test
   void tooManyAreRefused() {
     String text = "x,y\n" + "1,2\n".repeat(Route.MOST + 1);
-    assertTrue(assertInstanceOf(RouteText.Outcome.Unreadable.class, RouteText.read("a.csv", text)).why().contains("more than 500"));
+    assertTrue(assertInstanceOf(RouteText.Outcome.Unreadable.class, RouteText.read("a.csv", text)).why()
+        .contains("more than 500"));
     assertEquals(Route.MOST, read("a.csv", text.substring(0, text.length() - 4)).poses().size());
-    assertTrue(assertInstanceOf(RouteText.Outcome.Unreadable.class, RouteText.read("a.csv", " ".repeat(RouteText.MOST + 1))).why().contains("larger"));
+    assertTrue(
+        assertInstanceOf(RouteText.Outcome.Unreadable.class, RouteText.read("a.csv", " ".repeat(RouteText.MOST + 1)))
+            .why().contains("larger"));
     String aliases = "a: &a [x,x,x,x,x,x,x,x]\nb: &b [*a,*a,*a,*a,*a,*a]\nwaypoints: [*b,*b]";
     assertInstanceOf(RouteText.Outcome.Unreadable.class, RouteText.read("a.yaml", aliases));
   }
@@ -89,7 +93,8 @@ class RouteTextTest {
           text.setCharAt(random.nextInt(text.length()), (char) random.nextInt(1, 256));
         }
         if (RouteText.read(file, text.toString()) instanceof RouteText.Outcome.Read read) {
-          assertTrue(read.route(MAP).poses().stream().allMatch(pose -> Double.isFinite(pose.translation().norm() + pose.rotation().yaw())), text::toString);
+          assertTrue(read.route(MAP).poses().stream()
+              .allMatch(pose -> Double.isFinite(pose.translation().norm() + pose.rotation().yaw())), text::toString);
         }
       }
     }

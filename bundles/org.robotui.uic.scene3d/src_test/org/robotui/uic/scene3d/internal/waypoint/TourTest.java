@@ -28,9 +28,11 @@ class TourTest {
   private final FakeUicContext context = new FakeUicContext("scene", SceneOptions.schema());
   private final FakeOutput<NavigationGoal> goals = context.output(ScenePorts.GOAL);
   private final List<CommandNotice> told = new ArrayList<>();
-  private final Tour tour = new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), goals, context.principal(), told::add);
+  private final Tour tour =
+      new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE), goals, context.principal(), told::add);
   private Route route = new Route(Optional.of(new FrameId("a", "map")),
-      List.of(RigidTransform.planar(1, 0, 0), RigidTransform.planar(2, 0, 0), RigidTransform.planar(2, 2, Math.PI / 2)));
+      List.of(RigidTransform.planar(1, 0, 0), RigidTransform.planar(2, 0, 0),
+          RigidTransform.planar(2, 2, Math.PI / 2)));
   private long now;
 
   private void at(double x, double y, double yaw) {
@@ -39,7 +41,8 @@ class TourTest {
   }
 
   private List<Double> sent() {
-    return goals.sent().stream().map(s -> s.command().pose().translation().x() + 10 * s.command().pose().translation().y()).toList();
+    return goals.sent().stream()
+        .map(s -> s.command().pose().translation().x() + 10 * s.command().pose().translation().y()).toList();
   }
 
   private void begin() {

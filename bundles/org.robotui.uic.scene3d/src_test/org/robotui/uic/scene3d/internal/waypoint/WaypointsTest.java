@@ -33,7 +33,7 @@ class WaypointsTest {
 
   private Waypoints made() {
     return new Waypoints(context.settings(), new Tour(new Commander(context, ScenePorts.GOAL, ScenePorts.INITIAL_POSE),
-        context.output(ScenePorts.GOAL), context.principal(), told -> { }));
+        context.output(ScenePorts.GOAL), context.principal(), told -> {}));
   }
 
   private void add(double x, double y, double yaw) {
@@ -83,7 +83,8 @@ class WaypointsTest {
     assertEquals(Optional.of(MAP), other.route().frame());
     assertEquals(1.2346, other.route().poses().getFirst().translation().x(), 1e-9);
     assertEquals(0.5, other.route().poses().getFirst().rotation().yaw(), 1e-9);
-    assertEquals("waypoint_frame: robot/map\nwaypoints:\n  - {x: 1.2346, y: 2.0, z: 0.0, yaw: 0.5}\n", other.route().yaml());
+    assertEquals("waypoint_frame: robot/map\nwaypoints:\n  - {x: 1.2346, y: 2.0, z: 0.0, yaw: 0.5}\n",
+        other.route().yaml());
   }
 
   @Test
@@ -124,7 +125,8 @@ class WaypointsTest {
     Handle disc = part(parts, "disc", 0).handle().orElseThrow();
     drag(disc, 1.1, 0, 2.1, 3);
     assertEquals(2, waypoints.route().poses().getFirst().translation().x(), 1e-9, "it is seen while it is dragged");
-    assertEquals(1.0, Route.read(context.settings().current()).poses().getFirst().translation().x(), 1e-9, "and kept when it is let go");
+    assertEquals(1.0, Route.read(context.settings().current()).poses().getFirst().translation().x(), 1e-9,
+        "and kept when it is let go");
     disc.drag(over(3.1, 3));
     disc.release(false);
     Handle arrow = part(waypoints.tick(places), "arrow", 0).handle().orElseThrow();
@@ -172,7 +174,8 @@ class WaypointsTest {
     add(1, 0, 0);
     add(2, 0, 0);
     Handle first = part(waypoints.tick(places), "disc", 0).handle().orElseThrow();
-    assertEquals(List.of("Remove (Del)", "Later (Page down)", "Drive from here on"), first.menu().stream().map(Handle.Choice::label).toList());
+    assertEquals(List.of("Remove (Del)", "Later (Page down)", "Drive from here on"),
+        first.menu().stream().map(Handle.Choice::label).toList());
     first.choose(first.menu().get(1).id());
     assertEquals(List.of(2.0, 1.0), xs(Route.read(context.settings().current())));
     first.choose(first.menu().getFirst().id());
@@ -192,7 +195,8 @@ class WaypointsTest {
 
   @Test
   void thoseOfAFileTakeThePlaceOfWhatThereIsAndCanBeTakenBack() {
-    RouteText.Outcome.Read read = new RouteText.Outcome.Read(Optional.of("odom"), List.of(RigidTransform.planar(5, 6, 0)));
+    RouteText.Outcome.Read read =
+        new RouteText.Outcome.Read(Optional.of("odom"), List.of(RigidTransform.planar(5, 6, 0)));
     assertEquals(Health.BAD, waypoints.take(read).health(), "no frame is known yet");
     add(1, 0, 0);
     add(2, 0, 0);

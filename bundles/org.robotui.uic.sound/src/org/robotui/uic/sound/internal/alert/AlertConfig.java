@@ -15,4 +15,5 @@ import org.robotui.uic.sound.internal.tone.Sound;
  * @param muted whether it is only written to the log
  */
 public record AlertConfig(
-    String name, String when, Condition condition, Sound sound, double volume, long forNanos, long repeatNanos, boolean muted) {}
+    String name, String when, Condition condition, Sound sound, double volume, long forNanos, long repeatNanos,
+    boolean muted) {}

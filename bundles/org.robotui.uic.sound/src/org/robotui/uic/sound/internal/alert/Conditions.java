@@ -14,8 +14,10 @@ import org.robotui.data.status.Severity;
 
 /** Reads conditions as they are written in a configuration. */
 public final class Conditions {
-  private static final Pattern WORD = Pattern.compile("\"([^\"]*)\"|'([^']*)'|(<=|>=|==|!=|<|>)|([^\\s\"'<>=!]+)|(\\S)");
-  private static final String FORMS = "'battery charge < 0.2', 'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'";
+  private static final Pattern WORD =
+      Pattern.compile("\"([^\"]*)\"|'([^']*)'|(<=|>=|==|!=|<|>)|([^\\s\"'<>=!]+)|(\\S)");
+  private static final String FORMS =
+      "'battery charge < 0.2', 'scan stale', 'link lost', 'diagnostics >= ERROR' or 'log >= ERROR'";
   private static final int FIELD_WORDS = 4;
   private static final int LEVEL_WORDS = 3;
 
@@ -37,14 +39,16 @@ public final class Conditions {
     }
     int at = words.indexOf(sign.get().sign());
     String first = words.getFirst().toLowerCase(Locale.ROOT);
-    boolean level = (first.equals("diagnostics") || first.equals("log")) && (at == 1 || levelOf(first, words.getLast()));
+    boolean level =
+        (first.equals("diagnostics") || first.equals("log")) && (at == 1 || levelOf(first, words.getLast()));
     if (level && at >= 1 && at <= 2 && words.size() == at + 2) {
       return level(text, words, at, sign.get());
     }
     if (at == 2 && words.size() == FIELD_WORDS) {
       return field(words, sign.get(), slack);
     }
-    throw new IllegalArgumentException("'" + text + "' cannot be read; write a source, a field, a comparison and a value, for example " + FORMS);
+    throw new IllegalArgumentException(
+        "'" + text + "' cannot be read; write a source, a field, a comparison and a value, for example " + FORMS);
   }
 
   private static Condition state(String text, List<String> words) {
@@ -60,7 +64,8 @@ public final class Conditions {
   private static Condition field(List<String> words, Comparison sign, double slack) {
     String limit = words.getLast();
     if (sign.ordered() && Numbers.parse(limit).isEmpty()) {
-      throw new IllegalArgumentException("'" + limit + "' is no number; after " + sign.sign() + " write one, or compare by == or !=");
+      throw new IllegalArgumentException(
+          "'" + limit + "' is no number; after " + sign.sign() + " write one, or compare by == or !=");
     }
     return new FieldCondition(new SourceName(words.getFirst()), FieldPath.parse(words.get(1)), sign, limit, slack);
   }
@@ -74,7 +79,8 @@ public final class Conditions {
   }
 
   private static boolean levelOf(String kind, String word) {
-    return kind.equals("log") ? find(Severity.class, word).isPresent() : find(Diagnostics.Level.class, word).isPresent();
+    return kind.equals("log") ? find(Severity.class, word).isPresent()
+        : find(Diagnostics.Level.class, word).isPresent();
   }
 
   private static <E extends Enum<E>> E constant(Class<E> type, String text, String word) {

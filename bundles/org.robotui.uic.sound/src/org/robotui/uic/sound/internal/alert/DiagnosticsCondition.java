@@ -29,12 +29,14 @@ record DiagnosticsCondition(String part, Comparison comparison, Diagnostics.Leve
       return new Verdict.Unknown("the robot sends no diagnostics", false);
     }
     return readings.stream().flatMap(DiagnosticsCondition::items).filter(this::holds).findFirst()
-        .<Verdict>map(item -> new Verdict.Holds(item.name(), "reports", item.level() + (item.message().isEmpty() ? "" : ": " + item.message())))
+        .<Verdict>map(item -> new Verdict.Holds(item.name(), "reports",
+            item.level() + (item.message().isEmpty() ? "" : ": " + item.message())))
         .orElseGet(Verdict.Fails::new);
   }
 
   private static Stream<Diagnostics.Item> items(Signals.Reading reading) {
-    return reading.newest().stream().flatMap(e -> e.value() instanceof Diagnostics d ? d.items().stream() : Stream.empty());
+    return reading.newest().stream()
+        .flatMap(e -> e.value() instanceof Diagnostics d ? d.items().stream() : Stream.empty());
   }
 
   private boolean holds(Diagnostics.Item item) {

@@ -21,7 +21,8 @@ import org.robotui.data.record.FieldValue;
  * @param limit with what: a number, a word, true or false
  * @param slack by how much a number must come back for the alert to end
  */
-record FieldCondition(SourceName source, FieldPath path, Comparison comparison, String limit, double slack) implements Condition {
+record FieldCondition(SourceName source, FieldPath path, Comparison comparison, String limit, double slack)
+    implements Condition {
   @Override
   public Predicate<Input.Candidate> needs() {
     return candidate -> source.fits(candidate.id());
@@ -45,13 +46,17 @@ record FieldCondition(SourceName source, FieldPath path, Comparison comparison, 
       return new Verdict.Unknown(reading.name() + " sends nothing now", false);
     }
     Envelope<? extends Data> newest = reading.newest().getFirst();
-    // Ours first, as in all views: the robot's field of that name may mean something else (ROS: ampere hours, not a share).
+    // Ours first, as in all views: the robot's field of that name may mean something else (ROS: ampere hours, not a
+    // share).
     Optional<FieldValue> value = DataRecord.of(newest.value()).at(path).or(() -> newest.record().at(path));
-    return value.map(found -> compare(reading.name(), found, active)).orElseGet(() -> noSuchField(reading.name(), newest.record()));
+    return value.map(found -> compare(reading.name(), found, active))
+        .orElseGet(() -> noSuchField(reading.name(), newest.record()));
   }
 
   private Verdict noSuchField(String name, DynamicRecord record) {
-    return new Verdict.Unknown(name + " (" + record.schema() + ") has no field '" + path + "'; it has " + String.join(", ", record.fields()), true);
+    return new Verdict.Unknown(
+        name + " (" + record.schema() + ") has no field '" + path + "'; it has " + String.join(", ", record.fields()),
+        true);
   }
 
   private Verdict compare(String name, FieldValue found, boolean active) {
@@ -60,7 +65,8 @@ record FieldCondition(SourceName source, FieldPath path, Comparison comparison, 
       case FieldValue.Time t -> number(name, t.nanos() * 1e-9, t.nanos() * 1e-9 + " s", active);
       case FieldValue.Flag f -> word(name, Boolean.toString(f.value()));
       case FieldValue.Text t -> word(name, t.value());
-      default -> new Verdict.Unknown(name + "." + path + " is no single value; name one of its elements or fields", true);
+      default -> new Verdict.Unknown(name + "." + path + " is no single value; name one of its elements or fields",
+          true);
     };
   }
 
@@ -74,7 +80,8 @@ record FieldCondition(SourceName source, FieldPath path, Comparison comparison, 
 
   private Verdict word(String name, String value) {
     if (comparison.ordered()) {
-      return new Verdict.Unknown(name + "." + path + " is '" + value + "', which is no number; compare it by == or !=", true);
+      return new Verdict.Unknown(name + "." + path + " is '" + value + "', which is no number; compare it by == or !=",
+          true);
     }
     return verdict(comparison.holds(value, limit), name, value);
   }

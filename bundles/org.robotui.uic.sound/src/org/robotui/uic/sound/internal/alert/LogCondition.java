@@ -38,7 +38,8 @@ record LogCondition(String words, Comparison comparison, Severity severity) impl
 
   private boolean holds(LogEntry entry) {
     String wanted = words.toLowerCase(Locale.ROOT);
-    boolean named = entry.origin().toLowerCase(Locale.ROOT).contains(wanted) || entry.message().toLowerCase(Locale.ROOT).contains(wanted);
+    boolean named = entry.origin().toLowerCase(Locale.ROOT).contains(wanted)
+        || entry.message().toLowerCase(Locale.ROOT).contains(wanted);
     return named && comparison.holdsFor(entry.severity(), severity);
   }
 }

@@ -12,7 +12,8 @@ public record SourceName(String text) {
   public boolean fits(SourceId id) {
     String port = bare(id.port());
     String component = id.component() + ".";
-    return bare(text).equals(port) || text.startsWith(component) && bare(text.substring(component.length())).equals(port);
+    return bare(text).equals(port)
+        || text.startsWith(component) && bare(text.substring(component.length())).equals(port);
   }
 
   private static String bare(String name) {

@@ -7,7 +7,9 @@ import java.util.function.Predicate;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 
-/** A source that sent has ceased to: its values are old, it failed, or it is gone. One that never sent is not missed. */
+/**
+ * A source that sent has ceased to: its values are old, it failed, or it is gone. One that never sent is not missed.
+ */
 final class StaleCondition implements Condition {
   private final SourceName source;
   private boolean seen;
@@ -28,7 +30,8 @@ final class StaleCondition implements Condition {
     if (!seen) {
       return new Verdict.Unknown(source.text() + " has not sent anything yet", false);
     }
-    Optional<Signals.Reading> silent = readings.stream().filter(reading -> !(reading.state() instanceof InputState.Live)).findFirst();
+    Optional<Signals.Reading> silent =
+        readings.stream().filter(reading -> !(reading.state() instanceof InputState.Live)).findFirst();
     if (readings.isEmpty()) {
       return new Verdict.Holds(source.text(), "is", "no longer offered");
     }
@@ -37,7 +40,8 @@ final class StaleCondition implements Condition {
 
   private static Verdict.Holds holds(Signals.Reading reading) {
     return switch (reading.state()) {
-      case InputState.Stale s -> new Verdict.Holds(reading.name(), "sent", String.format(Locale.ROOT, "nothing for %.1f s", s.ageSeconds()));
+      case InputState.Stale s -> new Verdict.Holds(reading.name(), "sent",
+          String.format(Locale.ROOT, "nothing for %.1f s", s.ageSeconds()));
       default -> new Verdict.Holds(reading.name(), "is silent:", reading.state().explanation());
     };
   }

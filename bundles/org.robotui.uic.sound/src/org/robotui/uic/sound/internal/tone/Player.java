@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Plays one sound after the other on a thread that may block. Where nothing can be heard it says so once, rings the bell instead,
- * and tries the device again from time to time. Safe for all threads.
+ * Plays one sound after the other on a thread that may block. Where nothing can be heard it says so once, rings the
+ * bell instead, and tries the device again from time to time. Safe for all threads.
  */
 public final class Player {
   /** Who has more to say at once is not understood anyway. */

@@ -83,6 +83,7 @@ public sealed interface Sound {
       return new File(Path.of(text));
     }
     String words = Arrays.stream(Tone.values()).map(Tone::id).collect(Collectors.joining(", "));
-    throw new IllegalArgumentException("there is no sound '" + text + "'; write one of " + words + ", or the path of a .wav file");
+    throw new IllegalArgumentException(
+        "there is no sound '" + text + "'; write one of " + words + ", or the path of a .wav file");
   }
 }

@@ -12,7 +12,8 @@ public enum Tone {
   /** Two struck notes, downwards: something changed. */
   CHIME(List.of(new Note(1046.5, 0, 0.9, 5), new Note(784, 0.22, 1.1, 4))),
   /** Two pitches by turns, without end to their loudness: somebody must act. */
-  ALARM(List.of(new Note(960, 0, 0.2, 0), new Note(770, 0.2, 0.2, 0), new Note(960, 0.4, 0.2, 0), new Note(770, 0.6, 0.2, 0),
+  ALARM(List.of(new Note(960, 0, 0.2, 0), new Note(770, 0.2, 0.2, 0), new Note(960, 0.4, 0.2, 0),
+      new Note(770, 0.6, 0.2, 0),
       new Note(960, 0.8, 0.2, 0), new Note(770, 1.0, 0.2, 0)));
 
   /** Samples per second of all of them. */

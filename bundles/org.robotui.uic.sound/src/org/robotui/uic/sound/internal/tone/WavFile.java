@@ -30,15 +30,18 @@ public final class WavFile {
   public static Pcm read(Path file) throws SilentException {
     try (AudioInputStream stream = AudioSystem.getAudioInputStream(file.toFile())) {
       AudioFormat own = stream.getFormat();
-      if (own.getChannels() < 1 || own.getChannels() > MOST_CHANNELS || !(own.getSampleRate() > 0 && own.getSampleRate() <= HIGHEST_RATE)) {
-        throw new UnsupportedAudioFileException("it has " + own.getChannels() + " channels at " + own.getSampleRate() + " Hz");
+      if (own.getChannels() < 1 || own.getChannels() > MOST_CHANNELS
+          || !(own.getSampleRate() > 0 && own.getSampleRate() <= HIGHEST_RATE)) {
+        throw new UnsupportedAudioFileException(
+            "it has " + own.getChannels() + " channels at " + own.getSampleRate() + " Hz");
       }
       AudioFormat wanted = new AudioFormat(own.getSampleRate(), BITS, own.getChannels(), true, false);
       try (AudioInputStream plain = AudioSystem.getAudioInputStream(wanted, stream)) {
         return mixed(plain, wanted);
       }
     } catch (IOException | UnsupportedAudioFileException | IllegalArgumentException e) {
-      throw new SilentException("cannot read the sound " + file + " (" + e.getMessage() + "); name a WAV file with PCM samples", e);
+      throw new SilentException(
+          "cannot read the sound " + file + " (" + e.getMessage() + "); name a WAV file with PCM samples", e);
     }
   }
 

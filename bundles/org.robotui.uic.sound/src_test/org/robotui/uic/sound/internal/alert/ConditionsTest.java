@@ -26,14 +26,17 @@ class ConditionsTest {
   private final FakeSignals signals = new FakeSignals();
 
   @ParameterizedTest
-  @ValueSource(strings = {"battery charge < 0.2", "battery: charge < 0.2", "/battery charge<0.2", "base.battery charge <= 0.19",
-      "battery status == discharging", "battery status != 'full'", "battery voltage >= 12", "base./battery current > -2"})
+  @ValueSource(strings = {"battery charge < 0.2", "battery: charge < 0.2", "/battery charge<0.2",
+      "base.battery charge <= 0.19",
+      "battery status == discharging", "battery status != 'full'", "battery voltage >= 12",
+      "base./battery current > -2"})
   void theseHoldForALowBattery(String text) {
     assertInstanceOf(Verdict.Holds.class, check(text, signals.battery(0.19)));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"battery charge < 0.1", "battery charge == 0.2", "battery status == charging", "battery voltage > 12"})
+  @ValueSource(strings = {"battery charge < 0.1", "battery charge == 0.2", "battery status == charging",
+      "battery voltage > 12"})
   void theseDoNot(String text) {
     assertInstanceOf(Verdict.Fails.class, check(text, signals.battery(0.19)));
   }
@@ -48,7 +51,8 @@ class ConditionsTest {
     assertInstanceOf(Verdict.Fails.class, check("battery charge < 0.2", signals.battery(Double.NaN)));
     signals.battery(0.1).state("battery", new InputState.Stale(3, "link lost"));
     assertEquals(new Verdict.Unknown("battery sends nothing now", false), check("battery charge < 0.2", signals));
-    assertEquals(new Verdict.Unknown("nothing called 'bumper' is offered", false), check("bumper pressed == true", signals));
+    assertEquals(new Verdict.Unknown("nothing called 'bumper' is offered", false),
+        check("bumper pressed == true", signals));
   }
 
   @ParameterizedTest
@@ -62,8 +66,10 @@ class ConditionsTest {
 
   @Test
   void fieldsAreFoundByTheNamesOfTheRobot() {
-    MapRecord pose = new MapRecord("demo/Bumpers", Map.of("pressed", new FieldValue.Items(List.of(new FieldValue.Flag(false), new FieldValue.Flag(true)))));
-    assertInstanceOf(Verdict.Holds.class, check("bumpers pressed[1] == true", signals.put("bumpers", FakeSignals.LIVE, pose)));
+    MapRecord pose = new MapRecord("demo/Bumpers",
+        Map.of("pressed", new FieldValue.Items(List.of(new FieldValue.Flag(false), new FieldValue.Flag(true)))));
+    assertInstanceOf(Verdict.Holds.class,
+        check("bumpers pressed[1] == true", signals.put("bumpers", FakeSignals.LIVE, pose)));
     assertEquals(new Verdict.Unknown("bumpers.pressed is no single value; name one of its elements or fields", true),
         check("bumpers pressed == true", signals));
   }
@@ -91,7 +97,8 @@ class ConditionsTest {
   @Test
   void aLinkIsLostOnceItWasThere() {
     Condition lost = Conditions.parse("link lost", 0);
-    assertInstanceOf(Verdict.Unknown.class, lost.check(signals.link(new LinkState.Failed("refused", Duration.ofSeconds(1))), false));
+    assertInstanceOf(Verdict.Unknown.class,
+        lost.check(signals.link(new LinkState.Failed("refused", Duration.ofSeconds(1))), false));
     assertInstanceOf(Verdict.Fails.class, lost.check(signals.link(new LinkState.Connected("robot:11311")), false));
     assertSeen("the link is lost: refused",
         lost.check(signals.link(new LinkState.Failed("refused", Duration.ofSeconds(1))), false));
@@ -120,7 +127,8 @@ class ConditionsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "battery", "link gone", "battery charge", "battery < 3", "battery charge < low", "battery charge = 3",
+  @ValueSource(strings = {"", "battery", "link gone", "battery charge", "battery < 3", "battery charge < low",
+      "battery charge = 3",
       "battery charge < 0.2 now", "diagnostics >= LOUD", "log >= 3", "battery a..b < 1"})
   void whatCannotBeReadIsRefusedWithAnExample(String text) {
     Exception e = assertThrows(IllegalArgumentException.class, () -> Conditions.parse(text, 0));

@@ -27,7 +27,8 @@ final class FakeSignals implements Signals {
 
   FakeSignals put(String name, InputState state, Data value) {
     readings.removeIf(reading -> reading.name().equals(name));
-    Envelope<Data> envelope = new Envelope<>(value, new SourceId("base", name), 0, Optional.empty(), 0, Optional.empty());
+    Envelope<Data> envelope =
+        new Envelope<>(value, new SourceId("base", name), 0, Optional.empty(), 0, Optional.empty());
     readings.add(new Reading(name, state, List.of(envelope)));
     type = value.getClass().getSimpleName();
     return this;

@@ -78,15 +78,16 @@ class LineSpeakerTest {
   }
 
   private SourceDataLine line(AudioFormat format) {
-    return (SourceDataLine) Proxy.newProxyInstance(getClass().getClassLoader(), new Class<?>[] {SourceDataLine.class}, (proxy, method, arguments) -> {
-      called.add(method.getName());
-      return switch (method.getName()) {
-        case "write" -> written((byte[]) arguments[0], (int) arguments[1], (int) arguments[2]);
-        case "getFormat" -> format;
-        case "getLongFramePosition" -> (long) written.size() / 2;
-        default -> null;
-      };
-    });
+    return (SourceDataLine) Proxy.newProxyInstance(getClass().getClassLoader(), new Class<?>[]{SourceDataLine.class},
+        (proxy, method, arguments) -> {
+          called.add(method.getName());
+          return switch (method.getName()) {
+            case "write" -> written((byte[]) arguments[0], (int) arguments[1], (int) arguments[2]);
+            case "getFormat" -> format;
+            case "getLongFramePosition" -> (long) written.size() / 2;
+            default -> null;
+          };
+        });
   }
 
   private int written(byte[] bytes, int from, int count) {

@@ -26,7 +26,9 @@ class PlayerTest {
     assertTrue(heard.isEmpty());
     assertEquals(1, tasks.size());
     runAll();
-    assertEquals(List.of(Tone.BEEP.sound().samples().length + " at 0.5", Tone.CHIME.sound().samples().length + " at 1.0"), heard);
+    assertEquals(
+        List.of(Tone.BEEP.sound().samples().length + " at 0.5", Tone.CHIME.sound().samples().length + " at 1.0"),
+        heard);
     player.play("a", BEEP, 1);
     runAll();
     assertEquals(3, heard.size());

@@ -51,7 +51,7 @@ class ToneTest {
 
   @Test
   void theVolumeScalesTheBytes() {
-    Pcm pcm = new Pcm(new float[] {0.5f, -1, 2}, Tone.RATE);
+    Pcm pcm = new Pcm(new float[]{0.5f, -1, 2}, Tone.RATE);
     assertEquals("[0, 64, 1, -128, -1, 127]", Arrays.toString(pcm.bytes(1)));
     assertEquals("[0, 32, 1, -64, -1, 127]", Arrays.toString(pcm.bytes(0.5)));
     assertEquals("[0, 0, 0, 0, 0, 0]", Arrays.toString(pcm.bytes(0)));
@@ -62,7 +62,8 @@ class ToneTest {
     assertEquals(new Sound.Made(Tone.CHIME), Sound.parse("chime"));
     assertTrue(Sound.parse("/opt/sounds/horn.WAV") instanceof Sound.File);
     Exception e = assertThrows(IllegalArgumentException.class, () -> Sound.parse("bell"));
-    assertEquals("there is no sound 'bell'; write one of beep, chime, alarm, or the path of a .wav file", e.getMessage());
+    assertEquals("there is no sound 'bell'; write one of beep, chime, alarm, or the path of a .wav file",
+        e.getMessage());
   }
 
   /** How much of a pitch there is, as an amplitude. */

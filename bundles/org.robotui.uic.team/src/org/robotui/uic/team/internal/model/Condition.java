@@ -20,7 +20,8 @@ record Condition(Activity doing, String words, String why) {
 
   static Condition of(Member member, Input<Odometry> odometry, Optional<Boolean> moving, Optional<String> stopper) {
     Condition seen = seen(member, odometry, moving);
-    boolean live = seen.doing() == Activity.DRIVING || seen.doing() == Activity.STANDING || seen.doing() == Activity.WAITING;
+    boolean live =
+        seen.doing() == Activity.DRIVING || seen.doing() == Activity.STANDING || seen.doing() == Activity.WAITING;
     if (stopper.isEmpty()) {
       return seen;
     }
@@ -38,7 +39,8 @@ record Condition(Activity doing, String words, String why) {
     InputState state = source.map(odometry::state).orElseGet(() -> new InputState.Waiting("it offers no odometry"));
     return switch (state) {
       case InputState.Failed f -> new Condition(Activity.SILENT, "silent", f.explanation());
-      case InputState.Stale s when s.lostSeconds().isPresent() -> new Condition(Activity.SILENT, "silent", s.explanation());
+      case InputState.Stale s when s.lostSeconds().isPresent() -> new Condition(Activity.SILENT, "silent",
+          s.explanation());
       case InputState.Stale s -> new Condition(Activity.STALE, "stale " + Figures.age(s.ageSeconds()), s.explanation());
       case InputState.Waiting w -> new Condition(Activity.WAITING, "no position", w.explanation());
       case InputState.Unconnected u -> new Condition(Activity.WAITING, "no position", u.explanation());

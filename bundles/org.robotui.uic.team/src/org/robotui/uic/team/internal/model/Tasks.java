@@ -11,10 +11,14 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 import org.robotui.ui.Health;
 
-/** What robots do, by the states of their goals as actions tell them ({@code actionlib_msgs/GoalStatusArray}). Worker thread. */
+/**
+ * What robots do, by the states of their goals as actions tell them ({@code actionlib_msgs/GoalStatusArray}). Worker
+ * thread.
+ */
 final class Tasks {
-  private static final List<String> WORDS = List.of("waiting", "on its way", "given up for another", "done", "failed", "refused", "ending",
-      "taken back", "taken back", "lost");
+  private static final List<String> WORDS =
+      List.of("waiting", "on its way", "given up for another", "done", "failed", "refused", "ending",
+          "taken back", "taken back", "lost");
   private static final int DONE = 3;
   private static final int FAILED = 4;
   private static final int REFUSED = 5;
@@ -49,12 +53,13 @@ final class Tasks {
       chosen = wanted;
       input.choose(wanted);
     }
-    input.drain(e -> { });
+    input.drain(e -> {});
   }
 
   /** What a robot does, none where it does not tell. */
   Optional<Task> of(Member member) {
-    return chosen.stream().filter(member::has).findFirst().flatMap(input::latest).map(Envelope::record).map(Tasks::read);
+    return chosen.stream().filter(member::has).findFirst().flatMap(input::latest).map(Envelope::record)
+        .map(Tasks::read);
   }
 
   private static Task read(DynamicRecord record) {
@@ -66,8 +71,10 @@ final class Tasks {
   }
 
   private static Task state(DynamicRecord goal) {
-    int state = goal.field("status").filter(FieldValue.Num.class::isInstance).map(v -> (int) ((FieldValue.Num) v).value()).orElse(-1);
-    String text = goal.field("text").filter(FieldValue.Text.class::isInstance).map(v -> ((FieldValue.Text) v).value()).orElse("").strip();
+    int state = goal.field("status").filter(FieldValue.Num.class::isInstance)
+        .map(v -> (int) ((FieldValue.Num) v).value()).orElse(-1);
+    String text = goal.field("text").filter(FieldValue.Text.class::isInstance).map(v -> ((FieldValue.Text) v).value())
+        .orElse("").strip();
     String word = state >= 0 && state < WORDS.size() ? WORDS.get(state) : "";
     boolean bad = state == FAILED || state == REFUSED || state == LOST;
     return new Task(text.isEmpty() ? word : text, bad ? Health.WARNING : state == DONE ? Health.OK : Health.NONE);

@@ -61,7 +61,8 @@ public final class TeamCommands {
       return new CommandNotice(Health.OK, "Velocity zero sent to " + who(sent));
     }
     String all = String.join("; ", not);
-    return new CommandNotice(Health.BAD, sent.isEmpty() ? "Not sent: " + all : "Velocity zero sent to " + who(sent) + ", but not to " + all);
+    return new CommandNotice(Health.BAD,
+        sent.isEmpty() ? "Not sent: " + all : "Velocity zero sent to " + who(sent) + ", but not to " + all);
   }
 
   private Optional<String> zero(Authority robot) {
@@ -74,7 +75,8 @@ public final class TeamCommands {
       return Optional.of(held.holder().label() + " controls it");
     }
     return targets.stream().map(t -> velocity.send(t, VelocityCommand.ZERO, VALID))
-        .flatMap(o -> o instanceof CommandOutcome.Refused r ? Optional.of(r.explanation()).stream() : Optional.<String>empty().stream())
+        .flatMap(o -> o instanceof CommandOutcome.Refused r ? Optional.of(r.explanation()).stream()
+            : Optional.<String>empty().stream())
         .findFirst();
   }
 
@@ -82,15 +84,17 @@ public final class TeamCommands {
   public CommandNotice open(String robot) {
     Optional<RuicView> own = own(robot);
     own.ifPresent(r -> context.show(r.name()));
-    return own.map(r -> new CommandNotice(Health.OK, "")).orElseGet(() -> new CommandNotice(Health.WARNING, robot + " has no UI of its own. Write one in the configuration:  "
-        + robot + ": {type: mobilebase, start: when_shown, rfics: ...}, or one template with 'for:' for all"));
+    return own.map(r -> new CommandNotice(Health.OK, "")).orElseGet(
+        () -> new CommandNotice(Health.WARNING, robot + " has no UI of its own. Write one in the configuration:  "
+            + robot + ": {type: mobilebase, start: when_shown, rfics: ...}, or one template with 'for:' for all"));
   }
 
   /** By its name, else the only other one that has this robot and no other. */
   private Optional<RuicView> own(String robot) {
     List<RuicView> others = context.ruics().stream().filter(r -> !r.name().equals(ruic.name())).toList();
     return others.stream().filter(r -> r.name().equals(robot)).findFirst()
-        .or(() -> others.stream().filter(r -> r.authorities().stream().map(Authority::robot).toList().equals(List.of(robot))).findFirst());
+        .or(() -> others.stream()
+            .filter(r -> r.authorities().stream().map(Authority::robot).toList().equals(List.of(robot))).findFirst());
   }
 
   /** Which robots the user means, for all views. */

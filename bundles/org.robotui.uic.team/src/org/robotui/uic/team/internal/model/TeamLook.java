@@ -17,7 +17,8 @@ import org.robotui.api.port.InputState;
  */
 public record TeamLook(List<TeamRow> rows, Set<String> selected, InputState state) {
   /** Before the first tick. */
-  public static final TeamLook NONE = new TeamLook(List.of(), Set.of(), new InputState.Waiting("The view has not looked for robots yet."));
+  public static final TeamLook NONE =
+      new TeamLook(List.of(), Set.of(), new InputState.Waiting("The view has not looked for robots yet."));
 
   /** Copies the list. */
   public TeamLook {

@@ -68,14 +68,16 @@ public final class TeamModel {
       looked = true;
     }
     tasks.choose();
-    Optional<Placer> placer = FixedFrame.choose(Optional.empty(), context.frames(), List.of()).map(f -> new Placer(context.frames(), f));
+    Optional<Placer> placer =
+        FixedFrame.choose(Optional.empty(), context.frames(), List.of()).map(f -> new Placer(context.frames(), f));
     List<TeamRow> rows = members.stream().map(m -> row(m, placer, nowNanos)).toList();
     return new TeamLook(rows, context.ruic().selection().robots(), state());
   }
 
   private InputState state() {
     return members.isEmpty()
-        ? new InputState.Unconnected("This view lists robots, and there are none. Write them under 'rfics', each with a name: robot.")
+        ? new InputState.Unconnected(
+            "This view lists robots, and there are none. Write them under 'rfics', each with a name: robot.")
         : new InputState.Live(0, 0);
   }
 
@@ -112,25 +114,30 @@ public final class TeamModel {
   private TeamRow row(Member member, Optional<Placer> placer, long nowNanos) {
     Optional<Envelope<Odometry>> at = newest(odometry, member);
     Optional<Battery> battery = newest(batteries, member).map(Envelope::value);
-    Condition condition = Condition.of(member, odometry, at.map(Envelope::value).map(TeamModel::isMoving), stopper(member));
+    Condition condition =
+        Condition.of(member, odometry, at.map(Envelope::value).map(TeamModel::isMoving), stopper(member));
     ComponentStatus worst = member.worst();
     Task task = task(member);
     double charge = battery.map(Battery::charge).orElse(Double.NaN);
     Optional<Vector3> joined = at.flatMap(e -> placer.flatMap(p -> place(p, e)));
     Optional<Vector3> place = joined.or(() -> at.map(e -> e.value().pose().translation()));
-    String frame = joined.flatMap(j -> placer.map(p -> p.fixed().toString())).or(() -> at.map(e -> e.value().frame().toString())).orElse("");
+    String frame = joined.flatMap(j -> placer.map(p -> p.fixed().toString()))
+        .or(() -> at.map(e -> e.value().frame().toString())).orElse("");
     return new TeamRow(member.robot(), member.number(), member.framework(), member.linkWord(), LinkLook.health(worst),
         LinkLook.text(worst), condition.doing(), words(condition, at), condition.why(), charge, charge(battery),
         task.words(), task.health(), place, frame, at.map(e -> Math.max(0, e.ageSeconds(nowNanos))).orElse(Double.NaN));
   }
 
   private Optional<String> stopper(Member member) {
-    return context.ruic().authority(member.interfaces().getFirst().id()).flatMap(Authority::stoppedBy).map(by -> by.label());
+    return context.ruic().authority(member.interfaces().getFirst().id()).flatMap(Authority::stoppedBy)
+        .map(by -> by.label());
   }
 
   private static String words(Condition condition, Optional<Envelope<Odometry>> at) {
-    return condition.doing() != Activity.DRIVING ? condition.words() : at.map(e -> e.value())
-        .map(o -> condition.words() + "  " + Figures.of(Math.hypot(o.linear().x(), o.linear().y()), 2, "m/s")).orElse(condition.words());
+    return condition.doing() != Activity.DRIVING ? condition.words()
+        : at.map(e -> e.value())
+            .map(o -> condition.words() + "  " + Figures.of(Math.hypot(o.linear().x(), o.linear().y()), 2, "m/s"))
+            .orElse(condition.words());
   }
 
   private Task task(Member member) {
@@ -148,7 +155,8 @@ public final class TeamModel {
   private static Optional<Vector3> place(Placer placer, Envelope<Odometry> e) {
     FrameId base = e.value().childFrame();
     return (base.name().isEmpty() ? Optional.<org.robotui.geometry.RigidTransform>empty() : placer.latest(base).found())
-        .or(() -> placer.latest(e.value().frame()).found().map(t -> t.times(e.value().pose()))).map(t -> t.translation());
+        .or(() -> placer.latest(e.value().frame()).found().map(t -> t.times(e.value().pose())))
+        .map(t -> t.translation());
   }
 
   private static boolean isMoving(Odometry o) {

@@ -47,7 +47,8 @@ public record TeamRow(
 
   /** Whether it has all these words somewhere. */
   boolean matches(List<String> words) {
-    String all = Stream.of(robot, framework, link, state, task, why).reduce("", (a, b) -> a + " " + b).toLowerCase(Locale.ROOT);
+    String all =
+        Stream.of(robot, framework, link, state, task, why).reduce("", (a, b) -> a + " " + b).toLowerCase(Locale.ROOT);
     return words.stream().allMatch(all::contains);
   }
 }

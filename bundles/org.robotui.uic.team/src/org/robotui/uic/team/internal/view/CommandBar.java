@@ -17,8 +17,8 @@ import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.team.internal.model.TeamCommands;
 
 /**
- * What can be done with the selected robots, or with all where none is selected: the buttons, a question before what concerns all, and what
- * became of it. A stop asks nothing. Display thread.
+ * What can be done with the selected robots, or with all where none is selected: the buttons, a question before what
+ * concerns all, and what became of it. A stop asks nothing. Display thread.
  */
 final class CommandBar {
   private static final int SHOWN_MILLIS = 6000;
@@ -36,7 +36,7 @@ final class CommandBar {
   private final NoticeLine question;
   private final QuietButton yes;
   private final NoticeLine answer;
-  private Wish wish = new Wish("", () -> { });
+  private Wish wish = new Wish("", () -> {});
   private List<String> all = List.of();
   private List<String> selected = List.of();
   private int shown;
@@ -132,7 +132,7 @@ final class CommandBar {
   }
 
   void no() {
-    wish = new Wish("", () -> { });
+    wish = new Wish("", () -> {});
     seen(ask, false);
   }
 

@@ -49,16 +49,21 @@ final class TeamColumns {
   List<Column<TeamRow>> all() {
     return List.of(
         Column.words("Robot", TeamRow::robot).weight(NAME_SHARE).painted(this::name).order(by(TeamRow::robot)),
-        Column.words("State", TeamRow::state).weight(STATE_SHARE).dot(r -> r.doing().health()).role(TeamColumns::state).hint(TeamRow::why)
+        Column.words("State", TeamRow::state).weight(STATE_SHARE).dot(r -> r.doing().health()).role(TeamColumns::state)
+            .hint(TeamRow::why)
             .order(Comparator.comparing(TeamRow::doing)),
         Column.figures("Battery", TeamRow::battery).width(BATTERY_WIDTH).painted(this::battery).hint(TeamRow::battery)
             .order(Comparator.comparingDouble(TeamRow::charge)),
-        Column.words("Task", TeamRow::task).weight(TASK_SHARE).role(TeamColumns::task).from(ROOM_FOR_TASK).order(by(TeamRow::task)),
-        Column.figures("Position", TeamColumns::place).width(PLACE_WIDTH).role(TeamColumns::placeRole).hint(r -> r.place().isEmpty() ? "" : "x, y in metres, in " + r.frame())
+        Column.words("Task", TeamRow::task).weight(TASK_SHARE).role(TeamColumns::task).from(ROOM_FOR_TASK)
+            .order(by(TeamRow::task)),
+        Column.figures("Position", TeamColumns::place).width(PLACE_WIDTH).role(TeamColumns::placeRole)
+            .hint(r -> r.place().isEmpty() ? "" : "x, y in metres, in " + r.frame())
             .from(ROOM_FOR_PLACE).order(Comparator.comparingDouble(r -> r.place().map(p -> p.x()).orElse(Double.NaN))),
-        Column.words("Link", TeamRow::link).weight(LINK_SHARE).dot(TeamRow::linkHealth).role(Role.DIM).hint(TeamRow::linkText).from(ROOM_FOR_LINK)
+        Column.words("Link", TeamRow::link).weight(LINK_SHARE).dot(TeamRow::linkHealth).role(Role.DIM)
+            .hint(TeamRow::linkText).from(ROOM_FOR_LINK)
             .order(Comparator.comparing(TeamRow::linkHealth).thenComparing(TeamRow::link)),
-        Column.words("By", TeamRow::framework).width(FRAMEWORK_WIDTH).role(Role.DIM).hint(r -> "speaks " + r.framework()).from(ROOM_FOR_FRAMEWORK)
+        Column.words("By", TeamRow::framework).width(FRAMEWORK_WIDTH).role(Role.DIM)
+            .hint(r -> "speaks " + r.framework()).from(ROOM_FOR_FRAMEWORK)
             .order(by(TeamRow::framework)),
         Column.figures("Age", TeamColumns::age).width(AGE_WIDTH).role(TeamColumns::ageRole).from(ROOM_FOR_AGE)
             .order(Comparator.comparingDouble(TeamRow::age)));
@@ -83,7 +88,8 @@ final class TeamColumns {
 
   /** Where it was last, where that is not known any more. */
   private static Role placeRole(TeamRow row) {
-    return row.doing() == Activity.LOST || row.doing() == Activity.SILENT || row.doing() == Activity.STALE ? Role.DIM : Role.TEXT;
+    return row.doing() == Activity.LOST || row.doing() == Activity.SILENT || row.doing() == Activity.STALE ? Role.DIM
+        : Role.TEXT;
   }
 
   private static String age(TeamRow row) {
@@ -105,7 +111,8 @@ final class TeamColumns {
   private void battery(GC gc, Rectangle at, TeamRow row) {
     Role role = row.charge() < EMPTY ? Role.BAD : row.charge() < LOW ? Role.WARNING : Role.GOOD;
     Role figure = role == Role.GOOD ? Role.DIM : role;
-    words.right(gc, at, BAR_WIDTH, at.width - BAR_WIDTH, row.battery().isEmpty() ? Figures.UNKNOWN : row.battery(), figure);
+    words.right(gc, at, BAR_WIDTH, at.width - BAR_WIDTH, row.battery().isEmpty() ? Figures.UNKNOWN : row.battery(),
+        figure);
     if (!Double.isNaN(row.charge())) {
       Rectangle bar = new Rectangle(at.x, at.y + at.height / 2 - 3, BAR_WIDTH, 6);
       gc.setBackground(theme.dark() ? theme.color(Role.GROUND) : theme.color(Role.LINE));

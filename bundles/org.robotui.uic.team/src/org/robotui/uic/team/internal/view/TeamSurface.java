@@ -70,7 +70,8 @@ public final class TeamSurface {
 
   /** Buttons are never cut: where it is narrow, the filter goes. */
   private void fit(Composite buttons) {
-    int needed = Arrays.stream(buttons.getChildren()).filter(c -> c != filter).mapToInt(c -> c.computeSize(SWT.DEFAULT, SWT.DEFAULT).x + Theme.STEP).sum();
+    int needed = Arrays.stream(buttons.getChildren()).filter(c -> c != filter)
+        .mapToInt(c -> c.computeSize(SWT.DEFAULT, SWT.DEFAULT).x + Theme.STEP).sum();
     boolean room = buttons.getClientArea().width - needed >= LEAST_FILTER;
     if (!room && !filter.words().isEmpty()) {
       filter.words("");
@@ -153,7 +154,8 @@ public final class TeamSurface {
     selected = Set.copyOf(robots);
     commands.select(robots);
     table.list().selectAll(selected);
-    shown.ifPresent(s -> shown = Optional.of(new Shown(new TeamLook(s.look().rows(), selected, s.look().state()), s.rows())));
+    shown.ifPresent(
+        s -> shown = Optional.of(new Shown(new TeamLook(s.look().rows(), selected, s.look().state()), s.rows())));
     refresh();
   }
 
@@ -164,7 +166,8 @@ public final class TeamSurface {
     }
     String whom = robots.size() == 1 ? robots.getFirst() : robots.size() + " robots";
     return List.of(
-        action("open", "Open the UI of " + robots.getFirst(), Icon.OPEN, () -> bar.tell(commands.open(robots.getFirst()))),
+        action("open", "Open the UI of " + robots.getFirst(), Icon.OPEN,
+            () -> bar.tell(commands.open(robots.getFirst()))),
         action("stop", "Stop " + whom, Icon.STOP, bar::stop),
         action("release", "Release the stop of " + whom, Icon.PLAY, bar::release),
         action("zero", "Send velocity zero to " + whom, Icon.PAUSE, bar::zero));

@@ -56,7 +56,8 @@ class TeamModelTest {
 
   @Test
   void saysWhyARobotIsSilentWhileOthersGoOn() {
-    Squad squad = new Squad(2).drives(1, 0, 0, 0.2).drives(2, 0, 0, 0.2).is(1, InputState.Stale.lost(12, "nobody publishes /r1/odom any more", 10));
+    Squad squad = new Squad(2).drives(1, 0, 0, 0.2).drives(2, 0, 0, 0.2).is(1,
+        InputState.Stale.lost(12, "nobody publishes /r1/odom any more", 10));
     assertEquals(Activity.SILENT, row(squad, 1).doing());
     assertEquals("nobody publishes /r1/odom any more", row(squad, 1).why());
     assertEquals(Activity.DRIVING, row(squad, 2).doing());
@@ -84,7 +85,8 @@ class TeamModelTest {
   void filtersByWordsOfAnyColumn() {
     Squad squad = new Squad(12).drives(1, 0, 0, 0.2).drives(12, 0, 0, 0).lose(2);
     assertEquals(List.of("r2"), look(squad).matching("no LINK").stream().map(TeamRow::robot).toList());
-    assertEquals(List.of("r2"), look(squad).matching(" player refuses ").stream().map(TeamRow::robot).limit(1).toList());
+    assertEquals(List.of("r2"),
+        look(squad).matching(" player refuses ").stream().map(TeamRow::robot).limit(1).toList());
     assertEquals(12, look(squad).matching(" ").size());
   }
 

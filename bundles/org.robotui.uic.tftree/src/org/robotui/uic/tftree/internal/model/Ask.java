@@ -18,7 +18,8 @@ import org.robotui.data.FrameId;
  * @param reference in which frame
  * @param drawn whether the tree is drawn, else listed
  */
-public record Ask(List<String> words, boolean problems, Set<FrameId> closed, Optional<FrameId> selected, Reference reference, boolean drawn) {
+public record Ask(List<String> words, boolean problems, Set<FrameId> closed, Optional<FrameId> selected,
+    Reference reference, boolean drawn) {
   /** At first. */
   public static final Ask FIRST = new Ask(List.of(), false, Set.of(), Optional.empty(), new Reference.Root(), true);
 
@@ -48,7 +49,8 @@ public record Ask(List<String> words, boolean problems, Set<FrameId> closed, Opt
 
   /** With other words. */
   public Ask search(String typed) {
-    List<String> next = Stream.of(typed.toLowerCase(Locale.ROOT).split("\\s+")).filter(word -> !word.isEmpty()).toList();
+    List<String> next =
+        Stream.of(typed.toLowerCase(Locale.ROOT).split("\\s+")).filter(word -> !word.isEmpty()).toList();
     return new Ask(next, problems, closed, selected, reference, drawn);
   }
 

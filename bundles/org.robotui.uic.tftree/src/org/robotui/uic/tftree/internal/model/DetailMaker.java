@@ -50,7 +50,8 @@ final class DetailMaker {
     values.add(new Value("roll", angle(q.roll())));
     values.add(new Value("pitch", angle(q.pitch())));
     values.add(new Value("yaw", angle(q.yaw())));
-    values.add(new Value("quaternion", String.format(Locale.ROOT, "%.3f, %.3f, %.3f, %.3f", q.x(), q.y(), q.z(), q.w())));
+    values
+        .add(new Value("quaternion", String.format(Locale.ROOT, "%.3f, %.3f, %.3f, %.3f", q.x(), q.y(), q.z(), q.w())));
     values.add(new Value("distance", Figures.of(pose.translation().norm(), DECIMALS, "m")));
   }
 
@@ -83,6 +84,8 @@ final class DetailMaker {
   private String stamp(Stamp newest) {
     Stamp now = clock.now();
     String at = String.format(Locale.ROOT, "%.3f", newest.seconds());
-    return now.clock() == newest.clock() ? at + ", " + Figures.ageOfValue((now.nanos() - newest.nanos()) * 1e-9) + " old" : at;
+    return now.clock() == newest.clock()
+        ? at + ", " + Figures.ageOfValue((now.nanos() - newest.nanos()) * 1e-9) + " old"
+        : at;
   }
 }

@@ -16,8 +16,8 @@ import org.robotui.api.frame.FrameLink;
 import org.robotui.data.FrameId;
 
 /**
- * The frames as trees. Built from what was held at one moment; where links were read while one moved, a frame that would close a loop is a
- * root.
+ * The frames as trees. Built from what was held at one moment; where links were read while one moved, a frame that
+ * would close a loop is a root.
  *
  * @param roots frames that nothing carries, sorted
  * @param links by the frame that is carried
@@ -25,7 +25,8 @@ import org.robotui.data.FrameId;
  * @param below how many frames lie below each, at any depth
  * @param size how many frames
  */
-record Forest(List<FrameId> roots, Map<FrameId, FrameLink> links, Map<FrameId, List<FrameId>> children, Map<FrameId, Integer> below, int size) {
+record Forest(List<FrameId> roots, Map<FrameId, FrameLink> links, Map<FrameId, List<FrameId>> children,
+    Map<FrameId, Integer> below, int size) {
   static final Forest EMPTY = of(List.of(), List.of());
 
   private static final Comparator<FrameId> ORDER = Comparator.comparing(FrameId::robot).thenComparing(FrameId::name);
@@ -71,7 +72,8 @@ record Forest(List<FrameId> roots, Map<FrameId, FrameLink> links, Map<FrameId, L
     List<FrameId> order = inOrder(roots, children);
     Collections.reverse(order);
     for (FrameId frame : order) {
-      below.put(frame, children.getOrDefault(frame, List.of()).stream().mapToInt(child -> 1 + below.getOrDefault(child, 0)).sum());
+      below.put(frame,
+          children.getOrDefault(frame, List.of()).stream().mapToInt(child -> 1 + below.getOrDefault(child, 0)).sum());
     }
     return below;
   }

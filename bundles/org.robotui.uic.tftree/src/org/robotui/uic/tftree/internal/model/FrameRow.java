@@ -19,12 +19,15 @@ import org.robotui.ui.Health;
  * @param problem what is wrong with it, empty where nothing is
  * @param health the dot
  */
-public record FrameRow(FrameId id, String title, int depth, Optional<FrameLink> link, int below, boolean open, double age, String problem, Health health) {
-  static FrameRow of(FrameId id, String title, int depth, Optional<FrameLink> link, int below, boolean open, double age, double staleAfter) {
+public record FrameRow(FrameId id, String title, int depth, Optional<FrameLink> link, int below, boolean open,
+    double age, String problem, Health health) {
+  static FrameRow of(FrameId id, String title, int depth, Optional<FrameLink> link, int below, boolean open, double age,
+      double staleAfter) {
     boolean stale = link.filter(l -> !l.fixed()).isPresent() && age > staleAfter;
     String rivals = link.map(FrameRow::rivals).orElse("");
     String problem = !rivals.isEmpty() ? rivals : stale ? "nothing for " + Figures.age(age) : "";
-    Health health = !rivals.isEmpty() ? Health.BAD : stale ? Health.STALE : link.filter(l -> !l.fixed()).isPresent() ? Health.OK : Health.NONE;
+    Health health = !rivals.isEmpty() ? Health.BAD
+        : stale ? Health.STALE : link.filter(l -> !l.fixed()).isPresent() ? Health.OK : Health.NONE;
     return new FrameRow(id, title, depth, link, below, open, age, problem, health);
   }
 

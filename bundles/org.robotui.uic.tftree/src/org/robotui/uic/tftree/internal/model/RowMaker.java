@@ -27,7 +27,8 @@ final class RowMaker {
       Optional<FrameLink> link = Optional.ofNullable(forest.links().get(frame));
       double age = link.filter(l -> !l.fixed()).map(l -> Math.max(0, (now - l.receivedNanos()) * NANO)).orElse(0.0);
       boolean open = ask.narrows() || !ask.closed().contains(frame);
-      rows.add(FrameRow.of(frame, several ? frame.toString() : frame.name(), depth, link, forest.below().getOrDefault(frame, 0), open, age, staleAfter));
+      rows.add(FrameRow.of(frame, several ? frame.toString() : frame.name(), depth, link,
+          forest.below().getOrDefault(frame, 0), open, age, staleAfter));
     }
     return rows;
   }
@@ -54,7 +55,8 @@ final class RowMaker {
     Set<FrameId> wanted = new HashSet<>();
     for (FrameRow row : all) {
       if (ask.fits(row)) {
-        for (Optional<FrameId> at = Optional.of(row.id()); at.isPresent() && wanted.add(at.get()); at = forest.parent(at.get())) {
+        for (Optional<FrameId> at = Optional.of(row.id()); at.isPresent() && wanted.add(at.get()); at =
+            forest.parent(at.get())) {
           // Up to the root, or to one whose way up is in already.
         }
       }

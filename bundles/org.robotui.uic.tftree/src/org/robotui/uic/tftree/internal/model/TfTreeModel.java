@@ -10,19 +10,21 @@ import org.robotui.ui.diagram.Diagram;
 import org.robotui.ui.diagram.TextWidths;
 
 /**
- * The frames, taken twice a second, and the pose of the selected one at each tick. The tick prepares all that is seen; what is asked for may
- * be said on any thread and counts from the next tick on.
+ * The frames, taken twice a second, and the pose of the selected one at each tick. The tick prepares all that is seen;
+ * what is asked for may be said on any thread and counts from the next tick on.
  */
 public final class TfTreeModel {
   private static final long SURVEY_NANOS = 500_000_000L;
-  private static final InputState NOTHING = new InputState.Waiting("No transform came yet. Robots that publish /tf or /tf_static appear here.");
+  private static final InputState NOTHING =
+      new InputState.Waiting("No transform came yet. Robots that publish /tf or /tf_static appear here.");
   private static final InputState LIVE = new InputState.Live(0, 0);
 
   private final Frames frames;
   private final DetailMaker details;
   private volatile Ask ask = Ask.FIRST;
   private volatile TextWidths widths = TextWidths.estimate();
-  private volatile TfTreeViewState look = new TfTreeViewState(Ask.FIRST, NOTHING, List.of(), Diagram.EMPTY, List.of(), Optional.empty(), 0, 0);
+  private volatile TfTreeViewState look =
+      new TfTreeViewState(Ask.FIRST, NOTHING, List.of(), Diagram.EMPTY, List.of(), Optional.empty(), 0, 0);
   private Forest forest = Forest.EMPTY;
   private List<FrameRow> all = List.of();
   private TextWidths measured = widths;
@@ -41,8 +43,10 @@ public final class TfTreeModel {
     TfTreeViewState before = look;
     boolean due = !ever || now - surveyed >= SURVEY_NANOS || !wanted.equals(before.ask()) || measured != widths;
     TfTreeViewState next = due ? survey(wanted, now, staleAfter) : before;
-    Optional<FrameDetail> detail = wanted.selected().filter(forest::contains).map(frame -> details.of(frame, wanted.reference(), forest, row(frame)));
-    next = new TfTreeViewState(wanted, next.state(), next.rows(), next.drawing(), next.notices(), detail, next.frames(), next.trees());
+    Optional<FrameDetail> detail = wanted.selected().filter(forest::contains)
+        .map(frame -> details.of(frame, wanted.reference(), forest, row(frame)));
+    next = new TfTreeViewState(wanted, next.state(), next.rows(), next.drawing(), next.notices(), detail, next.frames(),
+        next.trees());
     boolean changed = !next.equals(before);
     look = next;
     return changed;
@@ -58,7 +62,8 @@ public final class TfTreeModel {
     Diagram drawing = wanted.drawn() ? TreeDrawing.draw(rows, measured) : Diagram.EMPTY;
     // The same object while nothing moved, so that nothing is painted anew.
     Diagram shown = drawing.equals(look.drawing()) ? look.drawing() : drawing;
-    return new TfTreeViewState(wanted, forest.size() == 0 ? NOTHING : LIVE, rows, shown, Notices.of(forest, all, frames.refusals(), now),
+    return new TfTreeViewState(wanted, forest.size() == 0 ? NOTHING : LIVE, rows, shown,
+        Notices.of(forest, all, frames.refusals(), now),
         Optional.empty(), forest.size(), forest.roots().size());
   }
 

@@ -19,10 +19,12 @@ import org.robotui.ui.diagram.Diagram;
  * @param trees how many trees they make
  */
 public record TfTreeViewState(
-    Ask ask, InputState state, List<FrameRow> rows, Diagram drawing, List<Notice> notices, Optional<FrameDetail> detail, int frames, int trees) {
+    Ask ask, InputState state, List<FrameRow> rows, Diagram drawing, List<Notice> notices, Optional<FrameDetail> detail,
+    int frames, int trees) {
   /** The short text of the title line. */
   public String title() {
-    return frames == 0 ? "" : frames + (frames == 1 ? " frame" : " frames") + (trees == 1 ? "" : ", " + trees + " trees");
+    return frames == 0 ? ""
+        : frames + (frames == 1 ? " frame" : " frames") + (trees == 1 ? "" : ", " + trees + " trees");
   }
 
   /**
@@ -39,7 +41,8 @@ public record TfTreeViewState(
     if (!rows.isEmpty() || frames == 0) {
       return Optional.empty();
     }
-    return Optional.of(ask.words().isEmpty() ? new Nothing(Health.OK, "No problems", "All " + frames + " frames are as they should be.")
+    return Optional.of(ask.words().isEmpty()
+        ? new Nothing(Health.OK, "No problems", "All " + frames + " frames are as they should be.")
         : new Nothing(Health.NONE, "No match", "No frame contains these words. Esc clears the filter."));
   }
 }

@@ -14,8 +14,8 @@ import org.robotui.ui.diagram.Wire;
 import org.robotui.ui.diagram.Wire.Corner;
 
 /**
- * Draws rows as a tree that grows to the right: each depth is a column, a frame stands at the height of the middle of those that it carries.
- * Linear in the number of rows. Pure.
+ * Draws rows as a tree that grows to the right: each depth is a column, a frame stands at the height of the middle of
+ * those that it carries. Linear in the number of rows. Pure.
  */
 final class TreeDrawing {
   private static final int ROW = Box.HIGH + 12;
@@ -67,11 +67,16 @@ final class TreeDrawing {
     while (columns.size() <= row.depth()) {
       columns.add((double) LEAST_WIDTH);
     }
-    double wanted = Math.max(widths.title(row.title()) + (row.health() == Health.NONE ? 0 : DOT), widths.note(row.note())) + PADDING;
+    double wanted =
+        Math.max(widths.title(row.title()) + (row.health() == Health.NONE ? 0 : DOT), widths.note(row.note()))
+            + PADDING;
     columns.set(row.depth(), Math.clamp(wanted, columns.get(row.depth()), MOST_WIDTH));
   }
 
-  /** Leaves follow each other; the others, which come before what they carry, are placed backwards. Returns the height of all. */
+  /**
+   * Leaves follow each other; the others, which come before what they carry, are placed backwards. Returns the height
+   * of all.
+   */
   private double place() {
     double next = 0;
     double[] first = new double[rows.size()];
@@ -101,8 +106,10 @@ final class TreeDrawing {
 
   private Box box(int i) {
     FrameRow row = rows.get(i);
-    Role role = row.health() == Health.BAD ? Role.BAD : row.health() == Health.STALE ? Role.WARNING : row.link().isEmpty() ? Role.ACCENT : Role.LINE;
-    return new Box(row.id(), lefts.get(row.depth()), tops[i], columns.get(row.depth()), Box.HIGH, Box.Form.ROUNDED, row.title(), row.note(),
+    Role role = row.health() == Health.BAD ? Role.BAD
+        : row.health() == Health.STALE ? Role.WARNING : row.link().isEmpty() ? Role.ACCENT : Role.LINE;
+    return new Box(row.id(), lefts.get(row.depth()), tops[i], columns.get(row.depth()), Box.HIGH, Box.Form.ROUNDED,
+        row.title(), row.note(),
         row.health(), role);
   }
 

@@ -53,11 +53,13 @@ final class FrameDetailPane {
     new QuietButton(top, theme, this::copy).icon(Icon.COPY).hint("Copy all of it");
     new QuietButton(top, theme, close).icon(Icon.CLOSE).hint("Close the details (Esc)");
     line = Boxes.bar(root, theme, 1);
-    reference = new QuietButton(line, theme, this::choose).icon(Icon.OPEN).hint("Choose in which frame the pose is shown");
+    reference =
+        new QuietButton(line, theme, this::choose).icon(Icon.OPEN).hint("Choose in which frame the pose is shown");
     missing = new NoticeLine(root, theme, Face.BODY);
     values = new RowTable<>(root, theme, List.of(
         Column.<FrameDetail.Value>words("Name", FrameDetail.Value::name).weight(NAME_SHARE).role(Role.DIM),
-        Column.<FrameDetail.Value>values("Value", FrameDetail.Value::value).weight(VALUE_SHARE)), FrameDetail.Value::name);
+        Column.<FrameDetail.Value>values("Value", FrameDetail.Value::value).weight(VALUE_SHARE)),
+        FrameDetail.Value::name);
     values.list().named("Pose and transform").several();
     values.control().setLayoutData(new GridData(SWT.FILL, SWT.FILL, true, true));
     values.list().control().addListener(SWT.KeyDown, e -> {

@@ -30,18 +30,22 @@ final class FrameTable {
     this.folding = folding;
     table = new RowTable<>(parent, theme, List.of(
         Column.<FrameRow>words("Frame", FrameTable::indented).weight(5).dot(FrameRow::health).unsearched(),
-        Column.<FrameRow>figures("Rate", FrameRow::rate).width(86).role(row -> row.link().filter(l -> !l.fixed()).isPresent() ? Role.TEXT : Role.DIM),
+        Column.<FrameRow>figures("Rate", FrameRow::rate).width(86)
+            .role(row -> row.link().filter(l -> !l.fixed()).isPresent() ? Role.TEXT : Role.DIM),
         Column.<FrameRow>figures("Age", FrameRow::ageWords).width(76),
-        Column.<FrameRow>words("Sent by", row -> row.link().map(l -> l.authority()).orElse("")).weight(2).role(Role.DIM).from(FROM_MIDDLE),
+        Column.<FrameRow>words("Sent by", row -> row.link().map(l -> l.authority()).orElse("")).weight(2).role(Role.DIM)
+            .from(FROM_MIDDLE),
         Column.<FrameRow>words("Problem", FrameRow::problem).weight(2).from(FROM_WIDE)), FrameRow::id);
-    table.list().named("Frames").onSelect(rows -> selecting.accept(rows.stream().findFirst().map(FrameRow::id))).onOpen(row -> folding.accept(row.id()));
+    table.list().named("Frames").onSelect(rows -> selecting.accept(rows.stream().findFirst().map(FrameRow::id)))
+        .onOpen(row -> folding.accept(row.id()));
     table.list().control().addListener(SWT.KeyDown, this::key);
   }
 
   private static String indented(FrameRow row) {
     String fold = row.below() == 0 ? "" : row.open() ? "\u25be " : "\u25b8 ";
     String hidden = row.open() || row.below() == 0 ? "" : "  +" + row.below();
-    return "\u2003".repeat(Math.min(row.depth(), DEEPEST)) + (row.below() == 0 ? "\u2002\u2009" : fold) + row.title() + hidden;
+    return "\u2003".repeat(Math.min(row.depth(), DEEPEST)) + (row.below() == 0 ? "\u2002\u2009" : fold) + row.title()
+        + hidden;
   }
 
   Control control() {
@@ -55,7 +59,8 @@ final class FrameTable {
   void show(TfTreeViewState look, Ask ask) {
     table.list().state(look.state());
     table.show(look.rows());
-    look.nothing().ifPresentOrElse(n -> table.list().message(n.health(), n.title(), n.sentence()), table.list()::noMessage);
+    look.nothing().ifPresentOrElse(n -> table.list().message(n.health(), n.title(), n.sentence()),
+        table.list()::noMessage);
     Optional<FrameId> now = table.list().selected().stream().findFirst().map(FrameRow::id);
     if (!now.equals(ask.selected())) {
       ask.selected().ifPresentOrElse(table.list()::select, table.list()::selectNone);

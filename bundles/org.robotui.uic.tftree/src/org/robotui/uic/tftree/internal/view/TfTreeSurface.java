@@ -70,9 +70,12 @@ public final class TfTreeSurface {
     Theme theme = context.theme();
     root = Boxes.root(parent, theme, this::focus);
     Composite bar = Boxes.bar(root, theme, 4);
-    drawn = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().drawn(true))).text("Tree").hint("Draw the frames as a tree");
-    listed = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().drawn(false))).text("List").hint("List the frames");
-    problems = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().problems(!wishes.asked().problems()))).text("Problems")
+    drawn = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().drawn(true))).text("Tree")
+        .hint("Draw the frames as a tree");
+    listed =
+        new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().drawn(false))).text("List").hint("List the frames");
+    problems = new QuietButton(bar, theme, () -> wishes.ask(wishes.asked().problems(!wishes.asked().problems())))
+        .text("Problems")
         .hint("Show only frames with a problem, and those above them");
     filter = new FilterField(bar, theme, "Filter", this::search);
     filter.setLayoutData(Boxes.end(WIDEST_FILTER));
@@ -90,7 +93,8 @@ public final class TfTreeSurface {
     halves.setMaximizedControl(stack);
     listen(theme);
     canvas.onMenu((menu, box) -> subjects.fill(menu, new Subject.Frame((FrameId) box.key())));
-    table.list().menu((menu, rows) -> rows.stream().findFirst().ifPresent(row -> subjects.fill(menu, new Subject.Frame(row.id()))));
+    table.list().menu(
+        (menu, rows) -> rows.stream().findFirst().ifPresent(row -> subjects.fill(menu, new Subject.Frame(row.id()))));
   }
 
   private void listen(Theme theme) {
@@ -187,12 +191,14 @@ public final class TfTreeSurface {
   }
 
   private String hint(FrameId frame) {
-    return shown.flatMap(look -> look.rows().stream().filter(row -> row.id().equals(frame)).findFirst()).map(TfTreeSurface::hint).orElse("");
+    return shown.flatMap(look -> look.rows().stream().filter(row -> row.id().equals(frame)).findFirst())
+        .map(TfTreeSurface::hint).orElse("");
   }
 
   private static String hint(FrameRow row) {
     String sender = row.link().map(link -> "\nsent by " + link.authority()).orElse("");
-    String fold = row.below() == 0 ? "" : "\ndouble click: " + (row.open() ? "hide" : "show") + " the " + row.below() + " below";
+    String fold =
+        row.below() == 0 ? "" : "\ndouble click: " + (row.open() ? "hide" : "show") + " the " + row.below() + " below";
     return row.id() + "\n" + row.note() + sender + fold;
   }
 

@@ -54,7 +54,8 @@ class TfTreeModelTest {
   void eachFrameFollowsTheOneThatCarriesIt() {
     TfTreeViewState look = look(Trees.frames(Trees.base()), Ask.FIRST);
     assertEquals(List.of("0 map", "1 odom", "2 base_footprint", "3 base_link", "4 camera_link", "5 camera_color_frame",
-        "6 camera_color_optical_frame", "5 camera_depth_frame", "6 camera_depth_optical_frame", "4 imu_link", "4 laser", "4 wheel_left_link",
+        "6 camera_color_optical_frame", "5 camera_depth_frame", "6 camera_depth_optical_frame", "4 imu_link", "4 laser",
+        "4 wheel_left_link",
         "4 wheel_right_link"), names(look));
     assertEquals("13 frames", look.title());
     assertEquals(List.of(), look.notices());
@@ -66,8 +67,10 @@ class TfTreeModelTest {
   @Test
   void whatIsWrongIsSaidTheWorstFirst() {
     TfTreeViewState look = look(Trees.frames(Trees.faulty(), Trees.refusal()), Ask.FIRST);
-    assertEquals(List.of(Health.BAD, Health.BAD, Health.STALE, Health.WARNING), look.notices().stream().map(Notice::health).toList());
-    assertTrue(look.notices().get(0).words().contains("would close a loop") && look.notices().get(0).words().contains("12 times"));
+    assertEquals(List.of(Health.BAD, Health.BAD, Health.STALE, Health.WARNING),
+        look.notices().stream().map(Notice::health).toList());
+    assertTrue(look.notices().get(0).words().contains("would close a loop")
+        && look.notices().get(0).words().contains("12 times"));
     assertTrue(look.notices().get(1).words().contains("base_footprint"));
     assertTrue(look.notices().get(2).words().contains("odom"));
     assertEquals("The frames of Keira are 2 trees, no transform links map, world", look.notices().get(3).words());
@@ -81,7 +84,8 @@ class TfTreeModelTest {
     frames.known(List.of(), List.of());
     FrameId other = new FrameId("Natalie", "map");
     frames.fix(other, new FrameId("Natalie", "odom"), RigidTransform.IDENTITY);
-    FrameLink link = new FrameLink(other, new FrameId("Natalie", "odom"), true, Optional.empty(), 0, 1, "", 0, 0, List.of());
+    FrameLink link =
+        new FrameLink(other, new FrameId("Natalie", "odom"), true, Optional.empty(), 0, 1, "", 0, 0, List.of());
     List<FrameLink> links = new ArrayList<>(Trees.base());
     links.add(link);
     frames.known(links, List.of());
@@ -97,21 +101,27 @@ class TfTreeModelTest {
     TfTreeViewState look = look(Trees.frames(Trees.base()), folded);
     assertEquals(List.of("0 map", "1 odom", "2 base_footprint", "3 base_link"), names(look));
     assertTrue(look.rows().getLast().note().contains("+9"));
-    assertEquals(List.of("0 map", "1 odom", "2 base_footprint", "3 base_link", "4 camera_link", "5 camera_depth_frame", "6 camera_depth_optical_frame"),
+    assertEquals(
+        List.of("0 map", "1 odom", "2 base_footprint", "3 base_link", "4 camera_link", "5 camera_depth_frame",
+            "6 camera_depth_optical_frame"),
         names(look(Trees.frames(Trees.base()), folded.search("DEPTH optical"))));
     assertEquals(List.of(), names(look(Trees.frames(Trees.base()), Ask.FIRST.search("nothing"))));
   }
 
   @Test
   void thePoseIsShownInTheChosenFrame() {
-    FakeFrames frames = Trees.frames(List.of(Trees.fixed("base", "mount"), Trees.fixed("mount", "laser"), Trees.fixed("world", "marker")));
+    FakeFrames frames = Trees
+        .frames(List.of(Trees.fixed("base", "mount"), Trees.fixed("mount", "laser"), Trees.fixed("world", "marker")));
     FrameDetail root = look(frames, Ask.FIRST.select(Optional.of(id("laser")))).detail().orElseThrow();
     assertEquals(id("base"), root.reference());
-    FrameDetail parent = look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Parent())).detail().orElseThrow();
+    FrameDetail parent =
+        look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Parent())).detail().orElseThrow();
     assertEquals(id("mount"), parent.reference());
     assertEquals(new FrameDetail.Value("x", "1.000\u00a0m"), parent.values().getFirst());
     assertTrue(parent.text().contains("yaw\t17.19\u00b0"), parent.text());
-    FrameDetail apart = look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Pinned(id("marker")))).detail().orElseThrow();
+    FrameDetail apart =
+        look(frames, Ask.FIRST.select(Optional.of(id("laser"))).in(new Ask.Reference.Pinned(id("marker")))).detail()
+            .orElseThrow();
     assertTrue(apart.missing().orElseThrow().contains("is missing"), apart.missing().toString());
   }
 
@@ -143,7 +153,8 @@ class TfTreeModelTest {
     Set<List<Long>> places = new HashSet<>();
     for (Box box : drawing.boxes()) {
       assertTrue(places.add(List.of(Math.round(box.x()), Math.round(box.y()))), box.title());
-      assertTrue(box.x() >= 0 && box.y() >= 0 && box.x() + box.width() <= drawing.width() + 1 && box.y() + box.height() <= drawing.height() + 1);
+      assertTrue(box.x() >= 0 && box.y() >= 0 && box.x() + box.width() <= drawing.width() + 1
+          && box.y() + box.height() <= drawing.height() + 1);
     }
   }
 }

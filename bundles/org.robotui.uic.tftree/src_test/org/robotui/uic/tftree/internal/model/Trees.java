@@ -23,19 +23,24 @@ public final class Trees {
     return new FrameId("Keira", name);
   }
 
-  public static FrameLink moving(String parent, String child, double rate, double age, String authority, FrameLink.Rival... rivals) {
-    return new FrameLink(id(parent), id(child), false, Optional.of(Stamp.of(1_700_000_000, 0, ClockKind.ROBOT)), 10, (int) (rate * 10), authority,
+  public static FrameLink moving(String parent, String child, double rate, double age, String authority,
+      FrameLink.Rival... rivals) {
+    return new FrameLink(id(parent), id(child), false, Optional.of(Stamp.of(1_700_000_000, 0, ClockKind.ROBOT)), 10,
+        (int) (rate * 10), authority,
         NOW - (long) (age * 1e9), rate, List.of(rivals));
   }
 
   public static FrameLink fixed(String parent, String child) {
-    return new FrameLink(id(parent), id(child), true, Optional.empty(), 0, 1, "/robot_state_publisher", 0, 0, List.of());
+    return new FrameLink(id(parent), id(child), true, Optional.empty(), 0, 1, "/robot_state_publisher", 0, 0,
+        List.of());
   }
 
   /** A mobile base as many are. */
   public static List<FrameLink> base() {
-    return List.of(moving("map", "odom", 10, 0.04, "/amcl"), moving("odom", "base_footprint", 50, 0.012, "/base_driver"),
-        fixed("base_footprint", "base_link"), fixed("base_link", "laser"), fixed("base_link", "imu_link"), fixed("base_link", "camera_link"),
+    return List.of(moving("map", "odom", 10, 0.04, "/amcl"),
+        moving("odom", "base_footprint", 50, 0.012, "/base_driver"),
+        fixed("base_footprint", "base_link"), fixed("base_link", "laser"), fixed("base_link", "imu_link"),
+        fixed("base_link", "camera_link"),
         fixed("camera_link", "camera_color_frame"), fixed("camera_color_frame", "camera_color_optical_frame"),
         fixed("camera_link", "camera_depth_frame"), fixed("camera_depth_frame", "camera_depth_optical_frame"),
         moving("base_link", "wheel_left_link", 30, 0.02, "/robot_state_publisher"),
@@ -52,7 +57,9 @@ public final class Trees {
   }
 
   public static FrameRefusal refusal() {
-    return new FrameRefusal("the transform 'Keira:laser' -> 'Keira:map' would close a loop: 'Keira:laser' is below 'Keira:map'", "/static_tf_7", 12, NOW);
+    return new FrameRefusal(
+        "the transform 'Keira:laser' -> 'Keira:map' would close a loop: 'Keira:laser' is below 'Keira:map'",
+        "/static_tf_7", 12, NOW);
   }
 
   /** Frames that say this of themselves, and can be looked up. */
@@ -67,7 +74,8 @@ public final class Trees {
   public static List<FrameLink> many(int count) {
     List<FrameLink> links = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      links.add(i % 10 == 0 ? moving("world", "arm_" + i, 100, 0.01, "/arms") : fixed("arm_" + (i - i % 10), "finger_" + i));
+      links.add(
+          i % 10 == 0 ? moving("world", "arm_" + i, 100, 0.01, "/arms") : fixed("arm_" + (i - i % 10), "finger_" + i));
     }
     return links;
   }

@@ -18,6 +18,7 @@ public record Heard(long number, Envelope<? extends Data> envelope) {
   }
 
   static OptionalInt size(Envelope<?> envelope) {
-    return envelope.raw().map(RawMessage::bytes).map(bytes -> OptionalInt.of(bytes.size())).orElseGet(OptionalInt::empty);
+    return envelope.raw().map(RawMessage::bytes).map(bytes -> OptionalInt.of(bytes.size()))
+        .orElseGet(OptionalInt::empty);
   }
 }

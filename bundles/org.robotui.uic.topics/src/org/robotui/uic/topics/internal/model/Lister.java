@@ -17,8 +17,8 @@ import org.robotui.ui.ask.StreamNames;
 import org.robotui.uic.topics.internal.model.Catalog.Answered;
 
 /**
- * Asks the robots what they have. Blocks; for one background thread. A robot that does not answer keeps what it said before, with the
- * reason.
+ * Asks the robots what they have. Blocks; for one background thread. A robot that does not answer keeps what it said
+ * before, with the reason.
  */
 final class Lister {
   private final Map<String, Map<Kind, List<Item>>> said = new HashMap<>();
@@ -29,7 +29,8 @@ final class Lister {
     said.keySet().retainAll(robots.stream().map(robot -> robot.source().component()).toList());
     List<Answered> answers = new ArrayList<>();
     Map<Kind, List<Entry>> entries = new EnumMap<>(Kind.class);
-    Map<String, List<SourceId>> byRobot = streams.stream().map(Candidate::id).collect(Collectors.groupingBy(SourceId::component));
+    Map<String, List<SourceId>> byRobot =
+        streams.stream().map(Candidate::id).collect(Collectors.groupingBy(SourceId::component));
     for (BrowseInput.Robot robot : robots) {
       String name = robot.source().component();
       Optional<String> failure = ask(robot);
@@ -56,7 +57,8 @@ final class Lister {
 
   private void add(Map<Kind, List<Entry>> entries, String robot, List<SourceId> streams) {
     Map<Kind, List<Item>> items = said.getOrDefault(robot, Map.of());
-    StreamNames names = StreamNames.of(items.getOrDefault(Kind.TOPIC, List.of()).stream().map(Item::name).toList(), streams);
+    StreamNames names =
+        StreamNames.of(items.getOrDefault(Kind.TOPIC, List.of()).stream().map(Item::name).toList(), streams);
     items.forEach((kind, list) -> {
       List<Entry> all = entries.computeIfAbsent(kind, k -> new ArrayList<>());
       list.forEach(item -> all.add(new Entry(new Key(robot, kind, item.name()), item.type(),

@@ -27,8 +27,9 @@ final class Obstacles {
     }
     boolean silent = described.filter(d -> d.key().equals(key)).flatMap(Described::description)
         .map(d -> Facts.counts(Kind.TOPIC, d.facts())).filter(c -> c.publishers().orElse(1) == 0).isPresent();
-    return silent ? "Nobody publishes it." : key.robot()
-        + " offers no stream of it: it only takes it as a command, it lies outside of its namespace, or its configuration leaves it out.";
+    return silent ? "Nobody publishes it."
+        : key.robot()
+            + " offers no stream of it: it only takes it as a command, it lies outside of its namespace, or its configuration leaves it out.";
   }
 
   /** Why no message can be said on a topic, empty where one can be. */
@@ -38,7 +39,8 @@ final class Obstacles {
       return "Messages can be published on topics only.";
     }
     if (described.description().isEmpty()) {
-      return described.failure().map(why -> key.robot() + " does not answer: " + why).orElse("Asking " + key.robot() + "\u2026");
+      return described.failure().map(why -> key.robot() + " does not answer: " + why)
+          .orElse("Asking " + key.robot() + "\u2026");
     }
     if (described.description().get().shape().isEmpty()) {
       return "Its form is not known: " + Optional.ofNullable(described.description().get().facts().get("definition"))

@@ -17,8 +17,8 @@ import org.robotui.uic.topics.internal.TopicsPorts;
 import org.robotui.uic.topics.internal.model.TopicRow.Counts;
 
 /**
- * Asks the robots in the background, slowly: what they have, and more about what is selected. A robot that takes long is asked less
- * often. The tick starts, the background answers.
+ * Asks the robots in the background, slowly: what they have, and more about what is selected. A robot that takes long
+ * is asked less often. The tick starts, the background answers.
  */
 final class Poller {
   private static final int MOST_KNOWN = 1000;
@@ -126,7 +126,8 @@ final class Poller {
     try {
       String type = catalog.find(key).map(Entry::type).orElse("");
       Description description = robot.get().browser().describe(key.item(type));
-      return new Described(key, Optional.of(description), Facts.of(key, description.facts(), catalog), Optional.empty());
+      return new Described(key, Optional.of(description), Facts.of(key, description.facts(), catalog),
+          Optional.empty());
     } catch (CallException e) {
       return failed(key, e.getMessage());
     }
@@ -135,7 +136,8 @@ final class Poller {
   /** What was known before stays, with the reason why it may be old. */
   private Described failed(Key key, String reason) {
     Optional<Described> before = described.filter(d -> d.key().equals(key));
-    return new Described(key, before.flatMap(Described::description), before.map(Described::facts).orElse(List.of()), Optional.of(reason));
+    return new Described(key, before.flatMap(Described::description), before.map(Described::facts).orElse(List.of()),
+        Optional.of(reason));
   }
 
   private synchronized void remember(Key key, Known what) {

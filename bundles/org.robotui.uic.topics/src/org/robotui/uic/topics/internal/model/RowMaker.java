@@ -60,7 +60,8 @@ final class RowMaker {
     Optional<Poller.Known> more = known.apply(key);
     String type = entry.type().isEmpty() ? more.map(Poller.Known::type).orElse("") : entry.type();
     return new TopicRow(entry, several ? key.robot() + "  " + key.name() : key.name(), type,
-        more.map(Poller.Known::counts).orElse(Counts.UNKNOWN), wishes.measured().contains(key), Optional.ofNullable(measures.get(key)));
+        more.map(Poller.Known::counts).orElse(Counts.UNKNOWN), wishes.measured().contains(key),
+        Optional.ofNullable(measures.get(key)));
   }
 
   private static String[] words(String filter) {
@@ -69,7 +70,8 @@ final class RowMaker {
 
   private static boolean matches(Entry entry, String... words) {
     for (String word : words) {
-      if (!contains(entry.key().name(), word) && !contains(entry.type(), word) && !contains(entry.key().robot(), word)) {
+      if (!contains(entry.key().name(), word) && !contains(entry.type(), word)
+          && !contains(entry.key().robot(), word)) {
         return false;
       }
     }

@@ -13,8 +13,8 @@ import org.robotui.data.command.MessageCommand;
 import org.robotui.ui.Health;
 
 /**
- * Says messages, once or again and again. Repeating ends when the user looks away, the lease or the stop changes, or a message is
- * refused: what nobody watches is not said. All threads; never blocks.
+ * Says messages, once or again and again. Repeating ends when the user looks away, the lease or the stop changes, or a
+ * message is refused: what nobody watches is not said. All threads; never blocks.
  */
 public final class Speaker {
   /** The slowest and the fastest repetition, hertz. */
@@ -47,7 +47,8 @@ public final class Speaker {
       return Optional.of(none.explanation());
     }
     return output.targets().stream().map(SourceId::component).anyMatch(robot::equals)
-        ? Optional.empty() : Optional.of("messages of this view go to "
+        ? Optional.empty()
+        : Optional.of("messages of this view go to "
             + output.targets().stream().map(SourceId::component).findFirst().orElse("nobody") + ", not to " + robot);
   }
 
@@ -87,7 +88,8 @@ public final class Speaker {
   public synchronized void stop(String why) {
     if (repeated.isPresent()) {
       end();
-      tell(Health.NONE, "Ended after " + said + (said == 1 ? " message" : " messages") + (why.isEmpty() ? "" : ": " + why));
+      tell(Health.NONE,
+          "Ended after " + said + (said == 1 ? " message" : " messages") + (why.isEmpty() ? "" : ": " + why));
     }
   }
 
@@ -132,14 +134,16 @@ public final class Speaker {
       return Optional.of(authority.robot() + " is stopped");
     }
     return authority.holder().filter(principal::equals).isPresent() ? Optional.empty()
-        : Optional.of(authority.holder().map(h -> h.label() + " has control of ").orElse("nobody has control of ") + authority.robot());
+        : Optional.of(authority.holder().map(h -> h.label() + " has control of ").orElse("nobody has control of ")
+            + authority.robot());
   }
 
   private void say(MessageCommand message) {
     switch (output.send(message, VALID)) {
       case CommandOutcome.Accepted a -> {
         said++;
-        tell(Health.OK, said == 1 ? "Published on " + message.topic() : said + " messages published on " + message.topic());
+        tell(Health.OK,
+            said == 1 ? "Published on " + message.topic() : said + " messages published on " + message.topic());
       }
       case CommandOutcome.Refused refused -> {
         end();

@@ -14,7 +14,8 @@ import org.robotui.ui.ask.Measure;
  * @param measured whether the user wants it measured
  * @param measure what was measured, where it is measured or echoed
  */
-public record TopicRow(Entry entry, String label, String type, Counts counts, boolean measured, Optional<Measure> measure) {
+public record TopicRow(Entry entry, String label, String type, Counts counts, boolean measured,
+    Optional<Measure> measure) {
   /**
    * Who uses a thing.
    *

@@ -18,8 +18,8 @@ import org.robotui.uic.topics.internal.TopicsOptions;
 import org.robotui.uic.topics.internal.TopicsPorts;
 
 /**
- * What robots have, what the chosen topics carry, and saying messages. The tick prepares all that is seen; wishes may be said on any
- * thread and count from the next tick on.
+ * What robots have, what the chosen topics carry, and saying messages. The tick prepares all that is seen; wishes may
+ * be said on any thread and count from the next tick on.
  */
 public final class TopicsModel {
   private static final long SEEN_NANOS = 3_000_000_000L;
@@ -130,11 +130,14 @@ public final class TopicsModel {
     poller.refresh();
   }
 
-  /** Lists another kind, and only what contains all these words. What is then not in the list is not selected any more. */
+  /**
+   * Lists another kind, and only what contains all these words. What is then not in the list is not selected any more.
+   */
   public void list(Kind kind, String words) {
     wishes(w -> w.section(kind).filter(words));
     Catalog catalog = poller.catalog();
-    boolean gone = wishes.selected().flatMap(catalog::find).filter(entry -> !RowMaker.lists(kind, words, entry)).isPresent();
+    boolean gone =
+        wishes.selected().flatMap(catalog::find).filter(entry -> !RowMaker.lists(kind, words, entry)).isPresent();
     if (gone) {
       select(Optional.empty());
     }
@@ -142,7 +145,8 @@ public final class TopicsModel {
 
   /** The topic that a stream carries, as soon as it is known. */
   public Optional<Key> topic(SourceId stream) {
-    return poller.catalog().of(Kind.TOPIC).stream().filter(entry -> entry.stream().filter(stream::equals).isPresent()).map(Entry::key).findFirst();
+    return poller.catalog().of(Kind.TOPIC).stream().filter(entry -> entry.stream().filter(stream::equals).isPresent())
+        .map(Entry::key).findFirst();
   }
 
   /** A program by the robot's name of it, as soon as it is known. */
@@ -181,7 +185,9 @@ public final class TopicsModel {
     wishes(w -> {
       Set<Key> keys = new HashSet<>(w.measured());
       boolean full = on && !keys.contains(key) && keys.size() >= most;
-      refusal = full ? most + (most == 1 ? " topic is" : " topics are") + " measured already; end one first, or raise max_measured" : "";
+      refusal = full
+          ? most + (most == 1 ? " topic is" : " topics are") + " measured already; end one first, or raise max_measured"
+          : "";
       if (on && !full) {
         keys.add(key);
       } else {
@@ -212,24 +218,30 @@ public final class TopicsModel {
     Optional<Heard> shown = watched.shown(wanted.pinned());
     InputState state = watched.state().orElseGet(() -> new InputState.Unconnected(obstacle));
     Optional<DynamicRecord> record = shown.map(h -> look.echo().shown().equals(shown)
-        ? look.echo().record().orElseGet(() -> h.envelope().record()) : h.envelope().record());
-    return new TopicsViewState.Echo(watched.echoed(), obstacle, state, shown, record, watched.history().all(), watched.history().count(),
+        ? look.echo().record().orElseGet(() -> h.envelope().record())
+        : h.envelope().record());
+    return new TopicsViewState.Echo(watched.echoed(), obstacle, state, shown, record, watched.history().all(),
+        watched.history().count(),
         watched.history().missed(), wanted.echoed().map(measures::get).orElse(Measure.NOTHING));
   }
 
   private TopicsViewState look(InputState state, TopicsViewState.Echo echo) {
     Catalog catalog = poller.catalog();
     String notice = refusal.isEmpty() ? Presence.notice(state, catalog.failures()) : refusal;
-    return new TopicsViewState(listed.wishes, state, listed.rows, listed.counts, catalog.of(listed.wishes.section()).size(), notice,
+    return new TopicsViewState(listed.wishes, state, listed.rows, listed.counts,
+        catalog.of(listed.wishes.section()).size(), notice,
         poller.described(), echo, speaker.look(), watched.streams());
   }
 
   /** Rows and records are compared by identity: they are made anew only where something changed. */
   private static boolean same(TopicsViewState one, TopicsViewState other) {
     return one.rows() == other.rows() && one.counts() == other.counts() && one.wishes().equals(other.wishes())
-        && one.state().equals(other.state()) && one.notice().equals(other.notice()) && one.described() == other.described()
-        && one.echo().state().getClass() == other.echo().state().getClass() && one.echo().obstacle().equals(other.echo().obstacle())
-        && one.echo().shown().equals(other.echo().shown()) && one.speech().equals(other.speech()) && one.streams() == other.streams();
+        && one.state().equals(other.state()) && one.notice().equals(other.notice())
+        && one.described() == other.described()
+        && one.echo().state().getClass() == other.echo().state().getClass()
+        && one.echo().obstacle().equals(other.echo().obstacle())
+        && one.echo().shown().equals(other.echo().shown()) && one.speech().equals(other.speech())
+        && one.streams() == other.streams();
   }
 
   /** The rows, made again only where something that they show changed. The tick's thread. */
@@ -245,7 +257,8 @@ public final class TopicsModel {
     void follow(Catalog catalog, Wishes wanted) {
       boolean filtered = catalog != from || !wanted.filter().equals(wishes.filter());
       boolean stale = filtered || again || wanted.section() != wishes.section() || known != version
-          || !wanted.measured().equals(wishes.measured()) || shown != measures && !(shown.isEmpty() && measures.isEmpty());
+          || !wanted.measured().equals(wishes.measured())
+          || shown != measures && !(shown.isEmpty() && measures.isEmpty());
       if (filtered || counts.isEmpty()) {
         counts = maker.counts(catalog, wanted.filter());
       }

@@ -58,7 +58,8 @@ public record TopicsViewState(
       long missed,
       Measure measure) {
     /** Nothing is echoed. */
-    public static final Echo NOTHING = new Echo(Optional.empty(), "", new InputState.Unconnected("nothing is selected"), Optional.empty(),
-        Optional.empty(), List.of(), 0, 0, Measure.NOTHING);
+    public static final Echo NOTHING =
+        new Echo(Optional.empty(), "", new InputState.Unconnected("nothing is selected"), Optional.empty(),
+            Optional.empty(), List.of(), 0, 0, Measure.NOTHING);
   }
 }

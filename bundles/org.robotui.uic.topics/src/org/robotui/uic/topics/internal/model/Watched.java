@@ -82,7 +82,8 @@ final class Watched {
   }
 
   private Optional<Measure> measure(Catalog catalog, Key key, long now) {
-    return stream(catalog, key).map(source -> Optional.ofNullable(meters.get(source)).map(m -> m.measure(now)).orElse(Measure.NOTHING));
+    return stream(catalog, key)
+        .map(source -> Optional.ofNullable(meters.get(source)).map(m -> m.measure(now)).orElse(Measure.NOTHING));
   }
 
   private void take(Envelope<Data> envelope, int capacity, boolean held) {

@@ -76,7 +76,8 @@ final class AboutPane {
 
   private void message(Described described) {
     String robot = described.key().robot();
-    if (!described.facts().isEmpty() || described.description().isPresent() && described.failure().isEmpty() && defined) {
+    if (!described.facts().isEmpty()
+        || described.description().isPresent() && described.failure().isEmpty() && defined) {
       facts.noMessage();
     } else if (described.failure().isPresent()) {
       facts.message(Health.BAD, "No answer", described.failure().get());
@@ -92,7 +93,8 @@ final class AboutPane {
     GridData data = (GridData) facts.control().getLayoutData();
     int needed = Math.clamp(shown.size(), 1, MOST_FACTS) * RowLook.HEIGHT + Theme.STEP;
     data.grabExcessVerticalSpace = !defined;
-    data.heightHint = defined ? Math.min(needed, Math.max(RowLook.HEIGHT, root.getClientArea().height / 2)) : SWT.DEFAULT;
+    data.heightHint =
+        defined ? Math.min(needed, Math.max(RowLook.HEIGHT, root.getClientArea().height / 2)) : SWT.DEFAULT;
     Boxes.seen(rule, defined);
     Boxes.seen(definition.control(), defined);
     root.layout();

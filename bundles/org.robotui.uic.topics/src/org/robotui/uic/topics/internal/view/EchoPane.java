@@ -62,7 +62,8 @@ final class EchoPane {
     tree = new RecordTree(body, theme);
     tree.control().setLayoutData(Boxes.fill());
     tree.menu((menu, path) -> field(path).ifPresent(field -> subjects.fill(menu, field)));
-    PortDrag.from(tree.control(), at -> tree.selected().flatMap(this::field).map(field -> new DraggedPorts(ruic, List.of(field))));
+    PortDrag.from(tree.control(),
+        at -> tree.selected().flatMap(this::field).map(field -> new DraggedPorts(ruic, List.of(field))));
     rule = new Composite(body, SWT.NONE);
     rule.setBackground(theme.color(Role.LINE));
     GridData line = new GridData(SWT.FILL, SWT.FILL, false, true);
@@ -72,7 +73,8 @@ final class EchoPane {
     GridData side = new GridData(SWT.FILL, SWT.FILL, false, true);
     side.widthHint = HISTORY_WIDTH;
     history.control().setLayoutData(side);
-    history.list().named("Messages").onSelect(rows -> rows.stream().findFirst().ifPresent(heard -> model.pin(heard.number())));
+    history.list().named("Messages")
+        .onSelect(rows -> rows.stream().findFirst().ifPresent(heard -> model.pin(heard.number())));
     body.addListener(SWT.Resize, e -> arrange(body));
     tree.control().addListener(SWT.KeyDown, e -> {
       if (e.character == 'h') {
@@ -108,7 +110,8 @@ final class EchoPane {
   private void tree(TopicsViewState look) {
     if (shown.source().isEmpty()) {
       tree.clear();
-      tree.message(Health.NONE, shown.obstacle().isEmpty() ? "No topic is open" : "No messages to show", shown.obstacle());
+      tree.message(Health.NONE, shown.obstacle().isEmpty() ? "No topic is open" : "No messages to show",
+          shown.obstacle());
     } else if (shown.record().isEmpty()) {
       tree.clear();
       tree.noMessage();
@@ -126,7 +129,8 @@ final class EchoPane {
 
   private String figures(boolean held) {
     String measure = TopicText.measure(shown.measure());
-    return held && shown.missed() > 0 ? "paused, " + shown.missed() + " more came  \u00b7  " + measure : held ? "paused  \u00b7  " + measure : measure;
+    return held && shown.missed() > 0 ? "paused, " + shown.missed() + " more came  \u00b7  " + measure
+        : held ? "paused  \u00b7  " + measure : measure;
   }
 
   private void pause() {
@@ -158,7 +162,9 @@ final class EchoPane {
   private static List<Column<Heard>> columns() {
     return List.of(
         Column.<Heard>values("Received", EchoPane::received).hint(heard -> "Message " + heard.number()),
-        Column.<Heard>figures("Size", heard -> heard.size().isPresent() ? TopicText.bytes(heard.size().getAsInt(), "B") : "")
+        Column
+            .<Heard>figures("Size",
+                heard -> heard.size().isPresent() ? TopicText.bytes(heard.size().getAsInt(), "B") : "")
             .width(80).role(Role.DIM));
   }
 

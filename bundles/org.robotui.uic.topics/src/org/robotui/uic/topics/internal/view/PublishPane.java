@@ -62,13 +62,16 @@ final class PublishPane {
     form.control().setLayoutData(Boxes.fill());
     Boxes.rule(body, theme);
     bar = Boxes.bar(body, theme, 5);
-    once = new QuietButton(bar, theme, this::say).text("Publish once").fill(Role.ACCENT).hint("Publishes the message once (Ctrl+Enter)");
-    repeat = new QuietButton(bar, theme, this::repeat).text("Repeat").hint("Publishes the message repeatedly until it is ended");
+    once = new QuietButton(bar, theme, this::say).text("Publish once").fill(Role.ACCENT)
+        .hint("Publishes the message once (Ctrl+Enter)");
+    repeat = new QuietButton(bar, theme, this::repeat).text("Repeat")
+        .hint("Publishes the message repeatedly until it is ended");
     repeat.setLayoutData(Boxes.middle());
     ((GridData) repeat.getLayoutData()).widthHint = repeat.computeSize(SWT.DEFAULT, SWT.DEFAULT).x;
     rate = rate(bar, theme);
     label(bar, theme, "Hz");
-    prefill = new QuietButton(bar, theme, this::prefill).icon(Icon.SAVE).hint("Fill the form in with the newest message of the topic");
+    prefill = new QuietButton(bar, theme, this::prefill).icon(Icon.SAVE)
+        .hint("Fill the form in with the newest message of the topic");
     prefill.setLayoutData(new GridData(SWT.END, SWT.CENTER, true, false));
     Composite foot = Boxes.bar(body, theme, 3);
     outcome = new NoticeLine(foot, theme, Face.BODY);
@@ -95,7 +98,8 @@ final class PublishPane {
     }
     about = Optional.of(described);
     String why = model.silenced(described);
-    obstacle.show(described.failure().isPresent() && described.description().isEmpty() ? Health.BAD : Health.NONE, "Not possible", why);
+    obstacle.show(described.failure().isPresent() && described.description().isEmpty() ? Health.BAD : Health.NONE,
+        "Not possible", why);
     if (Boxes.seen(obstacle.control(), !why.isEmpty()) | Boxes.seen(body, why.isEmpty())) {
       root.layout();
     }
@@ -182,7 +186,8 @@ final class PublishPane {
       prefill.setEnabled(look.echo().obstacle().isEmpty());
       return;
     }
-    Optional<DynamicRecord> record = look.echo().record().filter(r -> look.wishes().echoed().equals(about.map(Described::key)));
+    Optional<DynamicRecord> record =
+        look.echo().record().filter(r -> look.wishes().echoed().equals(about.map(Described::key)));
     if (record.isPresent()) {
       awaited = false;
       form.fill(record.get());

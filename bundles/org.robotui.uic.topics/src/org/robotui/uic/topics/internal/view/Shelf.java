@@ -62,7 +62,8 @@ final class Shelf {
     listen(nodes, "Nodes");
     listen(others, "Services and actions");
     PortDrag.from(topics.list().control(), at -> Optional.of(new DraggedPorts(ruic,
-        topics.list().selected().stream().flatMap(row -> row.entry().stream().stream()).map(Subject.Stream::of).toList())));
+        topics.list().selected().stream().flatMap(row -> row.entry().stream().stream()).map(Subject.Stream::of)
+            .toList())));
     topics.list().control().addListener(SWT.MouseUp, this::clicked);
     topics.list().control().addListener(SWT.KeyDown, this::key);
     stack.topControl = topics.control();
@@ -115,9 +116,11 @@ final class Shelf {
     } else if (!look.rows().isEmpty()) {
       table.list().noMessage();
     } else if (look.total() > 0) {
-      table.list().message(Health.NONE, "No match", "None of " + look.total() + " contains these words. Esc clears the filter.");
+      table.list().message(Health.NONE, "No match",
+          "None of " + look.total() + " contains these words. Esc clears the filter.");
     } else {
-      table.list().message(Health.NONE, "No " + TopicText.section(section).toLowerCase(Locale.ROOT), "The robot has none now.");
+      table.list().message(Health.NONE, "No " + TopicText.section(section).toLowerCase(Locale.ROOT),
+          "The robot has none now.");
     }
   }
 
@@ -148,7 +151,8 @@ final class Shelf {
       menu.push("Show messages", () -> acts.open(key));
       menu.check("Measure", row.measured(), on -> measure(row));
     }
-    subject.ifPresentOrElse(s -> subjects.fill(menu, s), () -> menu.push("Copy name", () -> Clipboards.copy(key.name())));
+    subject.ifPresentOrElse(s -> subjects.fill(menu, s),
+        () -> menu.push("Copy name", () -> Clipboards.copy(key.name())));
   }
 
   private void clicked(Event event) {

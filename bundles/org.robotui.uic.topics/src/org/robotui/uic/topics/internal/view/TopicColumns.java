@@ -31,20 +31,25 @@ final class TopicColumns {
             .hint(row -> row.entry().stream().isPresent() ? "Measure its rate (M)" : ""),
         name("Topic"),
         type().from(360),
-        count("Pub", row -> row.counts().publishers().orElse(-1), "Who publishes it, known once it was selected").from(620),
-        count("Sub", row -> row.counts().subscribers().orElse(-1), "Who subscribes it, known once it was selected").from(620),
+        count("Pub", row -> row.counts().publishers().orElse(-1), "Who publishes it, known once it was selected")
+            .from(620),
+        count("Sub", row -> row.counts().subscribers().orElse(-1), "Who subscribes it, known once it was selected")
+            .from(620),
         figure("Rate", 76, TopicText::rate, Measure::hertz).role(TopicColumns::role),
         figure("Jitter", 74, m -> TopicText.period(m.jitter()), Measure::jitter).from(760),
         figure("Shortest", 78, m -> TopicText.period(m.shortest()), Measure::shortest).from(980),
         figure("Longest", 78, m -> TopicText.period(m.longest()), Measure::longest).from(980),
-        figure("Bandwidth", 92, m -> TopicText.bandwidth(m.bytesPerSecond()), m -> m.bytesPerSecond().orElse(-1)).from(520),
+        figure("Bandwidth", 92, m -> TopicText.bandwidth(m.bytesPerSecond()), m -> m.bytesPerSecond().orElse(-1))
+            .from(520),
         figure("Messages", 84, m -> Long.toString(m.count()), Measure::count).from(860));
   }
 
   static List<Column<TopicRow>> nodes() {
     return List.of(name("Node"),
-        count("Publishes", row -> row.counts().publishers().orElse(-1), "How many topics, known once it was selected").width(86).from(360),
-        count("Subscribes", row -> row.counts().subscribers().orElse(-1), "How many topics, known once it was selected").width(86).from(360));
+        count("Publishes", row -> row.counts().publishers().orElse(-1), "How many topics, known once it was selected")
+            .width(86).from(360),
+        count("Subscribes", row -> row.counts().subscribers().orElse(-1), "How many topics, known once it was selected")
+            .width(86).from(360));
   }
 
   static List<Column<TopicRow>> others() {
@@ -56,7 +61,8 @@ final class TopicColumns {
   }
 
   private static Column<TopicRow> type() {
-    return Column.words("Type", TopicRow::type).brief(TopicColumns::withoutPackage).weight(2.4).role(Role.DIM).order(Comparator.comparing(TopicRow::type));
+    return Column.words("Type", TopicRow::type).brief(TopicColumns::withoutPackage).weight(2.4).role(Role.DIM)
+        .order(Comparator.comparing(TopicRow::type));
   }
 
   private static String withoutPackage(String type) {
@@ -68,14 +74,17 @@ final class TopicColumns {
         .width(48).role(Role.DIM).order(Comparator.comparing(value)).hint(row -> hint);
   }
 
-  private static Column<TopicRow> figure(String title, int width, Function<Measure, String> text, ToDoubleFunction<Measure> value) {
+  private static Column<TopicRow> figure(String title, int width, Function<Measure, String> text,
+      ToDoubleFunction<Measure> value) {
     return Column.<TopicRow>figures(title, row -> row.measure().map(text).orElse("")).width(width).unsearched()
-        .order(Comparator.comparingDouble(row -> row.measure().map(value::applyAsDouble).filter(v -> !v.isNaN()).orElse(-1.0)));
+        .order(Comparator
+            .comparingDouble(row -> row.measure().map(value::applyAsDouble).filter(v -> !v.isNaN()).orElse(-1.0)));
   }
 
   /** What is waited for, or has ended, stands back. */
   private static Role role(TopicRow row) {
-    return row.measure().map(m -> m.count() == 0 ? Role.DIM : m.hertz() == 0 ? Role.WARNING : Role.TEXT).orElse(Role.DIM);
+    return row.measure().map(m -> m.count() == 0 ? Role.DIM : m.hertz() == 0 ? Role.WARNING : Role.TEXT)
+        .orElse(Role.DIM);
   }
 
   /** What has no stream cannot be measured, and has no box. */

@@ -23,7 +23,9 @@ import org.robotui.uic.topics.internal.model.Key;
 import org.robotui.uic.topics.internal.model.TopicsModel;
 import org.robotui.uic.topics.internal.model.TopicsViewState;
 
-/** All about the selected thing, on three leaves. What is echoed follows the selection once it rests. Display thread. */
+/**
+ * All about the selected thing, on three leaves. What is echoed follows the selection once it rests. Display thread.
+ */
 final class TopicDetailPane {
   /** The leaves. */
   enum Leaf {
@@ -55,7 +57,8 @@ final class TopicDetailPane {
   private Optional<Key> selected = Optional.empty();
   private Leaf leaf = Leaf.ABOUT;
 
-  TopicDetailPane(Composite parent, Theme theme, TopicsModel model, Consumer<Key> follow, String ruic, SubjectMenu subjects) {
+  TopicDetailPane(Composite parent, Theme theme, TopicsModel model, Consumer<Key> follow, String ruic,
+      SubjectMenu subjects) {
     this.model = model;
     this.display = parent.getDisplay();
     root = Boxes.panel(parent, theme, 1);
@@ -75,7 +78,8 @@ final class TopicDetailPane {
     stack.setLayoutData(Boxes.fill());
     stack.setLayout(leaves);
     nothing = new MessagePane(stack, theme);
-    nothing.show(Health.NONE, "Nothing is selected", "Select a line to see who uses it, what it carries and what it is made of.");
+    nothing.show(Health.NONE, "Nothing is selected",
+        "Select a line to see who uses it, what it carries and what it is made of.");
     about = new AboutPane(stack, theme, follow);
     echo = new EchoPane(stack, theme, model, ruic, subjects);
     publish = new PublishPane(stack, theme, model);

@@ -70,6 +70,7 @@ public final class TopicText {
       line.append("  \u00b7  ").append(bandwidth(measure.bytesPerSecond()));
     }
     measure.meanSize().ifPresent(size -> line.append("  \u00b7  ").append(bytes(size, "B")).append(" each"));
-    return line.append("  \u00b7  ").append(measure.count()).append(measure.count() == 1 ? " message" : " messages").toString();
+    return line.append("  \u00b7  ").append(measure.count()).append(measure.count() == 1 ? " message" : " messages")
+        .toString();
   }
 }

@@ -28,7 +28,10 @@ import org.robotui.uic.topics.internal.model.TopicsModel;
 import org.robotui.uic.topics.internal.model.TopicsViewState;
 import org.robotui.uic.topics.internal.model.Wishes;
 
-/** What is seen of the view: kinds and filter above, the list at the left, all about the selected thing at the right. Display thread. */
+/**
+ * What is seen of the view: kinds and filter above, the list at the left, all about the selected thing at the right.
+ * Display thread.
+ */
 public final class TopicsSurface {
   private static final int FILTER_WIDTH = 180;
   private static final int SIDE_BY_SIDE_FROM = 640;
@@ -57,7 +60,8 @@ public final class TopicsSurface {
    * @param ruic the RUIC whose streams the topics are
    * @param subjects the menus of its ports and nodes
    */
-  public TopicsSurface(Composite parent, UiContext context, TopicsModel model, Supplier<TopicsOptions> options, String ruic,
+  public TopicsSurface(Composite parent, UiContext context, TopicsModel model, Supplier<TopicsOptions> options,
+      String ruic,
       SubjectMenu subjects) {
     this.context = context;
     this.model = model;
@@ -105,7 +109,8 @@ public final class TopicsSurface {
     shelf.show(look);
     detail.show(look);
     // Where there is nothing to select, the room is not halved.
-    Control whole = StateView.showsContent(look.state()) || look.wishes().selected().isPresent() ? null : shelf.control();
+    Control whole =
+        StateView.showsContent(look.state()) || look.wishes().selected().isPresent() ? null : shelf.control();
     if (split.getMaximizedControl() != whole) {
       split.setMaximizedControl(whole);
     }
@@ -213,7 +218,8 @@ public final class TopicsSurface {
     for (Kind kind : Catalog.KINDS) {
       QuietButton button = sections.get(kind);
       int before = button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x;
-      button.text(TopicText.section(kind) + "  " + look.counts().getOrDefault(kind, 0)).checked(kind == look.wishes().section());
+      button.text(TopicText.section(kind) + "  " + look.counts().getOrDefault(kind, 0))
+          .checked(kind == look.wishes().section());
       changed |= button.computeSize(SWT.DEFAULT, SWT.DEFAULT).x != before;
     }
     if (changed) {
@@ -223,7 +229,8 @@ public final class TopicsSurface {
 
   private static String note(TopicsViewState look) {
     String shown = look.rows().size() == look.total() ? "" : look.rows().size() + " of " + look.total();
-    String streams = look.streams() == 0 ? "" : look.streams() + (look.streams() == 1 ? " stream taken" : " streams taken");
+    String streams =
+        look.streams() == 0 ? "" : look.streams() + (look.streams() == 1 ? " stream taken" : " streams taken");
     return shown.isEmpty() || streams.isEmpty() ? shown + streams : shown + " \u00b7 " + streams;
   }
 

@@ -35,10 +35,12 @@ public final class FakeGraph implements Browser {
     return this;
   }
 
-  public synchronized FakeGraph describe(Kind kind, String name, String type, Map<String, String> facts, String definition,
+  public synchronized FakeGraph describe(Kind kind, String name, String type, Map<String, String> facts,
+      String definition,
       Optional<RecordShape> shape) {
     Item item = new Item(kind, name, type);
-    descriptions.put(name, new Description(item, facts, Optional.of(definition).filter(d -> !d.isEmpty()), shape, Optional.empty()));
+    descriptions.put(name,
+        new Description(item, facts, Optional.of(definition).filter(d -> !d.isEmpty()), shape, Optional.empty()));
     return this;
   }
 
@@ -69,9 +71,13 @@ public final class FakeGraph implements Browser {
   public static RecordShape twist() {
     FieldShape number = new FieldShape.Real(64);
     RecordShape vector = new RecordShape("geometry_msgs/Vector3",
-        List.of(new RecordShape.Field("x", number), new RecordShape.Field("y", number), new RecordShape.Field("z", number)), List.of());
-    return new RecordShape("geometry_msgs/Twist", List.of(new RecordShape.Field("linear", new FieldShape.Nested(vector)),
-        new RecordShape.Field("angular", new FieldShape.Nested(vector))), List.of());
+        List.of(new RecordShape.Field("x", number), new RecordShape.Field("y", number),
+            new RecordShape.Field("z", number)),
+        List.of());
+    return new RecordShape("geometry_msgs/Twist",
+        List.of(new RecordShape.Field("linear", new FieldShape.Nested(vector)),
+            new RecordShape.Field("angular", new FieldShape.Nested(vector))),
+        List.of());
   }
 
   @Override
@@ -85,7 +91,8 @@ public final class FakeGraph implements Browser {
   public synchronized Description describe(Item item) throws CallException {
     described++;
     check();
-    return descriptions.getOrDefault(item.name(), new Description(item, Map.of(), Optional.empty(), Optional.empty(), Optional.empty()));
+    return descriptions.getOrDefault(item.name(),
+        new Description(item, Map.of(), Optional.empty(), Optional.empty(), Optional.empty()));
   }
 
   private void check() throws CallException {

@@ -12,13 +12,17 @@ import org.robotui.data.record.FieldValue;
 public record Fields(String schema, Map<String, FieldValue> all) implements DynamicRecord {
   public static Fields odometry(double x) {
     return of("nav_msgs/Odometry",
-        "header", nested(of("std_msgs/Header", "seq", number(1204), "stamp", new FieldValue.Time(1_795_273_000_123_000_000L),
+        "header",
+        nested(of("std_msgs/Header", "seq", number(1204), "stamp", new FieldValue.Time(1_795_273_000_123_000_000L),
             "frame_id", new FieldValue.Text("odom"))),
         "child_frame_id", new FieldValue.Text("base_link"),
         "pose", nested(of("geometry_msgs/PoseWithCovariance",
-            "pose", nested(of("geometry_msgs/Pose", "position", nested(vector(x, -0.31, 0)), "orientation", nested(vector(0, 0, 0.18)))),
+            "pose",
+            nested(of("geometry_msgs/Pose", "position", nested(vector(x, -0.31, 0)), "orientation",
+                nested(vector(0, 0, 0.18)))),
             "covariance", new FieldValue.Numbers(Doubles.wrap(new double[36])))),
-        "twist", nested(of("geometry_msgs/Twist", "linear", nested(vector(0.23, 0, 0)), "angular", nested(vector(0, 0, -0.18)))));
+        "twist", nested(
+            of("geometry_msgs/Twist", "linear", nested(vector(0.23, 0, 0)), "angular", nested(vector(0, 0, -0.18)))));
   }
 
   public static Fields of(String schema, Object... namesAndValues) {

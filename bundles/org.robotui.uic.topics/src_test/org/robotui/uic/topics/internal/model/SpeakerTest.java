@@ -16,7 +16,8 @@ import org.robotui.ui.Health;
 
 class SpeakerTest {
   private static final long MILLI = 1_000_000;
-  private static final MessageCommand HELLO = new MessageCommand("/chatter", "std_msgs/String", Map.of("data", "hello"));
+  private static final MessageCommand HELLO =
+      new MessageCommand("/chatter", "std_msgs/String", Map.of("data", "hello"));
 
   private final FakeAuthority authority = new FakeAuthority("Keira");
   private final FakeOutput<MessageCommand> output = new FakeOutput<>(authority);

@@ -189,7 +189,8 @@ class TopicsModelTest {
   @Test
   void whyThereIsNoEchoIsSaid() {
     connect(graph.add(Kind.TOPIC, "/tf", "tf2_msgs/TFMessage").add(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist")
-        .describe(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist", Map.of("publishers", "none", "subscribers", "/base"), "", Optional.empty()));
+        .describe(Kind.TOPIC, "/cmd_vel", "geometry_msgs/Twist", Map.of("publishers", "none", "subscribers", "/base"),
+            "", Optional.empty()));
     ticks(2);
     model.select(Optional.of(topic("/tf")));
     ticks(2);
@@ -237,7 +238,8 @@ class TopicsModelTest {
 
   @Test
   void measuringOneOfTwoThousandLooksAtMostTwiceASecond() {
-    context.input(TopicsPorts.ALL).candidates(List.of(new Candidate(new SourceId("base", "robot000/part/topic00"), "DynamicRecord")));
+    context.input(TopicsPorts.ALL)
+        .candidates(List.of(new Candidate(new SourceId("base", "robot000/part/topic00"), "DynamicRecord")));
     connect(FakeGraph.large());
     ticks(3);
     model.measure(topic("/robot000/part/topic00"), true, 10);
@@ -246,7 +248,8 @@ class TopicsModelTest {
     for (int i = 0; i < 500; i++) {
       now += 20 * MILLI;
       model.seen(now);
-      context.input(TopicsPorts.ALL).put(new SourceId("base", "robot000/part/topic00"), battery(), now, Optional.empty());
+      context.input(TopicsPorts.ALL).put(new SourceId("base", "robot000/part/topic00"), battery(), now,
+          Optional.empty());
       model.tick(now, options());
     }
     assertTrue(model.looked() - looked <= 21 * 2000, "looked at " + (model.looked() - looked));

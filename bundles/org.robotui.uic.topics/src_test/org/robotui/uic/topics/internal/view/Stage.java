@@ -54,7 +54,8 @@ public final class Stage {
   }
 
   public void followFact(String value) {
-    Optional<Fact> fact = surface.detail().about().facts().rows().stream().filter(f -> f.value().equals(value)).findFirst();
+    Optional<Fact> fact =
+        surface.detail().about().facts().rows().stream().filter(f -> f.value().equals(value)).findFirst();
     fact.flatMap(Fact::target).ifPresent(surface::follow);
   }
 }
