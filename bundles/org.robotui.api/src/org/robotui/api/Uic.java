@@ -1,5 +1,6 @@
 package org.robotui.api;
 
+import java.util.Optional;
 import org.robotui.api.show.Subject;
 
 /** One view or control of a RUIC. */
@@ -24,6 +25,18 @@ public interface Uic extends AutoCloseable {
    */
   default void show(String showing, Subject subject) {
     // Only views whose type declares showings are asked.
+  }
+
+  /**
+   * What a new instance shall go on with, such as a history that the robot will not send again. Asked at most once, on
+   * a core worker after {@link #close}, and only where this instance was ended because it was late and its thread has
+   * ended. The new one takes it from {@link UicContext#retained}. What it holds of this instance's context must not be
+   * used any more.
+   *
+   * @return an object of the view's own; nothing where a new instance begins anew
+   */
+  default Optional<Object> retain() {
+    return Optional.empty();
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.robotui.api;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import org.robotui.api.alert.AlertSource;
 import org.robotui.api.command.Output;
@@ -135,4 +136,16 @@ public interface UicContext {
    * @return the store
    */
   SettingsStore settings();
+
+  /**
+   * What the instance before this one retained, where core has ended that one as it was late and has made this one in
+   * its place.
+   *
+   * @param <T> the type of it
+   * @param type of what the view retains
+   * @return what {@link Uic#retain} gave; empty at a first start, and where it gave something else
+   */
+  default <T> Optional<T> retained(Class<T> type) {
+    return Optional.empty();
+  }
 }

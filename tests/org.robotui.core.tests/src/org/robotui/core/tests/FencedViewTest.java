@@ -16,7 +16,7 @@ import org.robotui.api.host.RuicState;
 /** A view that misbehaves fails alone, the user reads which bundle it was, and what it moved is stopped. */
 class FencedViewTest {
   private static final Duration LIMIT = Duration.ofSeconds(5);
-  private static final String LATE = "The bad view took longer than 2 s to answer; it is started again in ";
+  private static final String LATE = "The view 'Bad view' took longer than 2 s to answer; it is started again in ";
   private static final long SOON_NANOS = 1_500_000_000L;
 
   private @TempDir Path folder;
@@ -108,7 +108,7 @@ class FencedViewTest {
     fence.view("in: tick, does: wait_deaf");
     assertLate(LATE);
     fence.world.awaitAlert("It could not be ended: bad hangs in tick; threads left: Keira.bad-2");
-    assertLate("The bad view still does not answer; it is started again in 4 s.");
+    assertLate("The view 'Bad view' still does not answer; it is started again in 4 s.");
     assertEquals(List.of("Keira.bad-2"), World.threads("Keira.bad"), "all but it have ended");
   }
 

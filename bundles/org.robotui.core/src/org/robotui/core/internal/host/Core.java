@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
@@ -58,7 +59,7 @@ public final class Core implements Host {
   private final List<RuicRuntime> ruics = new CopyOnWriteArrayList<>();
   private final Map<Path, OverlayStore> overlays = new ConcurrentHashMap<>();
   private final Map<Path, List<WindowConfig>> windows = Collections.synchronizedMap(new LinkedHashMap<>());
-  private final ScheduledThreadPoolExecutor timer = executor("robotui-timer");
+  private final ScheduledThreadPoolExecutor timer = timer();
   private final ScheduledThreadPoolExecutor files = executor("robotui-files");
   private final HostEvents events = new HostEvents(notifier, ruics::remove);
   private final ConfigWatch configWatch = new ConfigWatch(files, this::reread);
@@ -98,6 +99,13 @@ public final class Core implements Host {
 
   private CompletableFuture<Void> typesChanged() {
     return CompletableFuture.allOf(ruics.stream().map(RuicRuntime::typesChanged).toArray(CompletableFuture<?>[]::new));
+  }
+
+  /** The end does not wait for those who plan something: what is planned after it is forgotten, not an error. */
+  static ScheduledThreadPoolExecutor timer() {
+    ScheduledThreadPoolExecutor timer = executor("robotui-timer");
+    timer.setRejectedExecutionHandler(new ThreadPoolExecutor.DiscardPolicy());
+    return timer;
   }
 
   private static ScheduledThreadPoolExecutor executor(String name) {

@@ -1,10 +1,8 @@
 package org.robotui.core.internal.life;
 
 import java.time.Duration;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -53,7 +51,7 @@ final class LateViews {
     String next = pause.map(p -> "; it is started again in " + p.toSeconds() + " s.")
         .orElse(", " + Revival.PAUSES.size() + " times in a row; it is not started again by itself" + bundle(instance)
             + ".");
-    slot.endLate(what + next);
+    slot.endLate(what + next, instance);
     Health failed = slot.health();
     pause.ifPresent(p -> later(p, () -> again(slot, instance, failed)));
   }
@@ -63,11 +61,7 @@ final class LateViews {
   }
 
   private void later(Duration pause, Runnable task) {
-    try {
-      services.timer().schedule(() -> worker.execute(task), pause.toNanos(), TimeUnit.NANOSECONDS);
-    } catch (RejectedExecutionException e) {
-      LOG.debug("All ends: nothing is started again");
-    }
+    services.timer().schedule(() -> worker.execute(task), pause.toNanos(), TimeUnit.NANOSECONDS);
   }
 
   /** Where nobody else has started or ended it meanwhile. */
@@ -83,11 +77,8 @@ final class LateViews {
     started.run();
   }
 
-  /** As one speaks of it: the map, the 3D scene; what the user has named keeps its name. */
+  /** Never by its title alone: some titles are plurals (Services, Joints), and some are names. */
   private static String named(UicSlot slot) {
-    String title = slot.title();
-    boolean plain = slot.config().title().isEmpty() && title.length() > 1 && Character.isLowerCase(title.charAt(1));
-    return plain ? "The " + title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1)
-        : "The view '" + title + "'";
+    return "The view '" + slot.title() + "'";
   }
 }

@@ -46,13 +46,16 @@ final class UicInstance implements UicContext, Instance {
   private final Background background;
   private final Background answers;
   private final AlertSource alerts;
+  private final Optional<Object> retained;
   private Optional<Ticker> ticker = Optional.empty();
   private volatile Optional<Uic> uic = Optional.empty();
 
-  UicInstance(ComponentConfig config, UicType type, Settings written, Supplier<Authority> fallback, RuicParts ruic) {
+  UicInstance(ComponentConfig config, UicType type, Settings written, Supplier<Authority> fallback, RuicParts ruic,
+      Optional<Object> retained) {
     this.config = config;
     this.type = type;
     this.ruic = ruic;
+    this.retained = retained;
     this.principal = ruic.services().stage().get().principal();
     String name = ruic.config().name() + "." + config.id();
     this.threads = new TrackedThreads(name, (thread, error) -> died(thread, error));
@@ -104,6 +107,11 @@ final class UicInstance implements UicContext, Instance {
   /** Whether the thread of its ticks has not ended. */
   boolean isTicking() {
     return ticker.filter(Ticker::isAlive).isPresent();
+  }
+
+  /** What its successor can go on with; nothing while a thread of its own may still change it. */
+  Optional<Object> retain() {
+    return isTicking() ? Optional.empty() : uic.flatMap(Uic::retain);
   }
 
   /** What has no surface, such as an alert, works whether its RUIC is seen or not. */
@@ -240,5 +248,10 @@ final class UicInstance implements UicContext, Instance {
   @Override
   public SettingsStore settings() {
     return settings;
+  }
+
+  @Override
+  public <T> Optional<T> retained(Class<T> type) {
+    return retained.filter(type::isInstance).map(type::cast);
   }
 }

@@ -18,6 +18,7 @@ final class UicSlot extends Slot<UicType, UicInstance> {
   private final Supplier<Authority> authority;
   private final RuicParts parts;
   private final Revival revival = new Revival();
+  private Optional<UicInstance> late = Optional.empty();
   private volatile boolean shown = true;
 
   UicSlot(ComponentConfig config, Supplier<Authority> authority, RuicParts ruic) {
@@ -30,6 +31,12 @@ final class UicSlot extends Slot<UicType, UicInstance> {
   void restart() {
     revival.begin();
     super.restart();
+  }
+
+  /** An instance took too long, or still does: it ends, and its successor goes on with what it retained. */
+  void endLate(String sentence, UicInstance instance) {
+    endLate(sentence);
+    late = Optional.of(instance);
   }
 
   /** When it is started again after it took too long. */
@@ -49,7 +56,9 @@ final class UicSlot extends Slot<UicType, UicInstance> {
 
   @Override
   UicInstance make(UicType of, Settings settings) {
-    return new UicInstance(config(), of, settings, authority, parts);
+    Optional<UicInstance> before = late.filter(instance -> instance.type().equals(of));
+    late = Optional.empty();
+    return new UicInstance(config(), of, settings, authority, parts, before.flatMap(UicInstance::retain));
   }
 
   /** False where its type is, or was when it was last there, for another surface than the application has. */

@@ -1,6 +1,7 @@
 package org.robotui.core.internal.host;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,6 +13,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -279,8 +282,8 @@ class CoreTest {
     });
     Ruic ruic = running();
     ruic.select("window");
-    Await.until("it is told",
-        () -> bench.alerts.contains("The fake view took longer than 2 s to answer; it is started again in 2 s."));
+    Await.until("it is told", () -> bench.alerts
+        .contains("The view 'Fake view' took longer than 2 s to answer; it is started again in 2 s."));
     Await.until("its thread has ended", () -> CoreBench.threads("pioneer.map").isEmpty());
     bench.await("teleop", RuicState.SELECTED);
   }
@@ -301,6 +304,23 @@ class CoreTest {
     int before = answers.get();
     Await.until("it answers again", () -> answers.get() > before + 1);
     bench.await("map", RuicState.SELECTED);
+    assertEquals(Optional.of(1), map.contexts.getLast().retained(Integer.class),
+        "it goes on with what the first one retained");
+    assertEquals(Optional.empty(), map.contexts.getLast().retained(String.class), "of another type it gets nothing");
+    ruic.restart("map");
+    Await.until("the user has started it", () -> map.contexts.size() == 3);
+    assertEquals(Optional.empty(), map.contexts.getLast().retained(Integer.class),
+        "who is started by the user begins anew");
+  }
+
+  @Test
+  void whatIsPlannedAfterTheEndIsForgotten() throws InterruptedException {
+    AtomicBoolean ran = new AtomicBoolean();
+    ScheduledThreadPoolExecutor timer = Core.timer();
+    timer.shutdownNow();
+    timer.schedule(() -> ran.set(true), 0, TimeUnit.MILLISECONDS);
+    assertTrue(timer.awaitTermination(10, TimeUnit.SECONDS));
+    assertFalse(ran.get());
   }
 
   @Test
@@ -317,7 +337,7 @@ class CoreTest {
     Ruic ruic = running();
     ruic.select("window");
     Await.until("it was looked at again",
-        () -> bench.status("map").reason().startsWith("The fake view still does not answer"));
+        () -> bench.status("map").reason().startsWith("The view 'Fake view' still does not answer"));
     assertEquals(1, map.contexts.size());
     holds.set(false);
     bench.await("map", RuicState.SELECTED);

@@ -1,6 +1,7 @@
 package org.robotui.core.internal.support;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
@@ -66,6 +67,11 @@ public class FakeView implements UicType {
       public boolean tick(long nowNanos) {
         ticks.incrementAndGet();
         return onTick.test(context);
+      }
+
+      @Override
+      public Optional<Object> retain() {
+        return Optional.of(contexts.size());
       }
 
       @Override

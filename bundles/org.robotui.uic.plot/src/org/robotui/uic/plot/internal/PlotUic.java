@@ -52,7 +52,9 @@ final class PlotUic implements SwtUic {
   PlotUic(UicContext context) {
     this.context = context;
     this.input = context.input(PlotType.VALUES);
-    this.engine = new PlotEngine(input, context.clock(), context.settings());
+    this.engine = context.retained(PlotEngine.class)
+        .map(before -> new PlotEngine(input, context.clock(), context.settings(), before))
+        .orElseGet(() -> new PlotEngine(input, context.clock(), context.settings()));
     this.exporter = new Exporter(context.background());
     this.edits = new Edits(context.settings());
     this.scene = engine.begin(System.nanoTime());
@@ -129,6 +131,11 @@ final class PlotUic implements SwtUic {
   @Override
   public List<ViewAction> actions() {
     return actions;
+  }
+
+  @Override
+  public Optional<Object> retain() {
+    return Optional.of(engine);
   }
 
   @Override

@@ -52,6 +52,18 @@ public final class PlotEngine {
     times.reset(spec.byStamp());
   }
 
+  /** Goes on with what another one has recorded, which records no more. */
+  public PlotEngine(Input<Data> input, RobotClock clock, SettingsStore settings, PlotEngine before) {
+    this.input = input;
+    this.clock = clock;
+    this.settings = settings;
+    this.read = before.read;
+    this.spec = before.spec;
+    this.epoch = before.epoch;
+    this.times = before.times;
+    this.traces.putAll(before.traces);
+  }
+
   /** Has robots asked for these too, to learn what fields they have. */
   public void watch(Set<SourceId> sources) {
     watched = Set.copyOf(sources);

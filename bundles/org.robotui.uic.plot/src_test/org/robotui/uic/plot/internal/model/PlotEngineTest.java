@@ -86,6 +86,34 @@ class PlotEngineTest {
   }
 
   @Test
+  void aViewThatIsStartedAgainGoesOnWithItsHistory() {
+    plot(X);
+    tick();
+    drive(1, 10);
+    drive(2, 20);
+    tick();
+    engine = new PlotEngine(input, clock, settings, engine);
+    drive(3, 30);
+    tick();
+    assertSamples(series(0), 1, 10, 2, 20, 3, 30);
+    assertEquals(Set.of(Robots.ODOM), input.chosen());
+  }
+
+  @Test
+  void whatIsNotPlottedAnyMoreIsNotTakenOver() {
+    plot(X);
+    tick();
+    drive(1, 10);
+    tick();
+    plot("base./odom:linear.y");
+    engine = new PlotEngine(input, clock, settings, engine);
+    tick();
+    plot(X);
+    tick();
+    assertSamples(series(0));
+  }
+
+  @Test
   void aNewEpochForgetsAll() {
     plot(X);
     tick();
