@@ -117,6 +117,20 @@ public final class StateView {
   }
 
   /**
+   * The part of an area in which the banner of old data covers no rows: below the last one where there is room, else at
+   * the lower edge, as the uppermost rows are those that are read first.
+   *
+   * @param area the area
+   * @param rowsEnd where the last row ends that is seen
+   * @return where to have {@link #paint} paint
+   */
+  public static Rectangle belowRows(Rectangle area, int rowsEnd) {
+    int lowest = area.y + Math.max(0, area.height - BANNER_HEIGHT - 2 * Theme.EDGE);
+    int top = Math.clamp(rowsEnd, area.y, lowest);
+    return new Rectangle(area.x, top, area.width, area.y + area.height - top);
+  }
+
+  /**
    * Paints a dot with a word and a sentence below it in the middle of an area.
    *
    * @param gc where to paint

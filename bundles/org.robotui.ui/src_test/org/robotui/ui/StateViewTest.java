@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.eclipse.swt.graphics.Rectangle;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.port.InputState;
 
@@ -33,6 +34,16 @@ class StateViewTest {
     assertEquals("lost for 12\u00a0s  \u00b7  base.map: nobody publishes /map any more", StateView.sentence(lost));
     assertEquals("stale 2.1\u00a0s", StateView.sentence((InputState.Stale) ALL.get(3)));
     assertTrue(StateView.showsContent(lost));
+  }
+
+  @Test
+  void theBannerOfOldDataCoversNoRowsWhereThereIsRoomBelowThem() {
+    Rectangle area = new Rectangle(0, 0, 200, 300);
+
+    assertEquals(new Rectangle(0, 56, 200, 244), StateView.belowRows(area, 56));
+    int low = StateView.belowRows(area, 300).y;
+    assertTrue(low > 200 && low < 300, "at the lower edge of a list that is full, not at " + low);
+    assertEquals(0, StateView.belowRows(new Rectangle(0, 0, 200, 10), 40).y);
   }
 
   @Test

@@ -64,7 +64,13 @@ final class RowPaint<R> {
       rows(gc);
       gc.setAlpha(OPAQUE);
     }
-    state.ifPresent(s -> states.paint(gc, area, s));
+    state.ifPresent(
+        s -> states.paint(gc, s instanceof InputState.Stale ? StateView.belowRows(area, rowsEnd()) : area, s));
+  }
+
+  private int rowsEnd() {
+    int end = list.scroll().end();
+    return end > list.scroll().first() ? list.at(end - 1).y + list.at(end - 1).height : 0;
   }
 
   private void rows(GC gc) {

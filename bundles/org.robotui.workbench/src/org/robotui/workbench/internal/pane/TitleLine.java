@@ -25,8 +25,8 @@ import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 
 /**
- * The line above views: their titles, the actions of the one that is seen, and its note. Titles for which there is no
- * room are in a menu. Display thread only.
+ * The line above views: their titles, the actions of the one that is seen, and its note. What there is no room for,
+ * titles and actions, is in a menu; the title of the view that is seen always stands there. Display thread only.
  */
 final class TitleLine extends Composite {
   static final int HEIGHT = 30;
@@ -40,6 +40,7 @@ final class TitleLine extends Composite {
   private final List<ActionButton> buttons = new ArrayList<>();
   private final QuietButton more;
   private TitleRow row = new TitleRow(List.of(), 0);
+  private ActionRow actionRow = new ActionRow(List.of(), List.of());
   private int shown;
   private String note = "";
   private boolean focused;
@@ -53,7 +54,7 @@ final class TitleLine extends Composite {
     this.titles = titles;
     this.chosen = chosen;
     setBackground(theme.color(Role.TITLE));
-    more = new QuietButton(this, theme, this::openMore).icon(Icon.MORE).hint("More views");
+    more = new QuietButton(this, theme, this::openMore).icon(Icon.MORE).hint("More");
     more.setVisible(false);
     addPaintListener(e -> paint(e.gc));
     addListener(SWT.MouseDown, this::press);
@@ -126,18 +127,32 @@ final class TitleLine extends Composite {
 
   private void place() {
     int right = getSize().x - Theme.STEP;
-    for (ActionButton each : buttons.reversed()) {
-      int width = each.button().computeSize(SWT.DEFAULT, BUTTON).x;
-      each.button().setBounds(right - width, (HEIGHT - BUTTON) / 2, width, BUTTON);
-      right -= width;
+    int[] sizes = buttons.stream().mapToInt(b -> b.button().computeSize(SWT.DEFAULT, BUTTON).x).toArray();
+    int[] widths = widths();
+    int title = Theme.EDGE + widths[shown] + (titles.size() > 1 ? moreWidth() : 0);
+    actionRow = ActionRow.of(sizes, right - title);
+    if (titles.size() == 1 && !actionRow.others().isEmpty()) {
+      actionRow = ActionRow.of(sizes, right - title - moreWidth());
     }
-    placeTitles();
+    for (int i = 0; i < sizes.length; i++) {
+      buttons.get(i).button().setVisible(actionRow.seen().contains(i));
+    }
+    for (int i : actionRow.seen().reversed()) {
+      right -= sizes[i];
+      buttons.get(i).button().setBounds(right, (HEIGHT - BUTTON) / 2, sizes[i], BUTTON);
+    }
+    placeTitles(widths);
   }
 
-  private void placeTitles() {
-    int width = more.computeSize(SWT.DEFAULT, BUTTON).x;
-    row = TitleRow.of(widths(), shown, Theme.EDGE, actionsLeft(), width);
-    more.setVisible(row.places().size() < titles.size());
+  private int moreWidth() {
+    return more.computeSize(SWT.DEFAULT, BUTTON).x;
+  }
+
+  private void placeTitles(int[] widths) {
+    int width = moreWidth();
+    int room = actionsLeft() - (actionRow.others().isEmpty() ? 0 : width);
+    row = TitleRow.of(widths, shown, Theme.EDGE, room, actionRow.others().isEmpty() ? width : 0);
+    more.setVisible(row.places().size() < titles.size() || !actionRow.others().isEmpty());
     more.setBounds(row.right() - 2 * Theme.STEP, (HEIGHT - BUTTON) / 2, width, BUTTON);
   }
 
@@ -159,11 +174,13 @@ final class TitleLine extends Composite {
   private void openMore() {
     PopupMenu menu = new PopupMenu(more);
     row.others(titles.size()).forEach(index -> menu.push(titles.get(index), () -> choose(index)));
+    actionRow.others().forEach(index -> menu.action(buttons.get(index).action()));
     menu.openBelow(more);
   }
 
   private int actionsLeft() {
-    return buttons.isEmpty() ? getSize().x - Theme.EDGE + 2 * Theme.STEP : buttons.getFirst().button().getLocation().x;
+    return actionRow.seen().isEmpty() ? getSize().x - Theme.EDGE + 2 * Theme.STEP
+        : buttons.get(actionRow.seen().getFirst()).button().getLocation().x;
   }
 
   private void paint(GC gc) {

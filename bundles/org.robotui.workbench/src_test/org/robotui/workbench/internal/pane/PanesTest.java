@@ -31,6 +31,7 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
+import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.display.StopKeys;
@@ -103,6 +104,18 @@ class PanesTest {
 
     assertEquals(1, camera.created);
     assertEquals("30 Hz", find(area, TitleLine.class).note());
+  }
+
+  @Test
+  void theTitleStandsAlsoWhereItsActionsTakeAllTheRoom() {
+    TitleLine line = new TitleLine(shell, theme, List.of("Joints"), index -> {});
+    line.setSize(220, TitleLine.HEIGHT);
+    line.actions(List.of(new ViewAction("degrees", "Angles in degrees", "", Optional.of(() -> true), () -> {}),
+        new ViewAction("yaml", "Copy as YAML", "copy", Optional.empty(), () -> {})));
+
+    List<QuietButton> seen = Controls.all(line, QuietButton.class).stream().filter(QuietButton::getVisible).toList();
+    assertEquals(2, seen.size(), "one action, and the button for what there is no room for");
+    assertTrue(seen.stream().allMatch(button -> button.getLocation().x >= 60), "none over the title");
   }
 
   @Test

@@ -91,7 +91,7 @@ final class SceneCanvas {
   private void over(GC gc, Rectangle area, Shot shot) {
     Lens lens = lens(shot.from());
     overlay.paint(gc, area,
-        new SceneOverlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeOpen()));
+        new SceneOverlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeSeen()));
     Optional<Selection> selection = parts.picks().selection();
     marks.paint(gc, selection.isPresent() ? SceneOverlay.besideCard(area) : area, lens, surface.tools());
     selection.ifPresent(s -> overlay.card(gc, area, s));

@@ -201,6 +201,15 @@ public final class SceneSurface {
     return parts.settings().current().flag(SceneOptions.TREE);
   }
 
+  /** It may be open, and yet there is no room for it beside the picture. */
+  boolean treeSeen() {
+    return treeOpen() && hasRoom(root.getSize().x);
+  }
+
+  static boolean hasRoom(int width) {
+    return width == 0 || width >= TREE_WIDTH + LEAST_PICTURE;
+  }
+
   void toggleTree() {
     parts.edits().tree(!treeOpen());
     refresh();
@@ -211,8 +220,7 @@ public final class SceneSurface {
   }
 
   private void arrange() {
-    boolean room = root.getSize().x == 0 || root.getSize().x >= TREE_WIDTH + LEAST_PICTURE;
-    if (Boxes.seen(tree.control(), treeOpen() && room)) {
+    if (Boxes.seen(tree.control(), treeSeen())) {
       root.layout();
     }
   }
