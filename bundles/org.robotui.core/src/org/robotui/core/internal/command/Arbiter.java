@@ -137,11 +137,11 @@ public final class Arbiter implements Authority {
 
   private Optional<Refused> noLease(Principal principal) {
     if (holder.filter(h -> !h.equals(principal)).isPresent()) {
-      return refused(Why.NO_LEASE, holder.get().label() + " has the control of " + robot + "; take it over first");
+      return refused(Why.NO_LEASE, holder.get().label() + " has control of " + robot + "; take it over first");
     }
     boolean needed = ports.isEmpty() || ports.stream().anyMatch(p -> p.safety().leaseNeeded());
     return holder.isEmpty() && needed
-        ? refused(Why.NO_LEASE, "nobody has the control of " + robot + "; take it first")
+        ? refused(Why.NO_LEASE, "nobody has control of " + robot + "; take control first")
         : Optional.empty();
   }
 

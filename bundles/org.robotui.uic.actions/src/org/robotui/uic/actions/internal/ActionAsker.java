@@ -53,7 +53,7 @@ final class ActionAsker implements Asker {
 
   private Optional<String> holder(Authority authority) {
     return authority.take(context.principal(), false) instanceof LeaseOutcome.HeldBy other
-        ? Optional.of(other.holder().label() + " has the control of " + authority.robot() + "; take it over first")
+        ? Optional.of(other.holder().label() + " has control of " + authority.robot() + "; take it over first")
         : Optional.empty();
   }
 

@@ -284,7 +284,7 @@ final class CameraSurface {
     }
     legend().ifPresent(l -> {
       cells.add(new HoverBar.Cell(l.map().label(), false, "Other colours (C)", () -> choices.nextMap(l.map())));
-      cells.add(new HoverBar.Cell(l.follows() ? "Auto" : "Held", !l.follows(),
+      cells.add(new HoverBar.Cell(l.follows() ? "Auto range" : "Fixed range", !l.follows(),
           l.follows() ? "Fix the range (R)" : "Let the range follow the picture (R)", () -> holdOrFollow(l)));
     });
     cells.add(new HoverBar.Cell("\u2026", false, "All settings of the view", this::openMenu));

@@ -17,7 +17,7 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
   /** What can be pressed there. */
   enum Button {
     TAKE("Take control"),
-    GIVE_BACK("Give back"),
+    RELEASE_CONTROL("Release control"),
     ASK("Take over\u2026"),
     TAKE_OVER("Take over"),
     CANCEL("Cancel"),
@@ -76,17 +76,17 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
     if (!StateView.showsContent(look.output())) {
       // The reason stands in place of the stick.
       return new TeleopFooter(Health.WARNING, List.of("Cannot drive: " + look.output().explanation(), "Cannot drive"),
-          List.of(Button.GIVE_BACK));
+          List.of(Button.RELEASE_CONTROL));
     }
     if (!(look.output() instanceof InputState.Live)) {
       return held("Cannot drive", look.output().explanation());
     }
     if (look.navigates() && !look.held() && look.refusal().isEmpty()) {
-      return navigating(look, Button.GIVE_BACK);
+      return navigating(look, Button.RELEASE_CONTROL);
     }
     return look.refusal().map(why -> held("Not sent", why))
         .orElseGet(() -> new TeleopFooter(Health.OK, List.of("You control " + look.robot(), "You have control"),
-            List.of(Button.GIVE_BACK)));
+            List.of(Button.RELEASE_CONTROL)));
   }
 
   private static TeleopFooter navigating(TeleopViewState look, Button button) {
@@ -97,7 +97,7 @@ record TeleopFooter(Health health, List<String> texts, List<Button> buttons) {
   }
 
   private static TeleopFooter held(String what, String why) {
-    return new TeleopFooter(Health.WARNING, List.of(what + ": " + why), List.of(Button.GIVE_BACK));
+    return new TeleopFooter(Health.WARNING, List.of(what + ": " + why), List.of(Button.RELEASE_CONTROL));
   }
 
   private static TeleopFooter other(String name, boolean asking) {

@@ -141,7 +141,7 @@ final class TeleopSurface {
   private void pressed(Button button) {
     switch (button) {
       case TAKE -> driver.take();
-      case GIVE_BACK -> driver.giveBack();
+      case RELEASE_CONTROL -> driver.giveBack();
       case ASK -> driver.ask(true);
       case CANCEL -> driver.ask(false);
       case TAKE_OVER -> driver.takeOver();

@@ -262,7 +262,7 @@ class DriverTest {
     TeleopFooter footer = TeleopFooter.of(driver.look(0));
     assertEquals(Health.WARNING, footer.health());
     assertEquals("Cannot drive: base.cmd: no link (retry 4 s)", footer.text());
-    assertEquals(List.of(Button.GIVE_BACK), footer.buttons());
+    assertEquals(List.of(Button.RELEASE_CONTROL), footer.buttons());
     output.state(new InputState.Stale(2, "the link is lost"));
     assertEquals("Cannot drive: the link is lost", TeleopFooter.of(driver.look(0)).text());
   }

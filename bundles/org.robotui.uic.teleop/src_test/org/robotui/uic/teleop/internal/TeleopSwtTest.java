@@ -151,7 +151,7 @@ class TeleopSwtTest {
     assertEquals(Optional.of(FakeAuthority.ANNA), context.authority().holder());
     press(TeleopFooter.Button.TAKE_OVER);
     assertEquals(Optional.of(FakeAuthority.YOU), context.authority().holder());
-    press(TeleopFooter.Button.GIVE_BACK);
+    press(TeleopFooter.Button.RELEASE_CONTROL);
     assertEquals(Optional.empty(), context.authority().holder());
   }
 

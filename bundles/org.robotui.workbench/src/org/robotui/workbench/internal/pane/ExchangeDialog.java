@@ -84,7 +84,7 @@ public final class ExchangeDialog {
     tryIt = button(buttons, this::tryIt).icon(Icon.PLAY).text("Try")
         .hint("Connect beside the running interface, and show what would become of the connections");
     exchange =
-        button(buttons, this::exchange).text("Exchange").hint("Stop what is driven, give back the lease, and exchange");
+        button(buttons, this::exchange).text("Exchange").hint("Stop what is driven, release control, and exchange");
     shell.addListener(SWT.Dispose, e -> model.close());
     shell.addListener(SWT.Traverse, e -> e.doit = e.detail == SWT.TRAVERSE_ESCAPE || e.doit);
     place(parent.getBounds());

@@ -15,7 +15,7 @@ import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.model.Lease;
 
-/** Who drives; a press takes the lease or gives it back. Display thread only. */
+/** Who drives; a press takes control or releases it. Display thread only. */
 final class LeaseLamp extends Canvas {
   private static final int CORNER = 10;
 

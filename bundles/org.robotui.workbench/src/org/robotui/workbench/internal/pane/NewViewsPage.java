@@ -63,7 +63,7 @@ final class NewViewsPage extends Composite {
     reason = new ShortenedLabel(this, theme, Face.BODY, Role.DIM, "");
     reason.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     table = new RowTable<>(this, theme, List.of(
-        Column.words("", (NewViewRow r) -> r.port().isPresent() ? "" : r.chosen() ? "chosen" : "left out")
+        Column.words("", (NewViewRow r) -> r.port().isPresent() ? "" : r.chosen() ? "selected" : "not selected")
             .painted(this::box).width(36).weight(0),
         Column.words("View", NewViewRow::label).painted(this::label).hint(NewViewRow::hint).weight(0.8),
         Column.words("State", NewViewRow::state).dot(NewViewRow::health).role(r -> r.health().role()).width(120)

@@ -37,7 +37,7 @@ final class GpsMenu {
     menu.push("Copy " + GeoText.sexagesimal(place), () -> Clipboards.copy(GeoText.sexagesimal(place)));
     menu.push("Measure from here", () -> view.measureFrom(place));
     menu.push("Centre here", () -> view.center(place));
-    menu.push("Count metres from here", () -> choices.origin(Optional.of(place)));
+    menu.push("Set the origin here", () -> choices.origin(Optional.of(place)));
     menu.line();
   }
 
@@ -57,7 +57,7 @@ final class GpsMenu {
       });
       receiver.place().ifPresent(p -> {
         sub.push("Copy " + GeoText.decimal(p), () -> Clipboards.copy(GeoText.plain(p)));
-        sub.push("Count metres from there", () -> choices.origin(Optional.of(p)));
+        sub.push("Set the origin there", () -> choices.origin(Optional.of(p)));
         sub.push("Measure from there", () -> view.measureFrom(p));
       });
     }
@@ -68,7 +68,7 @@ final class GpsMenu {
     GpsOptions options = choices.options();
     menu.push("Show all\t0", () -> view.mover().fit());
     menu.check("Measure\tM", view.measuring(), on -> view.toggleRuler());
-    menu.check("Count metres from the first fix", options.origin().isEmpty(),
+    menu.check("Origin at the first fix", options.origin().isEmpty(),
         on -> choices.origin(on ? Optional.empty() : model.snapshot().plane().map(p -> p.origin())));
     menu.push("Clear the tracks", model::clear);
     menu.line();

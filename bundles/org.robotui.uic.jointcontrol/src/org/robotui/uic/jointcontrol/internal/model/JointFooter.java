@@ -23,7 +23,7 @@ public record JointFooter(Health health, String text, List<Button> buttons) {
     /** The other answer. */
     CANCEL("Cancel"),
     /** Gives control of the robot back. */
-    GIVE_BACK("Give back"),
+    RELEASE_CONTROL("Release control"),
     /** Unlatches the stop. */
     RELEASE_STOP("Release");
 
@@ -75,7 +75,7 @@ public record JointFooter(Health health, String text, List<Button> buttons) {
   }
 
   private static JointFooter monitor(DriveLook look) {
-    List<Button> back = look.mine() ? List.of(Button.GIVE_BACK) : List.of();
+    List<Button> back = look.mine() ? List.of(Button.RELEASE_CONTROL) : List.of();
     Optional<String> warning = look.told().or(() -> look.blocked().map(why -> "Cannot drive: " + why));
     return warning.map(words -> new JointFooter(look.told().isPresent() ? Health.WARNING : Health.NONE, words, back))
         .orElseGet(() -> new JointFooter(Health.NONE, "Monitoring: this view commands nothing", back));

@@ -196,7 +196,7 @@ public final class JointsSurface implements TableHands.Deeds {
       case DRIVE -> driver.confirm(false);
       case TAKE_OVER -> driver.confirm(true);
       case CANCEL -> driver.cancel();
-      case GIVE_BACK -> driver.giveBack();
+      case RELEASE_CONTROL -> driver.giveBack();
       case RELEASE_STOP -> driver.releaseStop();
     }
     pressed();

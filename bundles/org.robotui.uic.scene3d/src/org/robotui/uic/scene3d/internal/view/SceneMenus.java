@@ -166,7 +166,7 @@ final class SceneMenus {
         .ifPresent(n -> parts.edits().keep(n, parts.rig().aim())));
     menu.push("Start with this view", () -> parts.edits().keep(Edits.START, parts.rig().aim()));
     if (!parts.edits().views().isEmpty()) {
-      PopupMenu forget = menu.under("Forget");
+      PopupMenu forget = menu.under("Delete a saved view");
       parts.edits().views().keySet().forEach(name -> forget.push(name, () -> parts.edits().forget(name)));
     }
   }

@@ -111,7 +111,7 @@ public final class Tour {
     }
     if (authority.holder().filter(principal::equals).isEmpty()) {
       return Optional.of(authority.holder().map(other -> other.label() + " controls " + authority.robot() + " now")
-          .orElse("the lease was given back"));
+          .orElse("control was released"));
     }
     if (!(goals.state() instanceof InputState.Live)) {
       return Optional.of(goals.state().explanation());

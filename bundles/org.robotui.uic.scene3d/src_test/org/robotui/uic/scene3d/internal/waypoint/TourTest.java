@@ -94,7 +94,7 @@ class TourTest {
     begin();
     context.authority().giveBack(FakeAuthority.YOU);
     at(0.9, 0, 0);
-    assertTrue(ended().endsWith("the lease was given back"));
+    assertTrue(ended().endsWith("control was released"));
     assertEquals(2, sent().size());
   }
 
