@@ -1,11 +1,13 @@
 """The X server of a window ends: what a real master and a robot that is driven know of it afterwards."""
 import shutil
 import subprocess
+import time
 import xmlrpc.client
 
 import pytest
 
 from conftest import Robot, start_robotui, wait_for
+from desktop import Keys, Motion, Window, missing
 
 DISPLAY_LOST = 1
 RUIC = "ruics:\n  Natalie:\n    type: {type}\n    rfics:\n      base: {{type: ros}}\n"
@@ -48,6 +50,41 @@ def test_a_window_that_loses_its_display_leaves_its_master(roscore, screen, tmp_
     said = window.err.read_text()
     assert "has lost its display" in said
     assert "not ended in time" not in said
+
+
+def test_a_robot_that_is_driven_is_stopped_by_us_when_the_display_is_lost(simulator, processes, environment, screen, monkeypatch):
+    if missing() or shutil.which("openbox") is None:
+        pytest.skip("driving in a window needs openbox, and " + missing())
+    monkeypatch.setenv("DISPLAY", screen.name)
+    processes.start(["openbox"], "openbox", environment | {"DISPLAY": screen.name})
+    said = simulator.start_tool("rostopic", "echo", "-p", "/cmd_vel", name="commands")
+    window = Window.open(Robot(processes, simulator.uri, environment | {"DISPLAY": screen.name}), "ros")
+    wait_for(window.is_live, seconds=60, what="a live robot")
+    motion = Motion(simulator)
+    keys = Keys()
+    for patience in (4, 8, 16):
+        window.click(wait_for(window.stick, what="the stick"))
+        keys.hold("w")
+        if drives_soon(motion, patience):
+            break
+        keys.let_go()
+
+    assert motion.drives()
+    screen.kill()
+
+    assert window.process.wait(20) == DISPLAY_LOST
+    wait_for(motion.stands, seconds=5, what="standstill")
+    speeds = [float(line.split(",")[1]) for line in said.out.read_text().splitlines()[1:]]
+    assert max(speeds) > 0.1
+    assert speeds[-1] == 0, "the robot was told to stand, and did not have to wait for its own time-out"
+
+
+def drives_soon(motion, patience):
+    """A display that was busy for too long stops the robot until the key comes again."""
+    end = time.monotonic() + patience
+    while time.monotonic() < end and not motion.drives():
+        time.sleep(0.05)
+    return motion.drives()
 
 
 def titled(surroundings):

@@ -54,6 +54,19 @@ def test_it_has_what_belongs_to_a_product(product):
         assert (product / name).exists(), name
 
 
+def test_its_documentation_has_a_page_for_each_view_and_no_link_that_leads_nowhere(product):
+    pages = product / "documentation"
+    views = {file.stem for file in (ROOT / "docs/views").glob("*.md")}
+
+    assert (pages / "index.html").exists()
+    assert {file.stem for file in (pages / "docs/views").glob("*.html")} == views
+    for page in pages.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        assert "| --- |" not in text and "|---|" not in text, f"{page}: a table that is none"
+        for link in re.findall(r'(?:href|src)="([^"#]+)', text):
+            assert re.match("https?:", link) or (page.parent / link).exists(), f"{page}: {link}"
+
+
 def test_each_says_which_version_it_is(product):
     for program in (product / "robotui", ROOT / "robotui"):
         said = run(program, "--version")

@@ -124,9 +124,8 @@ public final class StopRecord {
         return Optional.empty();
       }
       Files.delete(left);
-      return Optional
-          .of("an earlier RobotUI (process " + pid + ") ended like this, and no stop of it is latched any more: "
-              + String.join("; ", all.subList(1, all.size())));
+      return Optional.of("an earlier RobotUI (process " + pid + ") has ended, and its stops with it. Before that: "
+          + String.join("; ", all.subList(1, all.size())));
     } catch (IOException e) {
       LOG.warn("{} cannot be read", left, e);
       return Optional.empty();

@@ -63,12 +63,18 @@ public final class RuicSurface extends Composite {
 
   /** All its views, in the order of the layout. */
   public List<ViewEntry> views() {
-    List<String> failed = ruic.snapshot().components().stream().filter(c -> c.state() == RuicState.FAILED)
-        .map(ComponentStatus::id).toList();
+    List<ComponentStatus> components = ruic.snapshot().components();
+    List<String> failed =
+        components.stream().filter(c -> c.state() == RuicState.FAILED).map(ComponentStatus::id).toList();
     return stacks.stream().flatMap(s -> s.holders()
-        .map(h -> new ViewEntry(h.id(), ruic.title(h.id()), failed.contains(h.id()), s.isSeen(h), h.actions(),
-            h.keys())))
+        .map(h -> new ViewEntry(h.id(), type(components, h.id()), ruic.title(h.id()), failed.contains(h.id()),
+            s.isSeen(h), h.actions(), h.keys())))
         .toList();
+  }
+
+  private static String type(List<ComponentStatus> components, String id) {
+    return components.stream().filter(c -> c.kind() == ComponentStatus.Kind.UIC && c.id().equals(id)).findFirst()
+        .map(ComponentStatus::type).orElse("");
   }
 
   /** Brings a view to the front of its tabs and gives it the keys. */
