@@ -6,10 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.SWTException;
-import org.eclipse.swt.graphics.ImageData;
-import org.eclipse.swt.graphics.ImageLoader;
+import org.robotui.api.config.WriteFailure;
+import org.robotui.ui.PngFile;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.SaveDialog;
 
@@ -44,15 +42,13 @@ public final class DiagramSaver {
   public static Optional<String> write(DiagramCanvas canvas, Theme theme, Path file) {
     try {
       if (file.toString().toLowerCase(Locale.ROOT).endsWith(PNG)) {
-        ImageLoader loader = new ImageLoader();
-        loader.data = new ImageData[]{canvas.picture()};
-        loader.save(file.toString(), SWT.IMAGE_PNG);
+        PngFile.write(canvas.picture(), file);
       } else {
         Files.writeString(file, DiagramSvg.write(canvas.diagram(), theme.palette()), StandardCharsets.UTF_8);
       }
       return Optional.empty();
-    } catch (IOException | SWTException e) {
-      return Optional.of("The drawing was not saved: " + e.getMessage());
+    } catch (IOException e) {
+      return Optional.of("The drawing was not saved: " + WriteFailure.reason(e));
     }
   }
 }

@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import org.robotui.api.RuicType;
 import org.robotui.api.config.Schema;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.api.host.CompositionText;
 import org.robotui.api.host.CompositionText.Field;
 import org.robotui.api.host.CompositionText.Refused;
@@ -144,7 +145,7 @@ final class Drafting {
     } catch (FileAlreadyExistsException e) {
       return new Refused(Field.FILE, path + " has come meanwhile; look again at what would be written");
     } catch (IOException e) {
-      return new Refused(Field.FILE, path + " cannot be written: " + e.getMessage());
+      return new Refused(Field.FILE, path + " cannot be written: " + WriteFailure.reason(e));
     }
   }
 }

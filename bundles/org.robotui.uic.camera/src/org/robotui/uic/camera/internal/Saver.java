@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.entity.image.Picture;
 import org.robotui.entity.image.PicturePng;
 
@@ -55,7 +56,9 @@ final class Saver {
       }
       Files.write(Path.of(file), bytes.get());
       return "saved " + file;
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException e) {
+      return "cannot save " + file + ": " + WriteFailure.reason(e);
+    } catch (RuntimeException e) {
       return "cannot save " + file + ": " + (e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage());
     }
   }

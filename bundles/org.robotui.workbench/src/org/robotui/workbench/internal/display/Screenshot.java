@@ -1,13 +1,13 @@
 package org.robotui.workbench.internal.display;
 
+import java.io.IOException;
 import java.nio.file.Path;
-import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Image;
 import org.eclipse.swt.graphics.ImageData;
-import org.eclipse.swt.graphics.ImageLoader;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Shell;
+import org.robotui.ui.PngFile;
 
 /** Saves the picture of a window. Display thread only. */
 public final class Screenshot {
@@ -18,9 +18,9 @@ public final class Screenshot {
    *
    * @param shell the window
    * @param file a PNG file; replaced where it exists
-   * @throws org.eclipse.swt.SWTException where it cannot be written
+   * @throws IOException where it cannot be written
    */
-  public static void save(Shell shell, Path file) {
+  public static void save(Shell shell, Path file) throws IOException {
     shell.update();
     Rectangle area = shell.getClientArea();
     Rectangle place = shell.getDisplay().map(shell, null, area);
@@ -28,9 +28,8 @@ public final class Screenshot {
     GC gc = new GC(shell.getDisplay());
     gc.copyArea(image, place.x, place.y);
     gc.dispose();
-    ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[]{image.getImageData()};
+    ImageData data = image.getImageData();
     image.dispose();
-    loader.save(file.toString(), SWT.IMAGE_PNG);
+    PngFile.write(data, file);
   }
 }

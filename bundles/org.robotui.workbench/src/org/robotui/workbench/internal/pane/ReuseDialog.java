@@ -19,6 +19,7 @@ import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.FileDialog;
 import org.eclipse.swt.widgets.Shell;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.ReuseReport.Pair;
 import org.robotui.api.host.ReuseReport.Row;
@@ -199,7 +200,7 @@ public final class ReuseDialog {
       Files.writeString(file, text.get());
       said.show(Health.OK, "Saved as " + file);
     } catch (IOException e) {
-      said.show(Health.BAD, file + " cannot be written: " + e.getMessage());
+      said.show(Health.BAD, file + " cannot be written: " + WriteFailure.reason(e));
     }
   }
 

@@ -1,11 +1,11 @@
 package org.robotui.workbench.internal.rcp;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.SWTException;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.IWorkbenchWindow;
@@ -14,6 +14,7 @@ import org.eclipse.ui.application.IWorkbenchConfigurer;
 import org.eclipse.ui.application.IWorkbenchWindowConfigurer;
 import org.eclipse.ui.application.WorkbenchAdvisor;
 import org.eclipse.ui.application.WorkbenchWindowAdvisor;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.workbench.internal.Suspects;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
@@ -127,8 +128,8 @@ public final class RobotWorkbenchAdvisor extends WorkbenchAdvisor {
   private static void picture(Path file) {
     try {
       Screenshot.save(PlatformUI.getWorkbench().getWorkbenchWindows()[0].getShell(), file);
-    } catch (SWTException e) {
-      LOG.error("{} could not be written", file, e);
+    } catch (IOException e) {
+      LOG.error("{} could not be written: {}", file, WriteFailure.reason(e));
     }
   }
 }

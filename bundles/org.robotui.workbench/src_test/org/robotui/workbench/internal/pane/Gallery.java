@@ -1,5 +1,6 @@
 package org.robotui.workbench.internal.pane;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
@@ -37,7 +38,7 @@ final class Gallery {
 
   private Gallery() {}
 
-  public static void main(String[] words) {
+  public static void main(String[] words) throws IOException {
     Display display = new Display();
     Theme theme = Themes.of(display, words[0]);
     Shell shell = new Shell(display, SWT.NO_TRIM);

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.robotui.api.config.WriteFailure;
 
 /** Writes the list to a text file. May block. */
 public final class LogFile {
@@ -19,7 +20,7 @@ public final class LogFile {
         out.newLine();
       }
     } catch (IOException e) {
-      return "cannot write " + file + ": " + e.getMessage();
+      return "cannot write " + file + ": " + WriteFailure.reason(e);
     }
     return "saved " + lines.size() + " entries to " + file;
   }

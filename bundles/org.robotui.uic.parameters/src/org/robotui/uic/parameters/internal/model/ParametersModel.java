@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.UicContext;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.api.port.BrowseInput;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
@@ -218,7 +219,7 @@ public final class ParametersModel {
     } catch (CallException e) {
       return new ParameterNotice(Health.BAD, "Nothing was written: " + e.getMessage());
     } catch (IOException e) {
-      return new ParameterNotice(Health.BAD, file + " could not be written: " + e.getMessage());
+      return new ParameterNotice(Health.BAD, file + " could not be written: " + WriteFailure.reason(e));
     }
   }
 

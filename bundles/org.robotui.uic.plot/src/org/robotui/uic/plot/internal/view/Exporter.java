@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.uic.plot.internal.model.CsvExport;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.model.TraceView;
@@ -50,7 +51,9 @@ public final class Exporter {
     try (Writer out = Files.newBufferedWriter(Path.of(file), StandardCharsets.UTF_8)) {
       long rows = export.write(out);
       say("saved " + rows + " rows to " + file, true);
-    } catch (IOException | InvalidPathException e) {
+    } catch (IOException e) {
+      say("cannot write " + file + ": " + WriteFailure.reason(e), false);
+    } catch (InvalidPathException e) {
       say("cannot write " + file + ": " + e.getMessage(), false);
     }
   }

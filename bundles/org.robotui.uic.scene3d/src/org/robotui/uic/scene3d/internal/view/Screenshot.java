@@ -1,16 +1,16 @@
 package org.robotui.uic.scene3d.internal.view;
 
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.SWTException;
 import org.eclipse.swt.graphics.ImageData;
-import org.eclipse.swt.graphics.ImageLoader;
 import org.eclipse.swt.graphics.PaletteData;
 import org.eclipse.swt.widgets.Display;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.Health;
+import org.robotui.ui.PngFile;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneParts;
@@ -45,14 +45,12 @@ final class Screenshot {
       String why = made instanceof Rendered.Unavailable none ? none.reason() : "the scene was closed";
       return new CommandNotice(Health.BAD, "Not saved: " + why);
     }
-    ImageLoader loader = new ImageLoader();
-    loader.data = new ImageData[]{data(picture)};
     try {
-      loader.save(file.toString(), SWT.IMAGE_PNG);
+      PngFile.write(data(picture), file);
       return new CommandNotice(Health.OK,
           "Saved " + file.getFileName() + " (" + picture.width() + " \u00d7 " + picture.height() + ")");
-    } catch (SWTException e) {
-      return new CommandNotice(Health.BAD, "Not saved: " + e.getMessage());
+    } catch (IOException e) {
+      return new CommandNotice(Health.BAD, "Not saved: " + WriteFailure.reason(e));
     }
   }
 

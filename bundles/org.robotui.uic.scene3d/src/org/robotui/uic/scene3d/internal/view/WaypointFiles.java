@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.FileDialog;
+import org.robotui.api.config.WriteFailure;
 import org.robotui.ui.Health;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.ui.scene.CommandNotice;
@@ -84,7 +85,7 @@ final class WaypointFiles {
       return new CommandNotice(Health.OK, "Saved " + route.poses().size()
           + (route.poses().size() == 1 ? " waypoint to " : " waypoints to ") + file.getFileName());
     } catch (IOException e) {
-      return new CommandNotice(Health.BAD, "Not saved, " + file.getFileName() + ": " + e.getMessage());
+      return new CommandNotice(Health.BAD, "Not saved, " + file.getFileName() + ": " + WriteFailure.reason(e));
     }
   }
 }
