@@ -20,11 +20,12 @@ import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
 
 /**
- * Writes the texts of the repository as pages that a browser shows, for the products (docs/adr/0115): DocPages.java REPOSITORY FOLDER. Links between
- * texts become links between pages; of a link to anything else only its words stay.
+ * Writes the texts of the repository as pages that a browser shows, for the products (docs/adr/0115): DocPages.java
+ * REPOSITORY FOLDER. Links between texts become links between pages; of a link to anything else only its words stay.
  */
 public final class DocPages {
-  private static final List<String> AT_THE_TOP = List.of("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "THIRD-PARTY.md");
+  private static final List<String> AT_THE_TOP =
+      List.of("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "THIRD-PARTY.md");
   private static final Map<String, String> GROUPS = new LinkedHashMap<>();
   private static final Pattern HEADING = Pattern.compile("^# (.+)$", Pattern.MULTILINE);
   private static final String STYLE = """
@@ -73,7 +74,8 @@ public final class DocPages {
     }
     for (Path text : texts) {
       Matcher heading = HEADING.matcher(Files.readString(text));
-      titles.put(from.relativize(text).toString(), heading.find() ? heading.group(1).replace("`", "") : text.getFileName().toString());
+      titles.put(from.relativize(text).toString(),
+          heading.find() ? heading.group(1).replace("`", "") : text.getFileName().toString());
     }
   }
 
@@ -82,7 +84,8 @@ public final class DocPages {
       Node document = parser.parse(Files.readString(from.resolve(text.getKey())));
       document.accept(new PageLinks(text.getKey()));
       String up = "../".repeat((int) text.getKey().chars().filter(c -> c == '/').count());
-      save(page(text.getKey()), text.getValue(), "<nav><a href=\"" + up + "index.html\">All pages</a></nav>\n" + renderer.render(document));
+      save(page(text.getKey()), text.getValue(),
+          "<nav><a href=\"" + up + "index.html\">All pages</a></nav>\n" + renderer.render(document));
     }
     save("index.html", "RobotUI documentation", index());
     copyImages();
@@ -93,8 +96,9 @@ public final class DocPages {
     List<String> groups = List.of("", "docs/", "docs/views/", "docs/views/displays/", "docs/adr/");
     for (String group : groups) {
       body.append("<h2>").append(GROUPS.get(group)).append("</h2>\n<ul>\n");
-      titles.entrySet().stream().filter(text -> group(text.getKey()).equals(group)).forEach(text -> body.append("<li><a href=\"")
-          .append(page(text.getKey())).append("\">").append(escape(text.getValue())).append("</a></li>\n"));
+      titles.entrySet().stream().filter(text -> group(text.getKey()).equals(group))
+          .forEach(text -> body.append("<li><a href=\"")
+              .append(page(text.getKey())).append("\">").append(escape(text.getValue())).append("</a></li>\n"));
       body.append("</ul>\n");
     }
     return body.toString();
@@ -107,8 +111,10 @@ public final class DocPages {
   private void save(String page, String title, String body) throws IOException {
     Path file = to.resolve(page);
     Files.createDirectories(file.getParent());
-    Files.writeString(file, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
-        + escape(title) + "</title>\n<style>\n" + STYLE + "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n");
+    Files.writeString(file,
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
+            + escape(title) + "</title>\n<style>\n" + STYLE + "</style>\n</head>\n<body>\n" + body
+            + "</body>\n</html>\n");
   }
 
   private void copyImages() throws IOException {

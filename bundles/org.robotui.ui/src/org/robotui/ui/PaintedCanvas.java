@@ -34,8 +34,10 @@ public final class PaintedCanvas extends Canvas {
   private final Content content;
   private final Role ground;
   private final Display display;
+  private final Thread displayThread;
   private final AtomicBoolean requested = new AtomicBoolean();
   private final List<Runnable> atEnd = new ArrayList<>();
+  private boolean painting; // display thread; GTK may lose a request that comes meanwhile
   private long paintNanos;
   private long paints;
   private int zoom; // 0 for not known
@@ -66,6 +68,7 @@ public final class PaintedCanvas extends Canvas {
     this.content = content;
     this.ground = ground;
     this.display = getDisplay();
+    this.displayThread = display.getThread();
     setBackground(theme.color(ground));
     // Each paint sets its own foreground: one of the control would be read back from a style sheet, as text, before
     // every paint.
@@ -89,7 +92,9 @@ public final class PaintedCanvas extends Canvas {
 
   /** Has it painted soon, once for any number of calls. Any thread; after disposal it does nothing. */
   public void requestPaint() {
-    if (requested.compareAndSet(false, true) && !display.isDisposed()) {
+    if (Thread.currentThread() == displayThread && !painting) {
+      repaint(); // SWT makes one paint of many itself
+    } else if (requested.compareAndSet(false, true) && !display.isDisposed()) {
       display.asyncExec(this::repaint);
     }
   }
@@ -160,8 +165,13 @@ public final class PaintedCanvas extends Canvas {
     long start = System.nanoTime();
     GC gc = event.gc;
     Rectangle area = getClientArea();
-    ground(gc, area);
-    content.paint(gc, area);
+    painting = true;
+    try {
+      ground(gc, area);
+      content.paint(gc, area);
+    } finally {
+      painting = false;
+    }
     paints++;
     paintNanos = System.nanoTime() - start;
   }

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import org.robotui.api.UicType.Surface;
 import org.robotui.api.command.Principal;
 import org.robotui.api.config.Setting;
@@ -87,10 +88,22 @@ public interface Host {
   /**
    * Tells when RUICs, their states, matches, views or frames change.
    *
-   * @param listener is called on core threads; must not block
+   * @param listener is called on a thread of core that all such listeners share; must not block
    * @return ends the subscription when closed
    */
   Subscription listen(HostListener listener);
+
+  /**
+   * Tells when RUICs, their states, matches, views or frames change, where the listener wants to be told. At most one
+   * task of this listener waits to be executed: what happens again before that task runs is told once, in the order in
+   * which it happened first, so that a slow thread is never flooded.
+   *
+   * @param listener is called by the executor only; what it throws is logged, and it is told what comes next
+   * @param executor runs tasks later, one after another, and never on the calling thread: for example on the display
+   * thread
+   * @return ends the subscription when closed
+   */
+  Subscription listen(HostListener listener, Executor executor);
 
   /**
    * The display thread lives. An application with a window calls this from its display thread at least every 50 ms once

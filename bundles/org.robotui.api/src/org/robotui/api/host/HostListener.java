@@ -2,7 +2,7 @@ package org.robotui.api.host;
 
 import org.robotui.api.show.Subject;
 
-/** Is told of changes. Called on core threads; must not block. */
+/** Is told of changes, where {@link Host#listen} says; must not block. */
 public interface HostListener {
   /** A RUIC came or went. */
   default void ruicsChanged() {}

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -27,8 +28,11 @@ import org.robotui.api.host.WindowConfig;
 
 /** A host with RUICs that a test adds. Safe for all threads. */
 public final class FakeHost implements Host {
+  /** Who is told, and where. */
+  private record Told(HostListener listener, Executor executor) {}
+
   private final List<FakeRuic> ruics = new CopyOnWriteArrayList<>();
-  private final List<HostListener> listeners = new CopyOnWriteArrayList<>();
+  private final List<Told> listeners = new CopyOnWriteArrayList<>();
   private final List<String> calls = new CopyOnWriteArrayList<>();
   private final AtomicInteger heartbeats = new AtomicInteger();
   private volatile List<Problem> problems = List.of();
@@ -129,12 +133,12 @@ public final class FakeHost implements Host {
   }
 
   /**
-   * Tells all listeners, on the calling thread.
+   * Tells all listeners, those that named no executor on the calling thread.
    *
    * @param event what to tell them
    */
   public void tell(Consumer<HostListener> event) {
-    listeners.forEach(event);
+    listeners.forEach(told -> told.executor().execute(() -> event.accept(told.listener())));
   }
 
   /**
@@ -213,8 +217,15 @@ public final class FakeHost implements Host {
 
   @Override
   public Subscription listen(HostListener listener) {
-    listeners.add(listener);
-    return () -> listeners.remove(listener);
+    return listen(listener, Runnable::run);
+  }
+
+  /** Tells what a test tells by a task for each: it makes nothing of many one. */
+  @Override
+  public Subscription listen(HostListener listener, Executor executor) {
+    Told told = new Told(listener, executor);
+    listeners.add(told);
+    return () -> listeners.remove(told);
   }
 
   @Override

@@ -13,9 +13,10 @@ import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.ConfigChange;
 import org.robotui.api.host.Host;
+import org.robotui.api.host.Host.Subscription;
+import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Problem;
 import org.robotui.api.host.Ruic;
-import org.robotui.workbench.internal.display.HostHub;
 import org.robotui.workbench.internal.display.Overviewer;
 import org.robotui.workbench.internal.model.Alerts;
 import org.robotui.workbench.internal.model.Overview;
@@ -34,7 +35,7 @@ public final class WorkbenchSession {
   private final Arguments arguments;
   private final UserState state;
   private final ActiveTheme look;
-  private final HostHub hub;
+  private final Subscription following;
   private final Overviewer overviewer;
   private final Windows windows;
   private final Map<Object, WindowModel> models = new HashMap<>();
@@ -66,10 +67,9 @@ public final class WorkbenchSession {
     this.state = state;
     this.look = look;
     windows = new Windows(host);
-    hub = new HostHub(host, this::later);
     overviewer = new Overviewer(host, this::later, this::showAll);
     configurations = new Configurations(host, this::later, this::loaded, components);
-    hub.add(new HostHub.Client() {
+    following = listen(new HostListener() {
       @Override
       public void ruicsChanged() {
         windows.ruicsChanged();
@@ -127,9 +127,9 @@ public final class WorkbenchSession {
     return look;
   }
 
-  /** What core tells, on the display thread. */
-  public HostHub hub() {
-    return hub;
+  /** Tells a listener what core tells, on the display thread, until the result is closed. */
+  public Subscription listen(HostListener listener) {
+    return host.listen(listener, this::later);
   }
 
   /** What the windows show. */
@@ -244,7 +244,7 @@ public final class WorkbenchSession {
 
   /** Ends following the core. */
   public void close() {
-    hub.close();
+    following.close();
     overviewer.close();
     configurations.close();
   }

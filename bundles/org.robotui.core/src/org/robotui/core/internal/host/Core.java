@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
@@ -213,6 +214,11 @@ public final class Core implements Host {
   @Override
   public Subscription listen(HostListener listener) {
     return notifier.listen(listener);
+  }
+
+  @Override
+  public Subscription listen(HostListener listener, Executor executor) {
+    return notifier.listen(listener, executor);
   }
 
   @Override

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.osgi.framework.BundleContext;
@@ -163,6 +164,11 @@ public final class CoreComponent implements Host {
   @Override
   public Subscription listen(HostListener listener) {
     return core.listen(listener);
+  }
+
+  @Override
+  public Subscription listen(HostListener listener, Executor executor) {
+    return core.listen(listener, executor);
   }
 
   @Override

@@ -2,6 +2,8 @@ package org.robotui.core.internal.host;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
@@ -72,6 +74,73 @@ class NotifierTest {
     notifier.listen(slow);
     events.alert("", "message");
     Await.until("the other is told", () -> told.contains("message"));
+  }
+
+  /** Formerly two more places made one of many on the way to the display, each with a queue of its own. */
+  @Test
+  void atMostOneTaskOfAListenerWaitsWhereItWantsToBeTold() {
+    Deque<Runnable> display = new ArrayDeque<>();
+    notifier.listen(slow, display::add);
+    for (int i = 0; i < 100; i++) {
+      events.frameReady("r", "map");
+    }
+    events.frameReady("r", "camera");
+    assertEquals(1, display.size());
+    display.poll().run();
+    assertEquals(List.of("map", "camera"), told);
+
+    events.frameReady("r", "map");
+    display.poll().run();
+    assertEquals(List.of("map", "camera", "map"), told, "what comes after a task is told by the next");
+  }
+
+  @Test
+  void whatFailsInAListenerKeepsNeitherOthersNorItselfFromBeingTold() {
+    Deque<Runnable> display = new ArrayDeque<>();
+    notifier.listen(new HostListener() {
+      @Override
+      public void ruicChanged(String ruic) {
+        told.add(ruic);
+        throw new NoClassDefFoundError("a view whose bundle is incomplete");
+      }
+    }, display::add);
+    notifier.listen(slow, display::add);
+    events.changed("a");
+    events.changed("b");
+    events.alert("", "message");
+    display.forEach(Runnable::run);
+    assertEquals(List.of("a", "b", "message"), told);
+  }
+
+  @Test
+  void aListenerWhoseThreadHangsIsToldABoundedNumberOfThings() {
+    Deque<Runnable> display = new ArrayDeque<>();
+    notifier.listen(slow, display::add);
+    for (int i = 0; i < 20_000; i++) {
+      events.frameReady("r", "view " + i);
+    }
+    display.poll().run();
+    assertEquals(10_000, told.size());
+  }
+
+  @Test
+  void whoCannotBeReachedAnyMoreKeepsNobodyFromBeingTold() {
+    notifier.listen(slow, task -> {
+      throw new IllegalStateException("Device is disposed");
+    });
+    notifier.listen(slow, Runnable::run);
+    events.alert("", "message");
+    assertEquals(List.of("message"), told);
+  }
+
+  @Test
+  void whoStopsListeningIsNotToldWhatWaited() {
+    Deque<Runnable> display = new ArrayDeque<>();
+    Subscription subscription = notifier.listen(slow, display::add);
+    events.alert("", "message");
+    subscription.close();
+    display.poll().run();
+    assertEquals(List.of(), told);
   }
 
   @Test

@@ -9,12 +9,12 @@ import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.part.ViewPart;
 import org.robotui.api.host.ConfigChange;
+import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Ruic;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.Theme;
 import org.robotui.workbench.internal.WorkbenchServices;
 import org.robotui.workbench.internal.WorkbenchSession;
-import org.robotui.workbench.internal.display.HostHub;
 import org.robotui.workbench.internal.display.ShortcutsKey;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.RobotArea;
@@ -43,7 +43,7 @@ public final class RobotPart extends ViewPart {
     pane = new Rebuilt<>(parent, session, this::area, area -> {});
     List<Runnable> ends = List.of(
         model.onChange(this::show),
-        session.hub().add(client()),
+        session.listen(listener())::close,
         session.configurations().onChange(this::problems));
     parent.addListener(SWT.Dispose, e -> ends.forEach(Runnable::run));
     ShortcutsKey.listen(parent, () -> new WindowActions(session, getSite().getWorkbenchWindow()).shortcuts());
@@ -72,8 +72,8 @@ public final class RobotPart extends ViewPart {
     return area;
   }
 
-  private HostHub.Client client() {
-    return new HostHub.Client() {
+  private HostListener listener() {
+    return new HostListener() {
       @Override
       public void ruicChanged(String ruic) {
         if (isShown(ruic)) {
