@@ -7,6 +7,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Viewport;
 
@@ -15,9 +16,20 @@ public final class GridEntity implements Entity {
   private static final double LEAST_PIXELS = 44;
   private static final double QUIET = 0.55;
 
+  private volatile Ink ink = Ink.USUAL;
+
   /** A grid. */
   public GridEntity() {
     // Nothing to prepare: it depends on the viewport alone.
+  }
+
+  /**
+   * The colour. Any thread.
+   *
+   * @param chosen that of lines at the beginning
+   */
+  public void ink(Ink chosen) {
+    ink = chosen;
   }
 
   @Override
@@ -28,7 +40,7 @@ public final class GridEntity implements Entity {
     GC gc = painter.gc();
     // Lines along the axes are sharp on whole pixels without antialiasing.
     gc.setAntialias(SWT.OFF);
-    painter.width(1).stroke(Role.LINE);
+    painter.width(1).stroke(ink.of(painter.theme(), Role.LINE));
     for (double x : GridSteps.within(seen.minX(), seen.maxX(), step)) {
       int pixel = (int) Math.round(viewport.pixelX(x));
       painter.opacity(x == 0 ? 1 : QUIET);

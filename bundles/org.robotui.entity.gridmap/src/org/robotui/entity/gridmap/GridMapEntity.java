@@ -15,23 +15,27 @@ import org.robotui.ui.scene.Painter;
  * zoom, and of that the tiles that are seen.
  */
 public final class GridMapEntity implements Entity {
-  private static final double OVERLAY = 0.5;
   private static final int FREE_BELOW = 25;
   private static final int OCCUPIED_FROM = 65;
 
   private record Prepared(Pyramid pyramid, RigidTransform fixedFromGrid, Bounds bounds) {}
 
   private final TilePainter tiles = new TilePainter();
-  private final double opacity;
+  private volatile double opacity = 1;
   private volatile Optional<Prepared> prepared = Optional.empty();
 
+  /** Without a map. */
+  public GridMapEntity() {
+    // The first map comes with prepare.
+  }
+
   /**
-   * Without a map.
+   * How opaque it is painted. Any thread.
    *
-   * @param index 0 for a map that is painted solid; others are painted half transparent over it
+   * @param share 0 to 1; 1 at the beginning
    */
-  public GridMapEntity(int index) {
-    opacity = index == 0 ? 1 : OVERLAY;
+  public void opacity(double share) {
+    opacity = share;
   }
 
   /**

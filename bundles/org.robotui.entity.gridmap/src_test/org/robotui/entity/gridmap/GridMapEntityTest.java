@@ -21,7 +21,7 @@ class GridMapEntityTest {
     byte[] cells = new byte[10 * 5];
     cells[2 * 10 + 7] = 100;
     cells[3 * 10] = -1;
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     entity.prepare(new GridMap(FRAME, 0.5, 10, 5, ORIGIN, Bytes.of(cells)), RigidTransform.IDENTITY);
     assertEquals("map: occupied, 100\u00a0%", at(entity, 3.75, 1.25));
     assertEquals("map: free", at(entity, 3.25, 1.25));
@@ -31,7 +31,7 @@ class GridMapEntityTest {
 
   @Test
   void boundsHoldTheTurnedMap() {
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     entity.prepare(new GridMap(FRAME, 1, 4, 2, ORIGIN, Bytes.of(new byte[8])), RigidTransform.planar(10, 0, 0));
     Bounds b = entity.bounds().orElseThrow();
     assertEquals(12 - 2 * Math.sin(1), b.minX(), 1e-9);
@@ -41,7 +41,7 @@ class GridMapEntityTest {
 
   @Test
   void withoutAMapThereIsNothing() {
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     assertTrue(entity.bounds().isEmpty());
     assertTrue(entity.describeAt(0, 0, 1).isEmpty());
   }

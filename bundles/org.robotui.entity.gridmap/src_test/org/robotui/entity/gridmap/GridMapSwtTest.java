@@ -55,7 +55,7 @@ class GridMapSwtTest {
     Arrays.fill(cells, GridMap.UNKNOWN);
     cells[15 * 40 + 30] = 100;
     RigidTransform origin = RigidTransform.planar(-2, -1, 1);
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     entity.prepare(new GridMap(FRAME, 0.1, 40, 20, origin, Bytes.of(cells)), RigidTransform.IDENTITY);
     Viewport viewport = new Viewport(0, 0, 45, WIDTH, HEIGHT);
     ImageData picture = paint(entity, viewport);
@@ -69,7 +69,7 @@ class GridMapSwtTest {
   void tilesMeetWithoutASeam() {
     byte[] cells = new byte[600 * 300];
     Arrays.fill(cells, (byte) 100);
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     entity.prepare(new GridMap(FRAME, 0.05, 600, 300, RigidTransform.planar(-15, -7.5, 0), Bytes.of(cells)),
         RigidTransform.IDENTITY);
     Viewport viewport = new Viewport(-2.2, 0.013, 23.7, WIDTH, HEIGHT);
@@ -82,7 +82,7 @@ class GridMapSwtTest {
   @Test
   void aHugeMapIsPaintedInPartsAndThenQuickly() {
     int edge = 4000;
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     entity.prepare(new GridMap(FRAME, 0.05, edge, edge, RigidTransform.IDENTITY, Bytes.of(new byte[edge * edge])),
         RigidTransform.IDENTITY);
     Viewport all = new Viewport(100, 100, 1.4, WIDTH, HEIGHT);
@@ -102,7 +102,7 @@ class GridMapSwtTest {
 
   @Test
   void nothingOfTheDisplayIsLeftAfterDisposal() {
-    GridMapEntity entity = new GridMapEntity(0);
+    GridMapEntity entity = new GridMapEntity();
     entity.prepare(new GridMap(FRAME, 0.05, 900, 900, RigidTransform.IDENTITY, Bytes.of(new byte[900 * 900])),
         RigidTransform.IDENTITY);
     int before = display.getDeviceData().objects.length;

@@ -1,9 +1,6 @@
 package org.robotui.entity.laserscan;
 
-import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
-import org.eclipse.swt.graphics.Color;
 import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Figures;
@@ -11,16 +8,17 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 
 /** The newest scan: a dot per echo and, faintly, the space that the beams crossed. */
 public final class LaserScanEntity implements Entity {
-  private static final double DOT = 4;
   private static final double FAINT = 0.11;
 
   private volatile Optional<ScanShape> shape = Optional.empty();
   private volatile boolean fan = true;
-  private volatile OptionalInt trace = OptionalInt.empty();
+  private volatile Ink ink = Ink.USUAL;
+  private volatile double dot = 4;
 
   /** Without a scan. */
   public LaserScanEntity() {
@@ -52,12 +50,30 @@ public final class LaserScanEntity implements Entity {
   }
 
   /**
-   * Paints echoes and space in a colour of their own, to tell scans of several robots from one another. Any thread.
+   * The colour of echoes and space. Any thread.
    *
-   * @param of which colour of the theme's traces, from 0, taken modulo their number; none for that of lasers
+   * @param chosen that of lasers at the beginning
    */
-  public void tint(OptionalInt of) {
-    trace = of;
+  public void ink(Ink chosen) {
+    ink = chosen;
+  }
+
+  /**
+   * The edge of an echo. Any thread.
+   *
+   * @param pixels 4 at the beginning
+   */
+  public void size(double pixels) {
+    dot = pixels;
+  }
+
+  /**
+   * How many echoes the newest scan has. Any thread.
+   *
+   * @return 0 without a scan
+   */
+  public int echoes() {
+    return shape.map(ScanShape::echoCount).orElse(0);
   }
 
   @Override
@@ -76,16 +92,11 @@ public final class LaserScanEntity implements Entity {
   }
 
   private void paint(Painter painter, ScanShape s) {
-    OptionalInt own = trace;
+    Ink own = ink;
     if (fan) {
-      fill(painter.opacity(FAINT), own, Role.ACCENT).area(s.fan(), s.fan().length / 2);
+      painter.opacity(FAINT).fill(own.of(painter.theme(), Role.ACCENT)).area(s.fan(), s.fan().length / 2);
     }
-    fill(painter.opacity(1), own, Role.LASER).points(s.echoes(), s.echoCount(), DOT);
-  }
-
-  private static Painter fill(Painter painter, OptionalInt own, Role usual) {
-    List<Color> traces = painter.theme().traces();
-    return own.isEmpty() ? painter.fill(usual) : painter.fill(traces.get(own.getAsInt() % traces.size()));
+    painter.opacity(1).fill(own.of(painter.theme(), Role.LASER)).points(s.echoes(), s.echoCount(), dot);
   }
 
   private static Optional<Description> describe(ScanShape s, double x, double y, double tolerance) {

@@ -1,5 +1,5 @@
 /**
  * A laser scan: echoes and the space that the beams crossed.
  */
-@org.osgi.annotation.versioning.Version("1.1.0")
+@org.osgi.annotation.versioning.Version("2.0.0")
 package org.robotui.entity.laserscan;

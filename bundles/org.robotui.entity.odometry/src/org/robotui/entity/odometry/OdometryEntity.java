@@ -7,10 +7,12 @@ import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;
+import org.robotui.ui.Role;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Ellipse;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 
 /**
@@ -27,11 +29,11 @@ public final class OdometryEntity implements Entity {
 
   private record Prepared(double[] way, Bounds bounds, Optional<double[]> uncertainty, Odometry newest) {}
 
-  private final int trace;
   private final Trail trail = new Trail(CAPACITY);
   private Optional<FrameId> frame = Optional.empty();
   private volatile Optional<Prepared> prepared = Optional.empty();
   private volatile boolean ellipse;
+  private volatile Ink ink;
 
   /**
    * Without a way.
@@ -39,7 +41,7 @@ public final class OdometryEntity implements Entity {
    * @param trace which colour of the theme's traces, from 0; taken modulo their number
    */
   public OdometryEntity(int trace) {
-    this.trace = trace;
+    ink = new Ink.Trace(trace);
   }
 
   /**
@@ -69,6 +71,15 @@ public final class OdometryEntity implements Entity {
   }
 
   /**
+   * The colour. Any thread.
+   *
+   * @param chosen a trace of the theme at the beginning
+   */
+  public void ink(Ink chosen) {
+    ink = chosen;
+  }
+
+  /**
    * Whether the uncertainty is painted. Any thread.
    *
    * @param shown false at the beginning
@@ -80,7 +91,7 @@ public final class OdometryEntity implements Entity {
   @Override
   public void paint(Painter painter) {
     prepared.ifPresent(p -> {
-      painter.stroke(painter.theme().traces().get(trace % painter.theme().traces().size()));
+      painter.stroke(ink.of(painter.theme(), Role.ACCENT));
       painter.fill(painter.gc().getForeground());
       painter.opacity(OPACITY).width(WIDTH).polyline(p.way(), p.way().length / 2);
       if (ellipse) {

@@ -1,5 +1,5 @@
 /**
  * The way that a robot has gone, and how uncertain its place is.
  */
-@org.osgi.annotation.versioning.Version("1.0.0")
+@org.osgi.annotation.versioning.Version("1.1.0")
 package org.robotui.entity.odometry;

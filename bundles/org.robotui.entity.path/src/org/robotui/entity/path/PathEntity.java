@@ -1,8 +1,6 @@
 package org.robotui.entity.path;
 
-import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.eclipse.swt.graphics.Color;
 import org.robotui.data.navigation.Path;
 import org.robotui.geometry.RigidTransform;
@@ -13,6 +11,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 
 /** A planned way: a line, and at its end the goal as a ring with what is left to go. */
@@ -25,7 +24,8 @@ public final class PathEntity implements Entity {
   private record Prepared(Line line, String label) {}
 
   private volatile Optional<Prepared> prepared = Optional.empty();
-  private volatile OptionalInt trace = OptionalInt.empty();
+  private volatile Ink ink = Ink.USUAL;
+  private volatile boolean labelled = true;
 
   /** Without a way. */
   public PathEntity() {
@@ -45,18 +45,26 @@ public final class PathEntity implements Entity {
   }
 
   /**
-   * Paints the way in a colour of its own, to tell ways of several robots from one another; what is left to go is then
-   * only told on asking. Any thread.
+   * The colour. Any thread.
    *
-   * @param of which colour of the theme's traces, from 0, taken modulo their number; none for that of plans
+   * @param chosen that of plans at the beginning
    */
-  public void tint(OptionalInt of) {
-    trace = of;
+  public void ink(Ink chosen) {
+    ink = chosen;
+  }
+
+  /**
+   * Whether what is left to go stands beside the goal, or is only told on asking. Any thread.
+   *
+   * @param shown true at the beginning
+   */
+  public void showLabel(boolean shown) {
+    labelled = shown;
   }
 
   @Override
   public void paint(Painter painter) {
-    prepared.ifPresent(p -> paint(painter, p, trace));
+    prepared.ifPresent(p -> paint(painter, p, ink, labelled));
   }
 
   @Override
@@ -72,14 +80,13 @@ public final class PathEntity implements Entity {
             "plan, " + Figures.of(p.line().length(), 1, "m") + " in all\n" + p.label(), p.line().distance(x, y)));
   }
 
-  private static void paint(Painter painter, Prepared p, OptionalInt own) {
+  private static void paint(Painter painter, Prepared p, Ink own, boolean labelled) {
     Line line = p.line();
-    List<Color> traces = painter.theme().traces();
-    Color color = own.isEmpty() ? painter.theme().color(Role.PLAN) : traces.get(own.getAsInt() % traces.size());
+    Color color = own.of(painter.theme(), Role.PLAN);
     painter.opacity(1).stroke(color).fill(color).width(WIDTH).polyline(line.xy(), line.count());
     painter.circle(line.endX(), line.endY(), RING);
     painter.disc(line.endX(), line.endY(), CORE);
-    if (own.isEmpty()) {
+    if (labelled) {
       painter.label(p.label(), line.endX(), line.endY(), LABEL_GAP, 0, Face.BODY);
     }
   }

@@ -1,5 +1,5 @@
 /**
  * A planned way and its goal.
  */
-@org.osgi.annotation.versioning.Version("1.1.0")
+@org.osgi.annotation.versioning.Version("2.0.0")
 package org.robotui.entity.path;

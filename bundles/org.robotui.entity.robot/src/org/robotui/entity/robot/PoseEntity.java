@@ -1,6 +1,7 @@
 package org.robotui.entity.robot;
 
 import java.util.Optional;
+import org.eclipse.swt.graphics.Color;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.RigidTransform;
@@ -11,6 +12,7 @@ import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Ellipse;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 
 /** An estimate of a pose: an arrow, and the ellipse of two standard deviations. */
@@ -25,6 +27,7 @@ public final class PoseEntity implements Entity {
   private record Prepared(RigidTransform pose, Optional<double[]> ellipse, String text) {}
 
   private volatile Optional<Prepared> prepared = Optional.empty();
+  private volatile Ink ink = Ink.USUAL;
 
   /** Without an estimate. */
   public PoseEntity() {
@@ -44,10 +47,20 @@ public final class PoseEntity implements Entity {
     prepared = Optional.of(new Prepared(pose, ellipse, text(estimate)));
   }
 
+  /**
+   * The colour. Any thread.
+   *
+   * @param chosen that of warnings at the beginning
+   */
+  public void ink(Ink chosen) {
+    ink = chosen;
+  }
+
   @Override
   public void paint(Painter painter) {
     prepared.ifPresent(p -> {
-      painter.fill(Role.WARNING).stroke(Role.WARNING);
+      Color color = ink.of(painter.theme(), Role.WARNING);
+      painter.fill(color).stroke(color);
       p.ellipse().ifPresent(xy -> {
         painter.opacity(0.14).area(xy, xy.length / 2);
         painter.opacity(0.7).width(1).outline(xy, xy.length / 2);

@@ -2,6 +2,7 @@ package org.robotui.entity.sonar;
 
 import java.util.List;
 import java.util.Optional;
+import org.eclipse.swt.graphics.Color;
 import org.robotui.data.sensor.RangeReading;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Figures;
@@ -9,6 +10,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 
 /** Cones of sonars: free up to the echo, whose arc is drawn; without an echo the cone is only hinted at. */
@@ -20,6 +22,7 @@ public final class SonarEntity implements Entity {
   private static final int MOST = 1000;
 
   private volatile List<Cone> cones = List.of();
+  private volatile Ink ink = Ink.USUAL;
 
   /** Without readings. */
   public SonarEntity() {
@@ -43,10 +46,20 @@ public final class SonarEntity implements Entity {
     cones = readings.stream().limit(MOST).flatMap(p -> Cone.of(p).stream()).toList();
   }
 
+  /**
+   * The colour. Any thread.
+   *
+   * @param chosen that of sonars at the beginning
+   */
+  public void ink(Ink chosen) {
+    ink = chosen;
+  }
+
   @Override
   public void paint(Painter painter) {
     List<Cone> shown = cones;
-    painter.fill(Role.SONAR).stroke(Role.SONAR).width(LINE);
+    Color color = ink.of(painter.theme(), Role.SONAR);
+    painter.fill(color).stroke(color).width(LINE);
     for (Cone cone : shown) {
       painter.opacity(cone.echo() ? FREE : HINT).area(cone.corners(), cone.corners().length / 2);
     }

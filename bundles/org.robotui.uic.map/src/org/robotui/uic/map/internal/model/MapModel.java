@@ -68,7 +68,7 @@ public final class MapModel {
     clock = context.clock();
     epoch = clock.epoch();
     team = new Team(context.ruic());
-    maps = new Feed<>(Kind.MAP, context.input(MapPorts.MAP), scene, (n, source) -> new GridMapEntity(n), MapModel::map,
+    maps = new Feed<>(Kind.MAP, context.input(MapPorts.MAP), scene, (n, source) -> mapOf(n), MapModel::map,
         (map, tick) -> latest(map.frame(), tick));
     sonars =
         new Feed<>(Kind.SONAR, context.input(MapPorts.SONAR), scene, (n, source) -> new SonarEntity(), MapModel::sonar,
@@ -92,15 +92,22 @@ public final class MapModel {
     inForce = MapOptions.of(context.settings().current());
   }
 
+  private static GridMapEntity mapOf(int number) {
+    GridMapEntity entity = new GridMapEntity();
+    entity.opacity(number == 0 ? 1 : 0.5);
+    return entity;
+  }
+
   private LaserScanEntity scanOf(SourceId source) {
     LaserScanEntity entity = new LaserScanEntity();
-    entity.tint(team.tint(source));
+    entity.ink(team.ink(source));
     return entity;
   }
 
   private PathEntity pathOf(SourceId source) {
     PathEntity entity = new PathEntity();
-    entity.tint(team.tint(source));
+    entity.ink(team.ink(source));
+    entity.showLabel(!team.isSeveral());
     return entity;
   }
 
