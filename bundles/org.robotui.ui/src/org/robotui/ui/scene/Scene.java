@@ -47,6 +47,19 @@ public final class Scene {
   }
 
   /**
+   * Adds a layer, or puts another one in the place of the one with the same id, whose entity goes on being painted.
+   *
+   * @param layer with another order or caption
+   */
+  public synchronized void put(Layer layer) {
+    List<Layer> more = new ArrayList<>(layers);
+    more.removeIf(l -> l.id().equals(layer.id()));
+    more.add(layer);
+    more.sort(Comparator.comparingInt(Layer::order));
+    layers = List.copyOf(more);
+  }
+
+  /**
    * Removes a layer; does nothing where there is none.
    *
    * @param id of the layer

@@ -22,7 +22,8 @@ import org.robotui.api.show.Showing;
 import org.robotui.data.Data;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
-import org.robotui.uic.scene3d.internal.model.DisplayFaults;
+import org.robotui.ui.display.DisplayFaults;
+import org.robotui.uic.scene3d.internal.model.Kinds;
 
 /**
  * The scene in space. Graphics and kinds of displays come and go while it runs; they are taken as handles, so that none
@@ -76,7 +77,7 @@ public final class Scene3dType implements UicType {
 
   @Override
   public List<SettingFault> faults(Settings settings) {
-    return DisplayFaults.of(settings, kinds());
+    return DisplayFaults.of(settings, SceneOptions.DISPLAYS, "display", Kinds.of(kinds()));
   }
 
   @Override

@@ -6,12 +6,13 @@ import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
+import org.robotui.ui.display.DisplayEntry;
 import org.robotui.uic.scene3d.internal.camera.CameraKind;
 
 /** The settings of the scene. */
 public final class SceneOptions {
   public static final String DISPLAYS = "displays";
-  public static final String AUTOMATIC = "automatic";
+  public static final String AUTOMATIC = DisplayEntry.AUTOMATIC;
   public static final String FIXED_FRAME = "fixed_frame";
   public static final String AUTO = "auto";
   public static final String FRAMES = "frames";
@@ -27,11 +28,6 @@ public final class SceneOptions {
   public static final String WAYPOINT_TOLERANCE = "waypoint_tolerance";
 
   public static final String TYPE = "type";
-  public static final String ID = "id";
-  public static final String NAME = "name";
-  public static final String SOURCE = "source";
-  public static final String SHOWN = "shown";
-  public static final String SETTINGS = "settings";
   public static final String PARENT = "parent";
   public static final String CHILD = "child";
   public static final String KIND = "kind";
@@ -39,28 +35,9 @@ public final class SceneOptions {
   private static final double FAR = 1e9;
   private static final ValueType NUMBER = new ValueType.Num(-FAR, FAR, "m");
   private static final ValueType ANGLE = new ValueType.Num(-FAR, FAR, "rad");
-  private static final ValueType PLAIN = new ValueType.AnyOf(List.of(new ValueType.Flag(),
-      new ValueType.Int(Long.MIN_VALUE, Long.MAX_VALUE), new ValueType.Num(-Double.MAX_VALUE, Double.MAX_VALUE, ""),
-      new ValueType.Text()));
-  private static final ValueType ANY =
-      new ValueType.WithPlace(
-          new ValueType.AnyOf(List.of(PLAIN, new ValueType.ListOf(PLAIN), new ValueType.MapOf(PLAIN))));
-  private static final TextRule KIND_WORD =
-      TextRule.matching("the kind of a display, such as laserscan", "[a-z][a-z0-9_]{0,99}");
   private static final TextRule ROBOT_FRAME = TextRule.matching("a frame of a robot, such as Natalie/map", "[^/]+/.+");
   private static final TextRule ROBOT_COLOR = TextRule.matching("a colour, such as \"#4da3ff\"", "#[0-9a-fA-F]{6}");
   private static final ValueType FRAME_OR_NONE = new ValueType.Text(TextRule.FRAME.orEmpty("\"\""));
-  private static final ValueType SOURCES =
-      new ValueType.AnyOf(List.of(new ValueType.Text(), new ValueType.ListOf(new ValueType.Text())));
-
-  private static final Schema DISPLAY = Schema.of(
-      Setting.required(TYPE, new ValueType.Text(KIND_WORD), "The kind of the display, for example laserscan."),
-      Setting.optional(ID, new ValueType.Text(), "Tells displays apart where names change; written by the scene."),
-      Setting.optional(NAME, new ValueType.Text(), "Its name in the list; without, that of its kind."),
-      Setting.of(SOURCE, SOURCES, List.of(),
-          "Where its data come from, for example base/scan, or several; without, the only source that fits."),
-      Setting.of(SHOWN, new ValueType.Flag(), true, "Whether it is shown."),
-      Setting.of(SETTINGS, new ValueType.MapOf(ANY), Map.of(), "The settings of its kind."));
 
   private static final Schema FRAME = Schema.of(
       Setting.required(PARENT, new ValueType.Text(ROBOT_FRAME), "A frame as robot/frame, for example a/map."),
@@ -90,7 +67,7 @@ public final class SceneOptions {
       Setting.of("pitch", ANGLE, 0.6, "How far it looks down."));
 
   private static final Schema SCHEMA = Schema.of(
-      Setting.of(DISPLAYS, new ValueType.ListOf(new ValueType.Section(DISPLAY)), List.of(),
+      Setting.of(DISPLAYS, DisplayEntry.list("display", "laserscan"), List.of(),
           "What is shown, in the order of the list; without, what the robot offers."),
       Setting.of(AUTOMATIC, new ValueType.Flag(), true, "Show what the robot offers while no displays are listed."),
       Setting.of(FIXED_FRAME, new ValueType.Text(TextRule.FRAME), AUTO,

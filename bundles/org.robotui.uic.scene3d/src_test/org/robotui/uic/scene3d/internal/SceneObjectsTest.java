@@ -31,8 +31,8 @@ import org.robotui.testkit.Displays;
 import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
-import org.robotui.uic.scene3d.internal.model.DisplayCodec;
-import org.robotui.uic.scene3d.internal.model.DisplaySpec;
+import org.robotui.ui.display.DisplayCodec;
+import org.robotui.ui.display.DisplaySpec;
 
 /** Which objects of OpenGL an open scene holds while its displays come and go, and after its context was lost. */
 @EnabledIf(value = Displays.AVAILABLE, disabledReason = Displays.REASON)

@@ -40,8 +40,8 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
-import org.robotui.uic.scene3d.internal.model.DisplayCodec;
-import org.robotui.uic.scene3d.internal.model.DisplaySpec;
+import org.robotui.ui.display.DisplayCodec;
+import org.robotui.ui.display.DisplaySpec;
 import org.robotui.uic.scene3d.internal.model.FakeKind;
 import org.robotui.uic.scene3d.internal.render.FakeGl;
 import org.robotui.uic.scene3d.internal.waypoint.Route;
@@ -320,12 +320,12 @@ class SceneSwtTest {
     menus.getLast().getItem(0).notifyListeners(SWT.Selection, new Event());
     menus.getLast().setVisible(false);
     assertTrue(window.until(window::settingsSeen));
-    assertEquals(List.of("grid", "pose", "grid"),
-        DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::type).toList());
+    assertEquals(List.of("grid", "pose", "grid"), DisplayCodec
+        .read(window.context.settings().current(), SceneOptions.DISPLAYS).stream().map(DisplaySpec::type).toList());
     window.flipChosen();
     window.tick();
-    assertEquals(List.of(true, true, false),
-        DisplayCodec.read(window.context.settings().current()).stream().map(DisplaySpec::shown).toList());
+    assertEquals(List.of(true, true, false), DisplayCodec
+        .read(window.context.settings().current(), SceneOptions.DISPLAYS).stream().map(DisplaySpec::shown).toList());
   }
 
   @Test

@@ -1,14 +1,11 @@
 package org.robotui.uic.scene3d.internal.model;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
-import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
 import org.robotui.data.Framed;
@@ -24,6 +21,11 @@ import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Rgba;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
+import org.robotui.ui.display.DisplayRow;
+import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.display.KindSettings;
+import org.robotui.ui.display.SourceChoice;
+import org.robotui.ui.display.SourceName;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -41,7 +43,7 @@ final class DisplaySlot {
   private Optional<DisplayType> type = Optional.empty();
   private Optional<String> fault = Optional.empty();
   private Optional<KindSettings> settings = Optional.empty();
-  private SourceChoice choice = new SourceChoice(Set.of(), Set.of(), "");
+  private SourceChoice choice = SourceChoice.NONE;
   private DisplayResult result = NOTHING;
   private InputState state = new InputState.Live(0, 0);
   private Optional<String> robot = Optional.empty();
@@ -82,7 +84,7 @@ final class DisplaySlot {
     }
     spec = next;
     type = kind;
-    choice = kind.map(k -> SourceChoice.of(next, k, offered)).orElse(new SourceChoice(Set.of(), Set.of(), ""));
+    choice = kind.map(k -> SourceChoice.of(next, Kinds.of(k), offered)).orElse(SourceChoice.NONE);
     choices = kind
         .map(k -> k.accepts().stream().flatMap(a -> SourceChoice.fitting(a, offered).stream()).map(SourceName::of)
             .distinct().toList())
@@ -117,7 +119,7 @@ final class DisplaySlot {
     List<Part> before = result.parts();
     if (wanted()) {
       try {
-        state = state(input);
+        state = choice.state(input.sources(), input::state);
         result = running(context).display().update(new DisplayTick(
             arrived, state, places, settings.orElseThrow().settings(), color, nowNanos, reset));
         PartsCheck.distinct(result.parts());
@@ -162,27 +164,6 @@ final class DisplaySlot {
     LOG.warn("The display {} of kind {} failed and is switched off", spec.id(), spec.type(), e);
     end();
     fault = Optional.of(e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage());
-  }
-
-  private InputState state(Input<Data> input) {
-    if (!choice.problem().isEmpty()) {
-      return new InputState.Unconnected(choice.problem());
-    }
-    List<SourceId> there = input.sources();
-    Set<SourceId> needed = choice.needed().isEmpty() ? choice.sources() : choice.needed();
-    return needed.stream()
-        .map(s -> there.contains(s) ? input.state(s) : new InputState.Waiting("asking for " + SourceName.of(s)))
-        .min(Comparator.comparingInt(DisplaySlot::rank)).orElse(new InputState.Live(0, 0));
-  }
-
-  private static int rank(InputState state) {
-    return switch (state) {
-      case InputState.Live l -> 0;
-      case InputState.Stale s -> 1;
-      case InputState.Waiting w -> 2;
-      case InputState.Failed f -> 3;
-      case InputState.Unconnected u -> 4;
-    };
   }
 
   private Health health() {

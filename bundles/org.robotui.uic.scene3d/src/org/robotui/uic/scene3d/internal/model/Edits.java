@@ -1,96 +1,30 @@
 package org.robotui.uic.scene3d.internal.model;
 
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Supplier;
-import java.util.function.UnaryOperator;
-import java.util.stream.Collectors;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.geometry.Vector3;
+import org.robotui.ui.display.DisplayList;
+import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.display.Written;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.camera.CameraKind;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 
-/** What the user changes, kept in the settings. With the first change the automatic displays are written down. */
-public final class Edits {
+/** What the user changes in a scene, its displays among it, kept in the settings. */
+public final class Edits extends DisplayList {
   /** The view that a scene begins with. */
   public static final String START = "start";
 
   private final SettingsStore settings;
-  private final Supplier<List<DisplaySpec>> now;
 
   /** Changes the settings; the supplier gives the displays as they are listed now. */
   public Edits(SettingsStore settings, Supplier<List<DisplaySpec>> now) {
+    super(settings, SceneOptions.DISPLAYS, Growth.LAST, now);
     this.settings = settings;
-    this.now = now;
-  }
-
-  /** Adds a display of a source and says its id. */
-  public String add(String type, String source) {
-    String id = add(type);
-    change(id, spec -> spec.from(List.of(source)));
-    return id;
-  }
-
-  /** Adds a display and says its id. */
-  public String add(String type) {
-    List<DisplaySpec> specs = new ArrayList<>(now.get());
-    Set<String> taken = specs.stream().map(DisplaySpec::id).collect(Collectors.toCollection(HashSet::new));
-    String id = DisplayCodec.free(type, taken);
-    specs.add(DisplaySpec.of(id, type));
-    write(specs);
-    return id;
-  }
-
-  /** Removes a display. */
-  public void remove(String id) {
-    List<DisplaySpec> specs = now.get().stream().filter(s -> !s.id().equals(id)).toList();
-    if (specs.isEmpty()) {
-      settings.set(SceneOptions.AUTOMATIC, false);
-    }
-    write(specs);
-  }
-
-  /** Moves a display up (-1) or down (1). */
-  public void move(String id, int by) {
-    List<DisplaySpec> specs = new ArrayList<>(now.get());
-    for (int i = 0; i < specs.size(); i++) {
-      if (specs.get(i).id().equals(id) && i + by >= 0 && i + by < specs.size()) {
-        Collections.swap(specs, i, i + by);
-        write(specs);
-        return;
-      }
-    }
-  }
-
-  /** Changes a display. */
-  public void change(String id, UnaryOperator<DisplaySpec> change) {
-    List<DisplaySpec> before = now.get();
-    List<DisplaySpec> after = before.stream().map(s -> s.id().equals(id) ? change.apply(s) : s).toList();
-    if (!after.equals(before)) {
-      write(after);
-    }
-  }
-
-  /** Sets one setting of a display. */
-  public void set(String id, String name, Object value) {
-    change(id, spec -> {
-      Map<String, Object> values = new LinkedHashMap<>(spec.settings());
-      values.put(name, value);
-      return spec.with(values);
-    });
-  }
-
-  /** Shows what the robot offers again. */
-  public void automatic() {
-    settings.set(SceneOptions.AUTOMATIC, true);
-    settings.set(SceneOptions.DISPLAYS, List.of());
   }
 
   /** Chooses what is drawn at rest. */
@@ -150,9 +84,5 @@ public final class Edits {
     return new CameraPose(CameraKind.of(Written.text(fields, SceneOptions.KIND)).orElse(CameraKind.ORBIT), focus,
         Written.number(fields, "distance", CameraPose.START.distance()), Written.number(fields, "yaw", 0),
         Written.number(fields, "pitch", CameraPose.START.pitch()));
-  }
-
-  private void write(List<DisplaySpec> specs) {
-    settings.set(SceneOptions.DISPLAYS, DisplayCodec.write(specs));
   }
 }

@@ -8,6 +8,7 @@ import org.robotui.data.FrameId;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.ui.display.Written;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 
 /**

@@ -28,6 +28,11 @@ import org.robotui.data.Framed;
 import org.robotui.gl.display.DisplayContext;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.shape.Part;
+import org.robotui.ui.display.Automatic;
+import org.robotui.ui.display.DisplayCodec;
+import org.robotui.ui.display.DisplayRow;
+import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.display.SourceChoice;
 import org.robotui.ui.scene.FixedFrame;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.ScenePorts;
@@ -82,8 +87,9 @@ public final class SceneModel {
   /** The displays that are listed, as they would be written; any thread. */
   public List<DisplaySpec> specs() {
     Settings now = settings.current();
-    List<DisplaySpec> written = DisplayCodec.read(now);
-    return written.isEmpty() && now.flag(SceneOptions.AUTOMATIC) ? Automatic.displays(kinds.get(), input.candidates())
+    List<DisplaySpec> written = DisplayCodec.read(now, SceneOptions.DISPLAYS);
+    return written.isEmpty() && now.flag(SceneOptions.AUTOMATIC)
+        ? Automatic.displays(Kinds.of(kinds.get()), input.candidates())
         : written;
   }
 

@@ -11,6 +11,7 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.gl.shape.Box3;
 import org.robotui.gl.shape.Part;
 import org.robotui.gl.shape.Rgba;
+import org.robotui.ui.display.DisplayRow;
 
 /**
  * What a tick made: all that views and renderers need, immutable.

@@ -1,5 +1,6 @@
 package org.robotui.uic.scene3d.internal.view;
 
+import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
@@ -17,8 +18,12 @@ import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Lens;
-import org.robotui.uic.scene3d.internal.model.DisplayRow;
-import org.robotui.uic.scene3d.internal.model.SourceName;
+import org.robotui.ui.display.DisplayKind;
+import org.robotui.ui.display.DisplayList;
+import org.robotui.ui.display.DisplayPane;
+import org.robotui.ui.display.DisplayRow;
+import org.robotui.ui.display.SourceName;
+import org.robotui.uic.scene3d.internal.model.Kinds;
 
 /** The control of a scene: the list of displays, and the picture. Display thread, where nothing else is said. */
 public final class SceneSurface {
@@ -28,7 +33,7 @@ public final class SceneSurface {
   private final UiContext context;
   private final SceneParts parts;
   private final Composite root;
-  private final DisplayTree tree;
+  private final DisplayPane tree;
   private final SceneCanvas canvas;
   private final Tools tools;
   private final SceneMenus menus;
@@ -46,7 +51,7 @@ public final class SceneSurface {
     ((GridLayout) root.getLayout()).numColumns = 2;
     tools = new Tools(parts, this::say, this::refresh);
     menus = new SceneMenus(this, parts);
-    tree = new DisplayTree(root, context.theme(), this, parts);
+    tree = new DisplayPane(root, context.theme(), new Listed());
     GridData side = new GridData(SWT.FILL, SWT.FILL, false, true);
     side.widthHint = TREE_WIDTH;
     tree.control().setLayoutData(side);
@@ -73,7 +78,7 @@ public final class SceneSurface {
   public void refresh() {
     if (!root.isDisposed()) {
       arrange();
-      tree.show(parts.model().stage());
+      tree.show(parts.model().stage().rows(), parts.model().stage().bytes());
       canvas.control().requestPaint();
       sayNote();
     }
@@ -213,6 +218,34 @@ public final class SceneSurface {
   void toggleTree() {
     parts.edits().tree(!treeOpen());
     refresh();
+  }
+
+  /** What the list of displays needs of the scene. */
+  private final class Listed implements DisplayPane.Host {
+    @Override
+    public String noun() {
+      return "display";
+    }
+
+    @Override
+    public DisplayList list() {
+      return parts.edits();
+    }
+
+    @Override
+    public List<DisplayKind> kinds() {
+      return Kinds.of(parts.kinds().get());
+    }
+
+    @Override
+    public void refresh() {
+      SceneSurface.this.refresh();
+    }
+
+    @Override
+    public void showAllOf(String id) {
+      parts.model().stage().bounds(id).ifPresent(box -> go(parts.rig().aim().fit(box, aspect())));
+    }
   }
 
   private boolean focus() {

@@ -5,6 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.swt.graphics.Point;
 import org.eclipse.swt.widgets.Control;
+import org.robotui.ui.control.NameDialog;
 
 /** Asks for the size of a picture. Display thread. */
 final class SizeDialog {

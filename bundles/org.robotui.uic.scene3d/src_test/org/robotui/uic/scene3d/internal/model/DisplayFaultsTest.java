@@ -9,6 +9,8 @@ import org.robotui.api.config.Placed;
 import org.robotui.api.config.SettingFault;
 import org.robotui.data.sensor.LaserScan;
 import org.robotui.testkit.FakeSettings;
+import org.robotui.ui.display.DisplayCodec;
+import org.robotui.ui.display.DisplayFaults;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 
 class DisplayFaultsTest {
@@ -32,7 +34,8 @@ class DisplayFaultsTest {
   @Test
   void aDisplayHasItsSettingsWithoutTheirPlaces() {
     faults("scan", Map.of("size", placed(5.0, 3)));
-    assertEquals(Map.of("size", 5.0), DisplayCodec.read(settings.current()).getFirst().settings());
+    assertEquals(Map.of("size", 5.0),
+        DisplayCodec.read(settings.current(), SceneOptions.DISPLAYS).getFirst().settings());
   }
 
   private static Placed placed(Object value, int line) {
@@ -41,7 +44,9 @@ class DisplayFaultsTest {
 
   private List<String> faults(String type, Map<String, Object> values) {
     settings.set(SceneOptions.DISPLAYS, List.of(Map.of("type", type, "settings", values)));
-    return DisplayFaults.of(settings.current(), List.of(new FakeKind("scan", List.of(LaserScan.class)))).stream()
-        .map(SettingFault::toString).toList();
+    return DisplayFaults
+        .of(settings.current(), SceneOptions.DISPLAYS, "display",
+            Kinds.of(List.of(new FakeKind("scan", List.of(LaserScan.class)))))
+        .stream().map(SettingFault::toString).toList();
   }
 }

@@ -35,6 +35,9 @@ import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
+import org.robotui.ui.display.DisplayRow;
+import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.display.SourceChoice;
 import org.robotui.ui.scene.Commander;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.ScenePorts;
@@ -317,7 +320,7 @@ class SceneModelTest {
     FakeKind image = new FakeKind("image", List.of(Image.class));
     input.candidates(List.of(new Input.Candidate(POSE, "RawImage"), new Input.Candidate(OTHER, "Path")));
     DisplaySpec spec = DisplaySpec.of("image", "image");
-    assertEquals(Set.of(POSE), SourceChoice.of(spec, image, input.candidates()).sources());
+    assertEquals(Set.of(POSE), SourceChoice.of(spec, Kinds.of(image), input.candidates()).sources());
   }
 
   @Test
@@ -327,7 +330,8 @@ class SceneModelTest {
     List<Input.Candidate> offered =
         List.of(new Input.Candidate(POSE, "PoseEstimate"), new Input.Candidate(far, "PoseEstimate"),
             new Input.Candidate(OTHER, "StampedPose"), new Input.Candidate(farMore, "StampedPose"));
-    SourceChoice choice = SourceChoice.of(DisplaySpec.of("pose", "pose").from(List.of("far/pose")), pose, offered);
+    SourceChoice choice =
+        SourceChoice.of(DisplaySpec.of("pose", "pose").from(List.of("far/pose")), Kinds.of(pose), offered);
     assertEquals(Set.of(far, farMore), choice.sources());
     assertEquals(Set.of(far), choice.needed());
   }

@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.model;
+package org.robotui.ui.display;
 
 import java.util.List;
 import org.robotui.api.port.SourceId;
@@ -7,7 +7,12 @@ import org.robotui.api.port.SourceId;
 public final class SourceName {
   private SourceName() {}
 
-  /** The name of a source. */
+  /**
+   * The name of a source.
+   *
+   * @param source a stream of a robot interface
+   * @return the name, for example {@code base/scan}
+   */
   public static String of(SourceId source) {
     return source.component() + '/' + bare(source.port());
   }
@@ -15,8 +20,12 @@ public final class SourceName {
   /**
    * A short name among others: without the folders that all of them begin with, as lists have no room for what tells
    * nothing.
+   *
+   * @param source a stream
+   * @param all the streams that it is to be told from
+   * @return the name
    */
-  static String among(SourceId source, List<SourceId> all) {
+  public static String among(SourceId source, List<SourceId> all) {
     String name = of(source);
     int from = 0;
     for (int slash = name.indexOf('/'); slash >= 0; slash = name.indexOf('/', from)) {
@@ -29,7 +38,13 @@ public final class SourceName {
     return name.substring(from);
   }
 
-  /** Whether a name means a source: with or without the robot interface. */
+  /**
+   * Whether a name means a source: with or without the robot interface.
+   *
+   * @param written the name
+   * @param source the source
+   * @return true where it does
+   */
   public static boolean fits(String written, SourceId source) {
     String name = written.strip();
     return name.equals(of(source)) || name.equals(source.toString()) || bare(name).equals(bare(source.port()));

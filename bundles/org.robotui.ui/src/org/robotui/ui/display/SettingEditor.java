@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.view;
+package org.robotui.ui.display;
 
 import java.util.Arrays;
 import java.util.List;

@@ -1,18 +1,20 @@
-package org.robotui.uic.scene3d.internal.model;
+package org.robotui.ui.display;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.robotui.api.port.Input;
+import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.DataType;
-import org.robotui.gl.display.DisplayType;
 
 /**
- * Where a display takes its data from.
+ * Where one of a list takes its data from.
  *
  * @param sources all that it takes
  * @param needed those of types that it needs
@@ -21,7 +23,16 @@ import org.robotui.gl.display.DisplayType;
 public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String problem) {
   private static final int MOST_NAMED = 6;
 
-  /** Copies the sets. */
+  /** Before anything is known. */
+  public static final SourceChoice NONE = new SourceChoice(Set.of(), Set.of(), "");
+
+  /**
+   * Copies the sets.
+   *
+   * @param sources all
+   * @param needed those that it needs
+   * @param problem what is missing
+   */
   public SourceChoice {
     sources = Set.copyOf(sources);
     needed = Set.copyOf(needed);
@@ -29,8 +40,13 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
 
   /**
    * Chooses: what is named; else the only one that fits, of the robot that the named ones belong to where several do.
+   *
+   * @param spec what is written
+   * @param type its kind
+   * @param offered what there is
+   * @return where its data come from
    */
-  public static SourceChoice of(DisplaySpec spec, DisplayType type, List<Input.Candidate> offered) {
+  public static SourceChoice of(DisplaySpec spec, DisplayKind type, List<Input.Candidate> offered) {
     Set<SourceId> sources = new LinkedHashSet<>();
     Set<SourceId> needed = new LinkedHashSet<>();
     List<String> problems = new ArrayList<>();
@@ -39,7 +55,7 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
     for (Class<? extends Data> data : type.accepts()) {
       boolean must = type.needs().contains(data);
       List<SourceId> fitting = fitting(data, offered);
-      List<SourceId> taken = taken(spec, fitting, components, must);
+      List<SourceId> taken = taken(spec, fitting, components, must, type.needs().isEmpty());
       sources.addAll(taken);
       taken.forEach(s -> components.add(s.component()));
       if (must) {
@@ -52,8 +68,40 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
     return new SourceChoice(sources, needed, problems.isEmpty() ? "" : problems.getFirst());
   }
 
-  /** The sources that fit a type of data. */
-  static List<SourceId> fitting(Class<? extends Data> data, List<Input.Candidate> offered) {
+  /**
+   * How its sources are: the best of those that it needs.
+   *
+   * @param there those that are connected
+   * @param states gives the state of one of them
+   * @return the state; live where it needs none
+   */
+  public InputState state(List<SourceId> there, Function<SourceId, InputState> states) {
+    if (!problem.isEmpty()) {
+      return new InputState.Unconnected(problem);
+    }
+    return (needed.isEmpty() ? sources : needed).stream()
+        .map(s -> there.contains(s) ? states.apply(s) : new InputState.Waiting("asking for " + SourceName.of(s)))
+        .min(Comparator.comparingInt(SourceChoice::rank)).orElse(new InputState.Live(0, 0));
+  }
+
+  private static int rank(InputState state) {
+    return switch (state) {
+      case InputState.Live l -> 0;
+      case InputState.Stale s -> 1;
+      case InputState.Waiting w -> 2;
+      case InputState.Failed f -> 3;
+      case InputState.Unconnected u -> 4;
+    };
+  }
+
+  /**
+   * The sources that fit a type of data.
+   *
+   * @param data the type; an interface fits what is of the same package
+   * @param offered what there is
+   * @return the sources in the order of the offer
+   */
+  public static List<SourceId> fitting(Class<? extends Data> data, List<Input.Candidate> offered) {
     String name = DataType.of(data).name();
     return offered.stream().filter(c -> c.typeName().equals(name) || isA(data, c.typeName())).map(Input.Candidate::id)
         .toList();
@@ -73,10 +121,14 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
     }
   }
 
-  private static List<SourceId> taken(DisplaySpec spec, List<SourceId> fitting, Set<String> components, boolean must) {
+  private static List<SourceId> taken(DisplaySpec spec, List<SourceId> fitting, Set<String> components, boolean must,
+      boolean needsNone) {
     List<SourceId> named = named(spec, fitting);
     if (!named.isEmpty()) {
       return named;
+    }
+    if (needsNone && spec.sources().isEmpty()) {
+      return fitting;
     }
     List<SourceId> ofThese = fitting.stream().filter(s -> components.contains(s.component())).toList();
     List<SourceId> likely = ofThese.isEmpty() ? fitting : ofThese;

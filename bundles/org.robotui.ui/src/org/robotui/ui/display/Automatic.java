@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.model;
+package org.robotui.ui.display;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -6,23 +6,28 @@ import java.util.List;
 import java.util.Set;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
-import org.robotui.gl.display.DisplayType;
 
-/** What is shown where nobody says it: each source that a kind of display takes, once. */
+/** What is shown where nobody says it: each source that a kind takes, once. */
 public final class Automatic {
   /** More of one kind are listed, but not shown. */
-  static final int MOST_SHOWN = 6;
+  public static final int MOST_SHOWN = 6;
 
   /** More of one kind are not listed. */
-  static final int MOST_LISTED = 24;
+  public static final int MOST_LISTED = 24;
 
   private Automatic() {}
 
-  /** The displays for what is offered, those that need no data first. */
-  public static List<DisplaySpec> displays(List<DisplayType> kinds, List<Input.Candidate> offered) {
+  /**
+   * One for each that is offered, those that need no data first.
+   *
+   * @param kinds those that are there
+   * @param offered what robots offer
+   * @return with ids that tell them apart
+   */
+  public static List<DisplaySpec> displays(List<DisplayKind> kinds, List<Input.Candidate> offered) {
     List<DisplaySpec> specs = new ArrayList<>();
     Set<String> taken = new HashSet<>();
-    for (DisplayType kind : kinds.stream().filter(DisplayType::automatic).toList()) {
+    for (DisplayKind kind : kinds.stream().filter(DisplayKind::automatic).toList()) {
       if (kind.needs().isEmpty()) {
         specs.addFirst(DisplaySpec.of(DisplayCodec.free(kind.id(), taken), kind.id()));
       } else {
@@ -32,7 +37,7 @@ public final class Automatic {
     return List.copyOf(specs);
   }
 
-  private static List<DisplaySpec> each(DisplayType kind, List<Input.Candidate> offered, Set<String> taken) {
+  private static List<DisplaySpec> each(DisplayKind kind, List<Input.Candidate> offered, Set<String> taken) {
     List<SourceId> fitting = SourceChoice.fitting(kind.accepts().getFirst(), offered);
     List<DisplaySpec> specs = new ArrayList<>();
     for (SourceId source : fitting.stream().limit(MOST_LISTED).toList()) {

@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.model;
+package org.robotui.ui.display;
 
 import java.util.List;
 import java.util.Optional;
@@ -6,7 +6,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.ui.Health;
 
 /**
- * A display as it is listed.
+ * One of a list, as users see it.
  *
  * @param spec as written
  * @param name for users
@@ -19,7 +19,18 @@ import org.robotui.ui.Health;
  */
 public record DisplayRow(DisplaySpec spec, String name, Health health, String words, long bytes, long dropped,
     Optional<Settings> settings, List<String> choices) {
-  /** Copies the list. */
+  /**
+   * Copies the list.
+   *
+   * @param spec as written
+   * @param name for users
+   * @param health its dot
+   * @param words how it is
+   * @param bytes memory
+   * @param dropped values
+   * @param settings checked
+   * @param choices names of sources
+   */
   public DisplayRow {
     choices = List.copyOf(choices);
   }

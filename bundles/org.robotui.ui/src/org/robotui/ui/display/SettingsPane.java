@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.view;
+package org.robotui.ui.display;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -19,17 +19,15 @@ import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.ChoiceField;
 import org.robotui.ui.control.PlainLabel;
 import org.robotui.ui.control.PopupMenu;
-import org.robotui.uic.scene3d.internal.SceneParts;
-import org.robotui.uic.scene3d.internal.model.DisplayRow;
 
-/** The settings of one display, generated from the schema of its kind. Display thread. */
+/** The settings of one of a list, generated from the schema of its kind. Display thread. */
 final class SettingsPane {
   private static final int NAME_WIDTH = 96;
   private static final int HEIGHT = 26;
   private static final String AUTOMATIC = "automatic";
 
   private final Theme theme;
-  private final SceneParts parts;
+  private final DisplayList list;
   private final Runnable changed;
   private final ScrolledComposite scrolled;
   private final Composite content;
@@ -39,9 +37,9 @@ final class SettingsPane {
   /** A control that can show another value than was typed into it. */
   private record Editor(Setting setting, SettingEditor editor) {}
 
-  SettingsPane(Composite parent, Theme theme, SceneParts parts, Runnable changed) {
+  SettingsPane(Composite parent, Theme theme, DisplayList list, Runnable changed) {
     this.theme = theme;
-    this.parts = parts;
+    this.list = list;
     this.changed = changed;
     scrolled = new ScrolledComposite(parent, SWT.V_SCROLL);
     scrolled.setBackground(theme.color(Role.PANEL));
@@ -111,9 +109,9 @@ final class SettingsPane {
   private void choose(DisplayRow row, Control field) {
     String id = row.spec().id();
     PopupMenu menu = new PopupMenu(field, changed);
-    menu.radio(AUTOMATIC, row.spec().sources().isEmpty(), () -> parts.edits().change(id, s -> s.from(List.of())));
-    row.choices().forEach(
-        c -> menu.radio(c, row.spec().sources().contains(c), () -> parts.edits().change(id, s -> s.from(List.of(c)))));
+    menu.radio(AUTOMATIC, row.spec().sources().isEmpty(), () -> list.change(id, s -> s.from(List.of())));
+    row.choices()
+        .forEach(c -> menu.radio(c, row.spec().sources().contains(c), () -> list.change(id, s -> s.from(List.of(c)))));
     menu.openBelow(field);
   }
 
@@ -121,7 +119,7 @@ final class SettingsPane {
     label(setting.name().replace('_', ' '), setting.help());
     String id = row.spec().id();
     SettingEditor editor = SettingEditor.of(content, theme, setting, value -> {
-      parts.edits().set(id, setting.name(), value);
+      list.set(id, setting.name(), value);
       changed.run();
     });
     editor.control().setLayoutData(Boxes.line(HEIGHT));

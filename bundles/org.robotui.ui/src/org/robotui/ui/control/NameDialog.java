@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.view;
+package org.robotui.ui.control;
 
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -14,7 +14,7 @@ import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Text;
 
 /** Asks for one line. Display thread; returns when it is closed. */
-final class NameDialog {
+public final class NameDialog {
   private static final int WIDTH = 260;
   private static final int MARGIN = 12;
 
@@ -47,13 +47,28 @@ final class NameDialog {
     return over.toDisplay((size.x - own.x) / 2, (size.y - own.y) / 2);
   }
 
-  /** Asks; none where nothing was written or it was cancelled. */
-  static Optional<String> ask(Control over, String title, String before) {
+  /**
+   * Asks for a name, and waits.
+   *
+   * @param over above which it opens
+   * @param title what is asked for
+   * @param before what is written there at the beginning
+   * @return the name without blanks around it; none where nothing was written or it was cancelled
+   */
+  public static Optional<String> ask(Control over, String title, String before) {
     return ask(over, title, before, words -> !words.isBlank());
   }
 
-  /** Asks for what fits, else there is no OK; none where it was cancelled. */
-  static Optional<String> ask(Control over, String title, String before, Predicate<String> fits) {
+  /**
+   * Asks for what fits, else there is no OK, and waits.
+   *
+   * @param over above which it opens
+   * @param title what is asked for
+   * @param before what is written there at the beginning
+   * @param fits whether what is written is an answer
+   * @return the answer without blanks around it; none where it was cancelled
+   */
+  public static Optional<String> ask(Control over, String title, String before, Predicate<String> fits) {
     NameDialog dialog = new NameDialog(over, title, before, fits);
     dialog.shell.open();
     while (!dialog.shell.isDisposed()) {

@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.view;
+package org.robotui.ui.display;
 
 import java.util.Comparator;
 import java.util.List;
@@ -10,7 +10,6 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
-import org.robotui.gl.display.DisplayType;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
@@ -19,21 +18,54 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PlainLabel;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowList;
-import org.robotui.uic.scene3d.internal.SceneParts;
-import org.robotui.uic.scene3d.internal.model.DisplayRow;
-import org.robotui.uic.scene3d.internal.model.Stage;
 
-/** The list of displays with the settings of the one that is chosen below it. Display thread. */
-final class DisplayTree {
+/**
+ * A list, with the settings of the one that is chosen below it: add, name, order, colour, hide, remove. Display thread.
+ */
+public final class DisplayPane {
+  /** What the pane needs of its view. */
+  public interface Host {
+    /**
+     * What one is called.
+     *
+     * @return for example {@code display}
+     */
+    String noun();
+
+    /**
+     * What is listed.
+     *
+     * @return takes what the user changes
+     */
+    DisplayList list();
+
+    /**
+     * The kinds of which one can be added.
+     *
+     * @return in any order
+     */
+    List<DisplayKind> kinds();
+
+    /** The user has changed something: shows it soon. */
+    void refresh();
+
+    /**
+     * Goes to one, so that all of it is seen.
+     *
+     * @param id of it
+     */
+    void showAllOf(String id);
+  }
+
   private static final int[] SHARES = {55, 45};
   private static final double MEGA = 1e6;
 
-  private final SceneSurface scene;
-  private final SceneParts parts;
+  private final Host host;
   private final Composite box;
   private final SashForm split;
   private final RowList<DisplayRow> list;
@@ -43,16 +75,23 @@ final class DisplayTree {
   private boolean told;
   private Optional<String> added = Optional.empty();
 
-  DisplayTree(Composite parent, Theme theme, SceneSurface scene, SceneParts parts) {
-    this.scene = scene;
-    this.parts = parts;
+  /**
+   * An empty list.
+   *
+   * @param parent the parent
+   * @param theme colours and fonts
+   * @param host the view
+   */
+  public DisplayPane(Composite parent, Theme theme, Host host) {
+    this.host = host;
+    String title = title(host.noun());
     box = Boxes.panel(parent, theme, 1);
     Composite bar = Boxes.bar(box, theme, 4);
-    PlainLabel title = new PlainLabel(bar, SWT.NONE, theme, Face.BODY_STRONG, Role.TEXT);
-    title.setText("Displays");
-    title.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
+    PlainLabel heading = new PlainLabel(bar, SWT.NONE, theme, Face.BODY_STRONG, Role.TEXT);
+    heading.setText(title);
+    heading.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, false));
     total = new PlainLabel(bar, SWT.NONE, theme, Face.SMALL, Role.DIM);
-    QuietButton add = new QuietButton(bar, theme, () -> {}).icon(Icon.PLUS).hint("Add a display");
+    QuietButton add = new QuietButton(bar, theme, () -> {}).icon(Icon.PLUS).hint("Add a " + host.noun());
     add.addListener(SWT.MouseUp, e -> add(add));
     add.addListener(SWT.KeyDown, e -> keyAdd(e, add));
     QuietButton more = new QuietButton(bar, theme, this::reset).icon(Icon.RESTART)
@@ -60,42 +99,57 @@ final class DisplayTree {
     more.setLayoutData(Boxes.middle());
     split = Boxes.split(box, theme, SWT.VERTICAL);
     split.setLayoutData(Boxes.fill());
-    list = new RowList<>(split, theme, new DisplayLook(theme)).named("Displays");
+    list = new RowList<>(split, theme, new DisplayLook(theme)).named(title);
     list.control().addListener(SWT.MouseDown, this::pressed);
     list.control().addListener(SWT.KeyDown, this::key);
     list.onSelect(chosen -> select(chosen.stream().findFirst())).menu(this::actions);
-    settings = new SettingsPane(split, theme, parts, scene::refresh);
+    settings = new SettingsPane(split, theme, host.list(), host::refresh);
     split.setWeights(SHARES);
     select(Optional.empty());
   }
 
-  Control control() {
+  /**
+   * What stands in the layout.
+   *
+   * @return the control
+   */
+  public Control control() {
     return box;
   }
 
-  void show(Stage stage) {
-    if (!told || !stage.rows().equals(rows)) {
+  /**
+   * Shows what there is.
+   *
+   * @param listed in order
+   * @param bytes the memory of all of them; 0 where that is not told
+   */
+  public void show(List<DisplayRow> listed, long bytes) {
+    if (!told || !listed.equals(rows)) {
       told = true;
-      rows = stage.rows();
+      rows = listed;
       list.show(rows);
       choose();
       rows.stream().filter(r -> settings.shows(r.spec().id())).findFirst().ifPresentOrElse(settings::show,
           () -> select(Optional.empty()));
       if (rows.isEmpty()) {
-        list.message(Health.NONE, "No displays", "Add one with +, or take back what the robot offers.");
+        list.message(Health.NONE, "No " + host.noun() + "s", "Add one with +, or take back what the robot offers.");
       } else {
         list.noMessage();
       }
     }
-    String words = stage.bytes() == 0 ? "" : Figures.of(stage.bytes() / MEGA, 1, "MB");
+    String words = bytes == 0 ? "" : Figures.of(bytes / MEGA, 1, "MB");
     if (!words.equals(total.getText())) {
       total.setText(words);
       total.getParent().layout();
     }
   }
 
-  /** Chooses a display, as soon as it is listed. */
-  void choose(String id) {
+  /**
+   * Chooses one, as soon as it is listed.
+   *
+   * @param id of it
+   */
+  public void choose(String id) {
     added = Optional.of(id);
     choose();
   }
@@ -131,20 +185,20 @@ final class DisplayTree {
     if (e.character == ' ') {
       row.ifPresent(this::flip);
     } else if (e.keyCode == SWT.DEL) {
-      row.ifPresent(r -> parts.edits().remove(r.spec().id()));
+      row.ifPresent(r -> host.list().remove(r.spec().id()));
     } else if (e.keyCode == SWT.F2) {
       row.ifPresent(this::rename);
     }
   }
 
   private void flip(DisplayRow row) {
-    parts.edits().change(row.spec().id(), s -> s.show(!s.shown()));
-    scene.refresh();
+    host.list().change(row.spec().id(), s -> s.show(!s.shown()));
+    host.refresh();
   }
 
   private void reset() {
-    parts.edits().automatic();
-    scene.refresh();
+    host.list().automatic();
+    host.refresh();
   }
 
   private void keyAdd(Event e, Control button) {
@@ -154,19 +208,19 @@ final class DisplayTree {
   }
 
   private void add(Control button) {
-    PopupMenu menu = new PopupMenu(button, scene::refresh);
-    List<DisplayType> kinds = parts.kinds().get().stream().sorted(Comparator.comparing(DisplayType::label)).toList();
+    PopupMenu menu = new PopupMenu(button, host::refresh);
+    List<DisplayKind> kinds = host.kinds().stream().sorted(Comparator.comparing(DisplayKind::label)).toList();
     kinds.forEach(k -> menu.push(k.label(), () -> add(k)));
     if (kinds.isEmpty()) {
-      menu.push("No bundle brings displays", false, () -> {});
+      menu.push("No bundle brings " + host.noun() + "s", false, () -> {});
     }
     menu.openBelow(button);
   }
 
-  /** Adds a display, and chooses it. */
-  void add(DisplayType kind) {
-    added = Optional.of(parts.edits().add(kind.id()));
-    scene.refresh();
+  /** Adds one, and chooses it. */
+  private void add(DisplayKind kind) {
+    added = Optional.of(host.list().add(kind.id()));
+    host.refresh();
   }
 
   private List<ViewAction> actions(List<DisplayRow> chosen) {
@@ -174,13 +228,11 @@ final class DisplayTree {
       String id = row.spec().id();
       return List.of(
           action(row.spec().shown() ? "Hide" : "Show", () -> flip(row)),
-          action("Show all of it",
-              () -> parts.model().stage().bounds(id)
-                  .ifPresent(b -> scene.go(parts.rig().aim().fit(b, scene.aspect())))),
+          action("Show all of it", () -> host.showAllOf(id)),
           action("Rename\u2026 (F2)", () -> rename(row)),
-          action("Move up", () -> parts.edits().move(id, -1)),
-          action("Move down", () -> parts.edits().move(id, 1)),
-          action("Remove (Del)", () -> parts.edits().remove(id)));
+          action("Move up", () -> host.list().move(id, -1)),
+          action("Move down", () -> host.list().move(id, 1)),
+          action("Remove (Del)", () -> host.list().remove(id)));
     }).orElse(List.of());
   }
 
@@ -189,7 +241,10 @@ final class DisplayTree {
   }
 
   private void rename(DisplayRow row) {
-    NameDialog.ask(box, "Name", row.name())
-        .ifPresent(name -> parts.edits().change(row.spec().id(), s -> s.named(name)));
+    NameDialog.ask(box, "Name", row.name()).ifPresent(name -> host.list().change(row.spec().id(), s -> s.named(name)));
+  }
+
+  private static String title(String noun) {
+    return Character.toUpperCase(noun.charAt(0)) + noun.substring(1) + "s";
   }
 }

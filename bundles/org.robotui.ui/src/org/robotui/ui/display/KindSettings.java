@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.model;
+package org.robotui.ui.display;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -12,19 +12,30 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 
 /**
- * The settings of a display, checked against the schema of its kind, which core does not know. What is wrong falls back
- * and is said.
+ * The settings of one of a list, checked against the schema of its kind, which core does not know. What is wrong falls
+ * back and is said.
  *
  * @param settings checked, fallbacks included
  * @param problems sentences
  */
 public record KindSettings(Settings settings, List<String> problems) {
-  /** Copies the list. */
+  /**
+   * Copies the list.
+   *
+   * @param settings checked
+   * @param problems sentences
+   */
   public KindSettings {
     problems = List.copyOf(problems);
   }
 
-  /** Checks what is written. */
+  /**
+   * Checks what is written.
+   *
+   * @param schema of its kind
+   * @param written by name
+   * @return what holds, and what is wrong
+   */
   public static KindSettings check(Schema schema, Map<String, Object> written) {
     Map<String, Object> values = new LinkedHashMap<>();
     List<String> problems = new ArrayList<>();

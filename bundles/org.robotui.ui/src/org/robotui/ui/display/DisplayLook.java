@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.view;
+package org.robotui.ui.display;
 
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Rectangle;
@@ -11,9 +11,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.RowLook;
-import org.robotui.uic.scene3d.internal.model.DisplayRow;
 
-/** A display in the list: box, dot, name, and in a second line why nothing is seen. */
+/** One in the list: box, dot, name, and in a second line why nothing is seen. */
 final class DisplayLook implements RowLook<DisplayRow> {
   /** Where a press switches. */
   static final int BOX_END = 34;

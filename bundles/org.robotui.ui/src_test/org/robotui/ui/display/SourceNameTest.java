@@ -1,4 +1,4 @@
-package org.robotui.uic.scene3d.internal.model;
+package org.robotui.ui.display;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
