@@ -33,8 +33,10 @@ record ScanShape(
     for (int beam = 0; beam < count; beam++) {
       if (scan.isEcho(beam)) {
         axes.end(scan.angle(beam), scan.ranges().get(beam), echoes, found);
-        bounds = bounds.union(Bounds.around(echoes[2 * found], echoes[2 * found + 1], 0));
-        beams[found++] = beam;
+        if (Double.isFinite(echoes[2 * found] + echoes[2 * found + 1])) { // else an angle beyond all numbers
+          bounds = bounds.union(Bounds.around(echoes[2 * found], echoes[2 * found + 1], 0));
+          beams[found++] = beam;
+        }
       }
     }
     return new ScanShape(scan, echoes, found, Arrays.copyOf(beams, found), fan(scan, axes), Optional.of(bounds));

@@ -24,6 +24,12 @@ class ScanShapeTest {
   }
 
   @Test
+  void anEchoAtAnAngleBeyondAllNumbersIsNotAPlace() {
+    LaserScan endless = new LaserScan(LASER, 1e308, 1e308, 0, 10, 0.1, Floats.of(2f, 3f), Floats.EMPTY);
+    assertEquals(1, ScanShape.of(endless, at(0, 0, 0)).echoCount());
+  }
+
+  @Test
   void theFanReachesToTheLimitOnlyWhereTheBeamWasFree() {
     ScanShape shape = ScanShape.of(scan(2, FREE, Float.NaN, 0.05f, 11), at(1, 1, 0));
     double[] lengths = new double[5];

@@ -29,6 +29,8 @@ import org.robotui.ui.display.DisplayKind;
 import org.robotui.ui.display.DisplayList;
 import org.robotui.ui.display.DisplayRow;
 import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.display.SourceChoice;
+import org.robotui.ui.display.SourceName;
 import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Placer;
 import org.robotui.ui.scene.Scene;
@@ -70,14 +72,18 @@ public final class LayerStack {
   private final Rules rules;
   private final DisplayList list;
   private final Map<String, LayerSlot> slots = new LinkedHashMap<>();
-  private Basis basis = new Basis(List.of(), List.of(), Map.of());
-  private volatile List<DisplaySpec> specs = List.of();
+  private volatile Basis basis = new Basis(List.of(), List.of(), List.of(), Map.of());
   private volatile List<DisplayRow> rows = List.of();
   private volatile Map<String, Envelope<? extends Data>> newest = Map.of();
   private List<LayerNote> notes = List.of();
 
   /** What the list of layers depends on. */
-  private record Basis(List<LayerType> types, List<Input.Candidate> offered, Map<String, Object> written) {}
+  private record Basis(List<LayerType> types, List<Input.Candidate> offered, List<Input.Candidate> automatic,
+      Map<String, Object> written) {
+    Map<String, LayerType> byId() {
+      return types.stream().collect(Collectors.toMap(LayerType::id, Function.identity(), (a, b) -> a));
+    }
+  }
 
   /**
    * Without layers.
@@ -98,7 +104,7 @@ public final class LayerStack {
     this.inputs = inputs;
     this.context = view::background;
     this.rules = rules;
-    this.list = new DisplayList(settings, LAYERS, DisplayList.Growth.FIRST, () -> specs);
+    this.list = new DisplayList(settings, LAYERS, DisplayList.Growth.FIRST, this::specs);
   }
 
   /**
@@ -157,6 +163,20 @@ public final class LayerStack {
   }
 
   /**
+   * Adds a layer for a stream that none shows; any thread.
+   *
+   * @param source the stream
+   * @return its id, or none where no kind takes the stream
+   */
+  public Optional<String> add(SourceId source) {
+    return basis.types().stream()
+        .filter(type -> type.accepts().stream()
+            .anyMatch(data -> SourceChoice.fitting(data, basis.offered()).contains(source)))
+        .findFirst()
+        .map(type -> list.add(type.id(), SourceName.of(source)));
+  }
+
+  /**
    * Where a layer's data come from and how old they are; any thread.
    *
    * @param layer its id
@@ -176,7 +196,7 @@ public final class LayerStack {
    */
   public List<FrameId> take(boolean reset) {
     inputs.look();
-    Basis next = new Basis(types(), inputs.all(), settings.current().values());
+    Basis next = new Basis(types(), inputs.all(), inputs.automatic(), settings.current().values());
     if (!next.equals(basis)) {
       basis = next;
       configure(next);
@@ -226,7 +246,7 @@ public final class LayerStack {
     slots.forEach((id, slot) -> slot.newest().ifPresent(e -> values.put(id, e)));
     newest = Map.copyOf(values);
     List<DisplayRow> listed = slots.values().stream().map(LayerSlot::row).toList();
-    List<LayerNote> said = LayerNotes.of(List.copyOf(slots.values()));
+    List<LayerNote> said = LayerNotes.of(new ArrayList<>(slots.values()).reversed());
     boolean changed = !listed.equals(rows) || !said.equals(notes);
     rows = listed;
     notes = said;
@@ -237,16 +257,21 @@ public final class LayerStack {
     return kinds.get().stream().filter(type -> type.grounds().contains(ground)).toList();
   }
 
-  private void configure(Basis now) {
-    Map<String, LayerType> byId =
-        now.types().stream().collect(Collectors.toMap(LayerType::id, Function.identity(), (a, b) -> a));
+  /** The layers as they are listed now, also those that nobody wrote; any thread. */
+  private List<DisplaySpec> specs() {
     Settings current = settings.current();
     List<DisplaySpec> written = DisplayCodec.read(current, LAYERS);
-    specs =
-        current.flag(DisplayEntry.AUTOMATIC) ? LayerOffers.beside(written, now.types(), byId, inputs, rules) : written;
+    Basis now = basis;
+    return current.flag(DisplayEntry.AUTOMATIC)
+        ? new LayerOffers(now.types(), now.byId(), now.automatic(), inputs::hasPort, rules).beside(written)
+        : written;
+  }
+
+  private void configure(Basis now) {
+    Map<String, LayerType> byId = now.byId();
     Map<String, LayerSlot> before = new HashMap<>(slots);
     slots.clear();
-    for (DisplaySpec spec : specs) {
+    for (DisplaySpec spec : specs()) {
       LayerSlot slot = Optional.ofNullable(before.get(spec.id())).filter(s -> s.spec().type().equals(spec.type()))
           .orElseGet(() -> new LayerSlot(scene, spec));
       before.remove(spec.id(), slot);
@@ -259,7 +284,13 @@ public final class LayerStack {
     inputs.choose(wanted);
   }
 
-  static DisplayKind kind(LayerType type) {
+  /**
+   * A kind of layer, as lists know it.
+   *
+   * @param type the kind
+   * @return the same for the list
+   */
+  public static DisplayKind kind(LayerType type) {
     return new DisplayKind(type.id(), type.label(), type.accepts(), type.needs(), type.automatic(), type.schema());
   }
 

@@ -120,6 +120,17 @@ public final class SceneMover {
   }
 
   /**
+   * Shows all of something.
+   *
+   * @param bounds how far it reaches
+   */
+  public void fit(Bounds bounds) {
+    letGo();
+    camera.fit(Optional.of(bounds));
+    moved.run();
+  }
+
+  /**
    * Moves the content with the hand.
    *
    * @param dx pixels to the right

@@ -3,6 +3,7 @@ package org.robotui.uic.map.internal;
 import java.util.List;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
+import org.robotui.api.port.Intake;
 import org.robotui.api.port.Port;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
@@ -46,14 +47,18 @@ public final class MapPorts {
       "initial_poses", PoseEstimate.class, Arity.MANY,
       "Of several robots: tells the localisation of the selected one where it is.");
 
+  public static final StreamPort<Data> DATA =
+      new StreamPort<>("data", Data.class, Arity.MANY,
+          "Whatever else there are layers for; a robot is asked only for what is shown.", Intake.CHOSEN);
+
+  /** Those that layers are fed from. */
+  public static final List<StreamPort<? extends Data>> LAYERS =
+      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT);
+
   /** All of them. */
   public static final List<Port> ALL =
-      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, NAVIGATION, GOAL, GOALS, INITIAL_POSE,
+      List.of(MAP, SCAN, SONAR, BUMPER, ODOM, PATH, POSE, FOOTPRINT, NAVIGATION, DATA, GOAL, GOALS, INITIAL_POSE,
           INITIAL_POSES);
-
-  /** The data that are layers of their own. */
-  public static final List<Class<? extends Data>> SHOWN =
-      List.of(MAP.type(), SCAN.type(), SONAR.type(), BUMPER.type(), ODOM.type(), PATH.type(), POSE.type());
 
   private MapPorts() {}
 }

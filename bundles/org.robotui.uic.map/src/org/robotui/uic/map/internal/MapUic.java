@@ -2,6 +2,7 @@ package org.robotui.uic.map.internal;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
@@ -10,6 +11,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
+import org.robotui.ui.layer.LayerType;
 import org.robotui.ui.scene.Commander;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.view.MapActions;
@@ -26,8 +28,8 @@ final class MapUic implements SwtUic {
   private final MapActions actions;
   private Optional<MapCanvas> canvas = Optional.empty();
 
-  MapUic(UicContext context) {
-    model = new MapModel(context);
+  MapUic(UicContext context, Supplier<List<LayerType>> kinds) {
+    model = new MapModel(context, kinds);
     actions = new MapActions(context.ruic()::reset);
     choices = new MapChoices(context.settings());
     goals = new TeamGoals(context);
@@ -53,7 +55,7 @@ final class MapUic implements SwtUic {
         new ViewKey("P", "Set the pose estimate"),
         new ViewKey("M", "Measure"),
         new ViewKey("F", "Follow the robot"),
-        new ViewKey("L", "Choose layers"),
+        new ViewKey("L", "Open or close the list of layers"),
         new ViewKey("0, Home", "Show all"),
         new ViewKey("+, -", "Zoom"),
         new ViewKey("Arrows", "Move"),

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Shell;
@@ -16,7 +17,7 @@ import org.robotui.ui.UiContext;
 
 /** A window with a map and fakes behind it. */
 final class MapStage {
-  final FakeUicContext context = new FakeUicContext("map", new MapType().schema());
+  final FakeUicContext context = new FakeUicContext("map", new MapType(LayerKinds.ALL).schema());
   final Shell shell;
   MapUic uic;
   private final Display display;
@@ -36,7 +37,7 @@ final class MapStage {
 
   /** Makes the view anew, as it keeps the frames that it was made with. */
   void replace() {
-    uic = (MapUic) new MapType().create(context, context.settings().current());
+    uic = (MapUic) new MapType(LayerKinds.ALL).create(context, context.settings().current());
   }
 
   /** Lets the pointer rest until the view has spoken. */
@@ -62,7 +63,7 @@ final class MapStage {
   }
 
   PaintedCanvas canvas() {
-    return (PaintedCanvas) control.orElseThrow();
+    return canvas(control.orElseThrow());
   }
 
   boolean tick() {
@@ -106,7 +107,7 @@ final class MapStage {
 
   ImageData picture() {
     settle();
-    return CanvasHands.picture(control.orElseThrow());
+    return CanvasHands.picture(canvas());
   }
 
   private CanvasHands hands() {
@@ -116,5 +117,15 @@ final class MapStage {
   void close() {
     shell.dispose();
     uic.close();
+  }
+
+  /** The map itself, beside the list of layers. */
+  private static PaintedCanvas canvas(Control control) {
+    for (Control child : ((Composite) control).getChildren()) {
+      if (child instanceof PaintedCanvas map) {
+        return map;
+      }
+    }
+    throw new IllegalStateException("no map in " + control);
   }
 }

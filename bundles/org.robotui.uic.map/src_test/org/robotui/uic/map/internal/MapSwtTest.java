@@ -58,7 +58,7 @@ class MapSwtTest {
 
   @Test
   void hiddenLayersAreNotSeen() {
-    stage.context.settings().set(Kind.SCAN.setting(), false);
+    stage.context.settings().set(MapOptions.show("scan"), false);
     stage.tick();
     assertFalse(colours(stage.picture()).contains(theme.palette().rgb(Role.LASER)));
   }

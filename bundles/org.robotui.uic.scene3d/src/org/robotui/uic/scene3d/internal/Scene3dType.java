@@ -1,10 +1,7 @@
 package org.robotui.uic.scene3d.internal;
 
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.ServiceReference;
 import org.osgi.service.component.annotations.Activate;
@@ -22,6 +19,7 @@ import org.robotui.api.show.Showing;
 import org.robotui.data.Data;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
+import org.robotui.ui.ServiceHandles;
 import org.robotui.ui.display.DisplayFaults;
 import org.robotui.uic.scene3d.internal.model.Kinds;
 
@@ -37,8 +35,8 @@ public final class Scene3dType implements UicType {
       "Robots and what they sense in space; measures, selects, sends goals and initial poses.", SceneOptions.schema(),
       ScenePorts.ALL);
 
-  private final BundleContext bundles;
-  private final Map<ServiceReference<?>, Object> taken = new HashMap<>();
+  private final ServiceHandles<DisplayType> displays;
+  private final ServiceHandles<Gl> renderers;
 
   @Reference(service = DisplayType.class, cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC)
   private volatile List<ServiceReference<DisplayType>> kinds = List.of();
@@ -49,7 +47,8 @@ public final class Scene3dType implements UicType {
   /** Called by declarative services. */
   @Activate
   public Scene3dType(BundleContext bundles) {
-    this.bundles = bundles;
+    displays = new ServiceHandles<>(bundles);
+    renderers = new ServiceHandles<>(bundles);
   }
 
   @Override
@@ -86,33 +85,10 @@ public final class Scene3dType implements UicType {
   }
 
   private List<DisplayType> kinds() {
-    forgetGone();
-    return kinds.stream().flatMap(handle -> take(handle).stream()).toList();
+    return displays.take(kinds);
   }
 
   private Optional<Gl> graphics() {
-    return graphics.stream().findFirst().flatMap(this::take);
-  }
-
-  private void forgetGone() {
-    List<ServiceReference<?>> there = Stream.<ServiceReference<?>>concat(kinds.stream(), graphics.stream()).toList();
-    synchronized (taken) {
-      if (taken.size() > there.size()) {
-        taken.keySet().retainAll(there);
-      }
-    }
-  }
-
-  /** A service of a handle; a bundle that is just going gives none. */
-  @SuppressWarnings("unchecked") // a handle gives one type only
-  private <S> Optional<S> take(ServiceReference<S> handle) {
-    synchronized (taken) {
-      Optional<S> known = Optional.ofNullable((S) taken.get(handle));
-      return known.or(() -> {
-        Optional<S> got = Optional.ofNullable(bundles.getService(handle));
-        got.ifPresent(service -> taken.put(handle, service));
-        return got;
-      });
-    }
+    return renderers.take(graphics).stream().findFirst();
   }
 }

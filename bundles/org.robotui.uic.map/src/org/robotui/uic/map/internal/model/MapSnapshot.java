@@ -6,6 +6,8 @@ import java.util.Set;
 import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.Vector3;
+import org.robotui.ui.layer.LayerNote;
+import org.robotui.ui.layer.SeenRobot;
 
 /**
  * What the canvas paints besides the layers.
@@ -20,7 +22,7 @@ import org.robotui.geometry.Vector3;
  * @param selected the robots that the user means
  */
 public record MapSnapshot(
-    Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<Note> notes, List<RobotPlace> robots,
+    Optional<FrameId> fixed, List<FrameId> frames, InputState state, List<LayerNote> notes, List<SeenRobot> robots,
     Optional<List<Vector3>> ways, List<GoalFailure> failures, Set<String> selected) {
   /** Before the first tick. */
   public static final MapSnapshot NONE = new MapSnapshot(

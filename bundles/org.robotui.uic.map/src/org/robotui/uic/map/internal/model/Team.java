@@ -8,7 +8,6 @@ import java.util.Set;
 import org.robotui.api.command.Authority;
 import org.robotui.api.host.RuicView;
 import org.robotui.api.port.SourceId;
-import org.robotui.ui.scene.Ink;
 
 /** The robots of the map, each with a number that gives it its colour. Any thread. */
 public final class Team {
@@ -51,11 +50,5 @@ public final class Team {
   /** Has other robots meant. */
   public void select(Set<String> robots) {
     ruic.selection().set(robots);
-  }
-
-  /** The colour of what a source gives. */
-  Ink ink(SourceId source) {
-    OptionalInt tint = tint(source);
-    return tint.isPresent() ? new Ink.Trace(tint.getAsInt()) : Ink.USUAL;
   }
 }

@@ -8,7 +8,7 @@ import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
-import org.robotui.uic.map.internal.model.RobotPlace;
+import org.robotui.ui.layer.SeenRobot;
 import org.robotui.uic.map.internal.model.Team;
 
 /**
@@ -30,18 +30,18 @@ final class Legend {
     this.team = team;
   }
 
-  void paint(GC gc, Rectangle area, List<RobotPlace> robots) {
+  void paint(GC gc, Rectangle area, List<SeenRobot> robots) {
     if (!team.isSeveral() || robots.size() < 2 || robots.size() > MOST) {
       return;
     }
     gc.setFont(theme.font(Face.SMALL));
-    int widest = robots.stream().mapToInt(r -> gc.textExtent(r.robot()).x).max().orElse(0);
+    int widest = robots.stream().mapToInt(r -> gc.textExtent(r.name()).x).max().orElse(0);
     int width = widest + DISC + 2 * Theme.STEP + 2 * Theme.EDGE;
     Rectangle box =
         new Rectangle(area.width - width - Theme.EDGE, Theme.EDGE, width, robots.size() * ROW + 2 * Theme.STEP);
     states.pill(gc, box);
     for (int i = 0; i < robots.size(); i++) {
-      String name = robots.get(i).robot();
+      String name = robots.get(i).name();
       int middle = box.y + Theme.STEP + i * ROW + ROW / 2;
       gc.setAntialias(SWT.ON);
       gc.setBackground(theme.traces().get(team.number(name) % theme.traces().size()));

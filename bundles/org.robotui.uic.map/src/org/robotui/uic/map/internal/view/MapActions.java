@@ -28,7 +28,7 @@ public final class MapActions {
         tool(GOAL, "Send a goal (G)", Icon.TARGET),
         tool(POSE, "Pose estimate (P)", Icon.POSE),
         new ViewAction("reset", "Reset: forget transforms and trails", Icon.RESTART.id(), Optional.empty(), reset),
-        made.action("layers", "Layers (L)", Icon.LAYERS, MapCanvas::openLayers));
+        made.switched("layers", "Layers (L)", Icon.LAYERS, MapCanvas::listOpen, MapCanvas::toggleList));
   }
 
   /** All actions. */

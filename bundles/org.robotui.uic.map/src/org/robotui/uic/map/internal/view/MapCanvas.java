@@ -17,28 +17,30 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
+import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
-import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.display.DisplayKind;
+import org.robotui.ui.display.DisplayList;
+import org.robotui.ui.display.DisplayPane;
+import org.robotui.ui.display.ListedView;
+import org.robotui.ui.layer.LayerNote;
+import org.robotui.ui.layer.SeenRobot;
 import org.robotui.ui.scene.Camera;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
-import org.robotui.ui.scene.Layer;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Scene;
+import org.robotui.ui.scene.SceneControl;
 import org.robotui.ui.scene.SceneMover;
-import org.robotui.ui.scene.ScenePicture;
 import org.robotui.ui.scene.Toast;
 import org.robotui.ui.scene.Viewport;
-import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.model.MapSnapshot;
-import org.robotui.uic.map.internal.model.Note;
-import org.robotui.uic.map.internal.model.RobotPlace;
 
 /** The control of a map. Display thread only. */
 public final class MapCanvas {
@@ -47,7 +49,6 @@ public final class MapCanvas {
   private static final double LARGEST_FIT = 200;
   private static final int MARGIN = 48;
 
-  private final UiContext context;
   private final MapModel model;
   private final MapChoices choices;
   private final Commander commander;
@@ -57,19 +58,16 @@ public final class MapCanvas {
   private final Legend legend;
   private final TeamHands team;
   private final TeamMarks marks;
-  private final PaintedCanvas surface;
-  private final SceneMover mover;
-  private final ScenePicture picture;
+  private final ListedView view;
+  private final SceneControl scene;
   private final Toast toast = new Toast();
   private final Hover hover = new Hover();
   private final SentGoal sent = new SentGoal();
   private Optional<Tool> tool = Optional.empty();
-  private String note = "";
 
   public MapCanvas(
       Composite parent, UiContext context, MapModel model, MapChoices choices, Commander commander, TeamGoals goals,
       MapActions actions) {
-    this.context = context;
     this.model = model;
     this.choices = choices;
     this.commander = commander;
@@ -79,32 +77,28 @@ public final class MapCanvas {
     legend = new Legend(theme, model.team());
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
-    surface = new PaintedCanvas(parent, theme, this::paint);
-    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(),
-        SceneMover.Following.of(this::following, choices::follow),
-        this::repaint);
-    picture = new ScenePicture(model.scene(), surface, theme);
-    actions.connect(this);
-    surface.atEnd(() -> {
-      actions.disconnect(this);
-      model.scene().dispose();
+    SceneControl[] made = new SceneControl[1];
+    view = new ListedView(parent, theme, new Listed(), () -> choices.options().list(), box -> {
+      made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
+          SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
+      return made[0].surface();
     });
-    new MapInput(this, surface).listen();
+    scene = made[0];
+    actions.connect(this);
+    new MapInput(this, scene.surface()).listen();
+    refresh();
   }
 
   public Control control() {
-    return surface;
+    return view.control();
   }
 
   /** Paints soon what the last ticks prepared. */
   public void refresh() {
-    if (!surface.isDisposed()) {
-      sayNote();
-      picture.refresh();
-      if (following()) {
-        // The camera moves with the robot, which is seen by painting.
-        surface.requestPaint();
-      }
+    if (!scene.surface().isDisposed()) {
+      view.arrange();
+      view.pane().show(model.layers().rows(), 0);
+      scene.refresh();
     }
   }
 
@@ -112,15 +106,12 @@ public final class MapCanvas {
    * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
    */
   public boolean upToDate() {
-    return picture.upToDate();
+    return scene.upToDate();
   }
 
   /** Paints soon what hands have changed: the camera, or what lies over the scene. */
   void repaint() {
-    if (!surface.isDisposed()) {
-      refresh();
-      surface.requestPaint();
-    }
+    scene.repaint();
   }
 
   boolean following() {
@@ -133,30 +124,42 @@ public final class MapCanvas {
   }
 
   SceneMover mover() {
-    return mover;
+    return scene.mover();
   }
 
-  /** Shows the layers of a stream, and where they lie. */
+  /** Shows the layers of a stream, after adding one where there is none, and where they lie. */
   public void show(SourceId port) {
-    List<Layer> layers = model.scene().layers().stream().filter(layer -> layer.id().endsWith(":" + port)).toList();
-    layers.forEach(layer -> {
-      choices.show(Kind.values()[layer.order()], true);
-      choices.show(layer.id(), true);
-    });
-    layers.stream().flatMap(layer -> layer.entity().bounds().stream()).findFirst()
-        .ifPresent(box -> mover.center((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2));
+    List<String> layers = model.layers().of(port);
     if (layers.isEmpty()) {
-      say(new CommandNotice(Health.WARNING, port + " is not connected to this map"));
+      layers = model.layers().add(port).stream().toList();
     }
+    if (layers.isEmpty()) {
+      say(new CommandNotice(Health.WARNING, "No layer shows " + port));
+    }
+    layers.forEach(id -> {
+      model.layers().list().change(id, spec -> spec.show(true));
+      view.pane().choose(id);
+    });
+    layers.stream().findFirst().ifPresent(this::goTo);
     refresh();
   }
 
-  void openLayers() {
-    new MapMenu(this, model, choices).openLayers(surface);
+  private void goTo(String layer) {
+    model.scene().find(layer).flatMap(l -> l.entity().bounds())
+        .ifPresent(box -> mover().center((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2));
+  }
+
+  boolean listOpen() {
+    return choices.options().list();
+  }
+
+  void toggleList() {
+    choices.list(!listOpen());
+    refresh();
   }
 
   void openMenu(int x, int y) {
-    new MapMenu(this, model, choices).open(surface, x, y);
+    new MapMenu(this, model, choices).open(scene.surface(), x, y);
   }
 
   boolean using(String id) {
@@ -165,8 +168,8 @@ public final class MapCanvas {
 
   void toggleTool(String id) {
     tool = using(id) ? Optional.empty() : Optional.of(make(id));
-    surface.setCursor(tool.isPresent() ? surface.getDisplay().getSystemCursor(SWT.CURSOR_CROSS) : null);
-    surface.setFocus();
+    scene.surface().setCursor(tool.isPresent() ? scene.surface().getDisplay().getSystemCursor(SWT.CURSOR_CROSS) : null);
+    scene.surface().setFocus();
     repaint();
   }
 
@@ -189,12 +192,11 @@ public final class MapCanvas {
   /** The pointer rests: says what is there. */
   void rest() {
     hover.pointer().ifPresent(p -> hover.say(describe(p)));
-    surface.requestPaint();
+    scene.surface().requestPaint();
   }
 
   List<Scene.Hit> hits(Point pixel) {
-    Viewport v = mover.viewport();
-    return model.scene().at(v.worldX(pixel.x), v.worldY(pixel.y), TOUCH_PIXELS / v.scale());
+    return scene.hits(pixel, TOUCH_PIXELS);
   }
 
   /** A click that moved nothing and used no tool. */
@@ -205,14 +207,14 @@ public final class MapCanvas {
     }
   }
 
-  private Optional<RobotPlace> robotAt(Point pixel) {
-    Viewport v = mover.viewport();
+  private Optional<SeenRobot> robotAt(Point pixel) {
+    Viewport v = mover().viewport();
     return model.snapshot().robots().stream()
         .filter(r -> distance(r, v, pixel) < Math.max(TOUCH_PIXELS + 4, robotRadius() * v.scale()))
         .min(Comparator.comparingDouble(r -> distance(r, v, pixel)));
   }
 
-  private static double distance(RobotPlace robot, Viewport v, Point pixel) {
+  private static double distance(SeenRobot robot, Viewport v, Point pixel) {
     double dx = robot.fixedFromBase().translation().x() - v.worldX(pixel.x);
     double dy = robot.fixedFromBase().translation().y() - v.worldY(pixel.y);
     return Math.hypot(dx, dy) * v.scale();
@@ -235,14 +237,14 @@ public final class MapCanvas {
     Optional<FrameId> fixed = model.snapshot().fixed();
     if (team.isTeam() && fixed.isPresent()) {
       endTool(t -> t instanceof MeasureTool);
-      team.send(fixed.get(), pose, () -> new MapMenu(this, model, choices).askAll(surface, fixed.get(), pose));
+      team.send(fixed.get(), pose, () -> new MapMenu(this, model, choices).askAll(scene.surface(), fixed.get(), pose));
       return;
     }
     command(frame -> {
       CommandNotice told = commander.goal(frame, pose);
       if (told.health() == Health.OK) {
         sent.at(frame, pose, System.nanoTime());
-        surface.getDisplay().timerExec(SentGoal.PATIENCE_MILLIS + 1, surface::requestPaint);
+        scene.surface().getDisplay().timerExec(SentGoal.PATIENCE_MILLIS + 1, scene.surface()::requestPaint);
       }
       return told;
     });
@@ -265,30 +267,27 @@ public final class MapCanvas {
         .map(r -> r.fixedFromBase().rotation().yaw()).orElse(0.0);
   }
 
-  private void paint(GC gc, Rectangle area) {
+  private boolean isBare() {
+    return model.scene().bounds().isEmpty() && !StateView.showsContent(model.snapshot().state());
+  }
+
+  /** What is painted over the layers. */
+  private void over(Painter painter, Rectangle area) {
+    GC gc = painter.gc();
     MapSnapshot snapshot = model.snapshot();
-    mover.settle(area.width, area.height, robot().map(r -> r.fixedFromBase().translation()));
-    Painter painter = new Painter(gc, mover.viewport(), theme);
-    boolean bare = model.scene().bounds().isEmpty() && !StateView.showsContent(snapshot.state());
-    if (!bare) {
-      picture.paint(painter);
-    }
     sent.paint(painter, snapshot, System.nanoTime());
     marks.paint(painter, snapshot);
     tool.ifPresent(t -> t.paint(painter));
     painter.opacity(1);
     paintState(gc, area, snapshot);
-    if (!bare) {
-      overlay.corners(gc, mover.viewport(), snapshot, hover.pointer());
+    if (!isBare()) {
+      overlay.corners(gc, mover().viewport(), snapshot, hover.pointer());
       legend.paint(gc, area, snapshot.robots());
     }
     tool.ifPresent(t -> overlay.hint(gc, area, t.hint()));
     toast.at(System.nanoTime()).ifPresent(t -> overlay.toast(gc, area, t));
     if (!hover.lines().isEmpty()) {
       hover.pointer().ifPresent(p -> overlay.card(gc, area, p, hover.lines()));
-    }
-    if (painter.wantsAgain()) {
-      surface.requestPaint();
     }
   }
 
@@ -304,7 +303,7 @@ public final class MapCanvas {
       } else {
         states.paint(gc, area, snapshot.state());
       }
-      List<Note> notes = new ArrayList<>(snapshot.notes());
+      List<LayerNote> notes = new ArrayList<>(snapshot.notes());
       sent.note(snapshot, System.nanoTime()).ifPresent(notes::addFirst);
       overlay.notes(gc, area, notes, snapshot.state() instanceof InputState.Stale, tool.isPresent());
     }
@@ -315,12 +314,12 @@ public final class MapCanvas {
     for (Scene.Hit hit : hits(pixel).stream().limit(MOST_HITS).toList()) {
       List<String> words = hit.description().text().lines().toList();
       words.forEach(w -> lines.add(new CardLine(w, w == words.getFirst())));
-      model.detail(hit.layer().id(), System.nanoTime()).ifPresent(d -> lines.add(new CardLine(d, false)));
+      model.layers().detail(hit.layer().id(), System.nanoTime()).ifPresent(d -> lines.add(new CardLine(d, false)));
     }
     return lines;
   }
 
-  private Optional<RobotPlace> robot() {
+  private Optional<SeenRobot> robot() {
     return model.snapshot().robots().stream().findFirst();
   }
 
@@ -345,23 +344,81 @@ public final class MapCanvas {
 
   private void endTool(Predicate<Tool> kept) {
     tool = tool.filter(kept);
-    surface.setCursor(null);
+    scene.surface().setCursor(null);
   }
 
   /** Says for a while what became of something. */
   void say(CommandNotice told) {
     toast.say(told, System.nanoTime());
-    surface.getDisplay().timerExec(Toast.MILLIS, surface::requestPaint);
+    scene.surface().getDisplay().timerExec(Toast.MILLIS, scene.surface()::requestPaint);
     repaint();
   }
 
-  private void sayNote() {
+  private String note() {
     String follow = following() ? "follow  \u00b7  " : "";
     String frame = model.snapshot().fixed().map(f -> f.name() + "  \u00b7  ").orElse("");
-    String next = follow + frame + Figures.of(1 / mover.viewport().scale(), 3, "m/px");
-    if (!next.equals(note)) {
-      note = next;
-      context.note(next);
+    return follow + frame + Figures.of(1 / mover().viewport().scale(), 3, "m/px");
+  }
+
+  /** What is special to a map. */
+  private final class Shown implements SceneControl.View {
+    private final MapActions actions;
+
+    Shown(MapActions actions) {
+      this.actions = actions;
+    }
+
+    @Override
+    public boolean shows() {
+      return !isBare();
+    }
+
+    @Override
+    public Optional<Vector3> followed() {
+      return robot().map(SeenRobot::at);
+    }
+
+    @Override
+    public void over(Painter painter, Rectangle area) {
+      MapCanvas.this.over(painter, area);
+    }
+
+    @Override
+    public String note() {
+      return MapCanvas.this.note();
+    }
+
+    @Override
+    public void gone() {
+      actions.disconnect(MapCanvas.this);
+    }
+  }
+
+  /** What the list of layers needs of the map. */
+  private final class Listed implements DisplayPane.Host {
+    @Override
+    public String noun() {
+      return "layer";
+    }
+
+    @Override
+    public DisplayList list() {
+      return model.layers().list();
+    }
+
+    @Override
+    public List<DisplayKind> kinds() {
+      return model.layers().kinds();
+    }
+
+    @Override
+    public void refresh() {
+      MapCanvas.this.refresh();
+    }
+
+    @Override
+    public void showAllOf(String id) {
+      model.scene().find(id).flatMap(l -> l.entity().bounds()).ifPresent(mover()::fit);
     }
   }
 }

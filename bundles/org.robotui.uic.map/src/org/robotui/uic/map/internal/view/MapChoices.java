@@ -1,11 +1,7 @@
 package org.robotui.uic.map.internal.view;
 
-import java.util.List;
-import java.util.Set;
-import java.util.TreeSet;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.SettingsStore;
-import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.MapOptions;
 
 /** What the user has chosen, kept in the settings. Safe for all threads. */
@@ -39,26 +35,11 @@ public final class MapChoices {
     settings.set(MapOptions.FOLLOW, on);
   }
 
-  void fan(boolean shown) {
-    settings.set(MapOptions.SHOW_FAN, shown);
-  }
-
-  void uncertainty(boolean shown) {
-    settings.set(MapOptions.SHOW_UNCERTAINTY, shown);
+  void list(boolean open) {
+    settings.set(MapOptions.LIST, open);
   }
 
   void fixedFrame(String name) {
     settings.set(MapOptions.FIXED_FRAME, name);
-  }
-
-  void show(Kind kind, boolean shown) {
-    settings.set(kind.setting(), shown);
-  }
-
-  void show(String layer, boolean shown) {
-    Set<String> hidden = new TreeSet<>(options().hidden());
-    if (shown ? hidden.remove(layer) : hidden.add(layer)) {
-      settings.set(MapOptions.HIDDEN, List.copyOf(hidden));
-    }
   }
 }

@@ -91,7 +91,7 @@ final class MapInput {
       case 'g' -> map.toggleTool(MapActions.GOAL);
       case 'm' -> map.toggleTool(MapActions.MEASURE);
       case 'p' -> map.toggleTool(MapActions.POSE);
-      case 'l' -> map.openLayers();
+      case 'l' -> map.toggleList();
       case SWT.ESC -> endTool();
       default -> {}
     }

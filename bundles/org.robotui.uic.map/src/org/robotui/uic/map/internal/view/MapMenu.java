@@ -10,7 +10,6 @@ import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.scene.Layer;
 import org.robotui.ui.scene.Scene;
-import org.robotui.uic.map.internal.Kind;
 import org.robotui.uic.map.internal.MapOptions;
 import org.robotui.uic.map.internal.model.MapModel;
 
@@ -32,7 +31,7 @@ final class MapMenu {
     hits(menu, map.hits(new Point(x, y)));
     place(menu, map.mover().viewport().worldX(x), map.mover().viewport().worldY(y));
     menu.line();
-    layers(menu.under("Layers"));
+    menu.check("Layers", map.listOpen(), on -> map.toggleList());
     frames(menu.under("Fixed frame"));
     menu.check("Follow the robot", map.following(), on -> map.toggleFollow());
     menu.push("Show all", () -> map.mover().fit());
@@ -48,19 +47,12 @@ final class MapMenu {
         .open();
   }
 
-  /** What is shown. */
-  void openLayers(Control control) {
-    PopupMenu menu = new PopupMenu(control, map::refresh);
-    layers(menu);
-    menu.open();
-  }
-
   private void hits(PopupMenu menu, List<Scene.Hit> hits) {
     for (Scene.Hit hit : hits) {
       Layer layer = hit.layer();
       menu.under(hit.description().text().lines().findFirst().orElse(layer.caption()))
           .push(layer.caption(), false, () -> {})
-          .push("Hide", () -> choices.show(layer.id(), false));
+          .push("Hide", () -> model.layers().list().change(layer.id(), spec -> spec.show(false)));
     }
     menu.line();
   }
@@ -78,21 +70,6 @@ final class MapMenu {
     menu.push("Measure", () -> map.toggleTool(MapActions.MEASURE));
     menu.push("Copy coordinates", () -> Clipboards.copy(Figures.fixed(x, 3).replace('\u2212', '-') + " "
         + Figures.fixed(y, 3).replace('\u2212', '-')));
-  }
-
-  private void layers(PopupMenu menu) {
-    MapOptions options = choices.options();
-    for (Kind kind : Kind.values()) {
-      menu.check(kind.label(), options.shown().contains(kind), on -> choices.show(kind, on));
-      List<Layer> several = model.scene().layers().stream().filter(l -> l.order() == kind.ordinal()).toList();
-      if (several.size() > 1 || several.stream().anyMatch(l -> options.hidden().contains(l.id()))) {
-        several.forEach(l -> menu.check("    " + l.caption(), !options.hidden().contains(l.id()),
-            on -> choices.show(l.id(), on)));
-      }
-    }
-    menu.line();
-    menu.check("Free space of scans", options.fan(), choices::fan);
-    menu.check("Uncertainty of odometry", options.uncertainty(), choices::uncertainty);
   }
 
   private void frames(PopupMenu menu) {

@@ -13,10 +13,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
+import org.robotui.ui.layer.LayerNote;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Viewport;
 import org.robotui.uic.map.internal.model.MapSnapshot;
-import org.robotui.uic.map.internal.model.Note;
 
 /** What lies over the map and does not move with it. Display thread. */
 final class MapOverlay {
@@ -55,7 +55,7 @@ final class MapOverlay {
    * @param banner whether the age of stale data stands at the upper edge
    * @param hint whether a hint stands below that
    */
-  void notes(GC gc, Rectangle area, List<Note> notes, boolean banner, boolean hint) {
+  void notes(GC gc, Rectangle area, List<LayerNote> notes, boolean banner, boolean hint) {
     int above = hint ? HINT_TOP + PILL_HEIGHT : banner ? Theme.EDGE + PILL_HEIGHT : 0;
     list.paint(gc, area, notes, above + Theme.EDGE);
   }

@@ -12,7 +12,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
-import org.robotui.uic.map.internal.model.Note;
+import org.robotui.ui.layer.LayerNote;
 
 /** Lines about layers, on a ground of their own: what they lie over may have any colour. Display thread. */
 final class NoteList {
@@ -38,12 +38,12 @@ final class NoteList {
    * @param below how far down words in the middle of the upper edge go; where the lines are as long as that, they stand
    * below those
    */
-  void paint(GC gc, Rectangle area, List<Note> notes, int below) {
+  void paint(GC gc, Rectangle area, List<LayerNote> notes, int below) {
     if (notes.isEmpty()) {
       return;
     }
     gc.setFont(theme.font(Face.SMALL));
-    List<Note> lines = lines(gc, area.width - 4 * Theme.EDGE - LEAD, notes);
+    List<LayerNote> lines = lines(gc, area.width - 4 * Theme.EDGE - LEAD, notes);
     Rectangle ground = ground(gc, area, lines, below);
     states.pill(gc, ground);
     for (int i = 0; i < lines.size(); i++) {
@@ -51,22 +51,22 @@ final class NoteList {
     }
   }
 
-  private static List<Note> lines(GC gc, int room, List<Note> notes) {
-    List<Note> lines = new ArrayList<>();
-    notes.stream().limit(MOST).forEach(n -> lines.add(new Note(n.health(), TextFit.shorten(gc, n.text(), room))));
+  private static List<LayerNote> lines(GC gc, int room, List<LayerNote> notes) {
+    List<LayerNote> lines = new ArrayList<>();
+    notes.stream().limit(MOST).forEach(n -> lines.add(new LayerNote(n.health(), TextFit.shorten(gc, n.text(), room))));
     if (notes.size() > MOST) {
-      lines.add(new Note(Health.NONE, "and " + (notes.size() - MOST) + " more"));
+      lines.add(new LayerNote(Health.NONE, "and " + (notes.size() - MOST) + " more"));
     }
     return lines;
   }
 
-  private static Rectangle ground(GC gc, Rectangle area, List<Note> lines, int below) {
+  private static Rectangle ground(GC gc, Rectangle area, List<LayerNote> lines, int below) {
     int width = lines.stream().mapToInt(n -> gc.textExtent(n.text()).x).max().orElse(0) + LEAD + 2 * Theme.EDGE;
     boolean reachesMiddle = Theme.EDGE + width + Theme.STEP > area.width / 2 - MIDDLE_HALF;
     return new Rectangle(Theme.EDGE, reachesMiddle ? below : Theme.EDGE, width, lines.size() * HEIGHT + 2 * Theme.STEP);
   }
 
-  private void line(GC gc, int left, int middle, Note note) {
+  private void line(GC gc, int left, int middle, LayerNote note) {
     HealthDot.paint(gc, theme, note.health(), left + HealthDot.SIZE / 2, middle);
     Point size = gc.textExtent(note.text());
     gc.setForeground(theme.color(note.health() == Health.BAD ? Role.TEXT : note.health().role()));

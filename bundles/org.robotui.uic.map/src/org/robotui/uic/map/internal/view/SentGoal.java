@@ -9,10 +9,10 @@ import org.robotui.geometry.Vector3;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
+import org.robotui.ui.layer.LayerNote;
 import org.robotui.ui.scene.Painter;
 import org.robotui.uic.map.internal.model.GoalFailure;
 import org.robotui.uic.map.internal.model.MapSnapshot;
-import org.robotui.uic.map.internal.model.Note;
 
 /**
  * The goal that was sent last, until the robot is there, the fixed frame is another, or the user is done with it. Why
@@ -75,9 +75,9 @@ final class SentGoal {
   }
 
   /** Why it failed, where that is a sentence: it has no room beside the goal. */
-  Optional<Note> note(MapSnapshot snapshot, long nowNanos) {
+  Optional<LayerNote> note(MapSnapshot snapshot, long nowNanos) {
     String problem = problem(snapshot, nowNanos);
-    return problem.indexOf(':') < 0 ? Optional.empty() : Optional.of(new Note(Health.WARNING, "goal " + problem));
+    return problem.indexOf(':') < 0 ? Optional.empty() : Optional.of(new LayerNote(Health.WARNING, "goal " + problem));
   }
 
   void paint(Painter painter, MapSnapshot snapshot, long nowNanos) {

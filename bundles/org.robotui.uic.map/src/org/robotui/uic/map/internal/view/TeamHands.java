@@ -8,8 +8,8 @@ import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.ui.Health;
 import org.robotui.ui.control.PopupMenu;
+import org.robotui.ui.layer.SeenRobot;
 import org.robotui.ui.scene.CommandNotice;
-import org.robotui.uic.map.internal.model.RobotPlace;
 import org.robotui.uic.map.internal.model.Team;
 
 /** Selects robots of a team and sends those that are selected somewhere. Display thread. */
@@ -33,9 +33,9 @@ final class TeamHands {
   }
 
   /** A click on a robot selects it, with Ctrl or Shift beside others; a click on the floor none. */
-  void click(Optional<RobotPlace> robot, boolean beside) {
+  void click(Optional<SeenRobot> robot, boolean beside) {
     Set<String> next = new LinkedHashSet<>(beside ? team.selected() : Set.of());
-    robot.map(RobotPlace::robot).filter(name -> !beside || !next.remove(name)).ifPresent(next::add);
+    robot.map(SeenRobot::name).filter(name -> !beside || !next.remove(name)).ifPresent(next::add);
     if (robot.isPresent() || !beside) {
       team.select(next);
     }
@@ -68,8 +68,8 @@ final class TeamHands {
   }
 
   /** Where the one that is selected looks. */
-  Optional<RobotPlace> meantPlace(List<RobotPlace> robots) {
-    return robots.stream().filter(robot -> team.selected().size() == 1 && team.selected().contains(robot.robot()))
+  Optional<SeenRobot> meantPlace(List<SeenRobot> robots) {
+    return robots.stream().filter(robot -> team.selected().size() == 1 && team.selected().contains(robot.name()))
         .findFirst();
   }
 

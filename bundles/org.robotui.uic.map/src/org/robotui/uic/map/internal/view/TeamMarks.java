@@ -46,8 +46,8 @@ final class TeamMarks {
     if (!snapshot.fixed().equals(frame)) {
       spots.clear();
     }
-    snapshot.robots().forEach(r -> Optional.ofNullable(spots.get(r.robot())).map(RigidTransform::translation)
-        .filter(spot -> near(spot, r.fixedFromBase().translation())).ifPresent(spot -> spots.remove(r.robot())));
+    snapshot.robots().forEach(r -> Optional.ofNullable(spots.get(r.name())).map(RigidTransform::translation)
+        .filter(spot -> near(spot, r.fixedFromBase().translation())).ifPresent(spot -> spots.remove(r.name())));
     return spots;
   }
 

@@ -16,9 +16,10 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.testkit.FakeFrames;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.ui.Health;
+import org.robotui.ui.layer.LayerNote;
 import org.robotui.ui.scene.Layer;
 import org.robotui.uic.map.internal.DemoRoom;
-import org.robotui.uic.map.internal.Kind;
+import org.robotui.uic.map.internal.LayerKinds;
 import org.robotui.uic.map.internal.MapOptions;
 import org.robotui.uic.map.internal.MapPorts;
 
@@ -39,11 +40,10 @@ class MapModelTest {
   @Test
   void everySourceGetsALayerOfItsOwnInOrder() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     assertEquals(List.of("grid", "map:base.map", "sonar:base.sonar", "scan:base.scan", "trail:base.odom",
-        "path:base.plan", "robot:Keira", "bumper:base.bumper"),
-        model.scene().layers().stream().map(Layer::id).toList());
+        "path:base.plan", "robot", "bumper:base.bumper"), model.scene().layers().stream().map(Layer::id).toList());
     assertTrue(model.scene().layers().stream().allMatch(Layer::visible));
     assertEquals(List.of(), model.snapshot().notes());
     assertEquals(Optional.of(DemoRoom.MAP), model.snapshot().fixed());
@@ -52,7 +52,7 @@ class MapModelTest {
   @Test
   void nothingNewMeansNothingToShow() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     assertTrue(tick(model));
     assertFalse(tick(model));
     context.input(MapPorts.SCAN).put(SCAN, DemoRoom.scan(), now, Optional.empty());
@@ -65,7 +65,7 @@ class MapModelTest {
     MapModel model = model();
     context.input(MapPorts.SCAN).put(SCAN, DemoRoom.scan(), now, Optional.empty());
     tick(model);
-    Note note = model.snapshot().notes().getFirst();
+    LayerNote note = model.snapshot().notes().getFirst();
     assertEquals(Health.WARNING, note.health());
     assertTrue(note.text().startsWith("scan: no transform odom \u2190 laser: "), note.text());
     assertFalse(layer(model, "scan:base.scan").visible());
@@ -131,31 +131,31 @@ class MapModelTest {
   @Test
   void staleDataFadesAndSaysItsAge() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     context.input(MapPorts.SCAN).state(SCAN, new InputState.Stale(2.1, "the link is lost"));
     assertTrue(tick(model));
     assertTrue(layer(model, "scan:base.scan").faded());
-    assertEquals(List.of(new Note(Health.STALE, "scan stale 2.1\u00a0s")), model.snapshot().notes());
+    assertEquals(List.of(new LayerNote(Health.STALE, "scan stale 2.1\u00a0s")), model.snapshot().notes());
   }
 
   @Test
   void aSourceThatGoesTakesItsLayerAlong() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     context.input(MapPorts.SCAN).remove(SCAN);
     assertTrue(tick(model));
     assertTrue(model.scene().find("scan:base.scan").isEmpty());
-    assertTrue(model.detail("scan:base.scan", now).isEmpty());
+    assertTrue(model.layers().detail("scan:base.scan", now).isEmpty());
   }
 
   @Test
   void layersAreShownAndHiddenBySettings() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
-    context.settings().set(Kind.SONAR.setting(), false);
+    context.settings().set(MapOptions.show("sonar"), false);
     context.settings().set(MapOptions.HIDDEN, List.of("scan:base.scan"));
     assertTrue(tick(model));
     assertFalse(layer(model, "sonar:base.sonar").visible());
@@ -166,7 +166,7 @@ class MapModelTest {
   @Test
   void theRobotIsFoundByTransformsAndElseByOdometry() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     RigidTransform found = model.snapshot().robots().getFirst().fixedFromBase();
     assertEquals(0, found.translation().minus(DemoRoom.ROBOT_AT.translation()).norm(), 1e-9);
@@ -174,7 +174,7 @@ class MapModelTest {
     FakeUicContext bare = new FakeUicContext("map", MapOptions.schema());
     bare.frames(frames);
     bare.input(MapPorts.ODOM).put(DemoRoom.odometry(RigidTransform.planar(3, 0, 0)));
-    MapModel byOdometry = new MapModel(bare);
+    MapModel byOdometry = new MapModel(bare, () -> LayerKinds.ALL);
     byOdometry.tick(now, options(bare));
     assertEquals(RigidTransform.planar(3, 0, 0), byOdometry.snapshot().robots().getFirst().fixedFromBase());
     assertEquals(Optional.of(DemoRoom.ODOM), byOdometry.snapshot().fixed());
@@ -183,16 +183,16 @@ class MapModelTest {
   @Test
   void bumpersAreOnTheRimOfTheRobotAboveItsBody() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     Layer bumpers = layer(model, "bumper:base.bumper");
     assertTrue(bumpers.visible());
-    assertTrue(bumpers.order() > Kind.ROBOT.ordinal());
+    assertTrue(bumpers.order() > layer(model, "robot").order());
     double bearing = Math.toRadians(20 - 45);
     double x = DemoRoom.ROBOT_AT.translation().x() + 0.25 * Math.cos(bearing);
     double y = DemoRoom.ROBOT_AT.translation().y() + 0.25 * Math.sin(bearing);
     assertEquals("bumper 1: pressed", bumpers.entity().describeAt(x, y, 0.01).orElseThrow().text());
-    context.settings().set(Kind.BUMPER.setting(), false);
+    context.settings().set(MapOptions.show("bumper"), false);
     assertTrue(tick(model));
     assertFalse(bumpers.visible());
   }
@@ -200,7 +200,7 @@ class MapModelTest {
   @Test
   void anotherFixedFrameMovesAllLayers() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     context.settings().set(MapOptions.FIXED_FRAME, "base_link");
     assertTrue(tick(model));
@@ -211,16 +211,16 @@ class MapModelTest {
   @Test
   void layersKnowTheirSourceAndAge() {
     DemoRoom.fill(context, now);
-    MapModel model = new MapModel(context);
+    MapModel model = new MapModel(context, () -> LayerKinds.ALL);
     tick(model);
     assertEquals("base.scan  \u00b7  2.0\u00a0s ago",
-        model.detail("scan:base.scan", now + 2_000_000_000L).orElseThrow());
-    assertTrue(model.detail("grid", now).isEmpty());
+        model.layers().detail("scan:base.scan", now + 2_000_000_000L).orElseThrow());
+    assertTrue(model.layers().detail("grid", now).isEmpty());
   }
 
   private MapModel model() {
     context.frames(frames);
-    return new MapModel(context);
+    return new MapModel(context, () -> LayerKinds.ALL);
   }
 
   private boolean tick(MapModel model) {

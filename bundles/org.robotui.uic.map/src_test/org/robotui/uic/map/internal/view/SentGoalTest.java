@@ -12,9 +12,9 @@ import org.robotui.api.port.InputState;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.ui.layer.SeenRobot;
 import org.robotui.uic.map.internal.model.GoalFailure;
 import org.robotui.uic.map.internal.model.MapSnapshot;
-import org.robotui.uic.map.internal.model.RobotPlace;
 
 class SentGoalTest {
   private static final FrameId MAP = new FrameId("Keira", "map");
@@ -83,7 +83,7 @@ class SentGoalTest {
 
   private static MapSnapshot snapshot(Optional<List<Vector3>> ways, Vector3 robot, GoalFailure... failed) {
     List<GoalFailure> failures = List.of(failed);
-    RobotPlace place = new RobotPlace("Keira", RigidTransform.planar(robot.x(), robot.y(), 0), 0);
+    SeenRobot place = new SeenRobot("Keira", RigidTransform.planar(robot.x(), robot.y(), 0), 0, 0, false, false);
     return new MapSnapshot(Optional.of(MAP), List.of(MAP), new InputState.Live(1, 0), List.of(), List.of(place), ways,
         failures, Set.of());
   }

@@ -3,8 +3,6 @@ package org.robotui.uic.scene3d.internal.view;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.layout.GridData;
-import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
@@ -12,28 +10,24 @@ import org.robotui.api.port.SourceId;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.control.Boxes;
+import org.robotui.ui.display.DisplayKind;
+import org.robotui.ui.display.DisplayList;
+import org.robotui.ui.display.DisplayPane;
+import org.robotui.ui.display.DisplayRow;
+import org.robotui.ui.display.ListedView;
+import org.robotui.ui.display.SourceName;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraPose;
 import org.robotui.uic.scene3d.internal.camera.Lens;
-import org.robotui.ui.display.DisplayKind;
-import org.robotui.ui.display.DisplayList;
-import org.robotui.ui.display.DisplayPane;
-import org.robotui.ui.display.DisplayRow;
-import org.robotui.ui.display.SourceName;
 import org.robotui.uic.scene3d.internal.model.Kinds;
 
 /** The control of a scene: the list of displays, and the picture. Display thread, where nothing else is said. */
 public final class SceneSurface {
-  private static final int TREE_WIDTH = 264;
-  private static final int LEAST_PICTURE = 240;
-
   private final UiContext context;
   private final SceneParts parts;
-  private final Composite root;
-  private final DisplayPane tree;
+  private final ListedView view;
   private final SceneCanvas canvas;
   private final Tools tools;
   private final SceneMenus menus;
@@ -47,38 +41,34 @@ public final class SceneSurface {
     this.context = context;
     this.parts = parts;
     display = parent.getDisplay();
-    root = Boxes.root(parent, context.theme(), this::focus);
-    ((GridLayout) root.getLayout()).numColumns = 2;
     tools = new Tools(parts, this::say, this::refresh);
     menus = new SceneMenus(this, parts);
-    tree = new DisplayPane(root, context.theme(), new Listed());
-    GridData side = new GridData(SWT.FILL, SWT.FILL, false, true);
-    side.widthHint = TREE_WIDTH;
-    tree.control().setLayoutData(side);
-    canvas = new SceneCanvas(root, context.theme(), this, parts);
-    canvas.control().setLayoutData(Boxes.fill());
+    SceneCanvas[] made = new SceneCanvas[1];
+    view = new ListedView(parent, context.theme(), new Listed(), this::treeOpen, box -> {
+      made[0] = new SceneCanvas(box, context.theme(), this, parts);
+      return made[0].control();
+    });
+    canvas = made[0];
     new SceneInput(this, parts).listen();
-    root.addListener(SWT.Resize, e -> arrange());
     actions.connect(this);
-    root.addListener(SWT.Dispose, e -> {
+    view.control().addListener(SWT.Dispose, e -> {
       seen = false;
       actions.disconnect(this);
     });
     parts.studio().again();
-    arrange();
     refresh();
   }
 
   /** The control. */
   public Control control() {
-    return root;
+    return view.control();
   }
 
   /** Shows what the last tick made. */
   public void refresh() {
-    if (!root.isDisposed()) {
-      arrange();
-      tree.show(parts.model().stage().rows(), parts.model().stage().bytes());
+    if (!view.control().isDisposed()) {
+      view.arrange();
+      view.pane().show(parts.model().stage().rows(), parts.model().stage().bytes());
       canvas.control().requestPaint();
       sayNote();
     }
@@ -98,7 +88,7 @@ public final class SceneSurface {
   public void say(CommandNotice told) {
     if (!display.isDisposed()) {
       display.asyncExec(() -> {
-        if (!root.isDisposed()) {
+        if (!view.control().isDisposed()) {
           tools.say(told);
         }
       });
@@ -110,7 +100,7 @@ public final class SceneSurface {
     if (!display.isDisposed()) {
       display.asyncExec(() -> {
         boolean before = seen;
-        seen = !root.isDisposed() && root.isVisible();
+        seen = !view.control().isDisposed() && view.control().isVisible();
         if (seen && !before) {
           canvas.control().requestPaint();
         }
@@ -167,7 +157,7 @@ public final class SceneSurface {
     display.ifPresent(id -> {
       parts.edits().change(id, spec -> spec.show(true));
       parts.edits().tree(true);
-      tree.choose(id);
+      view.pane().choose(id);
       parts.model().stage().bounds(id).ifPresent(box -> go(parts.rig().aim().fit(box, aspect())));
     });
     refresh();
@@ -208,11 +198,7 @@ public final class SceneSurface {
 
   /** It may be open, and yet there is no room for it beside the picture. */
   boolean treeSeen() {
-    return treeOpen() && hasRoom(root.getSize().x);
-  }
-
-  static boolean hasRoom(int width) {
-    return width == 0 || width >= TREE_WIDTH + LEAST_PICTURE;
+    return view.listSeen();
   }
 
   void toggleTree() {
@@ -245,16 +231,6 @@ public final class SceneSurface {
     @Override
     public void showAllOf(String id) {
       parts.model().stage().bounds(id).ifPresent(box -> go(parts.rig().aim().fit(box, aspect())));
-    }
-  }
-
-  private boolean focus() {
-    return canvas.control().setFocus();
-  }
-
-  private void arrange() {
-    if (Boxes.seen(tree.control(), treeSeen())) {
-      root.layout();
     }
   }
 
