@@ -12,7 +12,6 @@ import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
-import org.robotui.ui.display.DisplayKind;
 import org.robotui.ui.display.DisplayRow;
 import org.robotui.ui.display.DisplaySpec;
 import org.robotui.ui.display.KindSettings;

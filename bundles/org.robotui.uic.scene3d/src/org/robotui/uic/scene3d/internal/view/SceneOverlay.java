@@ -22,8 +22,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
-import org.robotui.uic.scene3d.internal.camera.Lens;
 import org.robotui.ui.display.DisplayRow;
+import org.robotui.uic.scene3d.internal.camera.Lens;
 import org.robotui.uic.scene3d.internal.model.Selection;
 import org.robotui.uic.scene3d.internal.model.Stage;
 
