@@ -9,6 +9,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.scene.Bounds;
 import org.robotui.ui.scene.Description;
 import org.robotui.ui.scene.Entity;
+import org.robotui.ui.scene.Ink;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.Viewport;
 
@@ -27,10 +28,10 @@ public final class GpsEntity implements Entity {
   private static final double LARGEST_CIRCLE = 50_000;
   private static final int LABEL_GAP = 14;
 
-  private final int trace;
   private final Track track = new Track(CAPACITY);
   private Optional<LocalPlane> plane = Optional.empty();
   private volatile Optional<Prepared> prepared = Optional.empty();
+  private volatile Ink ink;
   private volatile boolean byQuality;
   private volatile Optional<String> name = Optional.empty();
 
@@ -61,7 +62,7 @@ public final class GpsEntity implements Entity {
    * @param trace which colour of the theme's traces, from 0; taken modulo their number
    */
   public GpsEntity(int trace) {
-    this.trace = trace;
+    ink = new Ink.Trace(trace);
   }
 
   /**
@@ -88,6 +89,15 @@ public final class GpsEntity implements Entity {
   public void clear() {
     track.clear();
     prepared = prepared.map(p -> new Prepared(new double[0], new byte[0], p.at(), p.fix(), p.place()));
+  }
+
+  /**
+   * The colour of the receiver. Any thread.
+   *
+   * @param chosen a trace of the theme at the beginning
+   */
+  public void ink(Ink chosen) {
+    ink = chosen;
   }
 
   /**
@@ -158,7 +168,7 @@ public final class GpsEntity implements Entity {
   }
 
   private Color traceColor(Painter painter) {
-    return painter.theme().traces().get(trace % painter.theme().traces().size());
+    return ink.of(painter.theme(), Role.ACCENT);
   }
 
   private void place(Painter painter, Prepared p) {

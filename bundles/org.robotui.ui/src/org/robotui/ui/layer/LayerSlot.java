@@ -34,6 +34,7 @@ final class LayerSlot {
   private Optional<KindSettings> settings = Optional.empty();
   private SourceChoice choice = SourceChoice.NONE;
   private List<String> choices = List.of();
+  private Optional<String> called = Optional.empty();
   private Optional<Envelope<? extends Data>> newest = Optional.empty();
   private InputState state = new InputState.Live(0, 0);
   private LayerStatus status = NOTHING;
@@ -175,7 +176,12 @@ final class LayerSlot {
   }
 
   String name() {
-    return spec.name().isEmpty() ? type.map(LayerType::label).orElse(spec.type()) : spec.name();
+    return spec.name().isEmpty() ? called.or(() -> type.map(LayerType::label)).orElse(spec.type()) : spec.name();
+  }
+
+  /** Takes what it is called where the list has no name for it. */
+  void name(Optional<String> wanted) {
+    called = wanted;
   }
 
   private String caption() {

@@ -61,6 +61,16 @@ public final class LayerStack {
      * are
      */
     OptionalInt trace(SourceId source);
+
+    /**
+     * What a layer of a source is called that has no name in the list.
+     *
+     * @param source where data come from
+     * @return the name; none for that of its kind
+     */
+    default Optional<String> name(SourceId source) {
+      return Optional.empty();
+    }
   }
 
   private final LayerType.Ground ground;
@@ -228,6 +238,7 @@ public final class LayerStack {
       if (slot.type().isPresent()) {
         LayerEntry entry =
             new LayerEntry("", number, counts.get(slot.spec().type()), ink(slot), slot.settings().settings());
+        slot.name(slot.choice().sources().stream().findFirst().flatMap(rules::name));
         changed |= slot.update(inputs, context,
             new LayerTick(List.of(), slot.state(), placer, origin, robots, entry, nowNanos, reset), order);
       }

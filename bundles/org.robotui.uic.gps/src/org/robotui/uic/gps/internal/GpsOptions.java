@@ -1,7 +1,7 @@
 package org.robotui.uic.gps.internal;
 
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
@@ -9,6 +9,9 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.entity.gps.GeoPoint;
+import org.robotui.ui.display.DisplayEntry;
+import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.layer.LayerStack;
 
 /**
  * The settings of the GPS view.
@@ -16,14 +19,15 @@ import org.robotui.entity.gps.GeoPoint;
  * @param follow whether a receiver stays in the middle
  * @param followed which one, as component.port; empty for the first
  * @param origin where the plane touches the earth; none for the first fix
- * @param trailNanos how long ways are kept
- * @param ways how ways are coloured
+ * @param beginnings settings with which receivers begin that nobody has listed
  * @param sexagesimal whether coordinates are shown in degrees, minutes and seconds
- * @param grid whether the grid is drawn
+ * @param grid whether the grid begins shown
+ * @param list whether the list of layers is seen
  */
 public record GpsOptions(
-    boolean follow, String followed, Optional<GeoPoint> origin, long trailNanos, Ways ways, boolean sexagesimal,
-    boolean grid) {
+    boolean follow, String followed, Optional<GeoPoint> origin, Map<String, Object> beginnings, boolean sexagesimal,
+    boolean grid,
+    boolean list) {
   public static final String FOLLOW = "follow";
   public static final String FOLLOWED = "followed";
   public static final String ORIGIN = "origin";
@@ -37,35 +41,9 @@ public record GpsOptions(
   public static final String DECIMAL = "decimal";
   public static final String DMS = "dms";
   public static final String SHOW_GRID = "show_grid";
+  public static final String LIST = "list";
 
-  private static final double NANOS_PER_MINUTE = 60e9;
   private static final double LONGEST_MINUTES = 100_000;
-
-  /** How ways are coloured. */
-  public enum Ways {
-    /** By quality where there is one receiver, else by receiver. */
-    AUTO("Automatic"),
-    /** A colour a receiver. */
-    RECEIVER("By receiver"),
-    /** By the quality of the fixes. */
-    QUALITY("By quality");
-
-    private final String label;
-
-    Ways(String label) {
-      this.label = label;
-    }
-
-    /** As users read it. */
-    public String label() {
-      return label;
-    }
-
-    /** As written in settings. */
-    public String id() {
-      return name().toLowerCase(Locale.ROOT);
-    }
-  }
 
   /** What the view can be configured with. */
   public static Schema schema() {
@@ -78,12 +56,16 @@ public record GpsOptions(
         Setting.of(ORIGIN_LATITUDE, new ValueType.Num(-90, 90, "\u00b0"), 0.0, "Degrees, north is positive."),
         Setting.of(ORIGIN_LONGITUDE, new ValueType.Num(-180, 180, "\u00b0"), 0.0, "Degrees, east is positive."),
         Setting.of(TRAIL_MINUTES, new ValueType.Num(0, LONGEST_MINUTES, "min"), 240.0, "How long tracks are kept."),
-        Setting.of(WAY_COLORS, new ValueType.Choice(List.of(Ways.AUTO.id(), Ways.RECEIVER.id(), Ways.QUALITY.id())),
-            Ways.AUTO.id(),
+        Setting.of(WAY_COLORS, new ValueType.Choice(List.of("auto", "receiver", "quality")), "auto",
             "Colour of tracks: by quality of the fixes, by receiver, or auto: by quality where there is one receiver."),
         Setting.of(COORDINATES, new ValueType.Choice(List.of(DECIMAL, DMS)), DECIMAL,
             "Show coordinates in degrees, or in degrees, minutes and seconds."),
-        Setting.of(SHOW_GRID, new ValueType.Flag(), true, "Show the grid."));
+        Setting.of(SHOW_GRID, new ValueType.Flag(), true, "Show the grid."),
+        Setting.of(LayerStack.LAYERS, DisplayEntry.list("layer", "receiver"), List.of(),
+            "Layers, the topmost first; the settings above say how those begin that are not listed."),
+        Setting.of(DisplayEntry.AUTOMATIC, new ValueType.Flag(), true,
+            "Show what robots offer beside the layers that are listed."),
+        Setting.of(LIST, new ValueType.Flag(), false, "Whether the list of layers is seen."));
   }
 
   /** Reads checked settings. */
@@ -91,7 +73,17 @@ public record GpsOptions(
     Optional<GeoPoint> origin = s.text(ORIGIN).equals(FIXED)
         ? Optional.of(GeoPoint.degrees(s.number(ORIGIN_LATITUDE), s.number(ORIGIN_LONGITUDE)))
         : Optional.empty();
-    return new GpsOptions(s.flag(FOLLOW), s.text(FOLLOWED), origin, (long) (s.number(TRAIL_MINUTES) * NANOS_PER_MINUTE),
-        Ways.valueOf(s.text(WAY_COLORS).toUpperCase(Locale.ROOT)), s.text(COORDINATES).equals(DMS), s.flag(SHOW_GRID));
+    Map<String, Object> beginnings = Map.of(TRAIL_MINUTES, s.number(TRAIL_MINUTES), WAY_COLORS, s.text(WAY_COLORS));
+    return new GpsOptions(s.flag(FOLLOW), s.text(FOLLOWED), origin, beginnings, s.text(COORDINATES).equals(DMS),
+        s.flag(SHOW_GRID), s.flag(LIST));
+  }
+
+  /** A layer that nobody has listed, as the settings have it begin. */
+  public DisplaySpec begin(DisplaySpec spec) {
+    return switch (spec.type()) {
+      case "receiver" -> spec.named("").with(beginnings);
+      case "grid" -> spec.show(grid);
+      default -> spec;
+    };
   }
 }

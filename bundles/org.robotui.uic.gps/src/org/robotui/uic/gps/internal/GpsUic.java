@@ -2,6 +2,7 @@ package org.robotui.uic.gps.internal;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
@@ -9,6 +10,7 @@ import org.robotui.ui.SwtUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
+import org.robotui.ui.layer.LayerType;
 import org.robotui.uic.gps.internal.model.GpsModel;
 import org.robotui.uic.gps.internal.view.GpsActions;
 import org.robotui.uic.gps.internal.view.GpsCanvas;
@@ -21,8 +23,8 @@ final class GpsUic implements SwtUic {
   private final GpsActions actions = new GpsActions();
   private Optional<GpsCanvas> canvas = Optional.empty();
 
-  GpsUic(UicContext context) {
-    model = new GpsModel(context);
+  GpsUic(UicContext context, Supplier<List<LayerType>> kinds) {
+    model = new GpsModel(context, kinds);
     choices = new GpsChoices(context.settings());
   }
 
@@ -45,6 +47,7 @@ final class GpsUic implements SwtUic {
         new ViewKey("M", "Measure"),
         new ViewKey("C", "Copy the coordinates"),
         new ViewKey("D", "Show degrees, minutes, seconds"),
+        new ViewKey("L", "Open or close the list of layers"),
         new ViewKey("0", "Show all"),
         new ViewKey("+, -", "Zoom"),
         new ViewKey("Arrows", "Move"),

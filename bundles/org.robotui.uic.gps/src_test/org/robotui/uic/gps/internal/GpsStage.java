@@ -1,9 +1,11 @@
 package org.robotui.uic.gps.internal;
 
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.layout.FillLayout;
+import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Shell;
 import org.robotui.api.port.SourceId;
@@ -17,8 +19,8 @@ import org.robotui.ui.UiContext;
 
 /** A window with a GPS view and fakes behind it. */
 final class GpsStage {
-  final FakeUicContext context = new FakeUicContext("gps", new GpsType().schema());
-  final GpsUic uic = new GpsUic(context);
+  final FakeUicContext context = new FakeUicContext("gps", new GpsType(LayerKinds.ALL).schema());
+  final GpsUic uic = new GpsUic(context, () -> LayerKinds.ALL);
   final Shell shell;
   private final Theme theme;
   private Optional<PaintedCanvas> canvas = Optional.empty();
@@ -42,7 +44,8 @@ final class GpsStage {
   }
 
   void open() {
-    canvas = Optional.of((PaintedCanvas) uic.createControl(shell, UiContext.of(theme, text -> note = text)));
+    canvas = Stream.of(((Composite) uic.createControl(shell, UiContext.of(theme, text -> note = text))).getChildren())
+        .filter(PaintedCanvas.class::isInstance).map(PaintedCanvas.class::cast).findFirst();
     shell.open();
     tick();
   }

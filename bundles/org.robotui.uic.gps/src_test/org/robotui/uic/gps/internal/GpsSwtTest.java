@@ -75,7 +75,8 @@ class GpsSwtTest {
   @Test
   void aReceiverUnderThePointerSaysWhereItIs() {
     stage.mouse(SWT.MouseMove, 0, 301, 199);
-    assertEquals("base.fix\nGBAS fix  \u00b10.02\u00a0m\n42.000000\u00b0\u00a0N  71.000000\u00b0\u00a0W",
+    assertEquals(
+        "Receiver  \u00b7  base.fix\nGBAS fix  \u00b10.02\u00a0m\n42.000000\u00b0\u00a0N  71.000000\u00b0\u00a0W",
         stage.canvas().getToolTipText());
     stage.mouse(SWT.MouseMove, 0, 100, 300);
     assertNull(stage.canvas().getToolTipText());

@@ -5,7 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
@@ -15,11 +17,13 @@ import org.robotui.api.time.RobotClock;
 import org.robotui.data.FrameId;
 import org.robotui.data.sensor.GpsFix;
 import org.robotui.entity.gps.GeoPoint;
-import org.robotui.entity.gps.GpsEntity;
 import org.robotui.entity.gps.LocalPlane;
-import org.robotui.entity.grid.GridEntity;
 import org.robotui.ui.StateView;
-import org.robotui.ui.scene.Layer;
+import org.robotui.ui.display.DisplaySpec;
+import org.robotui.ui.layer.EarthOrigin;
+import org.robotui.ui.layer.LayerInputs;
+import org.robotui.ui.layer.LayerStack;
+import org.robotui.ui.layer.LayerType;
 import org.robotui.ui.scene.Scene;
 import org.robotui.uic.gps.internal.GpsOptions;
 import org.robotui.uic.gps.internal.GpsType;
@@ -28,16 +32,14 @@ import org.robotui.uic.gps.internal.GpsType;
  * Takes the newest fixes, puts them on the plane and prepares the layers. Worker thread, but for what says otherwise.
  */
 public final class GpsModel {
-  private static final String GRID = "grid";
-  private static final String RECEIVER = "receiver:";
-
   private final Input<GpsFix> input;
   private final RobotClock clock;
   private final Scene scene = new Scene();
   private final Map<SourceId, Source> sources = new LinkedHashMap<>();
+  private final LayerStack layers;
   private final AtomicBoolean forget = new AtomicBoolean();
   private Optional<GeoPoint> firstFix = Optional.empty();
-  private Optional<GpsOptions> inForce = Optional.empty();
+  private volatile GpsOptions inForce;
   private long epoch;
   private int traces;
   private volatile GpsSnapshot snapshot = GpsSnapshot.NONE;
@@ -45,42 +47,63 @@ public final class GpsModel {
   /** A receiver and what is known of it. */
   private static final class Source {
     final int trace;
-    final GpsEntity entity;
-    final Layer layer;
     Optional<Envelope<GpsFix>> shown = Optional.empty();
     Optional<GeoPoint> place = Optional.empty();
 
-    Source(SourceId id, int trace) {
+    Source(int trace) {
       this.trace = trace;
-      this.entity = new GpsEntity(trace);
-      this.layer = new Layer(RECEIVER + id, 1 + trace, id.toString(), entity);
     }
   }
 
-  public GpsModel(UicContext context) {
+  /** A view of what bundles bring layers for. */
+  public GpsModel(UicContext context, Supplier<List<LayerType>> kinds) {
     input = context.input(GpsType.FIX);
     clock = context.clock();
     epoch = clock.epoch();
-    scene.add(new Layer(GRID, 0, "Grid", new GridEntity()));
+    inForce = GpsOptions.of(context.settings().current());
+    layers = new LayerStack(LayerType.Ground.EARTH, scene, context,
+        new LayerInputs(context, List.of(GpsType.FIX), GpsType.DATA), kinds, new Rules());
+  }
+
+  /** What the older settings of the view, and its receivers, say of layers. */
+  private final class Rules implements LayerStack.Rules {
+    @Override
+    public DisplaySpec begin(DisplaySpec spec) {
+      return inForce.begin(spec);
+    }
+
+    @Override
+    public Optional<String> name(SourceId source) {
+      return Optional.ofNullable(sources.get(source)).flatMap(s -> s.shown)
+          .map(e -> GpsModel.this.name(source, e.value().frame()));
+    }
+
+    @Override
+    public OptionalInt trace(SourceId source) {
+      return Optional.ofNullable(sources.get(source)).map(s -> OptionalInt.of(s.trace)).orElse(OptionalInt.empty());
+    }
   }
 
   /** Prepares; true where there is something new to show. */
   public boolean tick(long nowNanos, GpsOptions options) {
-    boolean changed = forgetWhereDue() | !inForce.equals(Optional.of(options));
-    inForce = Optional.of(options);
+    boolean reset = forgetWhereDue();
+    boolean changed = reset | !inForce.equals(options);
+    inForce = options;
     changed |= removeOthers(input.sources());
-    List<SourceId> fresh = takeNew();
+    changed |= takeNew();
     Optional<LocalPlane> plane = options.origin().or(() -> firstFix).map(LocalPlane::new);
-    boolean moved = !plane.equals(snapshot.plane());
-    plane.ifPresent(p -> sources.forEach((id, source) -> {
-      if (moved || fresh.contains(id)) {
-        source.shown.ifPresent(e -> source.entity.prepare(e.value(), p, e.receivedNanos(), options.trailNanos()));
-      }
-    }));
+    layers.take(reset);
+    changed |= layers.prepare(Optional.empty(),
+        plane.map(p -> new EarthOrigin(p.origin().latitude(), p.origin().longitude())), List.of(), nowNanos, reset);
     GpsSnapshot next = new GpsSnapshot(state(), plane, receivers(plane));
-    changed |= configure(next, options) | moved | !fresh.isEmpty() | !words(next).equals(words(snapshot));
+    changed |= !plane.equals(snapshot.plane()) | !words(next).equals(words(snapshot));
     snapshot = next;
     return changed;
+  }
+
+  /** What is listed. */
+  public LayerStack layers() {
+    return layers;
   }
 
   /** What the last tick found; any thread. */
@@ -103,7 +126,6 @@ public final class GpsModel {
     epoch = clock.epoch();
     boolean due = forget.getAndSet(false) || jumped;
     if (due) {
-      sources.values().forEach(s -> s.entity.clear());
       firstFix = sources.values().stream().flatMap(s -> s.place.stream()).findFirst();
     }
     return due;
@@ -111,23 +133,21 @@ public final class GpsModel {
 
   private boolean removeOthers(List<SourceId> connected) {
     List<SourceId> gone = sources.keySet().stream().filter(id -> !connected.contains(id)).toList();
-    gone.forEach(id -> scene.remove(sources.remove(id).layer.id()));
+    gone.forEach(sources::remove);
     return !gone.isEmpty();
   }
 
-  private List<SourceId> takeNew() {
-    List<SourceId> fresh = new ArrayList<>();
+  private boolean takeNew() {
+    boolean fresh = false;
     for (SourceId id : input.sources()) {
       Optional<Envelope<GpsFix>> latest = input.latest(id);
-      if (latest.isPresent() && take(id, latest.get())) {
-        fresh.add(id);
-      }
+      fresh |= latest.isPresent() && take(id, latest.get());
     }
     return fresh;
   }
 
   private boolean take(SourceId id, Envelope<GpsFix> latest) {
-    Source source = sources.computeIfAbsent(id, this::add);
+    Source source = sources.computeIfAbsent(id, n -> new Source(traces++));
     boolean isNew = source.shown.filter(e -> e.value() == latest.value()).isEmpty();
     if (isNew) {
       source.shown = Optional.of(latest);
@@ -136,28 +156,6 @@ public final class GpsModel {
       firstFix = firstFix.or(() -> place);
     }
     return isNew;
-  }
-
-  private Source add(SourceId id) {
-    Source source = new Source(id, traces++);
-    scene.add(source.layer);
-    return source;
-  }
-
-  private boolean configure(GpsSnapshot now, GpsOptions options) {
-    boolean several = now.receivers().size() > 1;
-    boolean byQuality = options.ways() == GpsOptions.Ways.QUALITY || options.ways() == GpsOptions.Ways.AUTO && !several;
-    scene.find(GRID).ifPresent(l -> l.show(options.grid()));
-    boolean changed = false;
-    for (Receiver receiver : now.receivers()) {
-      Source source = sources.get(receiver.id());
-      boolean stale = receiver.state() instanceof InputState.Stale;
-      changed |= source.layer.faded() != stale;
-      source.layer.fade(stale);
-      source.entity.colorByQuality(byQuality);
-      source.entity.label(several ? Optional.of(receiver.name()) : Optional.empty());
-    }
-    return changed;
   }
 
   private List<Receiver> receivers(Optional<LocalPlane> plane) {

@@ -14,6 +14,7 @@ public final class GpsActions {
       made.switched("measure", "Measure between two clicks (M)", Icon.RULER, GpsCanvas::measuring,
           GpsCanvas::toggleRuler),
       made.action("copy", "Copy the coordinates (C)", Icon.COPY, GpsCanvas::copy),
+      made.switched("layers", "Layers (L)", Icon.LAYERS, GpsCanvas::listOpen, GpsCanvas::toggleList),
       made.action("options", "What is shown", Icon.MORE, GpsCanvas::openMenu));
 
   /** All actions. */

@@ -13,13 +13,17 @@ import org.robotui.entity.gps.GeoText;
 import org.robotui.geometry.Vector3;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Health;
-import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.display.DisplayKind;
+import org.robotui.ui.display.DisplayList;
+import org.robotui.ui.display.DisplayPane;
+import org.robotui.ui.display.ListedView;
 import org.robotui.ui.scene.Camera;
 import org.robotui.ui.scene.Painter;
+import org.robotui.ui.scene.SceneControl;
 import org.robotui.ui.scene.SceneMover;
 import org.robotui.ui.scene.Viewport;
 import org.robotui.uic.gps.internal.GpsOptions;
@@ -33,47 +37,67 @@ public final class GpsCanvas {
   private static final int MARGIN = 108;
   private static final double TOUCH_PIXELS = 9;
 
-  private final UiContext context;
   private final GpsModel model;
   private final GpsChoices choices;
   private final Theme theme;
   private final StateView states;
   private final GpsOverlay overlay;
-  private final PaintedCanvas surface;
-  private final SceneMover mover;
+  private final ListedView view;
+  private final SceneControl scene;
   private Optional<Ruler> ruler = Optional.empty();
   private Optional<Point> pointer = Optional.empty();
-  private String note = "";
 
   public GpsCanvas(Composite parent, UiContext context, GpsModel model, GpsChoices choices, GpsActions actions) {
-    this.context = context;
     this.model = model;
     this.choices = choices;
     theme = context.theme();
     states = new StateView(theme);
     overlay = new GpsOverlay(theme);
-    surface = new PaintedCanvas(parent, theme, this::paint);
-    mover = new SceneMover(new Camera(LARGEST_FIT, MARGIN), () -> model.scene().bounds(),
-        SceneMover.Following.of(this::following, choices::follow),
-        this::refresh);
-    actions.connect(this);
-    surface.atEnd(() -> {
-      actions.disconnect(this);
-      model.scene().dispose();
+    SceneControl[] made = new SceneControl[1];
+    view = new ListedView(parent, theme, new Listed(), this::listOpen, box -> {
+      made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
+          SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
+      return made[0].surface();
     });
-    new GpsInput(this, surface).listen();
+    scene = made[0];
+    actions.connect(this);
+    new GpsInput(this, scene.surface()).listen();
+    refresh();
   }
 
   public Control control() {
-    return surface;
+    return view.control();
   }
 
   /** Paints soon what the last ticks prepared. */
   public void refresh() {
-    if (!surface.isDisposed()) {
-      sayNote();
-      surface.requestPaint();
+    if (!scene.surface().isDisposed()) {
+      view.arrange();
+      view.pane().show(model.layers().rows(), 0);
+      scene.refresh();
     }
+  }
+
+  /**
+   * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
+   */
+  public boolean upToDate() {
+    return scene.upToDate();
+  }
+
+  boolean listOpen() {
+    return choices.options().list();
+  }
+
+  void toggleList() {
+    choices.list(!listOpen());
+    repaint();
+  }
+
+  /** Paints soon what hands have changed. */
+  private void repaint() {
+    refresh();
+    scene.surface().requestPaint();
   }
 
   boolean following() {
@@ -82,15 +106,15 @@ public final class GpsCanvas {
 
   void toggleFollow() {
     choices.follow(!following());
-    refresh();
+    repaint();
   }
 
   SceneMover mover() {
-    return mover;
+    return scene.mover();
   }
 
   void openMenu() {
-    new GpsMenu(this, model, choices).open(surface, place(pointer));
+    new GpsMenu(this, model, choices).open(scene.surface(), place(pointer));
   }
 
   boolean measuring() {
@@ -99,14 +123,14 @@ public final class GpsCanvas {
 
   void toggleRuler() {
     ruler = measuring() ? Optional.empty() : Optional.of(new Ruler());
-    surface.setCursor(measuring() ? surface.getDisplay().getSystemCursor(SWT.CURSOR_CROSS) : null);
-    surface.setFocus();
-    refresh();
+    scene.surface().setCursor(measuring() ? scene.surface().getDisplay().getSystemCursor(SWT.CURSOR_CROSS) : null);
+    scene.surface().setFocus();
+    repaint();
   }
 
   void toggleWords() {
     choices.sexagesimal(!choices.options().sexagesimal());
-    refresh();
+    repaint();
   }
 
   /** Begins to measure at a place. */
@@ -115,7 +139,7 @@ public final class GpsCanvas {
       toggleRuler();
     }
     ruler.ifPresent(r -> r.click(place));
-    refresh();
+    repaint();
   }
 
   /** The left button at a place: a receiver of the list is followed, the ruler takes its ends; else nothing. */
@@ -125,7 +149,7 @@ public final class GpsCanvas {
     if (listed.isEmpty() && measuring()) {
       place(Optional.of(new Point(x, y))).ifPresent(p -> ruler.ifPresent(r -> r.click(p)));
     }
-    refresh();
+    repaint();
     return listed.isPresent() || measuring();
   }
 
@@ -133,11 +157,11 @@ public final class GpsCanvas {
     pointer = at;
     place(at).ifPresent(p -> ruler.ifPresent(r -> r.move(p)));
     tell(at.filter(p -> !measuring()).flatMap(this::under));
-    surface.requestPaint();
+    scene.surface().requestPaint();
   }
 
   void center(GeoPoint place) {
-    model.snapshot().plane().flatMap(p -> p.point(place)).ifPresent(p -> mover.center(p.east(), p.north()));
+    model.snapshot().plane().flatMap(p -> p.point(place)).ifPresent(p -> mover().center(p.east(), p.north()));
   }
 
   /** Copies the coordinates under the pointer, or of the receiver where the pointer is elsewhere. */
@@ -147,19 +171,18 @@ public final class GpsCanvas {
 
   /** What lies under a point: which receiver, and what it says of itself. */
   private Optional<String> under(Point at) {
-    Viewport v = mover.viewport();
-    return model.scene().at(v.worldX(at.x), v.worldY(at.y), TOUCH_PIXELS / v.scale()).stream().findFirst()
+    return scene.hits(at, TOUCH_PIXELS).stream().findFirst()
         .map(hit -> hit.layer().caption() + "\n" + hit.description().text());
   }
 
   private void tell(Optional<String> words) {
-    if (!Optional.ofNullable(surface.getToolTipText()).equals(words)) {
-      surface.setToolTipText(words.orElse(null));
+    if (!Optional.ofNullable(scene.surface().getToolTipText()).equals(words)) {
+      scene.surface().setToolTipText(words.orElse(null));
     }
   }
 
   private Optional<GeoPoint> place(Optional<Point> pixel) {
-    Viewport v = mover.viewport();
+    Viewport v = mover().viewport();
     return pixel.flatMap(p -> model.snapshot().plane().flatMap(plane -> plane.place(v.worldX(p.x), v.worldY(p.y))));
   }
 
@@ -167,17 +190,14 @@ public final class GpsCanvas {
     return model.snapshot().followed(choices.options().followed());
   }
 
-  private void paint(GC gc, Rectangle area) {
+  /** What is painted over the layers. */
+  private void over(Painter painter, Rectangle area) {
+    GC gc = painter.gc();
     GpsSnapshot snapshot = model.snapshot();
     GpsOptions options = choices.options();
-    mover.settle(area.width, area.height,
-        followed().flatMap(Receiver::at).map(p -> new Vector3(p.east(), p.north(), 0)));
     if (shows(snapshot)) {
-      Painter painter = new Painter(gc, mover.viewport(), theme);
-      model.scene().paint(painter);
-      painter.opacity(1);
       snapshot.plane().ifPresent(plane -> ruler.ifPresent(r -> r.paint(painter, plane)));
-      overlay.corners(gc, mover.viewport(), snapshot, options, pointer);
+      overlay.corners(gc, mover().viewport(), snapshot, options, pointer);
       overlay.receivers(gc, area, snapshot, options);
     }
     paintState(gc, area, snapshot);
@@ -206,15 +226,74 @@ public final class GpsCanvas {
     return String.join(", ", receivers.stream().map(Receiver::name).toList());
   }
 
-  private void sayNote() {
+  private String note() {
     GpsSnapshot snapshot = model.snapshot();
     String follow = following() ? followed().map(r -> "follow " + r.name() + "  \u00b7  ").orElse("") : "";
-    String next = shows(snapshot)
-        ? follow + StateView.word(snapshot.state()) + "  \u00b7  " + Figures.of(1 / mover.viewport().scale(), 2, "m/px")
+    return shows(snapshot)
+        ? follow + StateView.word(snapshot.state()) + "  \u00b7  "
+            + Figures.of(1 / mover().viewport().scale(), 2, "m/px")
         : StateView.word(snapshot.state());
-    if (!next.equals(note)) {
-      note = next;
-      context.note(next);
+  }
+
+  /** What is special to this view. */
+  private final class Shown implements SceneControl.View {
+    private final GpsActions actions;
+
+    Shown(GpsActions actions) {
+      this.actions = actions;
+    }
+
+    @Override
+    public boolean shows() {
+      return GpsCanvas.shows(model.snapshot());
+    }
+
+    @Override
+    public Optional<Vector3> followed() {
+      return GpsCanvas.this.followed().flatMap(Receiver::at).map(p -> new Vector3(p.east(), p.north(), 0));
+    }
+
+    @Override
+    public void over(Painter painter, Rectangle area) {
+      GpsCanvas.this.over(painter, area);
+    }
+
+    @Override
+    public String note() {
+      return GpsCanvas.this.note();
+    }
+
+    @Override
+    public void gone() {
+      actions.disconnect(GpsCanvas.this);
+    }
+  }
+
+  /** What the list of layers needs of the view. */
+  private final class Listed implements DisplayPane.Host {
+    @Override
+    public String noun() {
+      return "layer";
+    }
+
+    @Override
+    public DisplayList list() {
+      return model.layers().list();
+    }
+
+    @Override
+    public List<DisplayKind> kinds() {
+      return model.layers().kinds();
+    }
+
+    @Override
+    public void refresh() {
+      GpsCanvas.this.refresh();
+    }
+
+    @Override
+    public void showAllOf(String id) {
+      model.scene().find(id).flatMap(l -> l.entity().bounds()).ifPresent(mover()::fit);
     }
   }
 }

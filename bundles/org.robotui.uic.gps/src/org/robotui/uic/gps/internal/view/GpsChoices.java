@@ -36,15 +36,11 @@ public final class GpsChoices {
     settings.set(GpsOptions.ORIGIN, place.isPresent() ? GpsOptions.FIXED : GpsOptions.FIRST_FIX);
   }
 
-  void ways(GpsOptions.Ways ways) {
-    settings.set(GpsOptions.WAY_COLORS, ways.id());
-  }
-
   void sexagesimal(boolean on) {
     settings.set(GpsOptions.COORDINATES, on ? GpsOptions.DMS : GpsOptions.DECIMAL);
   }
 
-  void grid(boolean shown) {
-    settings.set(GpsOptions.SHOW_GRID, shown);
+  void list(boolean open) {
+    settings.set(GpsOptions.LIST, open);
   }
 }

@@ -36,6 +36,7 @@ final class GpsInput {
       case 'm' -> view.toggleRuler();
       case 'c' -> view.copy();
       case 'd' -> view.toggleWords();
+      case 'l' -> view.toggleList();
       case SWT.ESC -> endRuler();
       default -> {}
     }

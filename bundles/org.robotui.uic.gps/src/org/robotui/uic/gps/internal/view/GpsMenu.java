@@ -72,11 +72,7 @@ final class GpsMenu {
         on -> choices.origin(on ? Optional.empty() : model.snapshot().plane().map(p -> p.origin())));
     menu.push("Clear the tracks", model::clear);
     menu.line();
-    PopupMenu colors = menu.under("Colours of tracks");
-    for (GpsOptions.Ways ways : GpsOptions.Ways.values()) {
-      colors.radio(ways.label(), options.ways() == ways, () -> choices.ways(ways));
-    }
     menu.check("Degrees, minutes, seconds\tD", options.sexagesimal(), choices::sexagesimal);
-    menu.check("Grid", options.grid(), choices::grid);
+    menu.check("Layers\tL", view.listOpen(), on -> view.toggleList());
   }
 }

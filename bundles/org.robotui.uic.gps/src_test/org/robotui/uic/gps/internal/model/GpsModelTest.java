@@ -17,6 +17,7 @@ import org.robotui.testkit.FakeInput;
 import org.robotui.testkit.FakeUicContext;
 import org.robotui.uic.gps.internal.GpsOptions;
 import org.robotui.uic.gps.internal.GpsType;
+import org.robotui.uic.gps.internal.LayerKinds;
 
 class GpsModelTest {
   private static final SourceId KEIRA = new SourceId("base", "fix");
@@ -25,7 +26,7 @@ class GpsModelTest {
 
   private final FakeUicContext context = new FakeUicContext("gps", GpsOptions.schema());
   private final FakeInput<GpsFix> input = context.input(GpsType.FIX);
-  private final GpsModel model = new GpsModel(context);
+  private final GpsModel model = new GpsModel(context, () -> LayerKinds.ALL);
 
   @Test
   void theFirstFixIsTheOrigin() {
