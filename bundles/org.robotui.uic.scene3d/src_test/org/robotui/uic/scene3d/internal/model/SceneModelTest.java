@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.command.CommandOutcome;
 import org.robotui.api.port.Input;
@@ -17,6 +18,7 @@ import org.robotui.api.port.InputState;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.Data;
 import org.robotui.data.FrameId;
+import org.robotui.data.Framed;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.array.Floats;
@@ -346,5 +348,33 @@ class SceneModelTest {
     edits.automatic();
     model.tick(2);
     assertEquals(1, model.stage().rows().size());
+  }
+
+  /** A type of data that neither core nor the scene knows. */
+  public record Spill(FrameId frame) implements Data, Framed {
+    @Override
+    public Stream<FrameId> frames() {
+      return Stream.of(frame);
+    }
+  }
+
+  @Test
+  void aTypeThatNobodyKnewIsShownOnceABundleBringsADisplayForIt() {
+    SourceId spill = new SourceId("base", "/spill");
+    input.candidates(List.of(new Input.Candidate(spill, "Spill")));
+    start();
+    model.tick(0);
+    assertEquals(Set.of(), input.chosen());
+    FakeKind kind = new FakeKind("spill", List.of(Spill.class));
+    kinds.add(kind);
+    model.tick(1);
+    assertEquals(Set.of(spill), input.chosen());
+    input.put(spill, new Spill(MAP), System.nanoTime(), Optional.empty());
+    model.tick(2);
+    assertEquals(1, kind.ticks.getLast().arrived().size());
+    assertEquals(Optional.of(MAP), model.stage().fixed(), "its frame can be shown");
+    kinds.remove(kind);
+    model.tick(3);
+    assertEquals(Set.of(), input.chosen());
   }
 }
