@@ -13,7 +13,6 @@ import org.robotui.ui.Figures;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PopupMenu;
-import org.robotui.ui.display.Automatic;
 import org.robotui.uic.scene3d.internal.SceneOptions;
 import org.robotui.uic.scene3d.internal.SceneParts;
 import org.robotui.uic.scene3d.internal.camera.CameraKind;
