@@ -1,5 +1,6 @@
 package org.robotui.ui;
 
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import org.eclipse.swt.graphics.GC;
 
@@ -21,6 +22,23 @@ public final class TextFit {
    * @return the text, or its longest beginning that fits with an ellipsis; empty where not even that fits
    */
   public static String shorten(GC gc, String text, int width) {
+    return longest(gc, text, width, length -> cut(text, length));
+  }
+
+  /**
+   * Cuts a text at its beginning where it is too long: of a path the end says most.
+   *
+   * @param gc gives the font
+   * @param text the text, without line breaks
+   * @param width the room, pixels
+   * @return the text, or its longest end that fits with an ellipsis; empty where not even that fits
+   */
+  public static String shortenFront(GC gc, String text, int width) {
+    return longest(gc, text, width, length -> cutFront(text, length));
+  }
+
+  /** Measures few texts, whatever the length is: each half as far from the right one as the one before. */
+  private static String longest(GC gc, String text, int width, IntFunction<String> cut) {
     int visible = Math.min(text.length(), CHARACTERS_PER_PIXEL * Math.max(1, width));
     if (visible == text.length() && gc.textExtent(text).x <= width) {
       return text;
@@ -29,13 +47,13 @@ public final class TextFit {
     int over = visible;
     while (over - fits > 1) {
       int middle = (fits + over) / 2;
-      if (gc.textExtent(cut(text, middle)).x <= width) {
+      if (gc.textExtent(cut.apply(middle)).x <= width) {
         fits = middle;
       } else {
         over = middle;
       }
     }
-    return fits == 0 ? "" : cut(text, fits);
+    return fits == 0 ? "" : cut.apply(fits);
   }
 
   /**
@@ -58,6 +76,11 @@ public final class TextFit {
   private static String ends(String text, int length) {
     int end = (length + 1) / 2;
     return text.substring(0, length - end) + ELLIPSIS + text.substring(text.length() - end);
+  }
+
+  private static String cutFront(String text, int length) {
+    int start = text.length() - length;
+    return ELLIPSIS + text.substring(Character.isLowSurrogate(text.charAt(start)) ? start + 1 : start).stripLeading();
   }
 
   private static String cut(String text, int length) {

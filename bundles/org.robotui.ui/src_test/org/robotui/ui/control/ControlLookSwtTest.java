@@ -90,6 +90,24 @@ class ControlLookSwtTest {
   }
 
   @Test
+  void aPathKeepsItsEnd() {
+    GC gc = new GC(display);
+    gc.setFont(theme.font(Face.BODY));
+    String path = "robot/arm/joints[3].effort.of.the.motor";
+    String shown = TextFit.shortenFront(gc, path, 120);
+    String more = path.substring(path.length() - shown.length());
+    int width = gc.textExtent(shown).x;
+    int wider = gc.textExtent("\u2026" + more).x;
+    String all = TextFit.shortenFront(gc, path, 1000);
+    String none = TextFit.shortenFront(gc, path, 1);
+    gc.dispose();
+    assertTrue(shown.startsWith("\u2026") && path.endsWith(shown.substring(1)), shown);
+    assertTrue(width <= 120 && wider > 120, shown);
+    assertEquals(path, all);
+    assertEquals("", none);
+  }
+
+  @Test
   void aTextOfMegabytesIsCutQuickly() {
     String text = "x".repeat(5_000_000);
     GC gc = new GC(display);

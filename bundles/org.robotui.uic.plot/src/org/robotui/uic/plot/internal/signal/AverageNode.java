@@ -30,7 +30,8 @@ final class AverageNode implements Sink {
     }
     kept.add(time, value);
     sum += value;
-    while (kept.time(0) <= time - window || kept.size() > MOST) {
+    // However short the window, and whatever the times are, the newest value stays.
+    while (kept.size() > 1 && (kept.time(0) <= time - window || kept.size() > MOST)) {
       sum -= kept.value(0);
       kept.remove();
     }

@@ -211,10 +211,6 @@ final class LegendPainter {
     if (name.indexOf(' ') >= 0) {
       return TextFit.shorten(gc, name, room);
     }
-    int from = 0;
-    while (from < name.length() && gc.textExtent((from == 0 ? "" : "\u2026") + name.substring(from)).x > room) {
-      from++;
-    }
-    return from == 0 ? name : from < name.length() ? "\u2026" + name.substring(from) : "";
+    return TextFit.shortenFront(gc, name, room);
   }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.robotui.uic.plot.internal.trace.Sample;
 
 class PipelineTest {
@@ -79,6 +80,22 @@ class PipelineTest {
   void anAverageBeginsAnewAfterABreak() {
     feed(single("average(a.b:c, 100)"), 0, 10, 1, 20, 2, NAN, 3, 1, 4, 3);
     assertSamples(0, 10, 1, 15, 2, NAN, 3, 1, 4, 2);
+  }
+
+  @Test
+  @Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void anAverageOverNoTimeIsTheValueItself() {
+    feed(single("average(a.b:c, 1e-10)"), 0, 1, 1, 2, 2, 4);
+    assertSamples(0, 1, 1, 2, 2, 4);
+  }
+
+  @Test
+  @Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void anAverageBearsTimesAtTheEndOfAllNumbers() {
+    Sink in = single("average(a.b:c, 1)");
+    in.accept(Long.MIN_VALUE, 1);
+    in.accept(Long.MAX_VALUE, 3);
+    assertEquals(2, out.size());
   }
 
   @Test
