@@ -164,11 +164,18 @@ public final class QuietButton extends Canvas {
     return width + gap + (icon.isPresent() ? Icons.SIZE : 0);
   }
 
+  /**
+   * In the middle; an icon stays where it is in the buttons above and below when there is no room for all of the text.
+   */
+  static int start(int width, int content, boolean hasIcon) {
+    return content > width && hasIcon ? Theme.EDGE : Math.max(Theme.STEP, (width - content) / 2);
+  }
+
   private void paint(GC gc, Rectangle area) {
     gc.setAntialias(SWT.ON);
     paintGround(gc, area);
     gc.setForeground(ink());
-    int x = Math.max(Theme.STEP, (area.width - contentWidth()) / 2);
+    int x = start(area.width, contentWidth(), icon.isPresent());
     if (icon.isPresent()) {
       Icons.paint(gc, icon.get(), x, (area.height - Icons.SIZE) / 2, Icons.SIZE);
       x += Icons.SIZE + 2 * Theme.STEP;

@@ -90,6 +90,15 @@ class ControlLookSwtTest {
   }
 
   @Test
+  void anIconStaysWhereItIsWhenTheTextBesideItIsCut() {
+    int content = 100;
+    assertEquals(QuietButton.start(content + 2 * Theme.EDGE, content, true),
+        QuietButton.start(content - 1, content, true));
+    assertEquals(Theme.STEP, QuietButton.start(content - 1, content, false),
+        "without an icon all of the room is the text's");
+  }
+
+  @Test
   void aPathKeepsItsEnd() {
     GC gc = new GC(display);
     gc.setFont(theme.font(Face.BODY));
