@@ -1,7 +1,6 @@
 package org.robotui.core.internal.host;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,8 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -311,16 +308,6 @@ class CoreTest {
     Await.until("the user has started it", () -> map.contexts.size() == 3);
     assertEquals(Optional.empty(), map.contexts.getLast().retained(Integer.class),
         "who is started by the user begins anew");
-  }
-
-  @Test
-  void whatIsPlannedAfterTheEndIsForgotten() throws InterruptedException {
-    AtomicBoolean ran = new AtomicBoolean();
-    ScheduledThreadPoolExecutor timer = Core.timer();
-    timer.shutdownNow();
-    timer.schedule(() -> ran.set(true), 0, TimeUnit.MILLISECONDS);
-    assertTrue(timer.awaitTermination(10, TimeUnit.SECONDS));
-    assertFalse(ran.get());
   }
 
   @Test
