@@ -75,7 +75,7 @@ class ActionAskerTest {
     context.authority().take(new Principal("anna", "Anna", Principal.Kind.WINDOW), true);
     ask();
     assertEquals(List.of(), caller.made());
-    assertTrue(told.getLast().contains("Anna has the control"), told.toString());
+    assertTrue(told.getLast().contains("Anna has control"), told.toString());
   }
 
   @Test
