@@ -30,6 +30,7 @@ public final class RuicSurface extends Composite {
   private final Map<String, int[]> shares;
   private final Map<String, SashForm> sashes = new HashMap<>();
   private final List<ViewStack> stacks = new ArrayList<>();
+  private Optional<ViewStack> last = Optional.empty();
 
   /**
    * Makes the controls of all views that are seen.
@@ -84,7 +85,16 @@ public final class RuicSurface extends Composite {
 
   /** The view that has the keys. */
   public Optional<ViewEntry> focused() {
-    Optional<String> id = stacks.stream().filter(ViewStack::holdsFocus).findFirst().map(ViewStack::seenId);
+    return seenIn(stacks.stream().filter(ViewStack::holdsFocus).findFirst());
+  }
+
+  /** The view that had the keys last: a menu in which something is chosen for it has taken them. */
+  public Optional<ViewEntry> lastFocused() {
+    return seenIn(last.filter(stack -> !stack.isDisposed()));
+  }
+
+  private Optional<ViewEntry> seenIn(Optional<ViewStack> stack) {
+    Optional<String> id = stack.map(ViewStack::seenId);
     return views().stream().filter(v -> id.filter(v.id()::equals).isPresent()).findFirst();
   }
 
@@ -119,7 +129,10 @@ public final class RuicSurface extends Composite {
 
   /** The line above the view that has the keys says so. */
   private void markFocus() {
-    Listener mark = e -> stacks.stream().filter(s -> !s.isDisposed()).forEach(ViewStack::markFocus);
+    Listener mark = e -> stacks.stream().filter(s -> !s.isDisposed()).forEach(stack -> {
+      stack.markFocus();
+      last = stack.holdsFocus() ? Optional.of(stack) : last;
+    });
     Listener later = e -> getDisplay().asyncExec(() -> mark.handleEvent(e));
     getDisplay().addFilter(SWT.FocusIn, mark);
     getDisplay().addFilter(SWT.FocusOut, later);

@@ -15,7 +15,7 @@ import org.eclipse.ui.menus.IWorkbenchContribution;
 import org.eclipse.ui.services.IServiceLocator;
 import org.robotui.workbench.internal.pane.RuicSurface;
 
-/** In the menu Help: the documentation, and its page about the view that has the focus. */
+/** In the menu Help: the documentation, and its page about the view that had the focus last. */
 public final class HelpItems extends CompoundContributionItem implements IWorkbenchContribution {
   private IServiceLocator locator;
 
@@ -30,7 +30,7 @@ public final class HelpItems extends CompoundContributionItem implements IWorkbe
     IWorkbenchWindow window = locator.getService(IWorkbenchWindow.class);
     List<IContributionItem> items = new ArrayList<>();
     items.add(item(window, documentation, "Documentation", documentation.index()));
-    RobotPart.in(window).flatMap(part -> part.area().surface()).flatMap(RuicSurface::focused)
+    RobotPart.in(window).flatMap(part -> part.area().surface()).flatMap(RuicSurface::lastFocused)
         .ifPresent(view -> documentation.view(view.type())
             .ifPresent(page -> items
                 .add(item(window, documentation, "Documentation of the View '" + view.title() + "'", page))));

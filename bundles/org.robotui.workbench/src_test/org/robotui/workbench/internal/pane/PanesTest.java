@@ -265,6 +265,12 @@ class PanesTest {
 
     TestDisplay.until(() -> lines.getFirst().isFocused() && !lines.getLast().isFocused());
     assertEquals(Optional.of("map"), area.surface().orElseThrow().focused().map(ViewEntry::id));
+    Text elsewhere = new Text(shell, SWT.NONE);
+    TestDisplay.until(() -> elsewhere.forceFocus() && elsewhere.isFocusControl());
+
+    assertEquals(Optional.empty(), area.surface().orElseThrow().focused());
+    assertEquals(Optional.of("map"), area.surface().orElseThrow().lastFocused().map(ViewEntry::id),
+        "whose page the menu Help has");
   }
 
   @Test
