@@ -1,6 +1,7 @@
 package org.robotui.ui.display;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -75,7 +76,7 @@ public record SourceChoice(Set<SourceId> sources, Set<SourceId> needed, String p
    * @param states gives the state of one of them
    * @return the state; live where it needs none
    */
-  public InputState state(List<SourceId> there, Function<SourceId, InputState> states) {
+  public InputState state(Collection<SourceId> there, Function<SourceId, InputState> states) {
     if (!problem.isEmpty()) {
       return new InputState.Unconnected(problem);
     }

@@ -35,6 +35,7 @@ public final class LayerInputs {
   private List<Input.Candidate> own = List.of();
   private List<Input.Candidate> others = List.of();
   private Set<SourceId> taken = Set.of();
+  private Set<SourceId> connected = new LinkedHashSet<>();
 
   /**
    * The ports of a view.
@@ -51,13 +52,13 @@ public final class LayerInputs {
   /** Looks what is offered now; to be called at each tick before anything else. */
   void look() {
     Map<SourceId, Input<? extends Data>> owned = new LinkedHashMap<>();
-    List<Input.Candidate> connected = new ArrayList<>();
+    List<Input.Candidate> fed = new ArrayList<>();
     matched.forEach((type, input) -> input.sources().forEach(id -> {
       owned.putIfAbsent(id, input);
-      connected.add(new Input.Candidate(id, type));
+      fed.add(new Input.Candidate(id, type));
     }));
     owners = owned;
-    own = List.copyOf(connected);
+    own = List.copyOf(fed);
     others = chosen.candidates().stream().filter(c -> !owned.containsKey(c.id())).toList();
   }
 
@@ -95,6 +96,8 @@ public final class LayerInputs {
   /** Takes what came. */
   void drain(boolean reset) {
     arrived.clear();
+    connected = new LinkedHashSet<>(owners.keySet());
+    connected.addAll(chosen.sources());
     if (reset) {
       chosen.recall(); // what layers forget now and the robot says but once
       named.clear();
@@ -129,11 +132,9 @@ public final class LayerInputs {
         : came;
   }
 
-  /** The sources that are connected. */
-  List<SourceId> sources() {
-    List<SourceId> all = new ArrayList<>(owners.keySet());
-    all.addAll(chosen.sources());
-    return all;
+  /** The sources that were connected when it was drained last. */
+  Set<SourceId> sources() {
+    return connected;
   }
 
   InputState state(SourceId source) {

@@ -73,7 +73,9 @@ public final class GpsCanvas {
   public void refresh() {
     if (!scene.surface().isDisposed()) {
       view.arrange();
-      view.pane().show(model.layers().rows(), 0);
+      if (listOpen()) {
+        view.pane().show(model.layers().rows(), 0);
+      }
       scene.refresh();
     }
   }

@@ -97,7 +97,9 @@ public final class MapCanvas {
   public void refresh() {
     if (!scene.surface().isDisposed()) {
       view.arrange();
-      view.pane().show(model.layers().rows(), 0);
+      if (listOpen()) {
+        view.pane().show(model.layers().rows(), 0);
+      }
       scene.refresh();
     }
   }
