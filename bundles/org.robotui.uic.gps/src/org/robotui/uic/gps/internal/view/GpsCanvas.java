@@ -17,10 +17,8 @@ import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.control.Clipboards;
-import org.robotui.ui.display.DisplayKind;
-import org.robotui.ui.display.DisplayList;
-import org.robotui.ui.display.DisplayPane;
 import org.robotui.ui.display.ListedView;
+import org.robotui.ui.layer.LayerListHost;
 import org.robotui.ui.scene.Camera;
 import org.robotui.ui.scene.Painter;
 import org.robotui.ui.scene.SceneControl;
@@ -54,11 +52,12 @@ public final class GpsCanvas {
     states = new StateView(theme);
     overlay = new GpsOverlay(theme);
     SceneControl[] made = new SceneControl[1];
-    view = new ListedView(parent, theme, new Listed(), this::listOpen, box -> {
-      made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
-          SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
-      return made[0].surface();
-    });
+    view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
+        this::listOpen, box -> {
+          made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
+              SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
+          return made[0].surface();
+        });
     scene = made[0];
     actions.connect(this);
     new GpsInput(this, scene.surface()).listen();
@@ -268,34 +267,6 @@ public final class GpsCanvas {
     @Override
     public void gone() {
       actions.disconnect(GpsCanvas.this);
-    }
-  }
-
-  /** What the list of layers needs of the view. */
-  private final class Listed implements DisplayPane.Host {
-    @Override
-    public String noun() {
-      return "layer";
-    }
-
-    @Override
-    public DisplayList list() {
-      return model.layers().list();
-    }
-
-    @Override
-    public List<DisplayKind> kinds() {
-      return model.layers().kinds();
-    }
-
-    @Override
-    public void refresh() {
-      GpsCanvas.this.refresh();
-    }
-
-    @Override
-    public void showAllOf(String id) {
-      model.scene().find(id).flatMap(l -> l.entity().bounds()).ifPresent(mover()::fit);
     }
   }
 }

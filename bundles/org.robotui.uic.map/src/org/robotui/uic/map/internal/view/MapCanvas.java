@@ -24,10 +24,8 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.display.DisplayKind;
-import org.robotui.ui.display.DisplayList;
-import org.robotui.ui.display.DisplayPane;
 import org.robotui.ui.display.ListedView;
+import org.robotui.ui.layer.LayerListHost;
 import org.robotui.ui.layer.LayerNote;
 import org.robotui.ui.layer.SeenRobot;
 import org.robotui.ui.scene.Camera;
@@ -78,11 +76,12 @@ public final class MapCanvas {
     team = new TeamHands(this, model.team(), goals);
     marks = new TeamMarks(model.team());
     SceneControl[] made = new SceneControl[1];
-    view = new ListedView(parent, theme, new Listed(), () -> choices.options().list(), box -> {
-      made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
-          SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
-      return made[0].surface();
-    });
+    view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
+        () -> choices.options().list(), box -> {
+          made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
+              SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
+          return made[0].surface();
+        });
     scene = made[0];
     actions.connect(this);
     new MapInput(this, scene.surface()).listen();
@@ -393,34 +392,6 @@ public final class MapCanvas {
     @Override
     public void gone() {
       actions.disconnect(MapCanvas.this);
-    }
-  }
-
-  /** What the list of layers needs of the map. */
-  private final class Listed implements DisplayPane.Host {
-    @Override
-    public String noun() {
-      return "layer";
-    }
-
-    @Override
-    public DisplayList list() {
-      return model.layers().list();
-    }
-
-    @Override
-    public List<DisplayKind> kinds() {
-      return model.layers().kinds();
-    }
-
-    @Override
-    public void refresh() {
-      MapCanvas.this.refresh();
-    }
-
-    @Override
-    public void showAllOf(String id) {
-      model.scene().find(id).flatMap(l -> l.entity().bounds()).ifPresent(mover()::fit);
     }
   }
 }
