@@ -108,7 +108,7 @@ need_simulator() {
 # The simulator needs no OSGi: the same bundles are plain jars.
 simulator_classpath() {
   local bundle jars=()
-  for bundle in org.robotui.sim org.robotui.ros org.robotui.player org.robotui.lcm org.robotui.net org.robotui.geometry slf4j.api; do
+  for bundle in org.robotui.sim org.robotui.ros org.robotui.message org.robotui.player org.robotui.lcm org.robotui.net org.robotui.geometry slf4j.api; do
     jars+=("$(jar_of "$bundle")")
   done
   (IFS=:; printf '%s' "${jars[*]}")

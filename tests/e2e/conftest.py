@@ -184,7 +184,7 @@ def simulator(processes, environment, ros_tools):
 
 def start_simulator(processes, environment, port, name, *options):
     plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
-    bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
+    bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
     jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in bundles]
     process = processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--port", port, *options], name, environment)
 

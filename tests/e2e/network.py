@@ -108,6 +108,6 @@ def start_robot(network, environment):
     network.workbench.knows(uri)
     network.robot.start_tool("roscore", "-p", str(port), name="roscore")
     plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
-    jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in ("org.robotui.sim", "org.robotui.ros", "org.robotui.net", "org.robotui.geometry", "slf4j.api")]
+    jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in ("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.net", "org.robotui.geometry", "slf4j.api")]
     simulator = network.robot.start_tool(java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--real-master", uri, name="simulator")
     wait_for(lambda: "ROS_MASTER_URI=" in simulator.out.read_text(), what="the robot")

@@ -13,7 +13,7 @@ RUN_SECONDS = 120
 def keira(processes, environment):
     """A simulated robot that speaks Player and ROS at once; where they are."""
     plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
-    bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.player", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
+    bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.player", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
     jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in bundles]
     process = processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--robot", "keira", "--speak", "ros,player", "--seed", "1"],
                               "keira", environment)

@@ -6,15 +6,15 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.sensor_msgs.Image;
+import org.robotui.message.ros.std_msgs.StdString;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.sensor_msgs.Image;
-import org.robotui.ros.msgs.std_msgs.StdString;
 
 /** Our subscriber. Reads lines "KIND TOPIC" and answers each with what it saw, as one JSON object. */
 final class BenchSubscriber {

@@ -14,7 +14,7 @@ TARGET = HERE / "target"
 PACKAGES = ("g++ pkg-config libroscpp-dev libstd-msgs-dev libsensor-msgs-dev python3-roslaunch python3-rospy "
             "python3-std-msgs python3-sensor-msgs")
 ROS_MODULES = ("roscpp", "std_msgs", "sensor_msgs")
-OUR_JARS = ("org.robotui.ros", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
+OUR_JARS = ("org.robotui.ros", "org.robotui.message", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
 
 
 def check_machine():

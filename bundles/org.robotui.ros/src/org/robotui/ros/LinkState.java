@@ -1,7 +1,7 @@
 package org.robotui.ros;
 
 import java.time.Duration;
-import org.robotui.ros.message.MessageInfo;
+import org.robotui.message.MessageInfo;
 
 /** The state of one link to a peer or to the master. */
 public sealed interface LinkState {

@@ -1,7 +1,7 @@
 package org.robotui.ros;
 
 import java.nio.ByteBuffer;
-import org.robotui.ros.message.MessageInfo;
+import org.robotui.message.MessageInfo;
 
 /**
  * How a message came in.

@@ -2,9 +2,9 @@ package org.robotui.ros;
 
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.rosgraph_msgs.Log;
-import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.rosgraph_msgs.Log;
+import org.robotui.message.ros.std_msgs.Header;
 
 /**
  * A node's entries in the log of all nodes, {@code /rosout}. A node that opens none stays out of it. Any thread may

@@ -3,10 +3,10 @@ package org.robotui.ros;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.concurrent.CompletionStage;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.ServiceCodec;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.internal.node.NodeRuntime;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.ServiceCodec;
 
 /**
  * One node in a ROS graph. Whatever is made with it is registered at the master in the background, as soon as the

@@ -4,7 +4,7 @@
  * usable while the master or any peer is away, and reports the state of every link. How a call ended is an
  * {@link org.robotui.net.call.Outcome}.
  *
- * <p>Usable alone: it needs {@code org.robotui.net}, what the protocol libraries share, {@code org.robotui.geometry}
- * and SLF4J.
+ * <p>Usable alone: it needs {@code org.robotui.net}, what the protocol libraries share, {@code org.robotui.message},
+ * what messages are, {@code org.robotui.geometry} and SLF4J.
  */
 package org.robotui.ros;

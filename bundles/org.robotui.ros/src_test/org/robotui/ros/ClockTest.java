@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RawCodec;
-import org.robotui.ros.message.RawMessage;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
+import org.robotui.message.RawCodec;
+import org.robotui.message.RawMessage;
 
 class ClockTest {
 

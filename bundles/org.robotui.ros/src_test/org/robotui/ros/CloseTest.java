@@ -19,7 +19,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robotui.ros.message.ServiceCodec;
+import org.robotui.message.ServiceCodec;
 
 class CloseTest {
 

@@ -20,16 +20,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robotui.message.DefinitionException;
+import org.robotui.message.DynamicCodec;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageSchema;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
 import org.robotui.ros.internal.xmlrpc.XmlRpcException;
 import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcReader;
-import org.robotui.ros.message.DefinitionException;
-import org.robotui.ros.message.DynamicCodec;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageSchema;
 import org.robotui.testkit.Effort;
 
 /** Every decoder of bytes from the network: what is kept in the corpus, and what grows from it by chance. */

@@ -9,6 +9,7 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.robotui.message.MessageWriter;
 import org.robotui.net.socket.HostPort;
 import org.robotui.net.thread.Workers;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
@@ -16,7 +17,6 @@ import org.robotui.ros.internal.xmlrpc.ApiMethods;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
-import org.robotui.ros.message.MessageWriter;
 
 /** A publisher of /chatter that is registered like any other and then sends whatever bytes a test wants. */
 final class FakePublisher implements AutoCloseable {

@@ -14,11 +14,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.MessageWriter;
 import org.robotui.net.socket.HostPort;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
-import org.robotui.ros.message.MessageWriter;
 
 /** Many liars at once, at a node's links and at our own master, while two honest nodes talk. */
 class HostileCrowdTest {
@@ -45,8 +45,8 @@ class HostileCrowdTest {
     master = HostPort.ofUri(graph.master().uri().toString(), "http");
   }
 
-  private static org.robotui.ros.message.ServiceCodec<String, String> echo() {
-    return new org.robotui.ros.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
+  private static org.robotui.message.ServiceCodec<String, String> echo() {
+    return new org.robotui.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
         new TextCodec());
   }
 

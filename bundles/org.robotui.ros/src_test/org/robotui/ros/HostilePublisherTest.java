@@ -10,10 +10,10 @@ import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
 import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
 
 /** Publishers that lie, cut off or say nothing: each costs its own link, with a reason, and nothing else. */
 class HostilePublisherTest {

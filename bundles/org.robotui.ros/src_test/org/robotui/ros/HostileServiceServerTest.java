@@ -16,12 +16,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.robotui.message.MessageWriter;
+import org.robotui.message.ServiceCodec;
 import org.robotui.net.socket.HostPort;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.ServiceCodec;
 
 /**
  * Servers of services that answer what they should not: the call fails with a reason, in time, and other calls do not.

@@ -13,10 +13,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.LinkEvent.Kind;
+import org.robotui.message.MessageWriter;
+import org.robotui.message.ServiceCodec;
 import org.robotui.net.socket.HostPort;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.ServiceCodec;
+import org.robotui.ros.LinkEvent.Kind;
 
 /** Subscribers and service clients that send what they should not. */
 class HostileSubscriberTest {

@@ -31,7 +31,7 @@ class PromptPublisherTest {
     graph = new Graph();
     node = graph.node("driver");
     node.serviceServer("door",
-        new org.robotui.ros.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
+        new org.robotui.message.ServiceCodec<>("test/Echo", "0123456789abcdef0123456789abcdef", new TextCodec(),
             new TextCodec()),
         (request, caller) -> request);
     assertTrue(node.awaitRegistered(java.time.Duration.ofSeconds(3)));

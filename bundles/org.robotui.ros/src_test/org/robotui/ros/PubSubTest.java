@@ -10,9 +10,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.RawCodec;
 import org.robotui.ros.LinkEvent.Kind;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.RawCodec;
 
 class PubSubTest {
 

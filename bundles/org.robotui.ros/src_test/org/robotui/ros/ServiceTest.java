@@ -10,7 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.message.ServiceCodec;
+import org.robotui.message.ServiceCodec;
 
 class ServiceTest {
 

@@ -17,9 +17,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.robotui.net.thread.Workers;
+import org.robotui.message.MessageWriter;
+import org.robotui.message.RecordCodec;
 import org.robotui.net.socket.HostPort;
-import org.robotui.ros.message.MessageWriter;
+import org.robotui.net.thread.Workers;
 import org.slf4j.Logger;
 
 /** A process of 64 MiB among peers that send more than that, or say that they will: the honest link goes on in it. */
@@ -48,7 +49,9 @@ class SmallMemoryTest {
   private static String classPath() throws ClassNotFoundException {
     Class<?> failure = Class.forName("org.opentest4j.AssertionFailedError");
     Class<?> commons = Class.forName("org.junit.platform.commons.JUnitException");
-    return Stream.of(SmallMemoryTest.class, RosNode.class, Workers.class, Logger.class, Test.class, failure, commons)
+    return Stream
+        .of(SmallMemoryTest.class, RosNode.class, RecordCodec.class, Workers.class, Logger.class, Test.class, failure,
+            commons)
         .map(type -> type.getProtectionDomain().getCodeSource().getLocation())
         .map(location -> Path.of(URI.create(location.toString())).toString())
         .distinct().collect(Collectors.joining(File.pathSeparator));

@@ -3,10 +3,10 @@ package org.robotui.ros;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
 
 /** std_msgs/String by hand, so that the transport is tested apart from the shipped codecs. */
 public final class TextCodec implements MessageCodec<String> {

@@ -20,6 +20,7 @@ import java.util.zip.Inflater;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.RecordCodec;
 import org.robotui.net.call.Outcome;
 import org.robotui.player.client.ClientOptions;
 import org.robotui.player.client.DeviceState;
@@ -45,7 +46,6 @@ import org.robotui.player.interfaces.Switch;
 import org.robotui.player.layout.Empty;
 import org.robotui.player.layout.Kind;
 import org.robotui.player.layout.Layouts;
-import org.robotui.ros.message.RecordCodec;
 
 /** The robots over Player, seen by clients. Runs ten times faster than real. */
 class DemoPlayerTest {
@@ -357,10 +357,10 @@ class DemoPlayerTest {
     var node = org.robotui.ros.RosNode.open(org.robotui.ros.RosEnvironment.of(demo.masterUri()),
         org.robotui.ros.GraphName.of("driver"), options);
     open.add(node);
-    node.publisher("/cmd_vel", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.Twist.class),
+    node.publisher("/cmd_vel", RecordCodec.of(org.robotui.message.ros.geometry_msgs.Twist.class),
         org.robotui.ros.PublisherOptions.latched())
-        .publish(new org.robotui.ros.msgs.geometry_msgs.Twist(
-            new org.robotui.ros.msgs.geometry_msgs.Vector3(0.2, 0, 0),
-            new org.robotui.ros.msgs.geometry_msgs.Vector3(0, 0, 0)));
+        .publish(new org.robotui.message.ros.geometry_msgs.Twist(
+            new org.robotui.message.ros.geometry_msgs.Vector3(0.2, 0, 0),
+            new org.robotui.message.ros.geometry_msgs.Vector3(0, 0, 0)));
   }
 }

@@ -14,6 +14,22 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.nav_msgs.OccupancyGrid;
+import org.robotui.message.ros.nav_msgs.Odometry;
+import org.robotui.message.ros.rosgraph_msgs.Clock;
+import org.robotui.message.ros.rosgraph_msgs.Log;
+import org.robotui.message.ros.sensor_msgs.CompressedImage;
+import org.robotui.message.ros.sensor_msgs.LaserScan;
+import org.robotui.message.ros.sensor_msgs.Range;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.std_srvs.SetBoolRequest;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -23,23 +39,7 @@ import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
-import org.robotui.ros.msgs.nav_msgs.Odometry;
-import org.robotui.ros.msgs.rosgraph_msgs.Clock;
-import org.robotui.ros.msgs.rosgraph_msgs.Log;
-import org.robotui.ros.msgs.sensor_msgs.CompressedImage;
-import org.robotui.ros.msgs.sensor_msgs.LaserScan;
-import org.robotui.ros.msgs.sensor_msgs.Range;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /** The whole demo over loopback, seen by another node. Runs ten times faster than real. */
 class DemoTest {
@@ -131,9 +131,9 @@ class DemoTest {
     Publisher<PoseStamped> goal =
         observer.publisher("/keira/move_base_simple/goal", RecordCodec.of(PoseStamped.class),
             PublisherOptions.latched());
-    var ahead = new org.robotui.ros.msgs.geometry_msgs.Pose(
-        new org.robotui.ros.msgs.geometry_msgs.Point(1, 0, 0),
-        new org.robotui.ros.msgs.geometry_msgs.Quaternion(0, 0, 0, 1));
+    var ahead = new org.robotui.message.ros.geometry_msgs.Pose(
+        new org.robotui.message.ros.geometry_msgs.Point(1, 0, 0),
+        new org.robotui.message.ros.geometry_msgs.Quaternion(0, 0, 0, 1));
     goal.publish(new PoseStamped(new Header(0, 0, "keira/base_link"), ahead));
     await(log, entry -> entry.msg().startsWith("goal accepted"));
     await(log, entry -> entry.msg().equals("goal reached"));

@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.geometry.Vector3;
+import org.robotui.message.RecordCodec;
 import org.robotui.net.thread.Workers;
 import org.robotui.ros.RosNode;
 import org.slf4j.LoggerFactory;
@@ -38,7 +39,7 @@ class MainTest {
 
   /** Where the classes of this test come from, however they were loaded. */
   private static String classPath() {
-    return Stream.of(Main.class, RosNode.class, Workers.class, Vector3.class, LoggerFactory.class)
+    return Stream.of(Main.class, RosNode.class, RecordCodec.class, Workers.class, Vector3.class, LoggerFactory.class)
         .map(type -> Path.of(URI.create(type.getProtectionDomain().getCodeSource().getLocation().toString())))
         .map(Path::toString)
         .distinct()

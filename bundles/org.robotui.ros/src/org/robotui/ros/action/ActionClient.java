@@ -3,10 +3,10 @@ package org.robotui.ros.action;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.message.MessageRegistry;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.MessageRegistry;
 
 /**
  * Sends goals to the server of one action. Any thread may use it. There may be one client for an action at a node, as a
@@ -62,7 +62,7 @@ public interface ActionClient extends AutoCloseable {
   /**
    * Waits until there is a server and sends it a goal, once. A goal that cannot be sent in time is not sent at all.
    *
-   * @param goal the goal's values by field name, as {@link org.robotui.ros.message.DynamicCodec#build} takes them
+   * @param goal the goal's values by field name, as {@link org.robotui.message.DynamicCodec#build} takes them
    * @param listener hears of this goal
    * @param patience how long to wait for the server
    * @return the goal; refused if the values do not fit or too many goals are on their way; timed out if there is no

@@ -10,6 +10,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import org.robotui.message.AnyCodec;
+import org.robotui.message.DynamicCodec;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.RosValue;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.Publisher;
@@ -18,15 +27,6 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.AnyCodec;
-import org.robotui.ros.message.DynamicCodec;
-import org.robotui.ros.message.DynamicMessage;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.message.RosValue;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
 
 /** The five topics of an action, from the client's side. */
 final class ActionLinks implements ActionClient {

@@ -3,9 +3,9 @@ package org.robotui.ros.action;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.MessageSchema;
-import org.robotui.ros.message.SchemaLookup;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.SchemaLookup;
 
 /**
  * What is to be known of an action's type to send goals and to describe it. Results and feedback are decoded by what

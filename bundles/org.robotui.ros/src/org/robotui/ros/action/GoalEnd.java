@@ -1,7 +1,7 @@
 package org.robotui.ros.action;
 
 import java.util.Optional;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
 
 /** How a goal ended. */
 public enum GoalEnd {

@@ -1,6 +1,6 @@
 package org.robotui.ros.action;
 
-import org.robotui.ros.message.DynamicMessage;
+import org.robotui.message.DynamicMessage;
 
 /**
  * Hears of one goal. Called on the I/O threads of the server's links and on the client's own, one call at a time and in

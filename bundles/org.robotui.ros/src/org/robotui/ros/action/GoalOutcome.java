@@ -2,7 +2,7 @@ package org.robotui.ros.action;
 
 import java.util.Objects;
 import java.util.Optional;
-import org.robotui.ros.message.DynamicMessage;
+import org.robotui.message.DynamicMessage;
 
 /**
  * What became of a goal.

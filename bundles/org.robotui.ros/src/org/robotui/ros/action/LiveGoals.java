@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
 
 /** The goals on their way, with a thread that runs while there are some and notices that their server is silent. */
 final class LiveGoals implements AutoCloseable {

@@ -8,7 +8,7 @@ import static org.robotui.ros.action.GoalPhase.WAITING_FOR_RESULT;
 
 import java.util.List;
 import java.util.Optional;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
 
 /**
  * The phases a goal goes through when its server reports a status, as actionlib's clients define them. As statuses come

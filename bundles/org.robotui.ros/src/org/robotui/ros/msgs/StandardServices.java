@@ -1,17 +1,17 @@
 package org.robotui.ros.msgs;
 
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.message.ServiceCodec;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ServiceCodec;
+import org.robotui.message.ros.nav_msgs.GetMapRequest;
+import org.robotui.message.ros.nav_msgs.GetMapResponse;
+import org.robotui.message.ros.std_srvs.EmptyRequest;
+import org.robotui.message.ros.std_srvs.EmptyResponse;
+import org.robotui.message.ros.std_srvs.SetBoolRequest;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
+import org.robotui.message.ros.std_srvs.TriggerRequest;
+import org.robotui.message.ros.std_srvs.TriggerResponse;
 import org.robotui.ros.msgs.dynamic_reconfigure.ReconfigureRequest;
 import org.robotui.ros.msgs.dynamic_reconfigure.ReconfigureResponse;
-import org.robotui.ros.msgs.nav_msgs.GetMapRequest;
-import org.robotui.ros.msgs.nav_msgs.GetMapResponse;
-import org.robotui.ros.msgs.std_srvs.EmptyRequest;
-import org.robotui.ros.msgs.std_srvs.EmptyResponse;
-import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
-import org.robotui.ros.msgs.std_srvs.TriggerRequest;
-import org.robotui.ros.msgs.std_srvs.TriggerResponse;
 
 /** The service types whose requests and responses are records. */
 public final class StandardServices {

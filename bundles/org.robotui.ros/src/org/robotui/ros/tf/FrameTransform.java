@@ -5,9 +5,9 @@ import java.util.Objects;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.msgs.geometry_msgs.Transform;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.message.ros.geometry_msgs.Transform;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.std_msgs.Header;
 
 /**
  * Where a child frame is in its parent frame at a time.
@@ -70,7 +70,7 @@ public record FrameTransform(String parent, String child, long stampNanos, Rigid
     Vector3 t = transform.translation();
     Quaternion r = transform.rotation();
     return new Transform(
-        new org.robotui.ros.msgs.geometry_msgs.Vector3(t.x(), t.y(), t.z()),
-        new org.robotui.ros.msgs.geometry_msgs.Quaternion(r.x(), r.y(), r.z(), r.w()));
+        new org.robotui.message.ros.geometry_msgs.Vector3(t.x(), t.y(), t.z()),
+        new org.robotui.message.ros.geometry_msgs.Quaternion(r.x(), r.y(), r.z(), r.w()));
   }
 }

@@ -4,11 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
  * Sends transforms that hold for all times. Each message carries all transforms sent so far, because a latched topic

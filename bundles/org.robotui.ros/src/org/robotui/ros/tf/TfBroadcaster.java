@@ -2,11 +2,11 @@ package org.robotui.ros.tf;
 
 import java.util.List;
 
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /** Sends transforms that change. Any thread may use it. */
 public final class TfBroadcaster implements AutoCloseable {

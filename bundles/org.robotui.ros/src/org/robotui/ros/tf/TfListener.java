@@ -6,13 +6,13 @@ import java.util.function.Consumer;
 
 import org.robotui.geometry.TransformBuffer;
 import org.robotui.geometry.TransformPut;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
  * Fills a buffer with the transforms that all publishers send, of type {@code tf2_msgs/TFMessage} or the old

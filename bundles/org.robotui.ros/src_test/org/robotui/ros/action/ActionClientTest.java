@@ -11,6 +11,13 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.LocalDefinitions;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.SchemaLookup;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
+import org.robotui.message.ros.std_msgs.StdString;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.Eventually;
 import org.robotui.ros.Graph;
@@ -18,13 +25,6 @@ import org.robotui.ros.GraphName;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.LocalDefinitions;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.message.SchemaLookup;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
-import org.robotui.ros.msgs.std_msgs.StdString;
 import org.robotui.testkit.Effort;
 
 /** Goals at a server that does what a test wants. */

@@ -2,8 +2,8 @@ package org.robotui.ros.action;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.robotui.message.DynamicMessage;
 import org.robotui.ros.Eventually;
-import org.robotui.ros.message.DynamicMessage;
 
 /** Remembers what a goal's listener heard. */
 final class GoalLog implements GoalListener {

@@ -2,24 +2,24 @@ package org.robotui.ros.action;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionFeedback;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionGoal;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionResult;
+import org.robotui.message.ros.move_base_msgs.MoveBaseFeedback;
+import org.robotui.message.ros.move_base_msgs.MoveBaseResult;
+import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionFeedback;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionGoal;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseFeedback;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseResult;
-import org.robotui.ros.msgs.std_msgs.Header;
 
 /** The five topics of an action whose server says whatever a test wants. */
 final class ScriptedServer {

@@ -8,6 +8,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
+import org.robotui.message.MessageInfo;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros.JumpListener;
 import org.robotui.ros.MessageListener;
 import org.robotui.ros.NodeClock;
@@ -16,8 +18,6 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /** A node without a network: the test hands messages in and sees what goes out. */
 final class RecordingNode {

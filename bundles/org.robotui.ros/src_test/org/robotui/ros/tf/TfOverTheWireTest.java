@@ -15,13 +15,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.TransformBuffer;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.tf.TfMessage;
 import org.robotui.ros.Eventually;
 import org.robotui.ros.Graph;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.tf.TfMessage;
 
 /** Transforms between nodes, ours and those of rospy. */
 class TfOverTheWireTest {

@@ -27,7 +27,8 @@ final class Simulator implements AutoCloseable {
   /** Speaks ROS, or what the options say. */
   Simulator(String... options) throws IOException {
     String classes = Stream
-        .of("org.robotui.sim", "org.robotui.ros", "org.robotui.player", "org.robotui.lcm", "org.robotui.net",
+        .of("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.player", "org.robotui.lcm",
+            "org.robotui.net",
             "org.robotui.geometry", "slf4j.api")
         .map(Bundles::file).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),

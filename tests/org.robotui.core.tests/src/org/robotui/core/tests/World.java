@@ -39,8 +39,9 @@ final class World implements AutoCloseable {
   static final String SINGLE = "org.robotui.ruic.single";
 
   private static final List<String> PARTS =
-      List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.ros", "org.robotui.rfic.ros",
-          "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm", "org.robotui.rfic.lcm");
+      List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.message", "org.robotui.ros",
+          "org.robotui.rfic.ros", "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm",
+          "org.robotui.rfic.lcm");
   private static final long SERVICE_MILLIS = 10_000;
 
   private final Path folder;

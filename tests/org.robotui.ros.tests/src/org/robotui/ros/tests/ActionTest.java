@@ -13,6 +13,10 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.LocalDefinitions;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.SchemaLookup;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;
@@ -26,10 +30,6 @@ import org.robotui.ros.action.GoalHandle;
 import org.robotui.ros.action.GoalListener;
 import org.robotui.ros.action.GoalOutcome;
 import org.robotui.ros.action.GoalPhase;
-import org.robotui.ros.message.DynamicMessage;
-import org.robotui.ros.message.LocalDefinitions;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.SchemaLookup;
 
 /** Our action client with actionlib's own server, for a type that is known by its definitions only. */
 class ActionTest {

@@ -3,16 +3,16 @@ package org.robotui.ros.tests;
 import java.net.URI;
 import java.nio.file.Path;
 import java.time.Duration;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.std_msgs.StdString;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 
 /** A process with one of our nodes, to be killed by a test: MASTER FOLDER. */
 final class DoomedNode {

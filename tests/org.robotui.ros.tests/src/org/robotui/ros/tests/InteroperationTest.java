@@ -11,6 +11,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.message.ros.std_srvs.SetBoolRequest;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
@@ -20,11 +24,7 @@ import org.robotui.ros.ServiceException;
 import org.robotui.ros.ServiceIdentity;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.std_msgs.StdString;
-import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 
 /** Our nodes with rospy and roscpp nodes at a real roscore. */
 class InteroperationTest {
@@ -166,7 +166,7 @@ class InteroperationTest {
     List<String> reasons = new CopyOnWriteArrayList<>();
     world.roscpp("talker", "cplusplus", "/chatter");
     world.node("listener", event -> reasons.add(event.toString())).subscriber("chatter",
-        RecordCodec.of(org.robotui.ros.msgs.std_msgs.StdFloat64.class), SubscriberOptions.standard(),
+        RecordCodec.of(org.robotui.message.ros.std_msgs.StdFloat64.class), SubscriberOptions.standard(),
         (number, reception) -> {});
     Eventually.await(() -> "a refusal among " + reasons,
         () -> reasons.stream().anyMatch(reason -> reason.contains("Failed") && reason.contains("/chatter")

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.RecordCodec;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.StaleRegistrations;
@@ -46,9 +47,9 @@ class KillTest {
   }
 
   private Peer doomed() throws Exception {
-    String classPath =
-        Stream.of(DoomedNode.class, RosNode.class, Outcome.class, LoggerFactory.class).flatMap(KillTest::places)
-            .map(Path::toString).distinct().collect(Collectors.joining(File.pathSeparator));
+    String classPath = Stream.of(DoomedNode.class, RosNode.class, RecordCodec.class, Outcome.class, LoggerFactory.class)
+        .flatMap(KillTest::places)
+        .map(Path::toString).distinct().collect(Collectors.joining(File.pathSeparator));
     return world.start(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath,
         DoomedNode.class.getName(), world.masterUri().toString(), records.toString()).awaitLine("ready");
   }

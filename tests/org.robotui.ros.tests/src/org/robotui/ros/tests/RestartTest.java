@@ -9,6 +9,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.message.ros.std_srvs.SetBoolRequest;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.LinkEvent;
 import org.robotui.ros.LinkState;
@@ -17,11 +21,7 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.std_msgs.StdString;
-import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 
 /** Masters and peers that are killed and come again, in every order. */
 class RestartTest {

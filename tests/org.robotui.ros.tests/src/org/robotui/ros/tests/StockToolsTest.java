@@ -17,15 +17,15 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosLog;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.std_msgs.StdString;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 
 /** The stock command line tools, unchanged, with our master and our nodes. */
 class StockToolsTest {

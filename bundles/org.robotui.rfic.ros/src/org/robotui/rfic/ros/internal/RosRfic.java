@@ -11,10 +11,10 @@ import org.robotui.api.session.SessionRfic;
 import org.robotui.api.session.SessionScope;
 import org.robotui.guard.Guard;
 import org.robotui.guard.Guards;
+import org.robotui.message.MessageRegistry;
 import org.robotui.rfic.ros.internal.graph.RosSession;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.NodeOptions;
-import org.robotui.ros.message.MessageRegistry;
 
 /**
  * A ROS 1 robot. A session is a node that follows the graph; the next one is opened when the node was ended from

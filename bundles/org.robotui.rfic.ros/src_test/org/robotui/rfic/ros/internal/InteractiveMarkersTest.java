@@ -30,6 +30,10 @@ import org.robotui.data.marker.MarkerFeedback;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.guard.Guards;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerFeedback;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.rfic.ros.internal.convert.SampleMarkers;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
@@ -41,10 +45,6 @@ import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.testkit.FakeRficContext;
 
 /** Interactive markers over loopback: what a server says arrives, and what a user does reaches the server. */

@@ -15,15 +15,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.link.LinkState;
 import org.robotui.guard.Guards;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.sensor_msgs.LaserScan;
+import org.robotui.message.ros.std_msgs.StdFloat64;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.SystemState;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.sensor_msgs.LaserScan;
-import org.robotui.ros.msgs.std_msgs.StdFloat64;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 import org.robotui.testkit.FakeRficContext;
 
 /** Fifty interfaces to fifty robots at one master, which are all closed at once, as core does. */

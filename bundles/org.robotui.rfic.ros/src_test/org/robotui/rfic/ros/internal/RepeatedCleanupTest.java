@@ -26,6 +26,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdFloat64;
 import org.robotui.net.thread.Workers;
 import org.robotui.rfic.ros.internal.graph.SharedCleanup;
 import org.robotui.ros.GraphName;
@@ -39,8 +41,6 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.internal.xmlrpc.XmlRpcServer;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.std_msgs.StdFloat64;
 import org.robotui.testkit.FakeRficContext;
 
 /** With a master that is not there when the tidying begins. */

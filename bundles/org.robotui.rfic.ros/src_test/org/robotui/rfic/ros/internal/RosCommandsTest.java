@@ -27,16 +27,16 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.guard.Guards;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.std_msgs.StdFloat64;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.std_msgs.StdFloat64;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
 
 /** What goes to the robot: commands, single messages, calls. */
 class RosCommandsTest extends RosRficCase {
@@ -66,11 +66,11 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void sendsWaypointsToTheTopicsThatAreNamed() {
-    Deque<org.robotui.ros.msgs.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
-    Deque<org.robotui.ros.msgs.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
-    robot.subscriber("/follow", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(),
-        (p, r) -> paths.add(p));
-    robot.subscriber("/visit", RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class),
+    Deque<org.robotui.message.ros.nav_msgs.Path> paths = new ConcurrentLinkedDeque<>();
+    Deque<org.robotui.message.ros.geometry_msgs.PoseArray> arrays = new ConcurrentLinkedDeque<>();
+    robot.subscriber("/follow", RecordCodec.of(org.robotui.message.ros.nav_msgs.Path.class),
+        SubscriberOptions.standard(), (p, r) -> paths.add(p));
+    robot.subscriber("/visit", RecordCodec.of(org.robotui.message.ros.geometry_msgs.PoseArray.class),
         SubscriberOptions.standard(), (p, r) -> arrays.add(p));
     rfic = new RosRfic(context,
         settings(Map.of("master", master.uri().toString(), "path", List.of("follow"), "poses", List.of("visit"))),
@@ -90,10 +90,10 @@ class RosCommandsTest extends RosRficCase {
 
   @Test
   void aPlanThatOthersLookAtStaysNewsAndIsNoCommand() throws IOException {
-    robot.publisher("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), PublisherOptions.standard());
+    robot.publisher("/plan", RecordCodec.of(org.robotui.message.ros.nav_msgs.Path.class), PublisherOptions.standard());
     RosNode viewer = node("viewer");
-    viewer.subscriber("/plan", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class), SubscriberOptions.standard(),
-        (p, r) -> {});
+    viewer.subscriber("/plan", RecordCodec.of(org.robotui.message.ros.nav_msgs.Path.class),
+        SubscriberOptions.standard(), (p, r) -> {});
     viewer.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(), (t, r) -> {});
     rfic.start();
     await(() -> context.commands.containsKey("cmd_vel") && context.streams.containsKey("plan"));

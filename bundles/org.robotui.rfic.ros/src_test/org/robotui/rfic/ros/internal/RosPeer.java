@@ -28,6 +28,17 @@ import org.robotui.data.navigation.Odometry;
 import org.robotui.data.sensor.LaserScan;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.guard.Guards;
+import org.robotui.message.RawCodec;
+import org.robotui.message.RawMessage;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovariance;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.geometry_msgs.TwistWithCovariance;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.net.socket.HostPort;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
@@ -44,17 +55,6 @@ import org.robotui.ros.internal.xmlrpc.XmlRpcFault;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.message.RawCodec;
-import org.robotui.ros.message.RawMessage;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.geometry_msgs.TwistWithCovariance;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.testkit.rfic.Capability;
 import org.robotui.testkit.rfic.Gate;
 import org.robotui.testkit.rfic.Peer;
@@ -91,8 +91,8 @@ final class RosPeer implements Peer {
   private Optional<Running> running = Optional.empty();
 
   /** What is there between a start and its end. */
-  private record Running(RosMaster master, RosNode node, Publisher<org.robotui.ros.msgs.nav_msgs.Odometry> poses,
-      Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans, ServerSocket mute) {
+  private record Running(RosMaster master, RosNode node, Publisher<org.robotui.message.ros.nav_msgs.Odometry> poses,
+      Publisher<org.robotui.message.ros.sensor_msgs.LaserScan> scans, ServerSocket mute) {
     Publisher<?> publisher(Sample sample) {
       return sample.equals(POSE) ? poses : scans;
     }
@@ -144,9 +144,9 @@ final class RosPeer implements Peer {
     RosMaster master = RosMaster.open(MasterOptions.standard(THREADS));
     RosNode node = node(master, "robot");
     running = Optional.of(new Running(master, node,
-        node.publisher("/odom", RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Odometry.class),
+        node.publisher("/odom", RecordCodec.of(org.robotui.message.ros.nav_msgs.Odometry.class),
             PublisherOptions.standard()),
-        node.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class),
+        node.publisher("/scan", RecordCodec.of(org.robotui.message.ros.sensor_msgs.LaserScan.class),
             PublisherOptions.standard()),
         new ServerSocket(0, 50, InetAddress.getLoopbackAddress())));
     node.subscriber("/cmd_vel", RecordCodec.of(Twist.class), SubscriberOptions.standard(),
@@ -199,7 +199,7 @@ final class RosPeer implements Peer {
 
   @Override
   public void garble() throws IOException {
-    RawCodec broken = new RawCodec(RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class).info());
+    RawCodec broken = new RawCodec(RecordCodec.of(org.robotui.message.ros.sensor_msgs.LaserScan.class).info());
     try (RosNode mad = node(running.orElseThrow().master(), "mad")) {
       Publisher<RawMessage> scans = mad.publisher("/scan", broken, PublisherOptions.standard());
       RosRficCase.await(() -> scans.numSubscribers() > 0);
@@ -218,18 +218,17 @@ final class RosPeer implements Peer {
     if (sample.equals(POSE)) {
       running.ifPresent(r -> r.poses().publish(pose()));
     } else {
-      running
-          .ifPresent(r -> r.scans()
-              .publish(new org.robotui.ros.msgs.sensor_msgs.LaserScan(new Header(0, STAMP.nanos(), "/laser"), -1, 1, 1,
-                  0, 0.05f,
-                  0.1f, 30, new float[]{1, Float.NaN, Float.POSITIVE_INFINITY}, new float[0])));
+      running.ifPresent(r -> r.scans()
+          .publish(new org.robotui.message.ros.sensor_msgs.LaserScan(new Header(0, STAMP.nanos(), "/laser"), -1, 1, 1,
+              0, 0.05f,
+              0.1f, 30, new float[]{1, Float.NaN, Float.POSITIVE_INFINITY}, new float[0])));
     }
   }
 
-  private static org.robotui.ros.msgs.nav_msgs.Odometry pose() {
+  private static org.robotui.message.ros.nav_msgs.Odometry pose() {
     Pose pose = new Pose(new Point(1, -2, 3), new Quaternion(0, 0, Math.sin(0.25), Math.cos(0.25)));
     Twist twist = new Twist(new Vector3(0.3, 0.1, 0.2), new Vector3(0.4, 0.5, -0.2));
-    return new org.robotui.ros.msgs.nav_msgs.Odometry(new Header(0, STAMP.nanos(), "odom"), "base_link",
+    return new org.robotui.message.ros.nav_msgs.Odometry(new Header(0, STAMP.nanos(), "odom"), "base_link",
         new PoseWithCovariance(pose, covariance(0.25)), new TwistWithCovariance(twist, covariance(0.5)));
   }
 

@@ -23,6 +23,7 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
 import org.robotui.guard.Guards;
+import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -30,7 +31,6 @@ import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.msgs.std_msgs.Header;
 import org.robotui.testkit.FakeRficContext;
 
 /** A robot on a master of its own, and an interface to it. */
@@ -70,9 +70,9 @@ abstract class RosRficCase {
     return RosSettings.of(new Settings(RosSettings.SCHEMA, values), Map.of());
   }
 
-  static org.robotui.ros.msgs.sensor_msgs.LaserScan scan(float[] ranges) {
+  static org.robotui.message.ros.sensor_msgs.LaserScan scan(float[] ranges) {
     Header header = new Header(0, Stamp.of(12, 500, ClockKind.ROBOT).nanos(), "/laser");
-    return new org.robotui.ros.msgs.sensor_msgs.LaserScan(header, -1, 1, 0.5f, 0, 0, 0.1f, 30, ranges, new float[0]);
+    return new org.robotui.message.ros.sensor_msgs.LaserScan(header, -1, 1, 0.5f, 0, 0, 0.1f, 30, ranges, new float[0]);
   }
 
   FakeRficContext.Published first(String port) {

@@ -25,6 +25,9 @@ import org.robotui.data.record.FieldValue;
 import org.robotui.data.record.RecordShape;
 import org.robotui.data.sensor.LaserScan;
 import org.robotui.guard.Guards;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.std_msgs.StdFloat64;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
@@ -33,17 +36,14 @@ import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.std_msgs.StdFloat64;
 import org.robotui.testkit.FakeRficContext;
 
 /** What comes from the robot, and the link to it. */
 class RosRficTest extends RosRficCase {
   @Test
   void offersTopicsWhileTheyArePublishedAndAsksForThemOnlyWhenWanted() {
-    Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
-        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class),
+    Publisher<org.robotui.message.ros.sensor_msgs.LaserScan> scans =
+        robot.publisher("/scan", RecordCodec.of(org.robotui.message.ros.sensor_msgs.LaserScan.class),
             PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
@@ -100,15 +100,15 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void refusesMessagesThatAreNotWhatTheyShouldBeAndGoesOn() {
-    Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans =
-        robot.publisher("/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class),
+    Publisher<org.robotui.message.ros.sensor_msgs.LaserScan> scans =
+        robot.publisher("/scan", RecordCodec.of(org.robotui.message.ros.sensor_msgs.LaserScan.class),
             PublisherOptions.standard());
     rfic.start();
     await(() -> context.streams.containsKey("scan"));
     context.demand("scan", true);
     await(() -> scans.numSubscribers() == 1);
-    org.robotui.ros.msgs.sensor_msgs.LaserScan good = scan(new float[]{1});
-    scans.publish(new org.robotui.ros.msgs.sensor_msgs.LaserScan(good.header(), Float.NaN, 0, 0, 0, 0, 0, 1,
+    org.robotui.message.ros.sensor_msgs.LaserScan good = scan(new float[]{1});
+    scans.publish(new org.robotui.message.ros.sensor_msgs.LaserScan(good.header(), Float.NaN, 0, 0, 0, 0, 0, 1,
         good.ranges(), new float[0]));
     scans.publish(good);
     first("scan");
@@ -145,8 +145,8 @@ class RosRficTest extends RosRficCase {
 
   @Test
   void keepsTheRobotsNamesBesideTheDataType() {
-    Publisher<org.robotui.ros.msgs.sensor_msgs.LaserScan> scans = robot.publisher(
-        "/scan", RecordCodec.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class), PublisherOptions.latched());
+    Publisher<org.robotui.message.ros.sensor_msgs.LaserScan> scans = robot.publisher(
+        "/scan", RecordCodec.of(org.robotui.message.ros.sensor_msgs.LaserScan.class), PublisherOptions.latched());
     scans.publish(scan(new float[]{1, 2}));
     rfic.start();
     await(() -> context.streams.containsKey("scan"));

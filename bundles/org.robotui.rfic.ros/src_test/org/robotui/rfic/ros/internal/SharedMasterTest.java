@@ -14,17 +14,17 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.link.LinkState;
 import org.robotui.guard.Guards;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Transform;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.std_msgs.StdFloat64;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.Transform;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.std_msgs.StdFloat64;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 import org.robotui.testkit.FakeRficContext;
 
 /** Two interfaces to two robots at one master. */

@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.net.URI;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.RawCodec;
+import org.robotui.message.RawMessage;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.Publisher;
@@ -11,9 +14,6 @@ import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosEnvironment;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.RawCodec;
-import org.robotui.ros.message.RawMessage;
 
 /** The node that gathers the log messages of all nodes on one topic, as it comes with every roscore. */
 final class Rosout {

@@ -2,10 +2,10 @@ package org.robotui.ros.internal.node;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
 
 /** {@code rosgraph_msgs/Clock}, as nanoseconds since the epoch. */
 final class ClockCodec implements MessageCodec<Long> {

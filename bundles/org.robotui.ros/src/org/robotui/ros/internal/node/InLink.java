@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageInfo;
 import org.robotui.net.call.Backoff;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.log.PeerText;
@@ -25,8 +27,6 @@ import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.ProtocolException;
 import org.robotui.ros.internal.tcpros.ReadPacing;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageInfo;
 
 /**
  * The link to one publisher, with a thread of its own that connects, reads and, when the link broke, connects again.

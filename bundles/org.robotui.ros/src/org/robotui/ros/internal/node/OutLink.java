@@ -5,6 +5,7 @@ import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import org.robotui.message.MessageInfo;
 import org.robotui.net.socket.Sockets;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent.Kind;
@@ -12,7 +13,6 @@ import org.robotui.ros.LinkState;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.FrameWriter;
 import org.robotui.ros.internal.tcpros.OutQueue;
-import org.robotui.ros.message.MessageInfo;
 
 /** A link to one subscriber: one thread writes what waits in the queue, another one notices when the peer goes away. */
 record OutLink(NodeContext context, GraphName topic, String subscriber, MessageInfo theirs, Socket socket,

@@ -13,6 +13,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
 import org.robotui.net.log.PeerText;
 import org.robotui.net.socket.Sockets;
 import org.robotui.ros.GraphName;
@@ -24,9 +27,6 @@ import org.robotui.ros.internal.tcpros.ConnectionHeader;
 import org.robotui.ros.internal.tcpros.FrameReader;
 import org.robotui.ros.internal.tcpros.OutQueue;
 import org.robotui.ros.internal.tcpros.ProtocolException;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
 
 /** One topic this node publishes, with the links to its subscribers. */
 final class Publication<T> implements Publisher<T> {

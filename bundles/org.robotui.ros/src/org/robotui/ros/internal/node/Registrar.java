@@ -10,6 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import org.robotui.message.MessageInfo;
 import org.robotui.net.call.Backoff;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.thread.Uninterruptibles;
@@ -17,7 +18,6 @@ import org.robotui.ros.LinkEvent.Kind;
 import org.robotui.ros.LinkState;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.message.MessageInfo;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

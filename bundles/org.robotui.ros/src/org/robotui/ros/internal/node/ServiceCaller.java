@@ -9,15 +9,15 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
+import org.robotui.message.ServiceCodec;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.socket.CloseableSet;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.ServiceCodec;
 
 /** Calls one service; a persistent caller keeps its connection and makes one call at a time. */
 final class ServiceCaller<Q, R> implements ServiceClient<Q, R>, Closeable {

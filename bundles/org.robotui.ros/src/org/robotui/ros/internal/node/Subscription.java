@@ -10,6 +10,8 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.MessageInfo;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.LinkEvent;
 import org.robotui.ros.LinkState;
@@ -18,8 +20,6 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.internal.tcpros.ConnectionHeader;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.MessageInfo;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -6,8 +6,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageWriter;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageWriter;
 
 /** The fields two TCPROS peers exchange before their first message. */
 public record ConnectionHeader(Map<String, String> fields) {

@@ -2,7 +2,7 @@ package org.robotui.ros.msgs.dynamic_reconfigure;
 
 import java.util.List;
 
-import org.robotui.ros.message.MessageType;
+import org.robotui.message.MessageType;
 
 /**
  * Describes all parameters of a server ({@code dynamic_reconfigure/ConfigDescription}).

@@ -1,6 +1,6 @@
 package org.robotui.ros.msgs.dynamic_reconfigure;
 
-import org.robotui.ros.message.MessageType;
+import org.robotui.message.MessageType;
 
 /**
  * The state of a group of parameters ({@code dynamic_reconfigure/GroupState}).

@@ -1,6 +1,6 @@
 package org.robotui.ros.msgs.dynamic_reconfigure;
 
-import org.robotui.ros.message.MessageType;
+import org.robotui.message.MessageType;
 
 /**
  * Answers a request for other values ({@code dynamic_reconfigure/ReconfigureResponse}).

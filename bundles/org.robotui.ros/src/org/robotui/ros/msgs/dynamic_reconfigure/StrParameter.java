@@ -1,6 +1,6 @@
 package org.robotui.ros.msgs.dynamic_reconfigure;
 
-import org.robotui.ros.message.MessageType;
+import org.robotui.message.MessageType;
 
 /**
  * A text of a configuration ({@code dynamic_reconfigure/StrParameter}).

@@ -17,6 +17,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdString;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.PublisherOptions;
@@ -27,8 +29,6 @@ import org.robotui.ros.SubscriberOptions;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.master.MasterOptions;
 import org.robotui.ros.master.RosMaster;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.std_msgs.StdString;
 
 /** What a node leaves to be said to its master, said by somebody else. */
 @Timeout(30)

@@ -15,6 +15,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.message.ros.std_srvs.EmptyResponse;
 import org.robotui.net.socket.HostPort;
 import org.robotui.ros.Eventually;
 import org.robotui.ros.Graph;
@@ -27,10 +30,7 @@ import org.robotui.ros.SystemState;
 import org.robotui.ros.XmlRpcValue;
 import org.robotui.ros.internal.xmlrpc.XmlRpcClient;
 import org.robotui.ros.internal.xmlrpc.XmlRpcLimits;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.std_msgs.StdString;
-import org.robotui.ros.msgs.std_srvs.EmptyResponse;
 
 /** Registrations of a node whose process is gone, and of others that must stay. */
 class LeftoversTest {

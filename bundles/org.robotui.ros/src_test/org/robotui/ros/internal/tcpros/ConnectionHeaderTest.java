@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.message.MessageInfo;
+import org.robotui.message.MessageInfo;
 import org.robotui.testkit.Effort;
 
 class ConnectionHeaderTest {

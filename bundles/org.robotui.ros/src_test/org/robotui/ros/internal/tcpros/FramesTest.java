@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.message.MessageWriter;
+import org.robotui.message.MessageWriter;
 
 class FramesTest {
 

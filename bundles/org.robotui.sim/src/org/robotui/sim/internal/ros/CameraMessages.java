@@ -2,10 +2,10 @@ package org.robotui.sim.internal.ros;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
-import org.robotui.ros.msgs.sensor_msgs.CompressedImage;
-import org.robotui.ros.msgs.sensor_msgs.Image;
-import org.robotui.ros.msgs.sensor_msgs.RegionOfInterest;
+import org.robotui.message.ros.sensor_msgs.CameraInfo;
+import org.robotui.message.ros.sensor_msgs.CompressedImage;
+import org.robotui.message.ros.sensor_msgs.Image;
+import org.robotui.message.ros.sensor_msgs.RegionOfInterest;
 import org.robotui.sim.internal.camera.Lens;
 
 /** Messages of the camera. */

@@ -1,12 +1,12 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.Optional;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.sensor_msgs.CameraInfo;
+import org.robotui.message.ros.sensor_msgs.Image;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
-import org.robotui.ros.msgs.sensor_msgs.Image;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.camera.DepthRenderer;

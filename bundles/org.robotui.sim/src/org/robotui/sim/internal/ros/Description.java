@@ -2,8 +2,8 @@ package org.robotui.sim.internal.ros;
 
 import java.util.Locale;
 import org.robotui.geometry.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.robot.Head;
 

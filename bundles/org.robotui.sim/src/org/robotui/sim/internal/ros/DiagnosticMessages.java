@@ -2,9 +2,9 @@ package org.robotui.sim.internal.ros;
 
 import java.util.List;
 import java.util.Locale;
-import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
-import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticStatus;
-import org.robotui.ros.msgs.diagnostic_msgs.KeyValue;
+import org.robotui.message.ros.diagnostic_msgs.DiagnosticArray;
+import org.robotui.message.ros.diagnostic_msgs.DiagnosticStatus;
+import org.robotui.message.ros.diagnostic_msgs.KeyValue;
 import org.robotui.sim.internal.RobotState;
 
 /** How the parts of the robot are. */

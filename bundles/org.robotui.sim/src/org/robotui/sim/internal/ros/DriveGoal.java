@@ -1,7 +1,7 @@
 package org.robotui.sim.internal.ros;
 
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
 
 /**
  * A goal of the navigation, as the action server tells it.

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
 import org.robotui.sim.internal.GoalStatus.Phase;
 
 /**

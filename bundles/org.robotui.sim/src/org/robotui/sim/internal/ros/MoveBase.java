@@ -1,17 +1,17 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.function.Consumer;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionFeedback;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionGoal;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionResult;
+import org.robotui.message.ros.move_base_msgs.MoveBaseFeedback;
+import org.robotui.message.ros.move_base_msgs.MoveBaseResult;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionFeedback;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionGoal;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseFeedback;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseResult;
 import org.robotui.sim.internal.Command;
 import org.robotui.sim.internal.Event;
 import org.robotui.sim.internal.Rate;

@@ -2,7 +2,7 @@ package org.robotui.sim.internal.ros;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Pose;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.world.Pose2;
 

@@ -1,13 +1,13 @@
 package org.robotui.sim.internal.ros;
 
 import org.robotui.geometry.RigidTransform;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.Transform;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Transform;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.sim.internal.world.Pose2;
 
 /** Between the plane of the simulation and the space of the messages. */

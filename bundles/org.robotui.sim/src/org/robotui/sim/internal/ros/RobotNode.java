@@ -1,12 +1,12 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.Optional;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.rosgraph_msgs.Clock;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.rosgraph_msgs.Clock;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.SimulatedRobot;
 import org.robotui.sim.internal.Simulation;

@@ -1,12 +1,12 @@
 package org.robotui.sim.internal.ros;
 
 import java.nio.ByteBuffer;
-import org.robotui.ros.msgs.nav_msgs.MapMetaData;
-import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
-import org.robotui.ros.msgs.sensor_msgs.LaserScan;
-import org.robotui.ros.msgs.sensor_msgs.NavSatFix;
-import org.robotui.ros.msgs.sensor_msgs.NavSatStatus;
-import org.robotui.ros.msgs.sensor_msgs.Range;
+import org.robotui.message.ros.nav_msgs.MapMetaData;
+import org.robotui.message.ros.nav_msgs.OccupancyGrid;
+import org.robotui.message.ros.sensor_msgs.LaserScan;
+import org.robotui.message.ros.sensor_msgs.NavSatFix;
+import org.robotui.message.ros.sensor_msgs.NavSatStatus;
+import org.robotui.message.ros.sensor_msgs.Range;
 import org.robotui.sim.internal.sensor.LaserSpec;
 import org.robotui.sim.internal.sensor.SatelliteReceiver;
 import org.robotui.sim.internal.sensor.SonarSpec;

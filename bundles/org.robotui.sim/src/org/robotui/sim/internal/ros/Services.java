@@ -1,14 +1,14 @@
 package org.robotui.sim.internal.ros;
 
+import org.robotui.message.ros.nav_msgs.GetMapResponse;
+import org.robotui.message.ros.nav_msgs.OccupancyGrid;
+import org.robotui.message.ros.std_srvs.EmptyResponse;
+import org.robotui.message.ros.std_srvs.SetBoolRequest;
+import org.robotui.message.ros.std_srvs.SetBoolResponse;
+import org.robotui.message.ros.std_srvs.TriggerResponse;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceException;
 import org.robotui.ros.msgs.StandardServices;
-import org.robotui.ros.msgs.nav_msgs.GetMapResponse;
-import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
-import org.robotui.ros.msgs.std_srvs.EmptyResponse;
-import org.robotui.ros.msgs.std_srvs.SetBoolRequest;
-import org.robotui.ros.msgs.std_srvs.SetBoolResponse;
-import org.robotui.ros.msgs.std_srvs.TriggerResponse;
 import org.robotui.sim.internal.Command;
 import org.robotui.sim.internal.Simulation;
 

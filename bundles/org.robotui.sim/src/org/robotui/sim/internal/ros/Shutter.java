@@ -2,8 +2,8 @@ package org.robotui.sim.internal.ros;
 
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
+import org.robotui.message.ros.sensor_msgs.CameraInfo;
 import org.robotui.ros.Publisher;
-import org.robotui.ros.msgs.sensor_msgs.CameraInfo;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.camera.PictureWorker;

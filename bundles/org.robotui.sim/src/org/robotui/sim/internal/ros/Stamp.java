@@ -1,6 +1,6 @@
 package org.robotui.sim.internal.ros;
 
-import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.message.ros.std_msgs.Header;
 
 /**
  * The number and the time of a message.

@@ -5,9 +5,9 @@ import java.util.List;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.sensor.SonarSpec;
 

@@ -1,11 +1,11 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.function.Consumer;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
 import org.robotui.sim.internal.Command;
 import org.robotui.sim.internal.Event;
 import org.robotui.sim.internal.Simulation;

@@ -1,10 +1,10 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.function.Function;
+import org.robotui.message.MessageCodec;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.MessageCodec;
 
 /** A publisher that numbers its messages. For one thread. */
 final class Topic<T> {

@@ -1,12 +1,12 @@
 package org.robotui.sim.internal.ros;
 
+import org.robotui.message.RecordCodec;
 import org.robotui.ros.Parameters;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceException;
 import org.robotui.ros.XmlRpcValue;
-import org.robotui.ros.message.RecordCodec;
 import org.robotui.ros.msgs.StandardServices;
 import org.robotui.ros.msgs.dynamic_reconfigure.Config;
 import org.robotui.ros.msgs.dynamic_reconfigure.ConfigDescription;

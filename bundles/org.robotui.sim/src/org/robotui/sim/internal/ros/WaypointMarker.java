@@ -1,16 +1,16 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.List;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.std_msgs.ColorRGBA;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarker;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerControl;
-import org.robotui.ros.msgs.visualization_msgs.Marker;
-import org.robotui.ros.msgs.visualization_msgs.MenuEntry;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.std_msgs.ColorRGBA;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarker;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerControl;
+import org.robotui.message.ros.visualization_msgs.Marker;
+import org.robotui.message.ros.visualization_msgs.MenuEntry;
 import org.robotui.sim.internal.world.Pose2;
 
 /** What the waypoint looks like: an arrow on a disc that moves and turns on the floor, and a menu. */

@@ -1,16 +1,16 @@
 package org.robotui.sim.internal.swarm;
 
 import java.nio.ByteBuffer;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.nav_msgs.MapMetaData;
+import org.robotui.message.ros.nav_msgs.OccupancyGrid;
+import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.nav_msgs.MapMetaData;
-import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
-import org.robotui.ros.msgs.std_msgs.Header;
 
 /** Gives the map of the hall. */
 final class HallMap {

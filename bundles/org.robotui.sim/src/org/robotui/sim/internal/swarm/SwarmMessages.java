@@ -1,25 +1,25 @@
 package org.robotui.sim.internal.swarm;
 
 import java.util.List;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.Transform;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.geometry_msgs.TwistWithCovariance;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.nav_msgs.Odometry;
-import org.robotui.ros.msgs.nav_msgs.Path;
-import org.robotui.ros.msgs.sensor_msgs.BatteryState;
-import org.robotui.ros.msgs.sensor_msgs.LaserScan;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovariance;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Transform;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.geometry_msgs.TwistWithCovariance;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.nav_msgs.Odometry;
+import org.robotui.message.ros.nav_msgs.Path;
+import org.robotui.message.ros.sensor_msgs.BatteryState;
+import org.robotui.message.ros.sensor_msgs.LaserScan;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 
 /** What a robot of a swarm says. Its frames carry its name before them; the map is that of all. */
 final class SwarmMessages {

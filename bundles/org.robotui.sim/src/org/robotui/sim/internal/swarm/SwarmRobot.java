@@ -1,20 +1,20 @@
 package org.robotui.sim.internal.swarm;
 
 import java.util.List;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.nav_msgs.Odometry;
+import org.robotui.message.ros.nav_msgs.Path;
+import org.robotui.message.ros.sensor_msgs.BatteryState;
+import org.robotui.message.ros.sensor_msgs.LaserScan;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatusArray;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.nav_msgs.Odometry;
-import org.robotui.ros.msgs.nav_msgs.Path;
-import org.robotui.ros.msgs.sensor_msgs.BatteryState;
-import org.robotui.ros.msgs.sensor_msgs.LaserScan;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
  * A robot of a swarm as a ROS node in a namespace of its own. Ended by {@code rosnode kill}, it is gone, and the others

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
 import org.robotui.sim.internal.GoalStatus.Phase;
 
 class DriveGoalsTest {

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
 import org.robotui.sim.internal.world.Pose2;
 
 class PosesTest {

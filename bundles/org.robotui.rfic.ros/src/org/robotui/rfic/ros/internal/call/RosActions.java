@@ -15,6 +15,9 @@ import org.robotui.api.port.ActionRequest;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.SchemaLookup;
 import org.robotui.rfic.ros.internal.convert.RosRecord;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;
@@ -27,9 +30,6 @@ import org.robotui.ros.action.GoalHandle;
 import org.robotui.ros.action.GoalListener;
 import org.robotui.ros.action.GoalOutcome;
 import org.robotui.ros.action.GoalPhase;
-import org.robotui.ros.message.DynamicMessage;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.SchemaLookup;
 
 /**
  * Sends goals to actions. The topics of an action are ours only while a goal of ours is under way. A call that is

@@ -7,11 +7,11 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
+import org.robotui.message.MessageRegistry;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
 import org.robotui.ros.action.Actions;
-import org.robotui.ros.message.MessageRegistry;
 import org.robotui.ros.reconfigure.ReconfigureServers;
 
 /** What a ROS robot has, as its master and its nodes say. */

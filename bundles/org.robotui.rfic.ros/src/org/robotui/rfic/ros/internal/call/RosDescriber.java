@@ -10,15 +10,15 @@ import java.util.stream.Stream;
 import org.robotui.api.port.Browser.Description;
 import org.robotui.api.port.Browser.Item;
 import org.robotui.api.port.CallException;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.SchemaLookup;
+import org.robotui.message.ServiceSchema;
 import org.robotui.rfic.ros.internal.convert.RosShapes;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceIdentity;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.action.ActionType;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.MessageSchema;
-import org.robotui.ros.message.SchemaLookup;
-import org.robotui.ros.message.ServiceSchema;
 
 /** Describes single things of a ROS robot. */
 final class RosDescriber {

@@ -5,17 +5,17 @@ import org.robotui.api.port.CallException;
 import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
+import org.robotui.message.DynamicCodec;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.SchemaLookup;
+import org.robotui.message.ServiceCodec;
+import org.robotui.message.ServiceSchema;
 import org.robotui.rfic.ros.internal.convert.RosRecord;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.ServiceIdentity;
-import org.robotui.ros.message.DynamicCodec;
-import org.robotui.ros.message.DynamicMessage;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.SchemaLookup;
-import org.robotui.ros.message.ServiceCodec;
-import org.robotui.ros.message.ServiceSchema;
 
 /** Calls services of any type whose definition is known. */
 public final class RosServices implements CallHandler<ServiceRequest, ServiceReply> {

@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
 import org.robotui.data.Data;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.RecordCodec;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.RecordCodec;
 
 /**
  * How messages of one ROS type become data.

@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.robotui.data.record.DynamicRecord;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.RawCodec;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.RawCodec;
 
 /** All conversions by ROS type. A type that has none becomes a dynamic record. */
 public final class Adapters {

@@ -7,9 +7,9 @@ import java.util.List;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.sensor.PointCloud;
 import org.robotui.data.sensor.PointField;
-import org.robotui.ros.msgs.geometry_msgs.Point32;
-import org.robotui.ros.msgs.sensor_msgs.ChannelFloat32;
-import org.robotui.ros.msgs.sensor_msgs.PointCloud2;
+import org.robotui.message.ros.geometry_msgs.Point32;
+import org.robotui.message.ros.sensor_msgs.ChannelFloat32;
+import org.robotui.message.ros.sensor_msgs.PointCloud2;
 
 /** Point clouds, of the present and of the old message. */
 final class CloudAdapters {
@@ -19,7 +19,7 @@ final class CloudAdapters {
     return List.of(
         Adapter.of(PointCloud2.class, PointCloud.class, CloudAdapters::cloud,
             m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.PointCloud.class, PointCloud.class,
+        Adapter.of(org.robotui.message.ros.sensor_msgs.PointCloud.class, PointCloud.class,
             CloudAdapters::oldCloud, m -> m.header().stamp()));
   }
 
@@ -32,7 +32,7 @@ final class CloudAdapters {
         Bytes.wrap(m.data()));
   }
 
-  private static PointField field(org.robotui.ros.msgs.sensor_msgs.PointField f) {
+  private static PointField field(org.robotui.message.ros.sensor_msgs.PointField f) {
     PointField.Format[] formats = PointField.Format.values();
     if (f.datatype() < 1 || f.datatype() > formats.length) {
       throw new IllegalArgumentException("field " + f.name() + ": datatype " + f.datatype() + " is none of 1 to 8");
@@ -41,7 +41,7 @@ final class CloudAdapters {
     return new PointField(f.name(), Sizes.of("offset", f.offset()), formats[f.datatype() - 1], count);
   }
 
-  private static PointCloud oldCloud(org.robotui.ros.msgs.sensor_msgs.PointCloud m, FrameNames names) {
+  private static PointCloud oldCloud(org.robotui.message.ros.sensor_msgs.PointCloud m, FrameNames names) {
     List<ChannelFloat32> channels =
         m.channels().stream().filter(c -> c.values().length == m.points().size()).toList();
     List<PointField> fields = new ArrayList<>();

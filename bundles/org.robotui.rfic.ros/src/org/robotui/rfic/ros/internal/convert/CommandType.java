@@ -11,14 +11,14 @@ import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.Path;
 import org.robotui.data.navigation.PoseEstimate;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovariance;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.geometry_msgs.TwistStamped;
-import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovariance;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.geometry_msgs.TwistStamped;
+import org.robotui.message.ros.std_msgs.Header;
 
 /**
  * How a command becomes a ROS message.
@@ -65,12 +65,12 @@ public record CommandType<D extends Data, M>(
       new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class,
           RecordCodec.of(PoseWithCovarianceStamped.class),
           CommandType::estimate, false, "Where the robot is, for its localisation."),
-      new CommandType<>("nav_msgs/Path", Path.class, RecordCodec.of(org.robotui.ros.msgs.nav_msgs.Path.class),
+      new CommandType<>("nav_msgs/Path", Path.class, RecordCodec.of(org.robotui.message.ros.nav_msgs.Path.class),
           CommandType::path, true,
           "Poses to drive to, one after the other."),
       new CommandType<>("geometry_msgs/PoseArray", PoseArray.class,
-          RecordCodec.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class),
-          (c, now) -> new org.robotui.ros.msgs.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
+          RecordCodec.of(org.robotui.message.ros.geometry_msgs.PoseArray.class),
+          (c, now) -> new org.robotui.message.ros.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
               c.poses().stream().map(Geometry::pose).toList()),
           true, "Poses to drive to, one after the other."));
 
@@ -93,9 +93,9 @@ public record CommandType<D extends Data, M>(
         new PoseWithCovariance(Geometry.pose(c.pose()), covariance(c.covariance())));
   }
 
-  private static org.robotui.ros.msgs.nav_msgs.Path path(Path c, long now) {
+  private static org.robotui.message.ros.nav_msgs.Path path(Path c, long now) {
     Header header = new Header(0, now, c.frame().name());
-    return new org.robotui.ros.msgs.nav_msgs.Path(header,
+    return new org.robotui.message.ros.nav_msgs.Path(header,
         c.poses().stream().map(pose -> new PoseStamped(header, Geometry.pose(pose))).toList());
   }
 

@@ -3,9 +3,9 @@ package org.robotui.rfic.ros.internal.convert;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.geometry_msgs.Transform;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Transform;
 
 /** Geometry of ROS messages. A quaternion of all zeros, which ROS nodes send for "none", is read as no rotation. */
 final class Geometry {
@@ -23,15 +23,15 @@ final class Geometry {
     return finite(new Vector3(p.x(), p.y(), p.z()), "position");
   }
 
-  private static Vector3 translation(org.robotui.ros.msgs.geometry_msgs.Vector3 v) {
+  private static Vector3 translation(org.robotui.message.ros.geometry_msgs.Vector3 v) {
     return finite(new Vector3(v.x(), v.y(), v.z()), "translation");
   }
 
-  static Vector3 vector(org.robotui.ros.msgs.geometry_msgs.Vector3 v) {
+  static Vector3 vector(org.robotui.message.ros.geometry_msgs.Vector3 v) {
     return finite(new Vector3(v.x(), v.y(), v.z()), "vector");
   }
 
-  static Quaternion rotation(org.robotui.ros.msgs.geometry_msgs.Quaternion q) {
+  static Quaternion rotation(org.robotui.message.ros.geometry_msgs.Quaternion q) {
     boolean none = q.x() == 0 && q.y() == 0 && q.z() == 0 && q.w() == 0;
     return none ? Quaternion.IDENTITY : normalized(new Quaternion(q.x(), q.y(), q.z(), q.w()));
   }
@@ -41,11 +41,11 @@ final class Geometry {
     Quaternion q = transform.rotation();
     return new Pose(
         new Point(t.x(), t.y(), t.z()),
-        new org.robotui.ros.msgs.geometry_msgs.Quaternion(q.x(), q.y(), q.z(), q.w()));
+        new org.robotui.message.ros.geometry_msgs.Quaternion(q.x(), q.y(), q.z(), q.w()));
   }
 
-  static org.robotui.ros.msgs.geometry_msgs.Vector3 vector(Vector3 v) {
-    return new org.robotui.ros.msgs.geometry_msgs.Vector3(v.x(), v.y(), v.z());
+  static org.robotui.message.ros.geometry_msgs.Vector3 vector(Vector3 v) {
+    return new org.robotui.message.ros.geometry_msgs.Vector3(v.x(), v.y(), v.z());
   }
 
   private static Quaternion normalized(Quaternion q) {

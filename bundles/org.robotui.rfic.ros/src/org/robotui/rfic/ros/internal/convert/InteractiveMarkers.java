@@ -4,12 +4,12 @@ import java.util.Optional;
 import org.robotui.data.marker.InteractiveMarker;
 import org.robotui.data.marker.MarkerFeedback;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.msgs.geometry_msgs.Point;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerControl;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerPose;
-import org.robotui.ros.msgs.visualization_msgs.MenuEntry;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerControl;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerFeedback;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerPose;
+import org.robotui.message.ros.visualization_msgs.MenuEntry;
 
 /** Interactive markers and what users do with them. */
 public final class InteractiveMarkers {
@@ -25,7 +25,7 @@ public final class InteractiveMarkers {
    * @throws IllegalArgumentException where a mode is none
    */
   public static InteractiveMarker marker(
-      org.robotui.ros.msgs.visualization_msgs.InteractiveMarker m, String feedback, FrameNames names) {
+      org.robotui.message.ros.visualization_msgs.InteractiveMarker m, String feedback, FrameNames names) {
     return new InteractiveMarker(m.name(), m.description(), feedback, names.frame(m.header().frameId()),
         MarkerAdapters.stamp(m.header().stamp(), names), MarkerAdapters.pose(m.pose()), m.scale(),
         m.menuEntries().stream().map(InteractiveMarkers::entry).toList(),

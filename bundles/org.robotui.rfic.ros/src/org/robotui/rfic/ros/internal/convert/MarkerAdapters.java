@@ -14,12 +14,12 @@ import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.message.VersionTolerantCodec;
-import org.robotui.ros.msgs.geometry_msgs.Pose;
-import org.robotui.ros.msgs.std_msgs.ColorRGBA;
-import org.robotui.ros.msgs.visualization_msgs.MarkerArray;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.VersionTolerantCodec;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.std_msgs.ColorRGBA;
+import org.robotui.message.ros.visualization_msgs.MarkerArray;
 
 /** Markers. Poses are taken as they are, since one bad marker must not hide the others of its message. */
 final class MarkerAdapters {
@@ -31,7 +31,8 @@ final class MarkerAdapters {
   /** In all their versions: the definition of markers has grown with rviz, and is found in old recordings. */
   static List<Adapter<?, ?>> all(MessageRegistry registry) {
     return List.of(
-        versions(org.robotui.ros.msgs.visualization_msgs.Marker.class, registry, (m, names) -> set(List.of(m), names),
+        versions(org.robotui.message.ros.visualization_msgs.Marker.class, registry,
+            (m, names) -> set(List.of(m), names),
             m -> m.header().stamp()),
         versions(MarkerArray.class, registry, (m, names) -> set(m.markers(), names),
             m -> m.markers().isEmpty() ? 0 : m.markers().getFirst().header().stamp()));
@@ -43,17 +44,17 @@ final class MarkerAdapters {
         MarkerSet.class, convert, stamp);
   }
 
-  private static MarkerSet set(List<org.robotui.ros.msgs.visualization_msgs.Marker> markers, FrameNames names) {
+  private static MarkerSet set(List<org.robotui.message.ros.visualization_msgs.Marker> markers, FrameNames names) {
     boolean all = false;
     Map<Marker.Key, MarkerSet.Entry> entries = new LinkedHashMap<>();
-    for (org.robotui.ros.msgs.visualization_msgs.Marker m : markers) {
+    for (org.robotui.message.ros.visualization_msgs.Marker m : markers) {
       Marker.Key key = new Marker.Key(m.ns(), m.id());
       switch (m.action()) {
-        case org.robotui.ros.msgs.visualization_msgs.Marker.ADD -> entries.put(key,
+        case org.robotui.message.ros.visualization_msgs.Marker.ADD -> entries.put(key,
             new MarkerSet.Entry(key, Optional.of(marker(m, names))));
-        case org.robotui.ros.msgs.visualization_msgs.Marker.DELETE -> entries.put(key,
+        case org.robotui.message.ros.visualization_msgs.Marker.DELETE -> entries.put(key,
             new MarkerSet.Entry(key, Optional.empty()));
-        case org.robotui.ros.msgs.visualization_msgs.Marker.DELETEALL -> {
+        case org.robotui.message.ros.visualization_msgs.Marker.DELETEALL -> {
           all = true;
           entries.clear();
         }
@@ -64,7 +65,7 @@ final class MarkerAdapters {
     return new MarkerSet(all, List.copyOf(entries.values()));
   }
 
-  static Marker marker(org.robotui.ros.msgs.visualization_msgs.Marker m, FrameNames names) {
+  static Marker marker(org.robotui.message.ros.visualization_msgs.Marker m, FrameNames names) {
     boolean known = m.type() >= 0 && m.type() < Marker.Type.UNKNOWN.ordinal();
     return new Marker(new Marker.Key(m.ns(), m.id()), names.frame(m.header().frameId()),
         stamp(m.header().stamp(), names),
@@ -84,7 +85,7 @@ final class MarkerAdapters {
         rotation(p.orientation()));
   }
 
-  static Quaternion rotation(org.robotui.ros.msgs.geometry_msgs.Quaternion q) {
+  static Quaternion rotation(org.robotui.message.ros.geometry_msgs.Quaternion q) {
     return new Quaternion(q.x(), q.y(), q.z(), q.w());
   }
 
@@ -101,7 +102,7 @@ final class MarkerAdapters {
   }
 
   /** A colour a point, or a triangle; any other number of colours counts as none, as with other viewers. */
-  private static Bytes colors(org.robotui.ros.msgs.visualization_msgs.Marker m) {
+  private static Bytes colors(org.robotui.message.ros.visualization_msgs.Marker m) {
     int points = m.points().length / 3;
     int colors = m.colors().length / CHANNELS;
     if (colors == 0) {
@@ -110,7 +111,7 @@ final class MarkerAdapters {
     if (colors == points) {
       return bytes(m.colors(), 1);
     }
-    boolean faces = m.type() == org.robotui.ros.msgs.visualization_msgs.Marker.TRIANGLE_LIST && 3 * colors == points;
+    boolean faces = m.type() == org.robotui.message.ros.visualization_msgs.Marker.TRIANGLE_LIST && 3 * colors == points;
     return faces ? bytes(m.colors(), 3) : Bytes.EMPTY;
   }
 

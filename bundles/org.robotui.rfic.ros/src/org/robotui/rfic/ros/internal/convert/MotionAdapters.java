@@ -11,12 +11,12 @@ import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.Path;
 import org.robotui.data.navigation.PoseEstimate;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.msgs.geometry_msgs.PolygonStamped;
-import org.robotui.ros.msgs.geometry_msgs.PoseStamped;
-import org.robotui.ros.msgs.geometry_msgs.PoseWithCovarianceStamped;
-import org.robotui.ros.msgs.geometry_msgs.Twist;
-import org.robotui.ros.msgs.geometry_msgs.TwistStamped;
-import org.robotui.ros.msgs.nav_msgs.OccupancyGrid;
+import org.robotui.message.ros.geometry_msgs.PolygonStamped;
+import org.robotui.message.ros.geometry_msgs.PoseStamped;
+import org.robotui.message.ros.geometry_msgs.PoseWithCovarianceStamped;
+import org.robotui.message.ros.geometry_msgs.Twist;
+import org.robotui.message.ros.geometry_msgs.TwistStamped;
+import org.robotui.message.ros.nav_msgs.OccupancyGrid;
 
 /** Where a robot is, how it moves, and maps. */
 final class MotionAdapters {
@@ -24,9 +24,9 @@ final class MotionAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of(org.robotui.ros.msgs.nav_msgs.Odometry.class, Odometry.class,
+        Adapter.of(org.robotui.message.ros.nav_msgs.Odometry.class, Odometry.class,
             MotionAdapters::odometry, m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.nav_msgs.Path.class, Path.class, MotionAdapters::path,
+        Adapter.of(org.robotui.message.ros.nav_msgs.Path.class, Path.class, MotionAdapters::path,
             m -> m.header().stamp()),
         Adapter.of(OccupancyGrid.class, GridMap.class, MotionAdapters::map,
             m -> m.header().stamp()),
@@ -42,14 +42,14 @@ final class MotionAdapters {
             m -> m.header().stamp()));
   }
 
-  private static Odometry odometry(org.robotui.ros.msgs.nav_msgs.Odometry m, FrameNames names) {
+  private static Odometry odometry(org.robotui.message.ros.nav_msgs.Odometry m, FrameNames names) {
     Twist twist = m.twist().twist();
     return new Odometry(names.frame(m.header().frameId()), names.frame(m.childFrameId()),
         Geometry.transform(m.pose().pose()), Doubles.wrap(m.pose().covariance()), Geometry.vector(twist.linear()),
         Geometry.vector(twist.angular()), Doubles.wrap(m.twist().covariance()));
   }
 
-  private static Path path(org.robotui.ros.msgs.nav_msgs.Path m, FrameNames names) {
+  private static Path path(org.robotui.message.ros.nav_msgs.Path m, FrameNames names) {
     return new Path(names.frame(m.header().frameId()),
         m.poses().stream().map(p -> Geometry.transform(p.pose())).toList());
   }

@@ -3,9 +3,9 @@ package org.robotui.rfic.ros.internal.convert;
 import java.util.List;
 import org.robotui.data.navigation.NavigationStatus;
 import org.robotui.data.navigation.NavigationStatus.State;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionFeedback;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionFeedback;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionResult;
 
 /** What {@code move_base} says of its goals, also of those that were not sent as goals of its action. */
 final class NavigationAdapters {

@@ -13,9 +13,9 @@ import org.robotui.data.joint.JointTrajectory;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
-import org.robotui.ros.message.RawCodec;
-import org.robotui.ros.msgs.geometry_msgs.WrenchStamped;
-import org.robotui.ros.msgs.trajectory_msgs.JointTrajectoryPoint;
+import org.robotui.message.RawCodec;
+import org.robotui.message.ros.geometry_msgs.WrenchStamped;
+import org.robotui.message.ros.trajectory_msgs.JointTrajectoryPoint;
 
 /** What planners and controllers say: poses, trajectories, forces. */
 final class PlanAdapters {
@@ -25,7 +25,7 @@ final class PlanAdapters {
 
   static List<Adapter<?, ?>> all(RecordDecoder records) {
     return List.of(
-        Adapter.of(org.robotui.ros.msgs.geometry_msgs.PoseArray.class, PoseArray.class,
+        Adapter.of(org.robotui.message.ros.geometry_msgs.PoseArray.class, PoseArray.class,
             (m, names) -> new PoseArray(names.frame(m.header().frameId()),
                 m.poses().stream().map(Geometry::transform).toList()),
             m -> m.header().stamp()),
@@ -33,7 +33,7 @@ final class PlanAdapters {
             (m, names) -> new Wrench(names.frame(m.header().frameId()), Geometry.vector(m.wrench().force()),
                 Geometry.vector(m.wrench().torque())),
             m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.trajectory_msgs.JointTrajectory.class, JointTrajectory.class,
+        Adapter.of(org.robotui.message.ros.trajectory_msgs.JointTrajectory.class, JointTrajectory.class,
             (m, names) -> new JointTrajectory(m.jointNames(), m.points().stream().map(PlanAdapters::point).toList()),
             m -> m.header().stamp()),
         Adapter.of("moveit_msgs/DisplayTrajectory", RawCodec::new, DisplayedTrajectory.class,

@@ -4,13 +4,13 @@ import java.nio.ByteOrder;
 import java.util.Optional;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
-import org.robotui.ros.message.DynamicCodec;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageInfo;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.MessageSchema;
-import org.robotui.ros.message.RawMessage;
-import org.robotui.ros.message.SchemaLookup;
+import org.robotui.message.DynamicCodec;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageInfo;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.RawMessage;
+import org.robotui.message.SchemaLookup;
 
 /** Decodes messages of any type by the definition that came with the connection. */
 public final class RecordDecoder {

@@ -5,9 +5,9 @@ import java.util.Optional;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
-import org.robotui.ros.message.DynamicMessage;
-import org.robotui.ros.message.FieldDefinition;
-import org.robotui.ros.message.RosValue;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.FieldDefinition;
+import org.robotui.message.RosValue;
 
 /**
  * A ROS message of any type as a record.

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Optional;
 import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.RecordShape;
-import org.robotui.ros.message.FieldDefinition;
-import org.robotui.ros.message.FieldType;
-import org.robotui.ros.message.MessageDefinition;
-import org.robotui.ros.message.MessageSchema;
-import org.robotui.ros.message.Primitive;
+import org.robotui.message.FieldDefinition;
+import org.robotui.message.FieldType;
+import org.robotui.message.MessageDefinition;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.Primitive;
 
 /** The forms of ROS messages. */
 public final class RosShapes {

@@ -14,10 +14,10 @@ import org.robotui.data.sensor.Imu;
 import org.robotui.data.sensor.LaserScan;
 import org.robotui.data.sensor.RangeReading;
 import org.robotui.data.sensor.RangeReadings;
-import org.robotui.ros.msgs.sensor_msgs.Image;
-import org.robotui.ros.msgs.sensor_msgs.NavSatFix;
-import org.robotui.ros.msgs.sensor_msgs.NavSatStatus;
-import org.robotui.ros.msgs.sensor_msgs.Range;
+import org.robotui.message.ros.sensor_msgs.Image;
+import org.robotui.message.ros.sensor_msgs.NavSatFix;
+import org.robotui.message.ros.sensor_msgs.NavSatStatus;
+import org.robotui.message.ros.sensor_msgs.Range;
 
 /** Sensors. */
 final class SensorAdapters {
@@ -27,20 +27,20 @@ final class SensorAdapters {
 
   static List<Adapter<?, ?>> all() {
     return List.of(
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.LaserScan.class, LaserScan.class,
+        Adapter.of(org.robotui.message.ros.sensor_msgs.LaserScan.class, LaserScan.class,
             SensorAdapters::scan, m -> m.header().stamp()),
         Adapter.of(Range.class, RangeReadings.class, SensorAdapters::range, m -> m.header().stamp()),
         Adapter.of(Image.class, RawImage.class, SensorAdapters::image, m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.CompressedImage.class, CompressedImage.class,
+        Adapter.of(org.robotui.message.ros.sensor_msgs.CompressedImage.class, CompressedImage.class,
             SensorAdapters::compressed, m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.CameraInfo.class, CameraInfo.class,
+        Adapter.of(org.robotui.message.ros.sensor_msgs.CameraInfo.class, CameraInfo.class,
             SensorAdapters::cameraInfo, m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.Imu.class, Imu.class, SensorAdapters::imu,
+        Adapter.of(org.robotui.message.ros.sensor_msgs.Imu.class, Imu.class, SensorAdapters::imu,
             m -> m.header().stamp()),
         Adapter.of(NavSatFix.class, GpsFix.class, SensorAdapters::fix, m -> m.header().stamp()));
   }
 
-  private static LaserScan scan(org.robotui.ros.msgs.sensor_msgs.LaserScan m, FrameNames names) {
+  private static LaserScan scan(org.robotui.message.ros.sensor_msgs.LaserScan m, FrameNames names) {
     Floats intensities = m.intensities().length == m.ranges().length ? Floats.wrap(m.intensities()) : Floats.EMPTY;
     return new LaserScan(names.frame(m.header().frameId()), m.angleMin(), m.angleIncrement(), m.rangeMin(),
         m.rangeMax(),
@@ -60,18 +60,18 @@ final class SensorAdapters {
         encoding, m.isBigendian() != 0, Sizes.of("step", m.step()), Bytes.wrap(m.data()));
   }
 
-  private static CompressedImage compressed(org.robotui.ros.msgs.sensor_msgs.CompressedImage m, FrameNames names) {
+  private static CompressedImage compressed(org.robotui.message.ros.sensor_msgs.CompressedImage m, FrameNames names) {
     return new CompressedImage(names.frame(m.header().frameId()), m.format(), Bytes.wrap(m.data()));
   }
 
-  private static CameraInfo cameraInfo(org.robotui.ros.msgs.sensor_msgs.CameraInfo m, FrameNames names) {
+  private static CameraInfo cameraInfo(org.robotui.message.ros.sensor_msgs.CameraInfo m, FrameNames names) {
     return new CameraInfo(names.frame(m.header().frameId()), Sizes.of("width", m.width()),
         Sizes.of("height", m.height()),
         m.distortionModel(), Doubles.wrap(m.d()), Doubles.wrap(m.k()), Doubles.wrap(m.r()), Doubles.wrap(m.p()));
   }
 
   /** By the convention of the message, a first covariance of -1 says that the part is not measured. */
-  private static Imu imu(org.robotui.ros.msgs.sensor_msgs.Imu m, FrameNames names) {
+  private static Imu imu(org.robotui.message.ros.sensor_msgs.Imu m, FrameNames names) {
     return new Imu(names.frame(m.header().frameId()),
         measured(m.orientationCovariance()).map(c -> Geometry.rotation(m.orientation())),
         measured(m.angularVelocityCovariance()).map(c -> Geometry.vector(m.angularVelocity())),

@@ -12,13 +12,13 @@ import org.robotui.data.sensor.Battery;
 import org.robotui.data.status.Diagnostics;
 import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticArray;
-import org.robotui.ros.msgs.diagnostic_msgs.DiagnosticStatus;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.rosgraph_msgs.Log;
-import org.robotui.ros.msgs.sensor_msgs.BatteryState;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.diagnostic_msgs.DiagnosticArray;
+import org.robotui.message.ros.diagnostic_msgs.DiagnosticStatus;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.rosgraph_msgs.Log;
+import org.robotui.message.ros.sensor_msgs.BatteryState;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 
 /** What robots say of their own state. */
 public final class StateAdapters {
@@ -33,14 +33,15 @@ public final class StateAdapters {
     return List.of(
         Adapter.of(BatteryState.class, Battery.class, (m, names) -> battery(m),
             m -> m.header().stamp()),
-        Adapter.of(org.robotui.ros.msgs.sensor_msgs.JointState.class, JointState.class,
+        Adapter.of(org.robotui.message.ros.sensor_msgs.JointState.class, JointState.class,
             (m, names) -> joints(m), m -> m.header().stamp()),
         Adapter.of(DiagnosticArray.class, Diagnostics.class,
             (m, names) -> diagnostics(m), m -> m.header().stamp()),
         Adapter.of(Log.class, LogEntry.class, (m, names) -> log(m), m -> m.header().stamp()),
         new Adapter<>("tf2_msgs/TFMessage", () -> RecordCodec.of(TFMessage.class), TransformSet.class,
             (m, names) -> transforms(m, names, false), StateAdapters::stampOf),
-        new Adapter<>("tf/tfMessage", () -> RecordCodec.of(org.robotui.ros.msgs.tf.TfMessage.class), TransformSet.class,
+        new Adapter<>("tf/tfMessage", () -> RecordCodec.of(org.robotui.message.ros.tf.TfMessage.class),
+            TransformSet.class,
             (m, names) -> transforms(new TFMessage(m.transforms()), names, false), m -> 0));
   }
 
@@ -101,7 +102,7 @@ public final class StateAdapters {
         status >= 0 && status < states.length ? states[status] : Battery.Status.UNKNOWN);
   }
 
-  private static JointState joints(org.robotui.ros.msgs.sensor_msgs.JointState m) {
+  private static JointState joints(org.robotui.message.ros.sensor_msgs.JointState m) {
     return new JointState(IntStream.range(0, m.name().size())
         .mapToObj(
             i -> new JointState.Joint(m.name().get(i), at(m.position(), i), at(m.velocity(), i), at(m.effort(), i)))

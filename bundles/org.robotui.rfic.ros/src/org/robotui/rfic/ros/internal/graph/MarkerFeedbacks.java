@@ -5,12 +5,12 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.CommandSink;
 import org.robotui.data.marker.MarkerFeedback;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerFeedback;
 import org.robotui.rfic.ros.internal.convert.InteractiveMarkers;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerFeedback;
 
 /**
  * Tells servers of interactive markers what users do. A topic is advertised as long as its markers are looked at, so

@@ -12,15 +12,15 @@ import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.marker.InteractiveMarkerSet;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
 import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 
 /**
  * The interactive markers of the servers on one topic as a stream: what the updates and the list of all say together.

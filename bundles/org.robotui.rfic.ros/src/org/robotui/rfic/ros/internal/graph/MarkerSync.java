@@ -11,11 +11,11 @@ import java.util.function.Consumer;
 import org.robotui.data.Keyed;
 import org.robotui.data.marker.InteractiveMarker;
 import org.robotui.data.marker.InteractiveMarkerSet.Entry;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerPose;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
 import org.robotui.rfic.ros.internal.convert.InteractiveMarkers;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerPose;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 
 /**
  * The markers of one server, kept equal to what it has. Updates are numbered: where one is missing, the markers are
@@ -100,7 +100,7 @@ final class MarkerSync {
     return changed;
   }
 
-  private Optional<Entry> add(org.robotui.ros.msgs.visualization_msgs.InteractiveMarker m, FrameNames names) {
+  private Optional<Entry> add(org.robotui.message.ros.visualization_msgs.InteractiveMarker m, FrameNames names) {
     if (markers.size() >= Keyed.MOST_KEYS && !markers.containsKey(m.name())) {
       complaints.accept("more than " + Keyed.MOST_KEYS + " interactive markers; " + m.name() + " is left out");
       return Optional.empty();

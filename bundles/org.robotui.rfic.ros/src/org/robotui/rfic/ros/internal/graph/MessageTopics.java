@@ -8,16 +8,16 @@ import java.util.Optional;
 import org.robotui.api.port.CommandSink;
 import org.robotui.data.command.MessageCommand;
 import org.robotui.data.command.Motion;
+import org.robotui.message.DynamicCodec;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.SchemaLookup;
 import org.robotui.rfic.ros.internal.convert.CommandType;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.DynamicCodec;
-import org.robotui.ros.message.DynamicMessage;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.MessageSchema;
-import org.robotui.ros.message.SchemaLookup;
 
 /**
  * Says single messages of any type on any topic that somebody listens to. A topic is advertised with its first message,

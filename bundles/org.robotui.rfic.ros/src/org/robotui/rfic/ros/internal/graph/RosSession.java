@@ -14,6 +14,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.RobotSession;
+import org.robotui.message.MessageRegistry;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActions;
@@ -25,7 +26,6 @@ import org.robotui.rfic.ros.internal.convert.Adapters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosNode;
-import org.robotui.ros.message.MessageRegistry;
 
 /** One open node, and all that is offered through it. */
 public final class RosSession implements RobotSession {

@@ -9,10 +9,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.Reception;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /** One master, as all interfaces see it that speak to it. Safe for all threads. */
 final class SharedMaster {

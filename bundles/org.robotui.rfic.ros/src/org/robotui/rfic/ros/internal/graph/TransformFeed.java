@@ -9,6 +9,9 @@ import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.geometry.TransformSet;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
 import org.robotui.rfic.ros.internal.convert.StateAdapters;
@@ -16,9 +19,6 @@ import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.Subscriber;
 import org.robotui.ros.SubscriberOptions;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
 
 /**
  * Transforms, moving and static. Of all interfaces that speak to one master one listens, and gives to each what

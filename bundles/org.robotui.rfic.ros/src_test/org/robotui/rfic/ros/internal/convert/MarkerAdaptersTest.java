@@ -20,22 +20,22 @@ import org.robotui.data.joint.JointTrajectory;
 import org.robotui.data.marker.InteractiveMarker.Mode;
 import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.Vector3;
-import org.robotui.ros.message.DynamicCodec;
-import org.robotui.ros.message.LocalDefinitions;
-import org.robotui.ros.message.MessageCodec;
-import org.robotui.ros.message.MessageException;
-import org.robotui.ros.message.MessageRegistry;
-import org.robotui.ros.message.MessageSchema;
-import org.robotui.ros.message.MessageWriter;
-import org.robotui.ros.message.RawMessage;
-import org.robotui.ros.message.RecordCodec;
-import org.robotui.ros.msgs.geometry_msgs.WrenchStamped;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.trajectory_msgs.JointTrajectoryPoint;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarker;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
-import org.robotui.ros.msgs.visualization_msgs.Marker;
-import org.robotui.ros.msgs.visualization_msgs.MarkerArray;
+import org.robotui.message.DynamicCodec;
+import org.robotui.message.LocalDefinitions;
+import org.robotui.message.MessageCodec;
+import org.robotui.message.MessageException;
+import org.robotui.message.MessageRegistry;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.MessageWriter;
+import org.robotui.message.RawMessage;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.WrenchStamped;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.trajectory_msgs.JointTrajectoryPoint;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarker;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
+import org.robotui.message.ros.visualization_msgs.Marker;
+import org.robotui.message.ros.visualization_msgs.MarkerArray;
 
 class MarkerAdaptersTest {
   private static final FrameNames NAMES = new FrameNames("robby", ClockKind.ROBOT);
@@ -114,21 +114,22 @@ class MarkerAdaptersTest {
 
   @Test
   void posesForcesAndTrajectoriesAreKept() {
-    PoseArray poses = (PoseArray) convert("geometry_msgs/PoseArray", new org.robotui.ros.msgs.geometry_msgs.PoseArray(
-        new Header(0, 0, "map"), List.of(SampleMarkers.pose(1, 2, 3), SampleMarkers.pose(4, 5, 6))));
+    PoseArray poses =
+        (PoseArray) convert("geometry_msgs/PoseArray", new org.robotui.message.ros.geometry_msgs.PoseArray(
+            new Header(0, 0, "map"), List.of(SampleMarkers.pose(1, 2, 3), SampleMarkers.pose(4, 5, 6))));
     assertEquals(new Vector3(4, 5, 6), poses.poses().get(1).translation());
-    org.robotui.ros.msgs.geometry_msgs.Vector3 v = new org.robotui.ros.msgs.geometry_msgs.Vector3(1, 2, 3);
+    org.robotui.message.ros.geometry_msgs.Vector3 v = new org.robotui.message.ros.geometry_msgs.Vector3(1, 2, 3);
     Wrench wrench = (Wrench) convert("geometry_msgs/WrenchStamped",
-        new WrenchStamped(new Header(0, 0, "wrist"), new org.robotui.ros.msgs.geometry_msgs.Wrench(v, v)));
+        new WrenchStamped(new Header(0, 0, "wrist"), new org.robotui.message.ros.geometry_msgs.Wrench(v, v)));
     assertEquals(new Vector3(1, 2, 3), wrench.torque());
     double[] none = new double[0];
     JointTrajectoryPoint point = new JointTrajectoryPoint(new double[]{0.5}, none, none, none, 1_500_000_000L);
     JointTrajectory trajectory = (JointTrajectory) convert("trajectory_msgs/JointTrajectory",
-        new org.robotui.ros.msgs.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow"),
+        new org.robotui.message.ros.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow"),
             List.of(point)));
     assertEquals(1.5, trajectory.points().getFirst().seconds());
     assertThrows(IllegalArgumentException.class, () -> convert("trajectory_msgs/JointTrajectory",
-        new org.robotui.ros.msgs.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow", "wrist"),
+        new org.robotui.message.ros.trajectory_msgs.JointTrajectory(new Header(0, 0, ""), List.of("elbow", "wrist"),
             List.of(point))));
   }
 

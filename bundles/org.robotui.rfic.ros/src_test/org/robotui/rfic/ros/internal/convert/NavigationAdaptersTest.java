@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.navigation.NavigationStatus;
 import org.robotui.data.navigation.NavigationStatus.State;
-import org.robotui.ros.msgs.actionlib_msgs.GoalID;
-import org.robotui.ros.msgs.actionlib_msgs.GoalStatus;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseActionResult;
-import org.robotui.ros.msgs.move_base_msgs.MoveBaseResult;
-import org.robotui.ros.msgs.std_msgs.Header;
+import org.robotui.message.ros.actionlib_msgs.GoalID;
+import org.robotui.message.ros.actionlib_msgs.GoalStatus;
+import org.robotui.message.ros.move_base_msgs.MoveBaseActionResult;
+import org.robotui.message.ros.move_base_msgs.MoveBaseResult;
+import org.robotui.message.ros.std_msgs.Header;
 
 class NavigationAdaptersTest {
   @Test

@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robotui.data.ClockKind;
-import org.robotui.ros.msgs.geometry_msgs.Quaternion;
-import org.robotui.ros.msgs.geometry_msgs.Transform;
-import org.robotui.ros.msgs.geometry_msgs.TransformStamped;
-import org.robotui.ros.msgs.geometry_msgs.Vector3;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.tf2_msgs.TFMessage;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.geometry_msgs.Transform;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.geometry_msgs.Vector3;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 
 class StateAdaptersTest {
   private static final FrameNames NAMES = new FrameNames("robby", ClockKind.ROBOT);

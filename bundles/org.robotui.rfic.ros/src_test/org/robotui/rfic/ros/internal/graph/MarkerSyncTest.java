@@ -12,12 +12,12 @@ import org.junit.jupiter.api.Test;
 import org.robotui.data.ClockKind;
 import org.robotui.data.marker.InteractiveMarker;
 import org.robotui.data.marker.InteractiveMarkerSet.Entry;
+import org.robotui.message.ros.std_msgs.Header;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerPose;
+import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.rfic.ros.internal.convert.FrameNames;
 import org.robotui.rfic.ros.internal.convert.SampleMarkers;
-import org.robotui.ros.msgs.std_msgs.Header;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerInit;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerPose;
-import org.robotui.ros.msgs.visualization_msgs.InteractiveMarkerUpdate;
 
 class MarkerSyncTest {
   private static final FrameNames NAMES = new FrameNames("robby", ClockKind.ROBOT);

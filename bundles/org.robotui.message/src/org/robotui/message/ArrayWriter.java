@@ -1,0 +1,90 @@
+package org.robotui.message;
+
+import java.nio.ByteBuffer;
+import java.util.List;
+
+/**
+ * Writes an array of numbers or texts, after its length where that is sent.
+ *
+ * @param field for errors
+ * @param length of the definition, or {@link FieldReader#SENT}
+ * @param width how many numbers make an element
+ */
+record ArrayWriter(String field, int length, int width) {
+
+  void write(ByteBuffer values, FieldWriter out) {
+    start(values.remaining(), out);
+    out.bytes(values);
+  }
+
+  void write(short[] values, FieldWriter out) {
+    start(values.length, out);
+    out.shorts(values);
+  }
+
+  void write(int[] values, FieldWriter out) {
+    start(values.length, out);
+    out.ints(values);
+  }
+
+  void write(long[] values, FieldWriter out) {
+    start(values.length, out);
+    out.longs(values);
+  }
+
+  void write(float[] values, FieldWriter out) {
+    start(values.length, out);
+    out.floats(values);
+  }
+
+  void write(double[] values, FieldWriter out) {
+    start(values.length, out);
+    out.doubles(values);
+  }
+
+  void write(List<?> texts, FieldWriter out) {
+    start(texts.size(), out);
+    texts.forEach(each -> out.string((String) each));
+  }
+
+  /** Checks how many numbers there are, and writes the length where it is sent. */
+  void start(int numbers, FieldWriter out) {
+    if (length == FieldReader.SENT ? numbers % width != 0 : numbers != length * width) {
+      throw new IllegalArgumentException(field + (length == FieldReader.SENT
+          ? " has " + width + " values an element, not " + numbers + " in all"
+          : " has " + length * width + " values, not " + numbers));
+    }
+    if (length == FieldReader.SENT) {
+      out.array(numbers / width);
+    }
+  }
+
+  /** A field that a record leaves out: numbers are zero, texts and arrays of variable length empty. */
+  static void zero(Layout.Field field, FieldWriter out) {
+    if (field.type().arity() == FieldType.Arity.VARIABLE) {
+      out.array(0);
+      return;
+    }
+    int count = field.type().isArray() ? field.type().length() : 1;
+    for (int i = 0; i < count; i++) {
+      if (field.nested() == null) {
+        zero(field.primitive(), out);
+      } else {
+        field.nested().fields().forEach(each -> zero(each, out));
+      }
+    }
+  }
+
+  private static void zero(Primitive type, FieldWriter out) {
+    switch (type) {
+      case BOOL, INT8, UINT8, BYTE, CHAR -> out.u8(0);
+      case INT16, UINT16 -> out.i16(0);
+      case INT32, UINT32 -> out.i32(0);
+      case INT64, UINT64 -> out.i64(0);
+      case FLOAT32 -> out.f32(0);
+      case FLOAT64 -> out.f64(0);
+      case STRING -> out.string("");
+      case TIME, DURATION -> out.stamp(0);
+    }
+  }
+}

@@ -1,0 +1,91 @@
+package org.robotui.message;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Which component of a record holds which field of a message. They have the same name but for case and underscores
+ * ({@code frameId} holds {@code frame_id}). Fields that the record leaves out are passed over.
+ *
+ * @param type the record
+ * @param fields in the order of the definition
+ * @param absent the components that no field fills
+ */
+record BoundRecord(Class<?> type, List<BoundField> fields, List<Integer> absent) {
+
+  /**
+   * A field and what holds it.
+   *
+   * @param field the field
+   * @param index of the component, -1 if none holds it
+   * @param component what holds it
+   */
+  record BoundField(Layout.Field field, int index, Optional<RecordComponent> component) {}
+
+  /**
+   * Compares a record with a message.
+   *
+   * @param strict whether each component needs a field
+   * @throws IllegalArgumentException if a component has another type than its field, or lacks one
+   */
+  static BoundRecord of(Class<?> type, Layout layout, boolean strict) {
+    List<RecordComponent> components = List.of(type.getRecordComponents());
+    List<BoundField> fields = new ArrayList<>();
+    List<Integer> absent = new ArrayList<>();
+    for (int i = 0; i < components.size(); i++) {
+      absent.add(i);
+    }
+    for (Layout.Field each : layout.fields()) {
+      Optional<RecordComponent> holder =
+          components.stream().filter(c -> plain(c.getName()).equals(plain(each.name()))).findFirst();
+      holder.flatMap(c -> JavaForm.misfit(c, each)).ifPresent(why -> {
+        throw new IllegalArgumentException(place(type, holder.get(), layout) + why);
+      });
+      int index = holder.map(components::indexOf).orElse(-1);
+      absent.remove((Object) index);
+      fields.add(new BoundField(each, index, holder));
+    }
+    if (strict && !absent.isEmpty()) {
+      throw new IllegalArgumentException(place(type, components.get(absent.getFirst()), layout)
+          + "is no field; there are " + layout.fields().stream().map(Layout.Field::name).toList());
+    }
+    return new BoundRecord(type, fields, absent);
+  }
+
+  private static String place(Class<?> type, RecordComponent component, Layout layout) {
+    return type.getName() + " for " + layout.type() + ": component " + component.getName() + " ";
+  }
+
+  private static String plain(String name) {
+    return name.replace("_", "").toLowerCase(Locale.ROOT);
+  }
+
+  /** The field that a component of a record is made for. */
+  static Layout.Field field(Layout own, RecordComponent component) {
+    return own.fields().stream().filter(f -> plain(f.name()).equals(plain(component.getName()))).findFirst()
+        .orElseThrow(() -> new IllegalArgumentException(own.type() + " has no field for " + component));
+  }
+
+  static MethodHandle constructor(MethodHandles.Lookup lookup, Class<?> type) {
+    try {
+      return lookup.unreflectConstructor(type.getDeclaredConstructor(
+          Arrays.stream(type.getRecordComponents()).map(RecordComponent::getType).toArray(Class<?>[]::new)));
+    } catch (NoSuchMethodException | IllegalAccessException e) {
+      throw new IllegalArgumentException(type.getName() + " cannot be made here: " + e.getMessage(), e);
+    }
+  }
+
+  static MethodHandle accessor(MethodHandles.Lookup lookup, RecordComponent component) {
+    try {
+      return lookup.unreflect(component.getAccessor());
+    } catch (IllegalAccessException e) {
+      throw new IllegalArgumentException(component + " cannot be read here: " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,21 @@
+package org.robotui.message;
+
+import java.lang.invoke.MethodHandle;
+import java.util.List;
+
+/**
+ * Writes an array of messages.
+ *
+ * @param element writes one of them
+ * @param field for errors
+ * @param length of the definition, or {@link FieldReader#SENT}
+ */
+record ListWriter(MethodHandle element, String field, int length) {
+
+  void write(List<?> values, FieldWriter out) throws Throwable {
+    new ArrayWriter(field, length, 1).start(values.size(), out);
+    for (Object each : values) {
+      element.invokeExact(each, out);
+    }
+  }
+}

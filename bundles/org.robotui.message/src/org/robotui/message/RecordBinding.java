@@ -1,0 +1,124 @@
+package org.robotui.message;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.util.function.Supplier;
+
+/**
+ * A Java record that holds the messages of a type, in one encoding. The record is compared with the definition when it
+ * is bound: each component holds the field of its name ({@code frameId} holds {@code frame_id}) and must be of the type
+ * that the field needs. Fields without a component are passed over, and written as zero or empty. An array of messages
+ * that consist of numbers of one type, such as points, may be held as one array of those numbers. Immutable; several
+ * threads may use it at once.
+ *
+ * @param <T> the record
+ */
+public final class RecordBinding<T extends Record> {
+
+  private final MethodHandle read;
+  private final Supplier<MethodHandle> writePlan;
+  private volatile MethodHandle write;
+
+  private RecordBinding(MethodHandle read, Supplier<MethodHandle> writePlan) {
+    this.read = read;
+    this.writePlan = writePlan;
+  }
+
+  /**
+   * Binds a record to its type.
+   *
+   * @param type the record
+   * @param schema the type of message
+   * @param encoding how fields become bytes
+   * @param lookup may make and read the record and the records in it
+   * @param <T> the record
+   * @return the binding
+   * @throws IllegalArgumentException if a component has no field, or one of another type, or the record is not
+   * accessible
+   */
+  public static <T extends Record> RecordBinding<T> of(
+      Class<T> type, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
+    return bind(type, schema, schema, encoding, lookup);
+  }
+
+  /**
+   * Binds a record to another version of its type: components that it has no field for become zero or empty.
+   *
+   * @param type the record
+   * @param own the version that the record is made for
+   * @param version the other version
+   * @param encoding how fields become bytes
+   * @param lookup may make and read the record and the records in it
+   * @param <T> the record
+   * @return the binding
+   * @throws IllegalArgumentException if a component has a field of another type, or none has any
+   */
+  public static <T extends Record> RecordBinding<T> ofVersion(
+      Class<T> type, MessageSchema own, MessageSchema version, Encoding encoding, MethodHandles.Lookup lookup) {
+    BoundRecord bound = BoundRecord.of(type, version.layout(), false);
+    if (bound.absent().size() == type.getRecordComponents().length && !bound.absent().isEmpty()) {
+      throw new IllegalArgumentException(
+          "this version of " + version.layout().type() + " has no field in common with ours");
+    }
+    return bind(type, own, version, encoding, lookup);
+  }
+
+  private static <T extends Record> RecordBinding<T> bind(
+      Class<T> type, MessageSchema own, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
+    MethodHandle read = new ReadPlan(encoding.reader(), lookup).of(type, schema.layout(), own.layout());
+    return new RecordBinding<>(read.asType(MethodType.methodType(Object.class, FieldReader.class)),
+        () -> new WritePlan(encoding.writer(), lookup).of(type, schema.layout())
+            .asType(MethodType.methodType(void.class, Object.class, FieldWriter.class)));
+  }
+
+  /** Most records are only ever read, and a plan takes time to make. */
+  private MethodHandle writing() {
+    if (write == null) {
+      synchronized (this) {
+        if (write == null) {
+          write = writePlan.get();
+        }
+      }
+    }
+    return write;
+  }
+
+  /**
+   * Reads a record.
+   *
+   * @param in of the encoding's class, positioned at the first field
+   * @return the record
+   * @throws MessageException if the bytes are no such message, or the record refuses its values
+   */
+  @SuppressWarnings("unchecked")
+  public T read(FieldReader in) throws MessageException {
+    try {
+      return (T) (Object) read.invokeExact(in);
+    } catch (IllegalArgumentException e) {
+      throw new MessageException(String.valueOf(e.getMessage()), "", 0);
+    } catch (MessageException | RuntimeException | Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /**
+   * Writes a record.
+   *
+   * @param value the record
+   * @param out of the encoding's class
+   * @throws IllegalArgumentException if an array has not the length that the definition gives
+   */
+  public void write(T value, FieldWriter out) {
+    MethodHandle plan = writing();
+    try {
+      plan.invokeExact((Object) value, out);
+    } catch (RuntimeException | Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}

@@ -1,0 +1,61 @@
+package org.robotui.message;
+
+import java.util.Optional;
+
+/**
+ * One service type as its definition says it.
+ *
+ * @param type the full name, such as {@code std_srvs/SetBool}
+ * @param text the definition's text as found
+ * @param request the part before the line {@code ---}; its type is named {@code <type>Request}
+ * @param response the part after it; its type is named {@code <type>Response}
+ */
+public record ServiceDefinition(String type, String text, MessageDefinition request, MessageDefinition response) {
+
+  private static final String REQUEST = "Request";
+  private static final String RESPONSE = "Response";
+
+  /** Where services are found by name. */
+  @FunctionalInterface
+  interface Finder {
+    Optional<ServiceDefinition> find(String type) throws DefinitionException;
+  }
+
+  /**
+   * Reads a definition.
+   *
+   * @param type the full name
+   * @param text the text of the {@code .srv} file
+   * @return the service type
+   * @throws DefinitionException if it is no service definition
+   */
+  public static ServiceDefinition parse(String type, String text) throws DefinitionException {
+    StringBuilder[] parts = {new StringBuilder(), new StringBuilder()};
+    int part = 0;
+    for (String line : text.split("\n", -1)) {
+      if (line.startsWith("---")) {
+        part++;
+      } else if (part < parts.length) {
+        parts[part].append(line).append('\n');
+      }
+    }
+    if (part != 1) {
+      throw new DefinitionException(type, "expected one line '---' between request and response, found " + part);
+    }
+    return new ServiceDefinition(type, text,
+        DefinitionParser.parse(type + REQUEST, parts[0].toString()),
+        DefinitionParser.parse(type + RESPONSE, parts[1].toString()));
+  }
+
+  static Optional<MessageDefinition> messageOf(String type, Finder services) throws DefinitionException {
+    if (type.endsWith(REQUEST)) {
+      String service = type.substring(0, type.length() - REQUEST.length());
+      return services.find(service).map(ServiceDefinition::request);
+    }
+    if (type.endsWith(RESPONSE)) {
+      String service = type.substring(0, type.length() - RESPONSE.length());
+      return services.find(service).map(ServiceDefinition::response);
+    }
+    return Optional.empty();
+  }
+}

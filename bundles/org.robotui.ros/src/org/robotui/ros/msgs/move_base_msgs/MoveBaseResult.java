@@ -1,7 +1,0 @@
-package org.robotui.ros.msgs.move_base_msgs;
-
-import org.robotui.ros.message.MessageType;
-
-/** Ends a drive; says nothing ({@code move_base_msgs/MoveBaseResult}). */
-@MessageType("move_base_msgs/MoveBaseResult")
-public record MoveBaseResult() {}

@@ -1,5 +1,0 @@
-/**
- * The messages of the ROS package {@code std_srvs} as records. For speed, arrays and byte buffers are shared with
- * whoever made the record or the bytes it was decoded from: nobody changes their elements.
- */
-package org.robotui.ros.msgs.std_srvs;
