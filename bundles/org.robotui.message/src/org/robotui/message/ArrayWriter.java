@@ -7,7 +7,7 @@ import java.util.List;
  * Writes an array of numbers or texts, after its length where that is sent.
  *
  * @param field for errors
- * @param length of the definition, or {@link FieldReader#SENT}
+ * @param length of the definition, or as {@link Bounds} has it
  * @param width how many numbers make an element
  */
 record ArrayWriter(String field, int length, int width) {
@@ -49,12 +49,17 @@ record ArrayWriter(String field, int length, int width) {
 
   /** Checks how many numbers there are, and writes the length where it is sent. */
   void start(int numbers, FieldWriter out) {
-    if (length == FieldReader.SENT ? numbers % width != 0 : numbers != length * width) {
-      throw new IllegalArgumentException(field + (length == FieldReader.SENT
+    boolean sent = length <= FieldReader.SENT;
+    if (sent ? numbers % width != 0 : numbers != length * width) {
+      throw new IllegalArgumentException(field + (sent
           ? " has " + width + " values an element, not " + numbers + " in all"
           : " has " + length * width + " values, not " + numbers));
     }
-    if (length == FieldReader.SENT) {
+    if (sent && numbers / width > Bounds.most(length)) {
+      throw new IllegalArgumentException(
+          field + " has " + Bounds.most(length) + " elements at most, not " + numbers / width);
+    }
+    if (sent) {
       out.array(numbers / width);
     }
   }
@@ -84,6 +89,7 @@ record ArrayWriter(String field, int length, int width) {
       case FLOAT32 -> out.f32(0);
       case FLOAT64 -> out.f64(0);
       case STRING -> out.string("");
+      case WSTRING -> out.wstring("");
       case TIME, DURATION -> out.stamp(0);
     }
   }

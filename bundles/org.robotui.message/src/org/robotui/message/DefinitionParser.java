@@ -8,43 +8,51 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Reads the text of one message type by the rules of ROS's own generator. */
+/** Reads the text of one message type by the rules of the generators of ROS 1 and ROS 2. */
 final class DefinitionParser {
 
   static final int MAX_TEXT = 1 << 20;
 
-  private static final String HEADER = "std_msgs/Header";
-  private static final Pattern TYPE =
-      Pattern.compile("([A-Za-z]\\w*(?:/[A-Za-z]\\w*)?)(\\[(\\d{0,9})\\])?");
+  /** What the generator of ROS 2 gives a message without fields, as a structure in C has one. */
+  private static final FieldDefinition ONLY_MEMBER =
+      new FieldDefinition(new FieldType("uint8", FieldType.Arity.ONE, 0), "structure_needs_at_least_one_member");
+
   private static final Pattern NAME = Pattern.compile("[A-Za-z]\\w*");
+  private static final Pattern CONSTANT = Pattern.compile("\\S+\\s+[A-Za-z]\\w*\\s*=.*");
 
   private final String type;
+  private final TypeNames types;
   private final List<ConstantDefinition> constants = new ArrayList<>();
   private final List<FieldDefinition> fields = new ArrayList<>();
   private final Set<String> names = new HashSet<>();
 
-  private DefinitionParser(String type) {
+  private DefinitionParser(String type, Generation generation) {
     this.type = type;
+    this.types = new TypeNames(type, generation);
   }
 
-  static MessageDefinition parse(String type, String text) throws DefinitionException {
+  static MessageDefinition parse(String type, String text, Generation generation) throws DefinitionException {
     if (text.length() > MAX_TEXT) {
       throw new DefinitionException(type, "the text of " + text.length() + " characters is too long");
     }
-    DefinitionParser parser = new DefinitionParser(type);
+    DefinitionParser parser = new DefinitionParser(Generation.plainName(type), generation);
     String[] lines = text.split("\n", -1);
     for (int i = 0; i < lines.length; i++) {
-      parser.line(lines[i], i + 1);
+      parser.line(lines[i], i + 1, generation);
     }
-    return new MessageDefinition(type, text, parser.constants, parser.fields);
+    if (parser.fields.isEmpty() && generation == Generation.ROS2) {
+      parser.fields.add(ONLY_MEMBER);
+    }
+    return new MessageDefinition(parser.type, text, parser.constants, parser.fields);
   }
 
-  private void line(String line, int number) throws DefinitionException {
+  private void line(String line, int number, Generation generation) throws DefinitionException {
     String clean = withoutComment(line);
     if (clean.isEmpty()) {
       return;
     }
-    String name = clean.indexOf('=') >= 0 ? constant(line, clean, number) : field(clean, number);
+    boolean constant = generation == Generation.ROS1 ? clean.indexOf('=') >= 0 : CONSTANT.matcher(clean).matches();
+    String name = constant ? constant(line, clean, number, generation) : field(line, clean, number, generation);
     if (!NAME.matcher(name).matches()) {
       throw new DefinitionException(type, number, "'" + name + "' is no valid name");
     }
@@ -53,51 +61,108 @@ final class DefinitionParser {
     }
   }
 
-  private String constant(String line, String clean, int number) throws DefinitionException {
+  private String constant(String line, String clean, int number, Generation generation) throws DefinitionException {
     String[] typed = clean.split("\\s+", 2);
-    Optional<Primitive> primitive = Primitive.of(typed[0]);
+    Optional<Primitive> primitive = types.primitive(typed[0]);
     if (typed.length < 2 || primitive.isEmpty() || primitive.get().isTemporal()) {
       throw new DefinitionException(type, number, "'" + clean + "' is no constant: expected TYPE NAME=VALUE");
     }
     // in a text '#' is no comment: all that is right of the equals sign counts
-    String source = primitive.get() == Primitive.STRING ? line.strip().split("\\s+", 2)[1] : typed[1];
+    String source = primitive.get().isText() ? line.strip().split("\\s+", 2)[1] : typed[1];
     int equals = source.indexOf('=');
     String name = source.substring(0, equals).strip();
-    constants.add(new ConstantDefinition(primitive.get(), name, source.substring(equals + 1).strip()));
+    String value = source.substring(equals + 1).strip();
+    boolean quoted = generation == Generation.ROS2 && primitive.get().isText();
+    constants.add(new ConstantDefinition(primitive.get(), name, quoted ? Literals.text(value) : value));
     return name;
   }
 
-  private String field(String clean, int number) throws DefinitionException {
-    String[] words = clean.split("\\s+");
-    Matcher typed = TYPE.matcher(words[0]);
-    if (words.length != 2 || !typed.matches()) {
+  private String field(String line, String clean, int number, Generation generation) throws DefinitionException {
+    String[] words = clean.split("\\s+", 3);
+    Optional<FieldType> known = types.field(words[0]);
+    if (words.length < 2 || words.length > 2 && generation == Generation.ROS1 || known.isEmpty()) {
       throw new DefinitionException(type, number, "'" + clean + "' is no field: expected TYPE NAME");
     }
-    fields.add(new FieldDefinition(fieldType(typed), words[1]));
+    boolean text = known.get().primitive().filter(Primitive::isText).isPresent();
+    Optional<String> initial = words.length < 3
+        ? Optional.empty()
+        : Optional.of(text ? line.strip().split("\\s+", 3)[2] : words[2]);
+    fields.add(new FieldDefinition(known.get(), words[1], initial));
     return words[1];
-  }
-
-  private FieldType fieldType(Matcher typed) {
-    String base = fullName(typed.group(1));
-    if (typed.group(2) == null) {
-      return new FieldType(base, FieldType.Arity.ONE, 0);
-    }
-    String length = typed.group(3);
-    return length.isEmpty()
-        ? new FieldType(base, FieldType.Arity.VARIABLE, 0)
-        : new FieldType(base, FieldType.Arity.FIXED, Integer.parseInt(length));
-  }
-
-  private String fullName(String base) {
-    if (base.equals("Header") || base.equals("roslib/Header")) {
-      return HEADER;
-    }
-    boolean complete = base.indexOf('/') >= 0 || Primitive.of(base).isPresent() || type.indexOf('/') < 0;
-    return complete ? base : type.substring(0, type.indexOf('/') + 1) + base;
   }
 
   private static String withoutComment(String line) {
     int hash = line.indexOf('#');
     return (hash < 0 ? line : line.substring(0, hash)).strip();
+  }
+
+  /** The types of fields as one definition writes them. */
+  private record TypeNames(String within, Generation generation) {
+
+    private static final String HEADER = "std_msgs/Header";
+    private static final Pattern ROS1_TYPE = Pattern.compile("([A-Za-z]\\w*(?:/[A-Za-z]\\w*)?)()(\\[()(\\d{0,9})\\])?");
+    private static final Pattern ROS2_TYPE = Pattern.compile(
+        "([A-Za-z]\\w*(?:/(?:msg/)?[A-Za-z]\\w*)?)(?:<=(\\d{1,9}))?(\\[(<=)?(\\d{0,9})\\])?");
+
+    Optional<FieldType> field(String word) {
+      Matcher typed = (generation == Generation.ROS1 ? ROS1_TYPE : ROS2_TYPE).matcher(word);
+      if (!typed.matches()) {
+        return Optional.empty();
+      }
+      String base = fullName(typed.group(1));
+      int textBound = number(typed.group(2));
+      int length = number(typed.group(5));
+      boolean bounded = "<=".equals(typed.group(4));
+      boolean senseless = bounded && length == 0
+          || typed.group(2) != null && !typed.group(2).isEmpty()
+              && (textBound == 0 || Primitive.of(base).filter(Primitive::isText).isEmpty());
+      return senseless ? Optional.empty()
+          : Optional.of(type(base, typed.group(3), typed.group(5), length, bounded, textBound));
+    }
+
+    private static FieldType type(String base, String brackets, String digits, int length, boolean bounded,
+        int textBound) {
+      if (brackets == null) {
+        return new FieldType(base, FieldType.Arity.ONE, 0, 0, textBound);
+      }
+      return digits.isEmpty() || bounded
+          ? new FieldType(base, FieldType.Arity.VARIABLE, 0, length, textBound)
+          : new FieldType(base, FieldType.Arity.FIXED, length, 0, textBound);
+    }
+
+    private static int number(String digits) {
+      return digits == null || digits.isEmpty() ? 0 : Integer.parseInt(digits);
+    }
+
+    /** The built-in type of a constant, whose bound does not matter. */
+    Optional<Primitive> primitive(String word) {
+      int bound = word.indexOf("<=");
+      String name = bound < 0 || generation == Generation.ROS1 ? word : word.substring(0, bound);
+      return builtIn(name) ? Primitive.of(name) : Optional.empty();
+    }
+
+    private boolean builtIn(String name) {
+      return Primitive.of(name).filter(p -> p != Primitive.WSTRING || generation == Generation.ROS2).isPresent();
+    }
+
+    private String fullName(String written) {
+      String base = Generation.plainName(written);
+      if (base.equals("Header") || base.equals("roslib/Header")) {
+        return HEADER;
+      }
+      if (generation == Generation.ROS2 && base.startsWith("builtin_interfaces/")) {
+        return builtInTime(base);
+      }
+      boolean complete = base.indexOf('/') >= 0 || builtIn(base) || within.indexOf('/') < 0;
+      return complete ? base : within.substring(0, within.indexOf('/') + 1) + base;
+    }
+
+    private static String builtInTime(String base) {
+      return switch (base) {
+        case "builtin_interfaces/Time" -> Primitive.TIME.rosName();
+        case "builtin_interfaces/Duration" -> Primitive.DURATION.rosName();
+        default -> base;
+      };
+    }
   }
 }

@@ -8,7 +8,8 @@ import java.util.OptionalDouble;
 
 /**
  * A message of a type known only by its definition. It keeps the checked bytes and decodes a field when asked for it,
- * so that it costs nothing to receive a large message of which one number is shown. Immutable.
+ * so that it costs nothing to receive a large message of which one number is shown. The bytes are those of ROS 1, which
+ * have no gaps; a message of another encoding is carried over when it is read. Immutable.
  */
 public final class DynamicMessage {
 
@@ -25,6 +26,34 @@ public final class DynamicMessage {
     ByteBuffer bytes = in.slice().asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
     new LayoutWalk(bytes).check(layout);
     return new DynamicMessage(layout, bytes);
+  }
+
+  /**
+   * Reads a message of any encoding.
+   *
+   * @param schema the type of message
+   * @param in of the message's encoding, at its first field
+   * @return the message
+   * @throws MessageException if the bytes are no message of this type
+   */
+  public static DynamicMessage read(MessageSchema schema, FieldReader in) throws MessageException {
+    MessageWriter packed = new MessageWriter();
+    new Transcoder(in, packed).message(schema.layout());
+    in.end();
+    return new DynamicMessage(schema.layout(), packed.view().asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN));
+  }
+
+  /**
+   * Writes this message in any encoding.
+   *
+   * @param out of the encoding
+   */
+  public void write(FieldWriter out) {
+    try {
+      new Transcoder(new MessageReader(bytes()), out).message(layout);
+    } catch (MessageException e) {
+      throw new IllegalStateException("a checked message changed", e);
+    }
   }
 
   /** A message inside another one that was checked. */
@@ -52,11 +81,11 @@ public final class DynamicMessage {
    * @return in the order of the definition
    */
   public List<FieldDefinition> fields() {
-    return layout.fields().stream().map(f -> new FieldDefinition(f.type(), f.name())).toList();
+    return layout.fields().stream().map(f -> new FieldDefinition(f.type(), f.name(), f.initial())).toList();
   }
 
   /**
-   * The message as it came.
+   * The message in the serialization of ROS 1.
    *
    * @return a read-only little-endian view
    */
@@ -138,7 +167,7 @@ public final class DynamicMessage {
     if (field.nested() != null) {
       return new RosValue.Nested(at(field.nested(), bytes, at));
     }
-    return field.primitive() == Primitive.STRING
+    return field.primitive().isText()
         ? new RosValue.Text(LazyList.text(bytes, at))
         : PrimitiveArray.valueAt(field.primitive(), bytes, at);
   }
@@ -147,7 +176,7 @@ public final class DynamicMessage {
     if (field.nested() != null) {
       return new RosValue.Messages(LazyList.messages(field, bytes, at));
     }
-    if (field.primitive() == Primitive.STRING) {
+    if (field.primitive().isText()) {
       return new RosValue.Texts(LazyList.texts(field, bytes, at));
     }
     LayoutWalk walk = new LayoutWalk(bytes);

@@ -6,8 +6,9 @@ import java.util.List;
 /**
  * Reads the fields of one message in the order of its definition, whatever the encoding. Every read is checked against
  * the bytes that are left before anything is allocated, and fails with an error that names the field. Arrays are read
- * with their length: that of the definition, or {@link #SENT} where the length is sent with them. An element may
- * consist of several numbers ({@code width}), as a point does. Not for use by several threads at once.
+ * with their length: that of the definition, {@link #SENT} where the length is sent with them, or {@code SENT - n}
+ * where it is sent and may be n at most. An element may consist of several numbers ({@code width}), as a point does.
+ * Not for use by several threads at once.
  */
 public interface FieldReader {
 
@@ -56,8 +57,14 @@ public interface FieldReader {
   /** A text; bytes that are no UTF-8 become replacement characters. */
   String string(String field) throws MessageException;
 
+  /** A text of wide characters. */
+  String wstring(String field) throws MessageException;
+
   /** Texts. */
   List<String> strings(String field, int length) throws MessageException;
+
+  /** Texts of wide characters. */
+  List<String> wstrings(String field, int length) throws MessageException;
 
   /** Elements of one byte, as a read-only slice of the message. */
   ByteBuffer bytes(String field, int length, int width) throws MessageException;
@@ -86,6 +93,24 @@ public interface FieldReader {
    * @throws MessageException if they cannot
    */
   int count(String field, long element) throws MessageException;
+
+  /**
+   * The length of an array, where its definition says so or as it is sent.
+   *
+   * @param field for errors
+   * @param length of the definition, {@link #SENT}, or {@code SENT - n} where at most n elements are sent
+   * @param element the fewest bytes of one element
+   * @return the number of elements; where it was sent, the bytes that are left can hold them
+   * @throws MessageException if they cannot, or if there are more than the definition allows
+   */
+  int count(String field, int length, long element) throws MessageException;
+
+  /**
+   * Checks that the whole message was read.
+   *
+   * @throws MessageException if bytes are left
+   */
+  void end() throws MessageException;
 
   /**
    * Passes over values that nobody wants.

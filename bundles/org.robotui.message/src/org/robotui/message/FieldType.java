@@ -8,8 +8,10 @@ import java.util.Optional;
  * @param base a built-in type's name or a message type's full name, without brackets
  * @param arity whether it is an array
  * @param length the number of elements of a fixed array, else 0
+ * @param bound the most elements of an array whose length is sent, 0 where there is no bound
+ * @param textBound the most bytes of a text, 0 where there is no bound
  */
-public record FieldType(String base, Arity arity, int length) {
+public record FieldType(String base, Arity arity, int length, int bound, int textBound) {
 
   /** How many values a field holds. */
   public enum Arity {
@@ -19,6 +21,17 @@ public record FieldType(String base, Arity arity, int length) {
     FIXED,
     /** An array whose length is sent with it. */
     VARIABLE
+  }
+
+  /**
+   * A type without bounds.
+   *
+   * @param base a built-in type's name or a message type's full name, without brackets
+   * @param arity whether it is an array
+   * @param length the number of elements of a fixed array, else 0
+   */
+  public FieldType(String base, Arity arity, int length) {
+    this(base, arity, length, 0, 0);
   }
 
   /**
@@ -42,14 +55,15 @@ public record FieldType(String base, Arity arity, int length) {
   /**
    * The type as definitions write it.
    *
-   * @return such as {@code float64[36]}
+   * @return such as {@code float64[36]} or {@code string<=10[<=5]}
    */
   @Override
   public String toString() {
+    String element = textBound == 0 ? base : base + "<=" + textBound;
     return switch (arity) {
-      case ONE -> base;
-      case FIXED -> base + "[" + length + "]";
-      case VARIABLE -> base + "[]";
+      case ONE -> element;
+      case FIXED -> element + "[" + length + "]";
+      case VARIABLE -> element + (bound == 0 ? "[]" : "[<=" + bound + "]");
     };
   }
 }

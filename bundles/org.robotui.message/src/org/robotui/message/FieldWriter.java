@@ -32,6 +32,9 @@ public interface FieldWriter {
   /** A text. */
   FieldWriter string(String value);
 
+  /** A text of wide characters. */
+  FieldWriter wstring(String value);
+
   /** A time or a duration in nanoseconds. */
   FieldWriter stamp(long nanos);
 
@@ -55,4 +58,18 @@ public interface FieldWriter {
 
   /** IEEE doubles. */
   FieldWriter doubles(double[] values);
+
+  /**
+   * How much was written.
+   *
+   * @return the number of bytes so far
+   */
+  int size();
+
+  /**
+   * What was written, without copying it.
+   *
+   * @return a view in the byte order of the encoding that is valid until the next change of this writer
+   */
+  ByteBuffer view();
 }

@@ -37,7 +37,7 @@ final class JavaForm {
   static Optional<Flat> flat(Layout message) {
     List<Layout.Field> fields = message.fields();
     boolean flat = !fields.isEmpty() && fields.stream().allMatch(f -> f.primitive() == fields.getFirst().primitive()
-        && f.nested() == null && f.type().arity() == FieldType.Arity.ONE && f.primitive() != Primitive.STRING);
+        && f.nested() == null && f.type().arity() == FieldType.Arity.ONE && !f.primitive().isText());
     return flat ? Optional.of(new Flat(fields.getFirst().primitive(), fields.size())) : Optional.empty();
   }
 
@@ -64,7 +64,7 @@ final class JavaForm {
       case UINT32, INT64, UINT64, TIME, DURATION -> long.class;
       case FLOAT32 -> float.class;
       case FLOAT64 -> double.class;
-      case STRING -> String.class;
+      case STRING, WSTRING -> String.class;
     };
   }
 
@@ -77,7 +77,7 @@ final class JavaForm {
       case INT64, UINT64 -> long[].class;
       case FLOAT32 -> float[].class;
       case FLOAT64 -> double[].class;
-      case STRING -> List.class;
+      case STRING, WSTRING -> List.class;
       case TIME, DURATION -> null;
     };
   }

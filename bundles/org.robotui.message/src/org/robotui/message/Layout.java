@@ -25,8 +25,10 @@ record Layout(String type, List<Field> fields, long minSize, boolean fixedSize) 
    * @param nested the layout of the message type, null for a built-in type
    * @param element the fewest bytes of the value or of one element
    * @param fixedElement whether every value or element has exactly that size
+   * @param initial what a sender gives the field where nothing else is said, as written
    */
-  record Field(String name, FieldType type, Primitive primitive, Layout nested, long element, boolean fixedElement) {
+  record Field(String name, FieldType type, Primitive primitive, Layout nested, long element, boolean fixedElement,
+      Optional<String> initial) {
 
     boolean isFixed() {
       return fixedElement && type.arity() != FieldType.Arity.VARIABLE;

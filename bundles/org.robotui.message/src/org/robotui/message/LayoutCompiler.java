@@ -43,17 +43,18 @@ final class LayoutCompiler {
 
   private Layout.Field field(FieldDefinition field) throws DefinitionException {
     Primitive primitive = field.type().primitive().orElse(null);
-    if (primitive == Primitive.STRING) {
-      return new Layout.Field(field.name(), field.type(), primitive, null, Integer.BYTES, false);
+    if (primitive != null && primitive.isText()) {
+      return new Layout.Field(field.name(), field.type(), primitive, null, Integer.BYTES, false, field.initial());
     }
     if (primitive != null) {
-      return new Layout.Field(field.name(), field.type(), primitive, null, primitive.size(), true);
+      return new Layout.Field(field.name(), field.type(), primitive, null, primitive.size(), true, field.initial());
     }
     Layout layout = nestedLayout(field.type().base());
     if (layout.minSize() == 0 && field.type().length() > Layout.MAX_EMPTY_ELEMENTS) {
       throw new DefinitionException(layout.type(), "field " + field.name() + " repeats nothing too often");
     }
-    return new Layout.Field(field.name(), field.type(), null, layout, layout.minSize(), layout.fixedSize());
+    return new Layout.Field(field.name(), field.type(), null, layout, layout.minSize(), layout.fixedSize(),
+        field.initial());
   }
 
   private Layout nestedLayout(String type) throws DefinitionException {

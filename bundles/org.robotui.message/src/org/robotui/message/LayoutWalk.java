@@ -95,7 +95,7 @@ final class LayoutWalk {
     if (field.nested() != null) {
       return skip(field.nested(), at);
     }
-    if (field.primitive() != Primitive.STRING) {
+    if (!field.primitive().isText()) {
       need(field.element(), at);
       return at + (int) field.element();
     }

@@ -9,13 +9,13 @@ import java.util.List;
  *
  * @param element reads one of them
  * @param field for errors
- * @param length of the definition, or {@link FieldReader#SENT}
+ * @param length of the definition, or as {@link Bounds} has it
  * @param size the fewest bytes of an element
  */
 record ListReader(MethodHandle element, String field, int length, long size) {
 
   List<Object> read(FieldReader in) throws Throwable {
-    int count = length == FieldReader.SENT ? in.count(field, size) : length;
+    int count = in.count(field, length, size);
     List<Object> values = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       try {

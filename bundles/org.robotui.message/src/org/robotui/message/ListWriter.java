@@ -8,7 +8,7 @@ import java.util.List;
  *
  * @param element writes one of them
  * @param field for errors
- * @param length of the definition, or {@link FieldReader#SENT}
+ * @param length of the definition, or as {@link Bounds} has it
  */
 record ListWriter(MethodHandle element, String field, int length) {
 

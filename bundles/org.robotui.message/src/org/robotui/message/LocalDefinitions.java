@@ -23,6 +23,7 @@ public final class LocalDefinitions implements DefinitionSource {
 
   private final List<Path> shares;
   private final List<Path> trees;
+  private final Generation generation;
 
   /**
    * Looks into folders.
@@ -31,6 +32,18 @@ public final class LocalDefinitions implements DefinitionSource {
    * @param trees folders that are packages or hold them up to four levels down
    */
   public LocalDefinitions(List<Path> shares, List<Path> trees) {
+    this(shares, trees, Generation.ROS1);
+  }
+
+  /**
+   * Looks into folders.
+   *
+   * @param shares folders whose direct children are packages
+   * @param trees folders that are packages or hold them up to four levels down
+   * @param generation whose definitions they hold
+   */
+  public LocalDefinitions(List<Path> shares, List<Path> trees, Generation generation) {
+    this.generation = generation;
     this.shares = List.copyOf(shares);
     this.trees = List.copyOf(trees);
   }
@@ -58,7 +71,7 @@ public final class LocalDefinitions implements DefinitionSource {
   public Optional<MessageDefinition> find(String type) throws DefinitionException {
     Optional<String> text = text(type, "msg");
     return text.isPresent()
-        ? Optional.of(DefinitionParser.parse(type, text.get()))
+        ? Optional.of(DefinitionParser.parse(type, text.get(), generation))
         : ServiceDefinition.messageOf(type, this::service);
   }
 
@@ -71,7 +84,7 @@ public final class LocalDefinitions implements DefinitionSource {
    */
   public Optional<ServiceDefinition> service(String type) throws DefinitionException {
     Optional<String> text = text(type, "srv");
-    return text.isEmpty() ? Optional.empty() : Optional.of(ServiceDefinition.parse(type, text.get()));
+    return text.isEmpty() ? Optional.empty() : Optional.of(ServiceDefinition.parse(type, text.get(), generation));
   }
 
   private Optional<String> text(String type, String kind) throws DefinitionException {

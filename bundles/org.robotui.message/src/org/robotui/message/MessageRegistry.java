@@ -14,7 +14,8 @@ public final class MessageRegistry implements DefinitionSource {
 
   private static final int MAX_LEARNED = 500;
 
-  private final ShippedDefinitions shipped = new ShippedDefinitions();
+  private final ShippedDefinitions shipped;
+  private final Generation generation;
   private final LocalDefinitions local;
   private final Map<MessageInfo, MessageSchema> learned = new LinkedHashMap<>(16, 0.75f, true) {
     private static final long serialVersionUID = 1L;
@@ -31,7 +32,19 @@ public final class MessageRegistry implements DefinitionSource {
    * @param local the definitions of this machine
    */
   public MessageRegistry(LocalDefinitions local) {
+    this(local, Generation.ROS1);
+  }
+
+  /**
+   * Creates a registry.
+   *
+   * @param local the definitions of this machine
+   * @param generation whose definitions peers send, and whose version of a shipped type is meant
+   */
+  public MessageRegistry(LocalDefinitions local, Generation generation) {
     this.local = local;
+    this.generation = generation;
+    this.shipped = new ShippedDefinitions(generation);
   }
 
   /**
@@ -66,7 +79,7 @@ public final class MessageRegistry implements DefinitionSource {
 
   private SchemaLookup<MessageSchema> parse(MessageInfo peer) {
     try {
-      MessageSchema schema = MessageSchema.parse(peer.type(), peer.definition());
+      MessageSchema schema = MessageSchema.parse(peer.type(), peer.definition(), generation);
       if (!peer.accepts(schema.info().md5())) {
         return new SchemaLookup.Missing<>("the definition of " + peer.type() + " in the connection header has"
             + " the sum " + schema.info().md5() + ", but the peer announced " + peer.md5());
@@ -92,11 +105,12 @@ public final class MessageRegistry implements DefinitionSource {
   /**
    * A message type by name and sum.
    *
-   * @param type the full name
+   * @param name the full name
    * @param md5 the sum it must have, or {@code *}
    * @return the type, or why there is none
    */
-  public SchemaLookup<MessageSchema> message(String type, String md5) {
+  public SchemaLookup<MessageSchema> message(String name, String md5) {
+    String type = Generation.plainName(name);
     Candidates<MessageSchema> candidates = new Candidates<>("message", type, md5);
     candidates.add(() -> resolve(shipped.find(type)), MessageRegistry::md5);
     candidates.add(() -> resolve(local.find(type)), MessageRegistry::md5);
@@ -122,11 +136,12 @@ public final class MessageRegistry implements DefinitionSource {
   /**
    * A service type by name and sum.
    *
-   * @param type the full name
+   * @param name the full name
    * @param md5 the sum the server announced, or {@code *}
    * @return the type, or why there is none
    */
-  public SchemaLookup<ServiceSchema> service(String type, String md5) {
+  public SchemaLookup<ServiceSchema> service(String name, String md5) {
+    String type = Generation.plainName(name);
     Candidates<ServiceSchema> candidates = new Candidates<>("service", type, md5);
     candidates.add(() -> resolveService(shipped.service(type)), ServiceSchema::md5);
     candidates.add(() -> resolveService(local.service(type)), ServiceSchema::md5);

@@ -19,8 +19,7 @@ public final class MessageSchema {
   private final Layout layout;
   private final MessageInfo info;
 
-  private MessageSchema(
-      MessageDefinition definition, Map<String, MessageDefinition> nested, String fullText)
+  private MessageSchema(MessageDefinition definition, Map<String, MessageDefinition> nested, String fullText)
       throws DefinitionException {
     this.definition = definition;
     this.nested = Map.copyOf(nested);
@@ -57,15 +56,30 @@ public final class MessageSchema {
    * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
    */
   public static MessageSchema parse(String type, String fullText) throws DefinitionException {
+    return parse(type, fullText, Generation.ROS1);
+  }
+
+  /**
+   * Reads the full text of a type: its own definition, then those it refers to, each after a line of equals signs and a
+   * line {@code MSG: package/Type}, as connection headers, logs and type descriptions have it.
+   *
+   * @param type the type's full name
+   * @param fullText the text; it is kept as it is
+   * @param generation whose definitions they are
+   * @return the complete type
+   * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
+   */
+  public static MessageSchema parse(String type, String fullText, Generation generation) throws DefinitionException {
     if (fullText.length() > DefinitionParser.MAX_TEXT) {
       throw new DefinitionException(type, "the text of " + fullText.length() + " characters is too long");
     }
-    Map<String, String> texts = split(type, fullText);
-    MessageDefinition root = DefinitionParser.parse(type, texts.get(type));
+    String plain = Generation.plainName(type);
+    Map<String, String> texts = split(plain, fullText);
+    MessageDefinition root = DefinitionParser.parse(plain, texts.get(plain), generation);
     Map<String, MessageDefinition> found = Dependencies.of(root, name -> {
       String text = texts.get(name);
       return text == null ? Optional.empty()
-          : Optional.of(DefinitionParser.parse(name, text));
+          : Optional.of(DefinitionParser.parse(name, text, generation));
     });
     return new MessageSchema(root, found, fullText);
   }
@@ -102,7 +116,7 @@ public final class MessageSchema {
       throw new DefinitionException(type, "expected '" + NESTED + "package/Type' after a line of equals signs");
     }
     String name = stripped.substring(NESTED.length()).strip();
-    return name.equals("roslib/Header") ? "std_msgs/Header" : name;
+    return name.equals("roslib/Header") ? "std_msgs/Header" : Generation.plainName(name);
   }
 
   /**

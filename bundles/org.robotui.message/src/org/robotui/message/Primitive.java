@@ -36,6 +36,8 @@ public enum Primitive {
   FLOAT64("float64", 8),
   /** Text with a 32-bit length. */
   STRING("string", 0),
+  /** Text of wide characters, of ROS 2 alone. */
+  WSTRING("wstring", 0),
   /** Unsigned seconds and nanoseconds, 32 bits each. */
   TIME("time", 8),
   /** Signed seconds and nanoseconds, 32 bits each. */
@@ -74,7 +76,7 @@ public enum Primitive {
   /**
    * The number of bytes of one value.
    *
-   * @return bytes; 0 for {@link #STRING}, whose size varies
+   * @return bytes; 0 for texts, whose size varies
    */
   public int size() {
     return size;
@@ -87,6 +89,15 @@ public enum Primitive {
    */
   public boolean isFloating() {
     return this == FLOAT32 || this == FLOAT64;
+  }
+
+  /**
+   * Whether values are texts.
+   *
+   * @return true for {@link #STRING} and {@link #WSTRING}
+   */
+  public boolean isText() {
+    return this == STRING || this == WSTRING;
   }
 
   /**

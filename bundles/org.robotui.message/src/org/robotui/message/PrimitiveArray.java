@@ -125,7 +125,7 @@ public final class PrimitiveArray {
       case FLOAT64 -> (long) bytes.getDouble(at);
       case TIME -> Stamps.time(bytes.getInt(at), bytes.getInt(at + Integer.BYTES));
       case DURATION -> Stamps.duration(bytes.getInt(at), bytes.getInt(at + Integer.BYTES));
-      case STRING -> throw new IllegalArgumentException("texts are no primitive array");
+      case STRING, WSTRING -> throw new IllegalArgumentException("texts are no primitive array");
     };
   }
 

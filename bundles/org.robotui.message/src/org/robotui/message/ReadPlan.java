@@ -75,18 +75,31 @@ final class ReadPlan {
       return named(of(type, field.nested(), ownNested), field.name());
     }
     if (!field.type().isArray()) {
-      return bind(Handles.method(reader, single(field.primitive()), type, String.class), field.name());
+      return bounded(bind(Handles.method(reader, single(field.primitive()), type, String.class), field.name()), field);
     }
-    int length = field.type().arity() == FieldType.Arity.FIXED ? field.type().length() : FieldReader.SENT;
+    int length = Bounds.of(field.type());
     if (type != List.class) {
       int width = field.nested() == null ? 1 : JavaForm.flat(field.nested()).orElseThrow().width();
       return bind(Handles.method(reader, array(type), type, String.class, int.class, int.class), field.name(), length,
           width);
     }
     if (field.nested() == null) {
-      return bind(Handles.method(reader, "strings", type, String.class, int.class), field.name(), length);
+      String texts = field.primitive().rosName() + "s";
+      return bounded(bind(Handles.method(reader, texts, type, String.class, int.class), field.name(), length), field);
     }
     return list(of(JavaForm.element(component).orElseThrow(), field.nested(), ownNested), field, length);
+  }
+
+  /** Texts are checked against the bound of their definition, where it has one. */
+  private static MethodHandle bounded(MethodHandle read, Layout.Field field) {
+    int most = field.type().textBound();
+    if (most == 0) {
+      return read;
+    }
+    Class<?> type = read.type().returnType();
+    String check = type == List.class ? "texts" : "text";
+    return MethodHandles.filterReturnValue(read, MethodHandles.insertArguments(
+        Handles.function(Bounds.class, check, type, type, int.class, String.class), 1, most, field.name()));
   }
 
   private MethodHandle list(MethodHandle element, Layout.Field field, int length) {

@@ -3,6 +3,7 @@ package org.robotui.message;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.nio.ByteBuffer;
 import java.util.function.Supplier;
 
 /**
@@ -16,11 +17,13 @@ import java.util.function.Supplier;
  */
 public final class RecordBinding<T extends Record> {
 
+  private final Encoding encoding;
   private final MethodHandle read;
   private final Supplier<MethodHandle> writePlan;
   private volatile MethodHandle write;
 
-  private RecordBinding(MethodHandle read, Supplier<MethodHandle> writePlan) {
+  private RecordBinding(Encoding encoding, MethodHandle read, Supplier<MethodHandle> writePlan) {
+    this.encoding = encoding;
     this.read = read;
     this.writePlan = writePlan;
   }
@@ -64,11 +67,29 @@ public final class RecordBinding<T extends Record> {
     return bind(type, own, version, encoding, lookup);
   }
 
+  /**
+   * Binds a record to the shipped definition of its type. One record is for both generations: what one of them lacks,
+   * such as the counter of a header, is zero or empty, and not written.
+   *
+   * @param type a public record with a {@link MessageType}
+   * @param generation whose definition and encoding it is bound to
+   * @param <T> the record
+   * @return the binding
+   * @throws IllegalArgumentException if no definition of the type is shipped, or the record does not fit to it
+   */
+  public static <T extends Record> RecordBinding<T> shipped(Class<T> type, Generation generation) {
+    String name = RecordCodec.typeOf(type);
+    boolean old = new ShippedDefinitions(Generation.ROS1).has(name);
+    MessageSchema own = ShippedDefinitions.schema(name, old ? Generation.ROS1 : Generation.ROS2);
+    MessageSchema version = old && generation == Generation.ROS1 ? own : ShippedDefinitions.schema(name, generation);
+    return ofVersion(type, own, version, generation.encoding(), MethodHandles.publicLookup());
+  }
+
   private static <T extends Record> RecordBinding<T> bind(
       Class<T> type, MessageSchema own, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
-    MethodHandle read = new ReadPlan(encoding.reader(), lookup).of(type, schema.layout(), own.layout());
-    return new RecordBinding<>(read.asType(MethodType.methodType(Object.class, FieldReader.class)),
-        () -> new WritePlan(encoding.writer(), lookup).of(type, schema.layout())
+    MethodHandle read = new ReadPlan(encoding.readerType(), lookup).of(type, schema.layout(), own.layout());
+    return new RecordBinding<>(encoding, read.asType(MethodType.methodType(Object.class, FieldReader.class)),
+        () -> new WritePlan(encoding.writerType(), lookup).of(type, schema.layout())
             .asType(MethodType.methodType(void.class, Object.class, FieldWriter.class)));
   }
 
@@ -82,6 +103,33 @@ public final class RecordBinding<T extends Record> {
       }
     }
     return write;
+  }
+
+  /**
+   * Reads a whole message.
+   *
+   * @param message the message and nothing else, from position to limit; the record may keep slices of it
+   * @return the record
+   * @throws MessageException if the bytes are no such message, or the record refuses its values
+   */
+  public T decode(ByteBuffer message) throws MessageException {
+    FieldReader in = encoding.reader(message);
+    T value = read(in);
+    in.end();
+    return value;
+  }
+
+  /**
+   * Writes a whole message.
+   *
+   * @param value the record
+   * @return the message, in the byte order of the encoding
+   * @throws IllegalArgumentException if an array has not the length that the definition gives
+   */
+  public ByteBuffer encode(T value) {
+    FieldWriter out = encoding.writer();
+    write(value, out);
+    return out.view();
   }
 
   /**

@@ -14,6 +14,12 @@ final class ScalarEncoder {
     this.out = out;
   }
 
+  /** Writes one value within the bound of its field. */
+  void write(Layout.Field field, Object value) throws MessageException {
+    int most = field.type().textBound();
+    write(field.primitive(), most == 0 ? value : Bounds.text(text(value), most, ""));
+  }
+
   /** Writes one value; null is zero or empty. */
   void write(Primitive type, Object value) throws MessageException {
     switch (type) {
@@ -28,7 +34,7 @@ final class ScalarEncoder {
       case UINT64 -> out.i64(unsigned(type, value, 64));
       case FLOAT32 -> out.f32((float) real(type, value));
       case FLOAT64 -> out.f64(real(type, value));
-      case STRING -> out.string(text(value));
+      case STRING, WSTRING -> out.string(text(value));
       case TIME, DURATION -> time(type, value);
     }
   }
@@ -125,8 +131,8 @@ final class ScalarEncoder {
   private void time(Primitive type, Object value) throws MessageException {
     if (value instanceof Map<?, ?> parts) {
       Primitive part = type == Primitive.TIME ? Primitive.UINT32 : Primitive.INT32;
-      write(part, parts.get("secs"));
-      write(part, parts.get("nsecs"));
+      write(part, parts.get(parts.containsKey("sec") ? "sec" : "secs"));
+      write(part, parts.get(parts.containsKey("nanosec") ? "nanosec" : "nsecs"));
       return;
     }
     long nanos = signed(Primitive.INT64, value, 64);

@@ -26,10 +26,11 @@ public record ServiceDefinition(String type, String text, MessageDefinition requ
    *
    * @param type the full name
    * @param text the text of the {@code .srv} file
+   * @param generation whose definition it is
    * @return the service type
    * @throws DefinitionException if it is no service definition
    */
-  public static ServiceDefinition parse(String type, String text) throws DefinitionException {
+  public static ServiceDefinition parse(String type, String text, Generation generation) throws DefinitionException {
     StringBuilder[] parts = {new StringBuilder(), new StringBuilder()};
     int part = 0;
     for (String line : text.split("\n", -1)) {
@@ -43,8 +44,8 @@ public record ServiceDefinition(String type, String text, MessageDefinition requ
       throw new DefinitionException(type, "expected one line '---' between request and response, found " + part);
     }
     return new ServiceDefinition(type, text,
-        DefinitionParser.parse(type + REQUEST, parts[0].toString()),
-        DefinitionParser.parse(type + RESPONSE, parts[1].toString()));
+        DefinitionParser.parse(type + REQUEST, parts[0].toString(), generation),
+        DefinitionParser.parse(type + RESPONSE, parts[1].toString(), generation));
   }
 
   static Optional<MessageDefinition> messageOf(String type, Finder services) throws DefinitionException {

@@ -12,22 +12,40 @@ final class ShippedDefinitions implements DefinitionSource {
 
   private static final Pattern TYPE = Pattern.compile("[A-Za-z]\\w*/[A-Za-z]\\w*");
 
+  private final Generation generation;
+
+  ShippedDefinitions() {
+    this(Generation.ROS1);
+  }
+
+  ShippedDefinitions(Generation generation) {
+    this.generation = generation;
+  }
+
   @Override
   public Optional<MessageDefinition> find(String type) throws DefinitionException {
     Optional<String> text = text(type, ".msg");
     return text.isPresent()
-        ? Optional.of(DefinitionParser.parse(type, text.get()))
+        ? Optional.of(DefinitionParser.parse(type, text.get(), generation))
         : ServiceDefinition.messageOf(type, this::service);
   }
 
   Optional<ServiceDefinition> service(String type) throws DefinitionException {
     Optional<String> text = text(type, ".srv");
-    return text.isEmpty() ? Optional.empty() : Optional.of(ServiceDefinition.parse(type, text.get()));
+    return text.isEmpty() ? Optional.empty() : Optional.of(ServiceDefinition.parse(type, text.get(), generation));
+  }
+
+  boolean has(String type) {
+    return text(type, ".msg").isPresent() || text(type.replaceFirst("(Request|Response)$", ""), ".srv").isPresent();
   }
 
   /** The complete type of a compiled codec, which is always shipped. */
   static MessageSchema schema(String type) {
-    ShippedDefinitions shipped = new ShippedDefinitions();
+    return schema(type, Generation.ROS1);
+  }
+
+  static MessageSchema schema(String type, Generation generation) {
+    ShippedDefinitions shipped = new ShippedDefinitions(generation);
     try {
       MessageDefinition definition = shipped.find(type)
           .orElseThrow(() -> new IllegalArgumentException("no definition of " + type + " is shipped"));
@@ -37,10 +55,16 @@ final class ShippedDefinitions implements DefinitionSource {
     }
   }
 
-  private static Optional<String> text(String type, String suffix) {
+  /** One text is for both generations, unless ROS 2 has changed the type. */
+  private Optional<String> text(String type, String suffix) {
     if (!TYPE.matcher(type).matches()) {
       return Optional.empty();
     }
+    Optional<String> changed = generation == Generation.ROS2 ? resource("ros2/" + type, suffix) : Optional.empty();
+    return changed.isPresent() ? changed : resource(type, suffix);
+  }
+
+  private static Optional<String> resource(String type, String suffix) {
     try (InputStream in = ShippedDefinitions.class.getResourceAsStream("definitions/" + type + suffix)) {
       return in == null
           ? Optional.empty()

@@ -6,11 +6,7 @@ final class Skip {
   private Skip() {}
 
   static void field(Layout.Field field, FieldReader in) throws MessageException {
-    int count = switch (field.type().arity()) {
-      case ONE -> 1;
-      case FIXED -> field.type().length();
-      case VARIABLE -> in.count(field.name(), field.element());
-    };
+    int count = field.type().isArray() ? in.count(field.name(), Bounds.of(field.type()), field.element()) : 1;
     if (field.nested() == null) {
       in.skip(field.name(), field.primitive(), count);
       return;

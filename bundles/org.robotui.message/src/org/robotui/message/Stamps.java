@@ -30,6 +30,17 @@ public final class Stamps {
   }
 
   /**
+   * Joins seconds and nanoseconds of a time or duration of ROS 2.
+   *
+   * @param sec signed seconds
+   * @param nanosec unsigned nanoseconds
+   * @return nanoseconds
+   */
+  public static long signed(int sec, int nanosec) {
+    return sec * NANOS + Integer.toUnsignedLong(nanosec);
+  }
+
+  /**
    * The seconds field of a ROS time or duration.
    *
    * @param nanos nanoseconds

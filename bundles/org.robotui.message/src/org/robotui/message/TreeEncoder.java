@@ -26,7 +26,9 @@ final class TreeEncoder {
     }
     for (Layout.Field each : layout.fields()) {
       try {
-        field(each, unwrap(values.get(each.name())));
+        Object value = unwrap(values.get(each.name()));
+        field(each,
+            value == null && each.initial().isPresent() ? Literals.value(each.type(), each.initial().get()) : value);
       } catch (MessageException e) {
         throw e.within(each.name());
       }
@@ -54,7 +56,7 @@ final class TreeEncoder {
     if (field.nested() != null) {
       nested(field.nested(), value);
     } else {
-      new ScalarEncoder(out).write(field.primitive(), value);
+      new ScalarEncoder(out).write(field, value);
     }
   }
 
@@ -76,6 +78,9 @@ final class TreeEncoder {
   private void array(Layout.Field field, Object value) throws MessageException {
     int length = value == null ? field.type().length() : length(field, value);
     if (field.type().arity() == FieldType.Arity.VARIABLE) {
+      if (field.type().bound() > 0 && length > field.type().bound()) {
+        throw problem("expected at most " + field.type().bound() + " values, got " + length);
+      }
       out.array(length);
     } else if (length != field.type().length()) {
       throw problem("expected " + field.type().length() + " values, got " + length);

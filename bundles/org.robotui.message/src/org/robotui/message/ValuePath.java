@@ -40,10 +40,10 @@ final class ValuePath {
     boolean time = instant.type() == Primitive.TIME;
     int secs = Stamps.secs(instant.nanos());
     return switch (name) {
-      case "secs" -> Optional.of(time
+      case "secs", "sec" -> Optional.of(time
           ? new RosValue.Whole(Integer.toUnsignedLong(secs), Primitive.UINT32)
           : new RosValue.Whole(secs, Primitive.INT32));
-      case "nsecs" -> Optional.of(new RosValue.Whole(
+      case "nsecs", "nanosec" -> Optional.of(new RosValue.Whole(
           Stamps.nsecs(instant.nanos()), time ? Primitive.UINT32 : Primitive.INT32));
       default -> Optional.empty();
     };

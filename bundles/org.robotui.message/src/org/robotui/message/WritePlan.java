@@ -62,7 +62,7 @@ final class WritePlan {
   }
 
   private MethodHandle array(RecordComponent component, Layout.Field field) {
-    int length = field.type().arity() == FieldType.Arity.FIXED ? field.type().length() : FieldReader.SENT;
+    int length = Bounds.of(field.type());
     if (component.getType() == List.class && field.nested() != null) {
       MethodHandle one = of(JavaForm.element(component).orElseThrow(), field.nested())
           .asType(MethodType.methodType(void.class, Object.class, FieldWriter.class));
@@ -85,6 +85,7 @@ final class WritePlan {
       case FLOAT32 -> writes("f32", float.class);
       case FLOAT64 -> writes("f64", double.class);
       case STRING -> writes("string", String.class);
+      case WSTRING -> writes("wstring", String.class);
       case TIME, DURATION -> writes("stamp", long.class);
     };
     return MethodHandles.explicitCastArguments(method, taking);

@@ -1,5 +1,5 @@
 /**
- * What a ROS message is: its identity ({@link org.robotui.message.MessageInfo}), its definition
+ * What a message of ROS 1 or ROS 2 is: its identity ({@link org.robotui.message.MessageInfo}), its definition
  * ({@link org.robotui.message.MessageSchema}), and codecs between its bytes and a Java value
  * ({@link org.robotui.message.MessageCodec}): those of records that are bound to their definition
  * ({@link org.robotui.message.RecordCodec}), and those that work from a definition

@@ -22,7 +22,7 @@ class DefinitionParserTest {
           float64[36]\tcovariance
         Part[] parts
         geometry_msgs/Point[2] ends
-        string name""");
+        string name""", Generation.ROS1);
     assertEquals(List.of("std_msgs/Header header", "float64[36] covariance", "my_pkg/Part[] parts",
         "geometry_msgs/Point[2] ends", "string name"),
         d.fields().stream().map(f -> f.type() + " " + f.name()).toList());
@@ -33,7 +33,7 @@ class DefinitionParserTest {
     MessageDefinition d = DefinitionParser.parse("p/T", """
         string COLOUR= #ff0000 is red # not a comment\s\s
         int32 A = 5 # five
-        float32 PI=3.14""");
+        float32 PI=3.14""", Generation.ROS1);
     assertEquals(List.of(
         new ConstantDefinition(Primitive.STRING, "COLOUR", "#ff0000 is red # not a comment"),
         new ConstantDefinition(Primitive.INT32, "A", "5"),
@@ -45,7 +45,8 @@ class DefinitionParserTest {
       "time T=5", "Foo A=1", "int32 x\nint32 x", "float64[9999999999] x"})
   void linesThatAreNoDefinitionAreRefusedWithTheirNumber(String text) {
     DefinitionException e =
-        assertThrows(DefinitionException.class, () -> DefinitionParser.parse("p/T", "bool ok\n" + text));
+        assertThrows(DefinitionException.class,
+            () -> DefinitionParser.parse("p/T", "bool ok\n" + text, Generation.ROS1));
     assertTrue(e.getMessage().contains("p/T, line "), e.getMessage());
   }
 
@@ -53,7 +54,7 @@ class DefinitionParserTest {
   void aFullTextIsTakenApartAndPutTogetherAgain() throws Exception {
     Map<String, String> texts = Map.of("p/A", "B[] bs\nstd_msgs/Header h", "p/B", "C c", "p/C", "int8 x",
         "std_msgs/Header", "uint32 seq");
-    DefinitionSource source = name -> Optional.of(DefinitionParser.parse(name, texts.get(name)));
+    DefinitionSource source = name -> Optional.of(DefinitionParser.parse(name, texts.get(name), Generation.ROS1));
     MessageSchema made = MessageSchema.resolve(source.find("p/A").orElseThrow(), source);
     String separator = "\n" + "=".repeat(80) + "\nMSG: ";
     assertEquals("B[] bs\nstd_msgs/Header h" + separator + "p/B\nC c" + separator + "p/C\nint8 x" + separator
@@ -96,10 +97,10 @@ class DefinitionParserTest {
 
   @Test
   void aServiceHasTwoParts() throws Exception {
-    ServiceDefinition s = ServiceDefinition.parse("p/S", "int8 a\n---\nint8 b\nint8 c");
+    ServiceDefinition s = ServiceDefinition.parse("p/S", "int8 a\n---\nint8 b\nint8 c", Generation.ROS1);
     assertEquals("p/SRequest", s.request().type());
     assertEquals(1, s.request().fields().size());
     assertEquals(2, s.response().fields().size());
-    assertThrows(DefinitionException.class, () -> ServiceDefinition.parse("p/S", "int8 a"));
+    assertThrows(DefinitionException.class, () -> ServiceDefinition.parse("p/S", "int8 a", Generation.ROS1));
   }
 }

@@ -43,7 +43,7 @@ final class RandomTrees {
       case BOOL -> random.nextBoolean();
       case FLOAT32 -> (float) number();
       case FLOAT64 -> number();
-      case STRING -> text();
+      case STRING, WSTRING -> text();
       case INT64 -> random.nextLong();
       case UINT64 -> new BigInteger(64, new Random(random.nextLong()));
       case TIME -> Stamps.time(random.nextInt(), random.nextInt(1_000_000_000));

@@ -116,12 +116,12 @@ class RecordBindingTest {
 
   @Test
   void errorsNameThePathAndLengthsAreBoundedBeforeMemoryIsTaken() throws Exception {
-    MessageWriter cut = new MessageWriter().string("loop").i64(0).i64(0).i64(0).i32(0).i32(0);
+    BlockWriter cut = new MessageWriter().string("loop").i64(0).i64(0).i64(0).i32(0).i32(0);
     cut.array(1).string("too long").f64(1).i32(0);
     MessageException e =
         assertThrows(MessageException.class, () -> codec(Track.class).decode(ByteBuffer.wrap(cut.toByteArray())));
     assertEquals("labels[0].spot.y", e.path());
-    MessageWriter lie = new MessageWriter().string("loop").i64(0).i64(0).i64(0).i32(0).i32(Integer.MAX_VALUE);
+    BlockWriter lie = new MessageWriter().string("loop").i64(0).i64(0).i64(0).i32(0).i32(Integer.MAX_VALUE);
     MessageException lied =
         assertThrows(MessageException.class, () -> codec(Track.class).decode(ByteBuffer.wrap(lie.toByteArray())));
     assertEquals("spots", lied.path());

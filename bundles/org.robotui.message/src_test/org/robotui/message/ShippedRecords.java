@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -14,23 +16,42 @@ public final class ShippedRecords {
 
   private ShippedRecords() {}
 
-  /** The codecs by the name of the ROS type, services' requests and responses included. */
+  /** The codecs of ROS 1 by the name of the type, services' requests and responses included. */
   static Map<String, RecordCodec<?>> codecs() throws IOException {
     Map<String, RecordCodec<?>> codecs = new TreeMap<>();
+    for (Class<? extends Record> each : records()) {
+      if (new ShippedDefinitions(Generation.ROS1).has(RecordCodec.typeOf(each))) {
+        codecs.put(RecordCodec.typeOf(each), RecordCodec.of(each));
+      }
+    }
+    return codecs;
+  }
+
+  private static List<Class<? extends Record>> records() throws IOException {
+    List<Class<? extends Record>> records = new ArrayList<>();
     Path root = classes();
     try (Stream<Path> files = Files.walk(root.resolve("org/robotui/message/ros"))) {
       for (Path each : (Iterable<Path>) files.filter(f -> f.toString().endsWith(".class"))::iterator) {
         String name = root.relativize(each).toString().replace('/', '.').replaceFirst("\\.class$", "");
         Class<?> type = Class.forName(name);
         if (type.isRecord()) {
-          RecordCodec<?> codec = RecordCodec.of(type.asSubclass(Record.class));
-          codecs.put(codec.info().type(), codec);
+          records.add(type.asSubclass(Record.class));
         }
       }
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(e);
     }
-    return codecs;
+    return records;
+  }
+
+  /** The record of a type. */
+  static Class<? extends Record> record(String type) throws IOException {
+    return records().stream().filter(each -> RecordCodec.typeOf(each).equals(type)).findFirst().orElseThrow();
+  }
+
+  /** Whether a record has all that ROS 2 sends. */
+  static boolean isComplete(String type) {
+    return !type.matches("std_msgs/Empty|sensor_msgs/Range|visualization_msgs/(Interactive)?Marker.*");
   }
 
   /** The codec of one type, empty if there is no record of it. */

@@ -81,7 +81,8 @@ final class Publication<T> implements Publisher<T> {
 
   private ByteBuffer frame(T message) {
     MessageWriter writer = new MessageWriter(expectedSize);
-    codec.encode(message, writer.i32(0));
+    writer.i32(0);
+    codec.encode(message, writer);
     writer.patchI32(0, writer.size() - Integer.BYTES);
     expectedSize = writer.size();
     return writer.view();

@@ -57,7 +57,8 @@ final class ServiceCaller<Q, R> implements ServiceClient<Q, R>, Closeable {
   }
 
   private byte[] frame(Q request) {
-    MessageWriter out = new MessageWriter().i32(0);
+    MessageWriter out = new MessageWriter();
+    out.i32(0);
     codec.request().encode(request, out);
     out.patchI32(0, out.size() - Integer.BYTES);
     return out.toByteArray();

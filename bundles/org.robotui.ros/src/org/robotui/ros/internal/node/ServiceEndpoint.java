@@ -110,7 +110,8 @@ final class ServiceEndpoint<Q, R> implements ServiceServer {
   }
 
   private static byte[] reply(int ok, Consumer<MessageWriter> body) {
-    MessageWriter out = new MessageWriter().u8(ok).i32(0);
+    MessageWriter out = new MessageWriter();
+    out.u8(ok).i32(0);
     body.accept(out);
     out.patchI32(1, out.size() - 1 - Integer.BYTES);
     return out.toByteArray();

@@ -50,7 +50,8 @@ public record ConnectionHeader(Map<String, String> fields) {
 
   /** The header as it travels, with its length in front. */
   public byte[] encode() {
-    MessageWriter out = new MessageWriter(1024).i32(0);
+    MessageWriter out = new MessageWriter(1024);
+    out.i32(0);
     fields.forEach((name, value) -> out.string(name + "=" + value));
     out.patchI32(0, out.size() - Integer.BYTES);
     return out.toByteArray();

@@ -80,7 +80,7 @@ public final class RosShapes {
       case UINT64 -> new FieldShape.Whole(LONG, false);
       case FLOAT32 -> new FieldShape.Real(WORD);
       case FLOAT64 -> new FieldShape.Real(LONG);
-      case STRING -> new FieldShape.Text();
+      case STRING, WSTRING -> new FieldShape.Text();
       case TIME -> new FieldShape.Time();
       case DURATION -> new FieldShape.Duration();
     };
