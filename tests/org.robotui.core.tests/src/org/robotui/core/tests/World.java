@@ -38,10 +38,10 @@ final class World implements AutoCloseable {
   static final String TEXT = "org.robotui.uic.text";
   static final String SINGLE = "org.robotui.ruic.single";
 
-  private static final List<String> PARTS =
-      List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.message", "org.robotui.ros",
-          "org.robotui.rfic.ros", "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm",
-          "org.robotui.rfic.lcm");
+  private static final List<String> PARTS = List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.message",
+      "org.robotui.message.data", "org.robotui.ros",
+      "org.robotui.rfic.ros", "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm",
+      "org.robotui.rfic.lcm");
   private static final long SERVICE_MILLIS = 10_000;
 
   private final Path folder;

@@ -34,7 +34,7 @@ import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerFeedback;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
-import org.robotui.rfic.ros.internal.convert.SampleMarkers;
+import org.robotui.rfic.ros.internal.graph.SampleHandles;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -67,7 +67,7 @@ class InteractiveMarkersTest {
     updates =
         server.publisher("/goals/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard());
     server.publisher("/goals/update_full", RecordCodec.of(InteractiveMarkerInit.class), PublisherOptions.latched())
-        .publish(new InteractiveMarkerInit("s", 4, List.of(SampleMarkers.interactive("goal", 2))));
+        .publish(new InteractiveMarkerInit("s", 4, List.of(SampleHandles.interactive("goal", 2))));
     server.subscriber("/goals/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(),
         (m, from) -> heard.add(m));
   }

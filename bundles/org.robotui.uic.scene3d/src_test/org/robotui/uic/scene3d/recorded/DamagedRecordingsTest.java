@@ -30,9 +30,11 @@ import org.robotui.message.LocalDefinitions;
 import org.robotui.message.MessageException;
 import org.robotui.message.MessageInfo;
 import org.robotui.message.MessageRegistry;
-import org.robotui.rfic.ros.internal.convert.Adapter;
-import org.robotui.rfic.ros.internal.convert.Adapters;
-import org.robotui.rfic.ros.internal.convert.FrameNames;
+import org.robotui.message.data.Adapter;
+import org.robotui.message.data.Adapters;
+import org.robotui.message.data.FrameNames;
+import org.robotui.rfic.ros.internal.convert.MessageReading;
+import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.testkit.Effort;
 import org.robotui.testkit.display.DisplayProbe;
 import org.robotui.testkit.display.FakePlaces;
@@ -57,7 +59,9 @@ class DamagedRecordingsTest {
   /** The largest picture of the recordings has six megabytes; a cloud needs up to thrice its bytes. */
   private static final long MOST_BYTES = 64 << 20;
 
-  private final Adapters adapters = new Adapters(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
+  private static final RecordDecoder RECORDS =
+      new RecordDecoder(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
+  private final Adapters adapters = new Adapters();
   private final SplittableRandom random = new SplittableRandom(20261122);
 
   @ParameterizedTest
@@ -84,8 +88,9 @@ class DamagedRecordingsTest {
   private static <M, D extends Data> Optional<D> decode(Adapter<M, D> adapter, Recorded message, byte[] bytes) {
     MessageInfo info = new MessageInfo(message.type(), message.md5(), message.definition());
     try {
-      return adapter.convert()
-          .apply(adapter.codec().decode(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN), info), NAMES);
+      return adapter.convert().apply(
+          MessageReading.of(adapter.form(), RECORDS).read(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN), info),
+          NAMES);
     } catch (MessageException | IllegalArgumentException e) {
       assertTrue(e.getMessage() != null && !e.getMessage().isBlank(), e::toString);
       return Optional.empty();

@@ -27,9 +27,11 @@ import org.robotui.message.LocalDefinitions;
 import org.robotui.message.MessageException;
 import org.robotui.message.MessageInfo;
 import org.robotui.message.MessageRegistry;
-import org.robotui.rfic.ros.internal.convert.Adapter;
-import org.robotui.rfic.ros.internal.convert.Adapters;
-import org.robotui.rfic.ros.internal.convert.FrameNames;
+import org.robotui.message.data.Adapter;
+import org.robotui.message.data.Adapters;
+import org.robotui.message.data.FrameNames;
+import org.robotui.rfic.ros.internal.convert.MessageReading;
+import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.testkit.Displays;
 import org.robotui.testkit.ScenePictures;
 import org.robotui.testkit.display.DisplayProbe;
@@ -58,7 +60,9 @@ class RecordedDataTest {
           "marker_cube.bag", 2, "no_messages.bag", 0);
   private static final FrameNames NAMES = new FrameNames(FakePlaces.ROBOT, ClockKind.ROBOT);
 
-  private final Adapters adapters = new Adapters(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
+  private static final RecordDecoder RECORDS =
+      new RecordDecoder(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
+  private final Adapters adapters = new Adapters();
   private final Map<String, DisplayProbe> probes = new TreeMap<>();
   private final Map<String, DisplayResult> results = new TreeMap<>();
 
@@ -85,8 +89,8 @@ class RecordedDataTest {
   private static <M, D extends Data> Optional<D> decode(Adapter<M, D> adapter, Recorded message)
       throws MessageException {
     MessageInfo info = new MessageInfo(message.type(), message.md5(), message.definition());
-    return adapter.convert()
-        .apply(adapter.codec().decode(message.bytes().duplicate().order(message.bytes().order()), info), NAMES);
+    return adapter.convert().apply(MessageReading.of(adapter.form(), RECORDS)
+        .read(message.bytes().duplicate().order(message.bytes().order()), info), NAMES);
   }
 
   private void show(String topic, Data value) {

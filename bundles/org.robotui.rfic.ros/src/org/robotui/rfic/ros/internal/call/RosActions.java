@@ -18,7 +18,7 @@ import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageRegistry;
 import org.robotui.message.SchemaLookup;
-import org.robotui.rfic.ros.internal.convert.RosRecord;
+import org.robotui.message.data.MessageRecord;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.action.ActionClient;
@@ -90,7 +90,7 @@ public final class RosActions implements CallHandler<ActionRequest, ActionReply>
 
       @Override
       public void onFeedback(DynamicMessage feedback) {
-        invocation.feedback(new RosRecord(feedback));
+        invocation.feedback(new MessageRecord(feedback));
       }
     };
   }
@@ -117,7 +117,7 @@ public final class RosActions implements CallHandler<ActionRequest, ActionReply>
 
   private static ActionReply reply(GoalOutcome outcome) {
     return new ActionReply(ActionReply.End.valueOf(outcome.end().name()), outcome.text(),
-        outcome.result().<DynamicRecord>map(RosRecord::new));
+        outcome.result().<DynamicRecord>map(MessageRecord::new));
   }
 
   private ActionClient borrow(String action) throws CallException {

@@ -14,7 +14,7 @@ import org.robotui.message.MessageRegistry;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.ServiceSchema;
-import org.robotui.rfic.ros.internal.convert.RosShapes;
+import org.robotui.message.data.MessageShapes;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceIdentity;
 import org.robotui.ros.SystemState;
@@ -39,7 +39,8 @@ final class RosDescriber {
     facts.put("publishers", joined(state.publishers().getOrDefault(item.name(), List.of())));
     facts.put("subscribers", joined(state.subscribers().getOrDefault(item.name(), List.of())));
     Optional<MessageSchema> schema = found(registry.message(item.type()), facts);
-    return new Description(item, facts, schema.map(RosDescriber::text), schema.map(RosShapes::of), Optional.empty());
+    return new Description(item, facts, schema.map(RosDescriber::text), schema.map(MessageShapes::of),
+        Optional.empty());
   }
 
   Description service(Item item) throws CallException {
@@ -50,7 +51,8 @@ final class RosDescriber {
     Item typed = new Item(item.kind(), item.name(), identity.type());
     Optional<ServiceSchema> schema = found(registry.service(identity.type(), identity.md5()), facts);
     return new Description(typed, facts, schema.map(s -> text(s.request()) + PARTS + text(s.response())),
-        schema.map(ServiceSchema::request).map(RosShapes::of), schema.map(ServiceSchema::response).map(RosShapes::of));
+        schema.map(ServiceSchema::request).map(MessageShapes::of),
+        schema.map(ServiceSchema::response).map(MessageShapes::of));
   }
 
   /** The type of an action is that of its goal, result and feedback together: only the parts are messages. */
@@ -62,8 +64,8 @@ final class RosDescriber {
     Optional<ActionType> type = found(ActionType.find(item.type(), registry), facts);
     Optional<String> definition = type.map(t -> Stream.of(t.goal(), t.result(), t.feedback()).map(RosDescriber::text)
         .collect(Collectors.joining(PARTS)));
-    return new Description(item, facts, definition, type.map(ActionType::goal).map(RosShapes::of),
-        type.map(ActionType::result).map(RosShapes::of));
+    return new Description(item, facts, definition, type.map(ActionType::goal).map(MessageShapes::of),
+        type.map(ActionType::result).map(MessageShapes::of));
   }
 
   Description robotNode(Item item, SystemState state) throws CallException {

@@ -12,7 +12,7 @@ import org.robotui.message.MessageRegistry;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.ServiceCodec;
 import org.robotui.message.ServiceSchema;
-import org.robotui.rfic.ros.internal.convert.RosRecord;
+import org.robotui.message.data.MessageRecord;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.ServiceIdentity;
@@ -44,7 +44,7 @@ public final class RosServices implements CallHandler<ServiceRequest, ServiceRep
         new ServiceCodec<>(identity.type(), schema.md5(), requests, replies);
     try (ServiceClient<DynamicMessage, DynamicMessage> client = node.serviceClient(request.service(), codec, false)) {
       return new ServiceReply(
-          new RosRecord(Outcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
+          new MessageRecord(Outcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
     } catch (MessageException e) {
       throw new CallException(request.service() + " is not asked like this: " + e.getMessage(), e);
     }

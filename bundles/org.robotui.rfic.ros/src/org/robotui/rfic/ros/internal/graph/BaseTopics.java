@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.robotui.data.command.VelocityCommand;
-import org.robotui.rfic.ros.internal.convert.CommandType;
+import org.robotui.message.data.CommandType;
 
 /**
  * The topics that move the base, among all that take velocities (an arm that is servoed, a camera, the inputs of a

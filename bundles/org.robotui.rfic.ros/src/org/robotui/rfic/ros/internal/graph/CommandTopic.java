@@ -12,8 +12,9 @@ import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Offer;
 import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
+import org.robotui.message.RecordCodec;
+import org.robotui.message.data.CommandType;
 import org.robotui.rfic.ros.internal.RosSettings;
-import org.robotui.rfic.ros.internal.convert.CommandType;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;
@@ -61,7 +62,7 @@ final class CommandTopic implements AutoCloseable {
   }
 
   /** Holds the types of one command together. */
-  private final class Entry<D extends Data, M> implements CommandSink<D> {
+  private final class Entry<D extends Data, M extends Record> implements CommandSink<D> {
     private final CommandType<D, M> command;
     private final SessionClock clock;
     private final Publisher<M> publisher;
@@ -72,7 +73,7 @@ final class CommandTopic implements AutoCloseable {
     Entry(CommandType<D, M> command, RficContext context, String port, RosNode node, SessionClock clock) {
       this.command = command;
       this.clock = clock;
-      this.publisher = node.publisher(topic, command.codec(), PublisherOptions.commands());
+      this.publisher = node.publisher(topic, RecordCodec.of(command.form()), PublisherOptions.commands());
       this.offer = context.offers().command(
           new CommandPort<>(port, command.data(), Arity.MANY, topic + ": " + command.help()), this);
     }

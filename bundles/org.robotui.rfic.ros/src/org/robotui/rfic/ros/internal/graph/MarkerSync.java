@@ -11,11 +11,11 @@ import java.util.function.Consumer;
 import org.robotui.data.Keyed;
 import org.robotui.data.marker.InteractiveMarker;
 import org.robotui.data.marker.InteractiveMarkerSet.Entry;
+import org.robotui.message.data.FrameNames;
+import org.robotui.message.data.InteractiveMarkers;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerPose;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
-import org.robotui.rfic.ros.internal.convert.FrameNames;
-import org.robotui.rfic.ros.internal.convert.InteractiveMarkers;
 
 /**
  * The markers of one server, kept equal to what it has. Updates are numbered: where one is missing, the markers are

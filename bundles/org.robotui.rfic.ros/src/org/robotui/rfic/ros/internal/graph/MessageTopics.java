@@ -14,7 +14,7 @@ import org.robotui.message.MessageException;
 import org.robotui.message.MessageRegistry;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
-import org.robotui.rfic.ros.internal.convert.CommandType;
+import org.robotui.message.data.CommandType;
 import org.robotui.ros.Publisher;
 import org.robotui.ros.PublisherOptions;
 import org.robotui.ros.RosNode;

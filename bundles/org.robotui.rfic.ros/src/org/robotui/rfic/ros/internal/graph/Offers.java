@@ -11,10 +11,11 @@ import java.util.stream.Collectors;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.data.command.Motion;
+import org.robotui.message.data.Adapters;
+import org.robotui.message.data.CommandType;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosPorts;
-import org.robotui.rfic.ros.internal.convert.Adapters;
-import org.robotui.rfic.ros.internal.convert.CommandType;
+import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.ros.RosNode;
 
 /** Keeps the offered ports equal to the graph. Used by the one thread that follows the graph, but for closing. */
@@ -26,7 +27,8 @@ final class Offers implements AutoCloseable {
   private final RosSettings settings;
   private final RosNode node;
   private final SessionClock clock;
-  private final Adapters adapters;
+  private final Adapters adapters = new Adapters();
+  private final RecordDecoder records;
   private final LinkWatch watch;
   private final Pulse pulse;
   private final MarkerFeedbacks feedbacks;
@@ -40,7 +42,7 @@ final class Offers implements AutoCloseable {
       RosSettings settings,
       RosNode node,
       SessionClock clock,
-      Adapters adapters,
+      RecordDecoder records,
       LinkWatch watch,
       Pulse pulse,
       MarkerFeedbacks feedbacks) {
@@ -48,7 +50,7 @@ final class Offers implements AutoCloseable {
     this.settings = settings;
     this.node = node;
     this.clock = clock;
-    this.adapters = adapters;
+    this.records = records;
     this.watch = watch;
     this.pulse = pulse;
     this.feedbacks = feedbacks;
@@ -115,7 +117,7 @@ final class Offers implements AutoCloseable {
   private Followed stream(String topic, String type) {
     return MarkerStream.serves(topic, type)
         ? new MarkerStream(topic, context, settings, node, clock, watch, pulse, feedbacks)
-        : new TopicStream(topic, adapters.of(type), adapters.records(), context, settings, node, clock, watch, pulse);
+        : new TopicStream(topic, adapters.of(type), records, context, settings, node, clock, watch, pulse);
   }
 
   private Map<String, String> commandTopics(Map<String, String> subscribed) {

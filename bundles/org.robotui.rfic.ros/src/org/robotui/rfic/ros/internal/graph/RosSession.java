@@ -15,6 +15,7 @@ import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.RobotSession;
 import org.robotui.message.MessageRegistry;
+import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActions;
@@ -22,7 +23,6 @@ import org.robotui.rfic.ros.internal.call.RosBrowser;
 import org.robotui.rfic.ros.internal.call.RosPorts;
 import org.robotui.rfic.ros.internal.call.RosServices;
 import org.robotui.rfic.ros.internal.call.RosTunables;
-import org.robotui.rfic.ros.internal.convert.Adapters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosNode;
@@ -74,7 +74,7 @@ public final class RosSession implements RobotSession {
     this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), care.apply(options));
     this.clock = new SessionClock(context, node.clock());
     MarkerFeedbacks feedbacks = new MarkerFeedbacks(node, pulse);
-    this.offers = new Offers(context, settings, node, clock, new Adapters(registry), watch, pulse, feedbacks);
+    this.offers = new Offers(context, settings, node, clock, new RecordDecoder(registry), watch, pulse, feedbacks);
     this.handled = context.offers().command(RosPorts.MARKER_FEEDBACK, feedbacks);
     this.transforms = new TransformFeed(context, node, clock, settings, master);
     this.description = new DescriptionFeed(context, node.parameters(), settings,

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robotui.api.RficContext;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
-import org.robotui.rfic.ros.internal.convert.FrameNames;
+import org.robotui.message.data.FrameNames;
 import org.robotui.ros.NodeClock;
 
 /** Tells core the robot's time and names the clock of stamps. */

@@ -1,6 +1,7 @@
 package org.robotui.rfic.ros.internal.graph;
 
 import java.util.Optional;
+import java.util.function.Function;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
@@ -10,9 +11,10 @@ import org.robotui.api.port.StreamPort;
 import org.robotui.data.Data;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
+import org.robotui.message.data.Adapter;
+import org.robotui.message.data.FrameNames;
 import org.robotui.rfic.ros.internal.RosSettings;
-import org.robotui.rfic.ros.internal.convert.Adapter;
-import org.robotui.rfic.ros.internal.convert.FrameNames;
+import org.robotui.rfic.ros.internal.convert.MessageReading;
 import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.ros.Reception;
 import org.robotui.ros.RosNode;
@@ -143,14 +145,20 @@ final class TopicStream implements Followed {
     }
 
     Subscriber subscribe() {
-      return node.subscriber(topic, typed.codec(), SubscriberOptions.observing(), this::received);
+      return subscribe(MessageReading.of(typed.form(), records));
     }
 
-    private void received(M message, Reception reception) {
+    private <R> Subscriber subscribe(MessageReading<R, M> reading) {
+      return node.subscriber(topic, reading.codec(), SubscriberOptions.observing(),
+          (message, reception) -> received(message, reading.message(), reception));
+    }
+
+    private <R> void received(R received, Function<R, M> reading, Reception reception) {
       FrameNames names = clock.names();
       pulse.heard(reception.receiveNanos());
       publication.kept(reception.latched());
       try {
+        M message = reading.apply(received);
         Optional<D> value = typed.convert().apply(message, names);
         value.ifPresent(v -> publication.publish(v, clock.stamp(typed.stamp().applyAsLong(message), names),
             reception.receiveNanos(), Optional.of(raw(v, reception))));

@@ -12,12 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.robotui.data.ClockKind;
 import org.robotui.data.marker.InteractiveMarker;
 import org.robotui.data.marker.InteractiveMarkerSet.Entry;
+import org.robotui.message.data.FrameNames;
 import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerPose;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
-import org.robotui.rfic.ros.internal.convert.FrameNames;
-import org.robotui.rfic.ros.internal.convert.SampleMarkers;
 
 class MarkerSyncTest {
   private static final FrameNames NAMES = new FrameNames("robby", ClockKind.ROBOT);
@@ -26,7 +25,7 @@ class MarkerSyncTest {
 
   private static InteractiveMarkerInit all(long number, String... names) {
     return new InteractiveMarkerInit("s", number,
-        Arrays.stream(names).map(n -> SampleMarkers.interactive(n, number)).toList());
+        Arrays.stream(names).map(n -> SampleHandles.interactive(n, number)).toList());
   }
 
   private static InteractiveMarkerUpdate alive(long number) {
@@ -35,7 +34,7 @@ class MarkerSyncTest {
   }
 
   private static InteractiveMarkerUpdate moved(long number, String name, double x) {
-    InteractiveMarkerPose pose = new InteractiveMarkerPose(new Header(0, 0, "map"), SampleMarkers.pose(x, 0, 0), name);
+    InteractiveMarkerPose pose = new InteractiveMarkerPose(new Header(0, 0, "map"), SampleHandles.pose(x, 0, 0), name);
     return new InteractiveMarkerUpdate("s", number, InteractiveMarkerUpdate.UPDATE, List.of(), List.of(pose),
         List.of());
   }

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -21,13 +21,12 @@ import org.robotui.data.marker.InteractiveMarker.Mode;
 import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.Vector3;
 import org.robotui.message.DynamicCodec;
-import org.robotui.message.LocalDefinitions;
+import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageCodec;
 import org.robotui.message.MessageException;
-import org.robotui.message.MessageRegistry;
+import org.robotui.message.MessageReader;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.MessageWriter;
-import org.robotui.message.RawMessage;
 import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.geometry_msgs.WrenchStamped;
 import org.robotui.message.ros.std_msgs.Header;
@@ -40,7 +39,7 @@ import org.robotui.message.ros.visualization_msgs.MarkerArray;
 class MarkerAdaptersTest {
   private static final FrameNames NAMES = new FrameNames("robby", ClockKind.ROBOT);
   private static final double[] SIX = new double[18];
-  private final Adapters adapters = new Adapters(new MessageRegistry(new LocalDefinitions(List.of(), List.of())));
+  private final Adapters adapters = new Adapters();
 
   @SuppressWarnings("unchecked") // the message is of the type that is named
   private <M> Data convert(String type, M message) {
@@ -171,8 +170,8 @@ class MarkerAdaptersTest {
             java.util.Map.of("joint_names", List.of("a", "b"), "points", List.of(point)))),
         "trajectory_start",
         java.util.Map.of("joint_state", java.util.Map.of("name", List.of("a"), "position", List.of(0.5))))).bytes();
-    DisplayedTrajectory plan =
-        (DisplayedTrajectory) convert("moveit_msgs/DisplayTrajectory", new RawMessage(schema.info(), bytes));
+    DisplayedTrajectory plan = (DisplayedTrajectory) convert("moveit_msgs/DisplayTrajectory",
+        DynamicMessage.read(schema, new MessageReader(bytes)));
     assertEquals("arm", plan.model());
     assertEquals(0.5, plan.start().getFirst().position());
     assertEquals(List.of("a", "b"), plan.parts().getFirst().joints());

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -1,28 +1,20 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.robotui.data.record.DynamicRecord;
-import org.robotui.message.MessageRegistry;
-import org.robotui.message.RawCodec;
 
 /** All conversions by ROS type. A type that has none becomes a dynamic record. */
 public final class Adapters {
   private final Map<String, Adapter<?, ?>> byType;
-  private final RecordDecoder records;
 
-  /**
-   * The standard types.
-   *
-   * @param registry knows message definitions
-   */
-  public Adapters(MessageRegistry registry) {
-    this.records = new RecordDecoder(registry);
+  /** The standard types. */
+  public Adapters() {
     Map<String, Adapter<?, ?>> all = new HashMap<>();
     List.of(SensorAdapters.all(), CloudAdapters.all(), MotionAdapters.all(), NavigationAdapters.all(),
         StateAdapters.all(),
-        MarkerAdapters.all(registry), PlanAdapters.all(records))
+        MarkerAdapters.all(), PlanAdapters.all())
         .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
     this.byType = Map.copyOf(all);
   }
@@ -30,21 +22,11 @@ public final class Adapters {
   /**
    * The conversion of a type.
    *
-   * @param type a ROS type
+   * @param type a ROS type of two parts, such as {@code sensor_msgs/LaserScan}
    * @return its own, or that into dynamic records
    */
   public Adapter<?, ?> of(String type) {
     Adapter<?, ?> known = byType.get(type);
-    return known != null ? known
-        : Adapter.of(type, RawCodec::new, DynamicRecord.class, (m, names) -> records.decode(m), m -> 0);
-  }
-
-  /**
-   * Reads messages of any type as dynamic records.
-   *
-   * @return the decoder
-   */
-  public RecordDecoder records() {
-    return records;
+    return known != null ? known : Adapter.ofDynamic(type, DynamicRecord.class, (m, names) -> new MessageRecord(m));
   }
 }

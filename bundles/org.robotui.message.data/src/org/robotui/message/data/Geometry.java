@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,7 +12,6 @@ import org.robotui.data.sensor.Battery;
 import org.robotui.data.status.Diagnostics;
 import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
-import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.diagnostic_msgs.DiagnosticArray;
 import org.robotui.message.ros.diagnostic_msgs.DiagnosticStatus;
 import org.robotui.message.ros.geometry_msgs.TransformStamped;
@@ -38,9 +37,11 @@ public final class StateAdapters {
         Adapter.of(DiagnosticArray.class, Diagnostics.class,
             (m, names) -> diagnostics(m), m -> m.header().stamp()),
         Adapter.of(Log.class, LogEntry.class, (m, names) -> log(m), m -> m.header().stamp()),
-        new Adapter<>("tf2_msgs/TFMessage", () -> RecordCodec.of(TFMessage.class), TransformSet.class,
+        Adapter.of(org.robotui.message.ros.rcl_interfaces.Log.class, LogEntry.class, (m, names) -> log(m),
+            m -> m.stamp()),
+        new Adapter<>("tf2_msgs/TFMessage", new MessageForm.Bound<>(TFMessage.class, false), TransformSet.class,
             (m, names) -> transforms(m, names, false), StateAdapters::stampOf),
-        new Adapter<>("tf/tfMessage", () -> RecordCodec.of(org.robotui.message.ros.tf.TfMessage.class),
+        new Adapter<>("tf/tfMessage", new MessageForm.Bound<>(org.robotui.message.ros.tf.TfMessage.class, false),
             TransformSet.class,
             (m, names) -> transforms(new TFMessage(m.transforms()), names, false), m -> 0));
   }
@@ -126,8 +127,19 @@ public final class StateAdapters {
   }
 
   private static LogEntry log(Log m) {
-    String location = m.file().isEmpty() ? "" : m.file() + ":" + m.line();
-    return new LogEntry(severity(m.level()), m.name(), m.msg(), location);
+    return new LogEntry(severity(m.level()), m.name(), m.msg(), location(m.file(), m.line()));
+  }
+
+  /** Levels of ROS 2 are tens, of which the constants are the lowest of each. */
+  private static LogEntry log(org.robotui.message.ros.rcl_interfaces.Log m) {
+    Severity[] severities =
+        {Severity.DEBUG, Severity.DEBUG, Severity.INFO, Severity.WARNING, Severity.ERROR, Severity.FATAL};
+    int level = Math.clamp(m.level() / org.robotui.message.ros.rcl_interfaces.Log.DEBUG, 0, severities.length - 1);
+    return new LogEntry(severities[level], m.name(), m.msg(), location(m.file(), m.line()));
+  }
+
+  private static String location(String file, long line) {
+    return file.isEmpty() ? "" : file + ":" + line;
   }
 
   private static Severity severity(int level) {

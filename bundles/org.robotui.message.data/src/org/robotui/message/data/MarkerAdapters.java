@@ -1,10 +1,9 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.ToLongFunction;
 import org.robotui.data.Stamp;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Floats;
@@ -14,9 +13,6 @@ import org.robotui.data.marker.MarkerSet;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
-import org.robotui.message.MessageRegistry;
-import org.robotui.message.RecordCodec;
-import org.robotui.message.VersionTolerantCodec;
 import org.robotui.message.ros.geometry_msgs.Pose;
 import org.robotui.message.ros.std_msgs.ColorRGBA;
 import org.robotui.message.ros.visualization_msgs.MarkerArray;
@@ -29,19 +25,13 @@ final class MarkerAdapters {
   private MarkerAdapters() {}
 
   /** In all their versions: the definition of markers has grown with rviz, and is found in old recordings. */
-  static List<Adapter<?, ?>> all(MessageRegistry registry) {
+  static List<Adapter<?, ?>> all() {
     return List.of(
-        versions(org.robotui.message.ros.visualization_msgs.Marker.class, registry,
+        Adapter.ofAnyVersion(org.robotui.message.ros.visualization_msgs.Marker.class, MarkerSet.class,
             (m, names) -> set(List.of(m), names),
             m -> m.header().stamp()),
-        versions(MarkerArray.class, registry, (m, names) -> set(m.markers(), names),
+        Adapter.ofAnyVersion(MarkerArray.class, MarkerSet.class, (m, names) -> set(m.markers(), names),
             m -> m.markers().isEmpty() ? 0 : m.markers().getFirst().header().stamp()));
-  }
-
-  private static <M extends Record> Adapter<M, MarkerSet> versions(
-      Class<M> message, MessageRegistry registry, Adapter.Simple<M, MarkerSet> convert, ToLongFunction<M> stamp) {
-    return Adapter.of(RecordCodec.typeOf(message), () -> new VersionTolerantCodec<>(RecordCodec.of(message), registry),
-        MarkerSet.class, convert, stamp);
   }
 
   private static MarkerSet set(List<org.robotui.message.ros.visualization_msgs.Marker> markers, FrameNames names) {

@@ -1,25 +1,24 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
 import org.robotui.data.Data;
-import org.robotui.message.MessageCodec;
+import org.robotui.message.DynamicMessage;
 import org.robotui.message.RecordCodec;
 
 /**
- * How messages of one ROS type become data.
+ * How messages of one ROS type become data, whatever they were encoded in.
  *
  * @param <M> the Java value of a message
  * @param <D> the data type
  * @param type the ROS type
- * @param reader makes what reads the messages, when the first robot sends some
+ * @param form the Java value of a message
  * @param data the data type
  * @param convert turns one into the other
  * @param stamp the time of measurement, nanoseconds; 0 where the message carries none
  */
 public record Adapter<M, D extends Data>(
-    String type, Supplier<MessageCodec<M>> reader, Class<D> data, Convert<M, D> convert, ToLongFunction<M> stamp) {
+    String type, MessageForm<M> form, Class<D> data, Convert<M, D> convert, ToLongFunction<M> stamp) {
   /**
    * Turns a message into data.
    *
@@ -42,21 +41,24 @@ public record Adapter<M, D extends Data>(
   /** Of messages that a record holds, which is bound to their definition. */
   static <M extends Record, D extends Data> Adapter<M, D> of(
       Class<M> message, Class<D> data, Simple<M, D> convert, ToLongFunction<M> stamp) {
-    return of(RecordCodec.typeOf(message), () -> RecordCodec.of(message), data, convert, stamp);
+    return of(RecordCodec.typeOf(message), new MessageForm.Bound<>(message, false), data, convert, stamp);
   }
 
-  static <M, D extends Data> Adapter<M, D> of(
-      String type, Supplier<MessageCodec<M>> reader, Class<D> data, Simple<M, D> convert, ToLongFunction<M> stamp) {
-    return new Adapter<>(type, reader, data, (m, f) -> Optional.of(convert.apply(m, f)), stamp);
+  /** Of messages whose definition has grown over the years. */
+  static <M extends Record, D extends Data> Adapter<M, D> ofAnyVersion(
+      Class<M> message, Class<D> data, Simple<M, D> convert, ToLongFunction<M> stamp) {
+    return of(RecordCodec.typeOf(message), new MessageForm.Bound<>(message, true), data, convert, stamp);
   }
 
-  /**
-   * What reads the messages.
-   *
-   * @return the codec
-   */
-  public MessageCodec<M> codec() {
-    return reader.get();
+  /** Of messages that no record holds. */
+  static <D extends Data> Adapter<DynamicMessage, D> ofDynamic(String type, Class<D> data,
+      Simple<DynamicMessage, D> convert) {
+    return of(type, new MessageForm.Dynamic(), data, convert, m -> 0);
+  }
+
+  private static <M, D extends Data> Adapter<M, D> of(
+      String type, MessageForm<M> form, Class<D> data, Simple<M, D> convert, ToLongFunction<M> stamp) {
+    return new Adapter<>(type, form, data, (m, f) -> Optional.of(convert.apply(m, f)), stamp);
   }
 
   /** A conversion that always has a result. */

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.List;
 import java.util.Optional;
@@ -14,7 +14,7 @@ import org.robotui.message.RosValue;
  *
  * @param message the message, decoded when asked
  */
-public record RosRecord(DynamicMessage message) implements DynamicRecord {
+public record MessageRecord(DynamicMessage message) implements DynamicRecord {
   @Override
   public String schema() {
     return message.type();
@@ -27,7 +27,7 @@ public record RosRecord(DynamicMessage message) implements DynamicRecord {
 
   @Override
   public Optional<FieldValue> field(String name) {
-    return message.field(name).map(RosRecord::value);
+    return message.field(name).map(MessageRecord::value);
   }
 
   private static FieldValue value(RosValue value) {
@@ -39,9 +39,9 @@ public record RosRecord(DynamicMessage message) implements DynamicRecord {
       case RosValue.Instant t -> new FieldValue.Time(t.nanos());
       case RosValue.Numbers n -> new FieldValue.Numbers(Doubles.wrap(n.values().toDoubles()));
       case RosValue.Texts t -> new FieldValue.Items(t.values().stream().<FieldValue>map(FieldValue.Text::new).toList());
-      case RosValue.Nested n -> new FieldValue.Nested(new RosRecord(n.value()));
+      case RosValue.Nested n -> new FieldValue.Nested(new MessageRecord(n.value()));
       case RosValue.Messages m -> new FieldValue.Items(
-          m.values().stream().<FieldValue>map(x -> new FieldValue.Nested(new RosRecord(x))).toList());
+          m.values().stream().<FieldValue>map(x -> new FieldValue.Nested(new MessageRecord(x))).toList());
     };
   }
 }

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.List;
 import java.util.Optional;
@@ -11,8 +11,6 @@ import org.robotui.data.navigation.NavigationGoal;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.data.navigation.Path;
 import org.robotui.data.navigation.PoseEstimate;
-import org.robotui.message.MessageCodec;
-import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.geometry_msgs.PoseStamped;
 import org.robotui.message.ros.geometry_msgs.PoseWithCovariance;
 import org.robotui.message.ros.geometry_msgs.PoseWithCovarianceStamped;
@@ -24,17 +22,17 @@ import org.robotui.message.ros.std_msgs.Header;
  * How a command becomes a ROS message.
  *
  * @param <D> the data type
- * @param <M> the Java value of a message
+ * @param <M> the record of a message
  * @param type the ROS type
  * @param data the data type
- * @param codec writes the messages
+ * @param form the record of the messages
  * @param message turns one into the other, with the present time in nanoseconds
  * @param named whether only topics that the configuration names take it: of others that are subscribed to, most show
  * what the robot plans
  * @param help a sentence for users
  */
-public record CommandType<D extends Data, M>(
-    String type, Class<D> data, MessageCodec<M> codec, Stamped<D, M> message, boolean named, String help) {
+public record CommandType<D extends Data, M extends Record>(
+    String type, Class<D> data, Class<M> form, Stamped<D, M> message, boolean named, String help) {
   /**
    * Makes a message.
    *
@@ -54,22 +52,20 @@ public record CommandType<D extends Data, M>(
   }
 
   private static final List<CommandType<?, ?>> ALL = List.of(
-      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, RecordCodec.of(Twist.class), (c, now) -> twist(c),
-          false,
+      new CommandType<>("geometry_msgs/Twist", VelocityCommand.class, Twist.class, (c, now) -> twist(c), false,
           "Velocity of the base."),
-      new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, RecordCodec.of(TwistStamped.class),
+      new CommandType<>("geometry_msgs/TwistStamped", VelocityCommand.class, TwistStamped.class,
           (c, now) -> new TwistStamped(new Header(0, now, ""), twist(c)), false, "Velocity of the base."),
-      new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, RecordCodec.of(PoseStamped.class),
+      new CommandType<>("geometry_msgs/PoseStamped", NavigationGoal.class, PoseStamped.class,
           (c, now) -> new PoseStamped(new Header(0, now, c.frame().name()), Geometry.pose(c.pose())), false,
           "Where the robot shall go."),
-      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class,
-          RecordCodec.of(PoseWithCovarianceStamped.class),
+      new CommandType<>("geometry_msgs/PoseWithCovarianceStamped", PoseEstimate.class, PoseWithCovarianceStamped.class,
           CommandType::estimate, false, "Where the robot is, for its localisation."),
-      new CommandType<>("nav_msgs/Path", Path.class, RecordCodec.of(org.robotui.message.ros.nav_msgs.Path.class),
-          CommandType::path, true,
+      new CommandType<>("nav_msgs/Path", Path.class, org.robotui.message.ros.nav_msgs.Path.class, CommandType::path,
+          true,
           "Poses to drive to, one after the other."),
       new CommandType<>("geometry_msgs/PoseArray", PoseArray.class,
-          RecordCodec.of(org.robotui.message.ros.geometry_msgs.PoseArray.class),
+          org.robotui.message.ros.geometry_msgs.PoseArray.class,
           (c, now) -> new org.robotui.message.ros.geometry_msgs.PoseArray(new Header(0, now, c.frame().name()),
               c.poses().stream().map(Geometry::pose).toList()),
           true, "Poses to drive to, one after the other."));

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -13,7 +13,7 @@ import org.robotui.message.MessageSchema;
 import org.robotui.message.Primitive;
 
 /** The forms of ROS messages. */
-public final class RosShapes {
+public final class MessageShapes {
   private static final int BYTE = 8;
   private static final int SHORT = 16;
   private static final int WORD = 32;
@@ -22,7 +22,7 @@ public final class RosShapes {
   private final MessageSchema schema;
   private final Deque<String> within = new ArrayDeque<>();
 
-  private RosShapes(MessageSchema schema) {
+  private MessageShapes(MessageSchema schema) {
     this.schema = schema;
   }
 
@@ -33,7 +33,7 @@ public final class RosShapes {
    * @return its form
    */
   public static RecordShape of(MessageSchema schema) {
-    return new RosShapes(schema).record(schema.definition());
+    return new MessageShapes(schema).record(schema.definition());
   }
 
   private RecordShape record(MessageDefinition definition) {
@@ -46,7 +46,7 @@ public final class RosShapes {
 
   private FieldShape field(FieldDefinition field) {
     FieldType type = field.type();
-    FieldShape one = type.primitive().map(RosShapes::primitive).orElseGet(() -> nested(type.base()));
+    FieldShape one = type.primitive().map(MessageShapes::primitive).orElseGet(() -> nested(type.base()));
     return switch (type.arity()) {
       case ONE -> one;
       case FIXED -> new FieldShape.Many(one, type.length());

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 /** Counts and lengths of messages, which ROS sends as unsigned numbers of 32 bits. */
 final class Sizes {

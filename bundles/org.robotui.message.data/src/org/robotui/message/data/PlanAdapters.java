@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +13,6 @@ import org.robotui.data.joint.JointTrajectory;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.record.FieldValue;
-import org.robotui.message.RawCodec;
 import org.robotui.message.ros.geometry_msgs.WrenchStamped;
 import org.robotui.message.ros.trajectory_msgs.JointTrajectoryPoint;
 
@@ -23,7 +22,7 @@ final class PlanAdapters {
 
   private PlanAdapters() {}
 
-  static List<Adapter<?, ?>> all(RecordDecoder records) {
+  static List<Adapter<?, ?>> all() {
     return List.of(
         Adapter.of(org.robotui.message.ros.geometry_msgs.PoseArray.class, PoseArray.class,
             (m, names) -> new PoseArray(names.frame(m.header().frameId()),
@@ -36,8 +35,8 @@ final class PlanAdapters {
         Adapter.of(org.robotui.message.ros.trajectory_msgs.JointTrajectory.class, JointTrajectory.class,
             (m, names) -> new JointTrajectory(m.jointNames(), m.points().stream().map(PlanAdapters::point).toList()),
             m -> m.header().stamp()),
-        Adapter.of("moveit_msgs/DisplayTrajectory", RawCodec::new, DisplayedTrajectory.class,
-            (m, names) -> displayed(records.decode(m)), m -> 0));
+        Adapter.ofDynamic("moveit_msgs/DisplayTrajectory", DisplayedTrajectory.class,
+            (m, names) -> displayed(new MessageRecord(m))));
   }
 
   private static JointTrajectory.Point point(JointTrajectoryPoint p) {

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.convert;
+package org.robotui.message.data;
 
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
@@ -11,11 +11,23 @@ import org.robotui.data.Stamp;
  * @param clock whose clock its stamps are read from
  */
 public record FrameNames(String robot, ClockKind clock) {
-  FrameId frame(String name) {
+  /**
+   * Names a frame of the robot.
+   *
+   * @param name as the robot's messages have it
+   * @return the frame
+   */
+  public FrameId frame(String name) {
     return new FrameId(robot, name);
   }
 
-  Stamp stamp(long nanos) {
+  /**
+   * Says whose clock a time was read from.
+   *
+   * @param nanos since the epoch of that clock
+   * @return the stamp
+   */
+  public Stamp stamp(long nanos) {
     return new Stamp(nanos, clock);
   }
 }
