@@ -42,9 +42,16 @@ record ArrayWriter(String field, int length, int width) {
     out.doubles(values);
   }
 
-  void write(List<?> texts, FieldWriter out) {
+  void texts(List<?> texts, Layout.Field field, FieldWriter out) {
     start(texts.size(), out);
-    texts.forEach(each -> out.string((String) each));
+    for (Object each : texts) {
+      String text = Bounds.written((String) each, field.type().textBound(), field.name());
+      if (field.primitive() == Primitive.WSTRING) {
+        out.wstring(text);
+      } else {
+        out.string(text);
+      }
+    }
   }
 
   /** Checks how many numbers there are, and writes the length where it is sent. */

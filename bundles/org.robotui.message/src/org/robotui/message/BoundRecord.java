@@ -80,12 +80,4 @@ record BoundRecord(Class<?> type, List<BoundField> fields, List<Integer> absent)
       throw new IllegalArgumentException(type.getName() + " cannot be made here: " + e.getMessage(), e);
     }
   }
-
-  static MethodHandle accessor(MethodHandles.Lookup lookup, RecordComponent component) {
-    try {
-      return lookup.unreflect(component.getAccessor());
-    } catch (IllegalAccessException e) {
-      throw new IllegalArgumentException(component + " cannot be read here: " + e.getMessage(), e);
-    }
-  }
 }

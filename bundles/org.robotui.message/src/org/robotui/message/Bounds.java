@@ -27,6 +27,14 @@ final class Bounds {
     return value;
   }
 
+  /** The text, where its definition allows it; 0 stands for no bound. */
+  static String written(String value, int bytes, String field) {
+    if (bytes > 0 && value.getBytes(StandardCharsets.UTF_8).length > bytes) {
+      throw new IllegalArgumentException(field + " has " + bytes + " bytes at most");
+    }
+    return value;
+  }
+
   static List<String> texts(List<String> values, int bytes, String field) throws MessageException {
     for (String each : values) {
       text(each, bytes, field);

@@ -1,6 +1,5 @@
 package org.robotui.message;
 
-import java.lang.invoke.MethodHandle;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,14 +11,14 @@ import java.util.List;
  * @param length of the definition, or as {@link Bounds} has it
  * @param size the fewest bytes of an element
  */
-record ListReader(MethodHandle element, String field, int length, long size) {
+record ListReader(RecordReader element, String field, int length, long size) {
 
-  List<Object> read(FieldReader in) throws Throwable {
+  List<Object> read(FieldReader in) throws MessageException {
     int count = in.count(field, length, size);
     List<Object> values = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       try {
-        values.add((Object) element.invokeExact(in));
+        values.add(element.read(in));
       } catch (MessageException e) {
         throw e.within("[" + i + "]").within(field);
       }

@@ -1,6 +1,5 @@
 package org.robotui.message;
 
-import java.lang.invoke.MethodHandle;
 import java.util.List;
 
 /**
@@ -10,12 +9,12 @@ import java.util.List;
  * @param field for errors
  * @param length of the definition, or as {@link Bounds} has it
  */
-record ListWriter(MethodHandle element, String field, int length) {
+record ListWriter(RecordWriter element, String field, int length) {
 
-  void write(List<?> values, FieldWriter out) throws Throwable {
+  void write(List<?> values, FieldWriter out) {
     new ArrayWriter(field, length, 1).start(values.size(), out);
     for (Object each : values) {
-      element.invokeExact(each, out);
+      element.write(each, out);
     }
   }
 }

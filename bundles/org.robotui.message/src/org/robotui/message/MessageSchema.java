@@ -17,14 +17,15 @@ public final class MessageSchema {
   private final MessageDefinition definition;
   private final Map<String, MessageDefinition> nested;
   private final Layout layout;
-  private final MessageInfo info;
+  private final String fullText;
+  private volatile MessageInfo info;
 
   private MessageSchema(MessageDefinition definition, Map<String, MessageDefinition> nested, String fullText)
       throws DefinitionException {
     this.definition = definition;
     this.nested = Map.copyOf(nested);
     this.layout = new LayoutCompiler(nested).compile(definition);
-    this.info = new MessageInfo(definition.type(), new Md5(nested).of(definition), fullText);
+    this.fullText = fullText;
   }
 
   /**
@@ -125,7 +126,13 @@ public final class MessageSchema {
    * @return the identity announced to peers
    */
   public MessageInfo info() {
-    return info;
+    MessageInfo known = info;
+    if (known == null) {
+      // many types are read whose sum nobody compares
+      known = new MessageInfo(definition.type(), new Md5(nested).of(definition), fullText);
+      info = known;
+    }
+    return known;
   }
 
   /**

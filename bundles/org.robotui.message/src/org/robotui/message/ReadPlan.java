@@ -1,29 +1,27 @@
 package org.robotui.message;
 
-import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
 /**
- * Puts a method handle together that reads a record: the reads of all fields in the order of the definition, handed to
- * the constructor. The virtual machine compiles it like a method that was written by hand.
+ * Makes what reads a record: the code that one would write by hand, the reads of all fields in the order of the
+ * definition and a call of the constructor. The virtual machine runs it at once and compiles it when it is used often.
  */
 final class ReadPlan {
 
-  private record Key(Class<?> record, Layout layout) {}
-
-  private static final MethodHandle SKIP =
-      Handles.function(Skip.class, "field", void.class, Layout.Field.class, FieldReader.class);
-  private static final MethodHandle WITHIN =
-      Handles.method(MessageException.class, "within", MessageException.class, String.class);
-
   private final Class<?> reader;
   private final MethodHandles.Lookup lookup;
-  private final Map<Key, MethodHandle> done = new HashMap<>();
+  /**
+   * By the layouts themselves, each of which is made once for a schema: to compare what they hold takes longer than all
+   * the rest.
+   */
+  private final Map<Layout, Map<Class<?>, RecordReader>> done = new IdentityHashMap<>();
 
   ReadPlan(Class<?> reader, MethodHandles.Lookup lookup) {
     this.reader = reader;
@@ -31,94 +29,158 @@ final class ReadPlan {
   }
 
   /**
-   * A handle from the reader to the record.
+   * What reads a record.
    *
    * @param layout of the messages
    * @param own of the version that the record is made for, by which fields are filled that the messages lack
    */
-  MethodHandle of(Class<?> type, Layout layout, Layout own) {
-    Key key = new Key(type, layout);
-    MethodHandle known = done.get(key);
+  RecordReader of(Class<?> type, Layout layout, Layout own) {
+    Map<Class<?>, RecordReader> records = done.computeIfAbsent(layout, each -> new HashMap<>());
+    RecordReader known = records.get(type);
     if (known == null) {
-      known = compose(BoundRecord.of(type, layout, layout.equals(own)), own);
-      done.put(key, known);
+      known = new Code(type).compile(layout, own);
+      records.put(type, known);
     }
     return known;
   }
 
-  /** What is put in front last is done first, so the last field comes first. */
-  private MethodHandle compose(BoundRecord bound, Layout own) {
-    MethodHandle plan = BoundRecord.constructor(lookup, bound.type());
-    RecordComponent[] components = bound.type().getRecordComponents();
-    for (int each : bound.absent()) {
-      Object zero = new Nothing(lookup).of(components[each], BoundRecord.field(own, components[each]));
-      MethodHandle nothing = MethodHandles.constant(components[each].getType(), zero);
-      plan = MethodHandles.collectArguments(plan, each, MethodHandles.dropArguments(nothing, 0, reader));
+  /** The code for one record and those in it. */
+  private final class Code {
+
+    private static final int ARGUMENT = 1;
+    private static final String OBJECT = "(Lorg/robotui/message/FieldReader;)Ljava/lang/Object;";
+
+    private final Class<?> top;
+    private final Parts parts;
+    private final ClassCode code = new ClassCode(RecordReader.class, 2);
+    private final int in = code.local(Object.class);
+
+    Code(Class<?> top) {
+      this.top = top;
+      this.parts = new Parts(code, RecordReader.class);
     }
-    for (BoundRecord.BoundField each : bound.fields().reversed()) {
-      plan = each.component().isPresent()
-          ? MethodHandles.collectArguments(plan, each.index(), value(each.component().get(), each.field(), own))
-          : MethodHandles.collectArguments(plan, plan.type().parameterCount(), skip(each.field()));
+
+    RecordReader compile(Layout layout, Layout own) {
+      code.load(Object.class, ARGUMENT);
+      code.type(ClassCode.CAST, reader);
+      code.store(Object.class, in);
+      record(top, layout, own, "");
+      code.op(ClassCode.ARETURN);
+      return new Hidden(lookup).make(top, code.bytes(top, "read", OBJECT), RecordReader.class, parts.all());
     }
-    MethodType whole = MethodType.methodType(bound.type(), reader);
-    return MethodHandles.permuteArguments(plan, whole, new int[plan.type().parameterCount()]);
+
+    private void record(Class<?> type, Layout layout, Layout own, String path) {
+      BoundRecord bound = BoundRecord.of(type, layout, layout == own);
+      new Hidden(lookup).check(top, type);
+      RecordComponent[] components = type.getRecordComponents();
+      int[] places = new int[components.length];
+      for (int each : bound.absent()) {
+        missing(components[each], own);
+        places[each] = keep(components[each].getType());
+      }
+      for (BoundRecord.BoundField each : bound.fields()) {
+        if (each.component().isEmpty()) {
+          parts.load(skip(each.field(), path), RecordReader.class);
+          read();
+          code.op(ClassCode.POP);
+        } else {
+          value(each.component().get(), each.field(), own, path);
+          places[each.index()] = keep(components[each.index()].getType());
+        }
+      }
+      construct(type, components, places);
+    }
+
+    private int keep(Class<?> type) {
+      int place = code.local(type);
+      code.store(type, place);
+      return place;
+    }
+
+    private void construct(Class<?> type, RecordComponent[] components, int[] places) {
+      code.type(ClassCode.NEW, type);
+      code.op(ClassCode.DUP);
+      for (int i = 0; i < places.length; i++) {
+        code.load(components[i].getType(), places[i]);
+      }
+      Class<?>[] types = Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
+      code.call(ClassCode.SPECIAL, ClassCode.name(type), "<init>",
+          MethodType.methodType(void.class, types).descriptorString());
+    }
+
+    private void missing(RecordComponent component, Layout own) {
+      if (component.getType().isPrimitive()) {
+        code.zero(component.getType());
+      } else {
+        parts.load(new Nothing(lookup).of(component, BoundRecord.field(own, component)), component.getType());
+      }
+    }
+
+    private static RecordReader skip(Layout.Field field, String path) {
+      return new Step(path, in -> {
+        Skip.field(field, in);
+        return field;
+      });
+    }
+
+    private void value(RecordComponent component, Layout.Field field, Layout own, String path) {
+      Class<?> type = component.getType();
+      if (field.nested() != null && !field.type().isArray()) {
+        record(type, field.nested(), BoundRecord.field(own, component).nested(), path + field.name() + ".");
+      } else if (field.type().textBound() > 0) {
+        part(new Step(path, bounded(field)), type);
+      } else if (field.nested() != null && type == List.class) {
+        part(new Step(path, list(component, field, own)), type);
+      } else {
+        code.load(Object.class, in);
+        code.text(path + field.name());
+        direct(field, type);
+      }
+    }
+
+    private void direct(Layout.Field field, Class<?> type) {
+      String result = type.descriptorString();
+      if (!field.type().isArray()) {
+        code.call(ClassCode.VIRTUAL, ClassCode.name(reader), single(field.primitive()),
+            "(Ljava/lang/String;)" + result);
+        return;
+      }
+      code.number(Bounds.of(field.type()));
+      if (type == List.class) {
+        code.call(ClassCode.VIRTUAL, ClassCode.name(reader), field.primitive().rosName() + "s",
+            "(Ljava/lang/String;I)" + result);
+        return;
+      }
+      code.number(field.nested() == null ? 1 : JavaForm.flat(field.nested()).orElseThrow().width());
+      code.call(ClassCode.VIRTUAL, ClassCode.name(reader), array(type), "(Ljava/lang/String;II)" + result);
+    }
+
+    private void part(RecordReader part, Class<?> type) {
+      parts.load(part, RecordReader.class);
+      read();
+      code.type(ClassCode.CAST, type);
+    }
+
+    private void read() {
+      code.load(Object.class, ARGUMENT);
+      code.call(ClassCode.VIRTUAL, ClassCode.name(RecordReader.class), "read", OBJECT);
+    }
+
+    private Reading list(RecordComponent component, Layout.Field field, Layout own) {
+      RecordReader element =
+          of(JavaForm.element(component).orElseThrow(), field.nested(), BoundRecord.field(own, component).nested());
+      return new ListReader(element, field.name(), Bounds.of(field.type()), field.element())::read;
+    }
   }
 
-  private MethodHandle skip(Layout.Field field) {
-    return SKIP.bindTo(field).asType(MethodType.methodType(void.class, reader));
-  }
-
-  private MethodHandle value(RecordComponent component, Layout.Field field, Layout own) {
-    Class<?> type = component.getType();
-    Layout ownNested = BoundRecord.field(own, component).nested();
-    if (field.nested() != null && !field.type().isArray()) {
-      return named(of(type, field.nested(), ownNested), field.name());
-    }
-    if (!field.type().isArray()) {
-      return bounded(bind(Handles.method(reader, single(field.primitive()), type, String.class), field.name()), field);
-    }
-    int length = Bounds.of(field.type());
-    if (type != List.class) {
-      int width = field.nested() == null ? 1 : JavaForm.flat(field.nested()).orElseThrow().width();
-      return bind(Handles.method(reader, array(type), type, String.class, int.class, int.class), field.name(), length,
-          width);
-    }
-    if (field.nested() == null) {
-      String texts = field.primitive().rosName() + "s";
-      return bounded(bind(Handles.method(reader, texts, type, String.class, int.class), field.name(), length), field);
-    }
-    return list(of(JavaForm.element(component).orElseThrow(), field.nested(), ownNested), field, length);
-  }
-
-  /** Texts are checked against the bound of their definition, where it has one. */
-  private static MethodHandle bounded(MethodHandle read, Layout.Field field) {
+  private static Reading bounded(Layout.Field field) {
     int most = field.type().textBound();
-    if (most == 0) {
-      return read;
-    }
-    Class<?> type = read.type().returnType();
-    String check = type == List.class ? "texts" : "text";
-    return MethodHandles.filterReturnValue(read, MethodHandles.insertArguments(
-        Handles.function(Bounds.class, check, type, type, int.class, String.class), 1, most, field.name()));
-  }
-
-  private MethodHandle list(MethodHandle element, Layout.Field field, int length) {
-    MethodHandle one = element.asType(MethodType.methodType(Object.class, FieldReader.class));
-    ListReader list = new ListReader(one, field.name(), length, field.element());
-    return Handles.method(ListReader.class, "read", List.class, FieldReader.class).bindTo(list)
-        .asType(MethodType.methodType(List.class, reader));
-  }
-
-  private static MethodHandle bind(MethodHandle method, Object... arguments) {
-    return MethodHandles.insertArguments(method, 1, arguments);
-  }
-
-  /** Errors of a nested message name the field that holds it. */
-  private static MethodHandle named(MethodHandle nested, String field) {
-    MethodHandle fail = MethodHandles.throwException(nested.type().returnType(), MessageException.class);
-    MethodHandle within = MethodHandles.insertArguments(WITHIN, 1, field);
-    return MethodHandles.catchException(
-        nested, MessageException.class, MethodHandles.filterArguments(fail, 0, within));
+    int length = Bounds.of(field.type());
+    boolean wide = field.primitive() == Primitive.WSTRING;
+    String name = field.name();
+    return field.type().isArray()
+        ? in -> Bounds.texts(wide ? in.wstrings(name, length) : in.strings(name, length), most, name)
+        : in -> Bounds.text(wide ? in.wstring(name) : in.string(name), most, name);
   }
 
   private static String single(Primitive type) {
@@ -131,5 +193,33 @@ final class ReadPlan {
 
   private static String array(Class<?> type) {
     return type.isArray() ? type.componentType().getName() + "s" : "bytes";
+  }
+
+  /** A part of the code that is written in Java. */
+  @FunctionalInterface
+  private interface Reading {
+    Object read(FieldReader in) throws MessageException;
+  }
+
+  /** Runs a part within a record that is read in place: errors name the fields that lead to it. */
+  private static final class Step extends RecordReader {
+
+    private final String path;
+    private final Reading reading;
+
+    Step(String path, Reading reading) {
+      super(new Object[0]);
+      this.path = path;
+      this.reading = reading;
+    }
+
+    @Override
+    public Object read(FieldReader in) throws MessageException {
+      try {
+        return reading.read(in);
+      } catch (MessageException e) {
+        throw path.isEmpty() ? e : e.within(path.substring(0, path.length() - 1));
+      }
+    }
   }
 }

@@ -1,8 +1,6 @@
 package org.robotui.message;
 
-import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodType;
 import java.nio.ByteBuffer;
 import java.util.function.Supplier;
 
@@ -18,13 +16,13 @@ import java.util.function.Supplier;
 public final class RecordBinding<T extends Record> {
 
   private final Encoding encoding;
-  private final MethodHandle read;
-  private final Supplier<MethodHandle> writePlan;
-  private volatile MethodHandle write;
+  private final RecordReader reader;
+  private final Supplier<RecordWriter> writePlan;
+  private volatile RecordWriter writer;
 
-  private RecordBinding(Encoding encoding, MethodHandle read, Supplier<MethodHandle> writePlan) {
+  private RecordBinding(Encoding encoding, RecordReader reader, Supplier<RecordWriter> writePlan) {
     this.encoding = encoding;
-    this.read = read;
+    this.reader = reader;
     this.writePlan = writePlan;
   }
 
@@ -87,22 +85,21 @@ public final class RecordBinding<T extends Record> {
 
   private static <T extends Record> RecordBinding<T> bind(
       Class<T> type, MessageSchema own, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
-    MethodHandle read = new ReadPlan(encoding.readerType(), lookup).of(type, schema.layout(), own.layout());
-    return new RecordBinding<>(encoding, read.asType(MethodType.methodType(Object.class, FieldReader.class)),
-        () -> new WritePlan(encoding.writerType(), lookup).of(type, schema.layout())
-            .asType(MethodType.methodType(void.class, Object.class, FieldWriter.class)));
+    return new RecordBinding<>(encoding,
+        new ReadPlan(encoding.readerType(), lookup).of(type, schema.layout(), own.layout()),
+        () -> new WritePlan(encoding.writerType(), lookup).of(type, schema.layout()));
   }
 
   /** Most records are only ever read, and a plan takes time to make. */
-  private MethodHandle writing() {
-    if (write == null) {
+  private RecordWriter writing() {
+    if (writer == null) {
       synchronized (this) {
-        if (write == null) {
-          write = writePlan.get();
+        if (writer == null) {
+          writer = writePlan.get();
         }
       }
     }
-    return write;
+    return writer;
   }
 
   /**
@@ -142,13 +139,9 @@ public final class RecordBinding<T extends Record> {
   @SuppressWarnings("unchecked")
   public T read(FieldReader in) throws MessageException {
     try {
-      return (T) (Object) read.invokeExact(in);
+      return (T) reader.read(in);
     } catch (IllegalArgumentException e) {
       throw new MessageException(String.valueOf(e.getMessage()), "", 0);
-    } catch (MessageException | RuntimeException | Error e) {
-      throw e;
-    } catch (Throwable e) {
-      throw new IllegalStateException(e);
     }
   }
 
@@ -160,13 +153,6 @@ public final class RecordBinding<T extends Record> {
    * @throws IllegalArgumentException if an array has not the length that the definition gives
    */
   public void write(T value, FieldWriter out) {
-    MethodHandle plan = writing();
-    try {
-      plan.invokeExact((Object) value, out);
-    } catch (RuntimeException | Error e) {
-      throw e;
-    } catch (Throwable e) {
-      throw new IllegalStateException(e);
-    }
+    writing().write(value, out);
   }
 }

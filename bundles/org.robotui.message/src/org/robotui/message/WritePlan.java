@@ -1,98 +1,189 @@
 package org.robotui.message;
 
-import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodType;
 import java.lang.reflect.RecordComponent;
+import java.nio.ByteBuffer;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 
-/** Puts a method handle together that writes a record, field by field in the order of the definition. */
+/** Makes what writes a record: the code that one would write by hand, field by field in the order of the definition. */
 final class WritePlan {
-
-  private static final MethodHandle ZERO =
-      Handles.function(ArrayWriter.class, "zero", void.class, Layout.Field.class, FieldWriter.class);
 
   private final Class<?> writer;
   private final MethodHandles.Lookup lookup;
-  private final Map<BoundRecord, MethodHandle> done = new HashMap<>();
+  /**
+   * By the layouts themselves, each of which is made once for a schema: to compare what they hold takes longer than all
+   * the rest.
+   */
+  private final Map<Layout, Map<Class<?>, RecordWriter>> done = new IdentityHashMap<>();
 
   WritePlan(Class<?> writer, MethodHandles.Lookup lookup) {
     this.writer = writer;
     this.lookup = lookup;
   }
 
-  /** A handle from the record and the writer to nothing. */
-  MethodHandle of(Class<?> type, Layout layout) {
-    BoundRecord bound = BoundRecord.of(type, layout, false);
-    MethodHandle known = done.get(bound);
+  RecordWriter of(Class<?> type, Layout layout) {
+    Map<Class<?>, RecordWriter> records = done.computeIfAbsent(layout, each -> new HashMap<>());
+    RecordWriter known = records.get(type);
     if (known == null) {
-      known = compose(bound);
-      done.put(bound, known);
+      known = new Code(type).compile(layout);
+      records.put(type, known);
     }
     return known;
   }
 
-  /** What is put in front last is done first, so the last field comes first. */
-  private MethodHandle compose(BoundRecord bound) {
-    MethodHandle plan = MethodHandles.empty(MethodType.methodType(void.class, bound.type(), writer));
-    for (BoundRecord.BoundField each : bound.fields().reversed()) {
-      plan = MethodHandles.foldArguments(plan, field(bound.type(), each));
+  /** The code for one record and those in it. */
+  private final class Code {
+
+    private static final int VALUE = 1;
+    private static final int ARGUMENT = 2;
+    private static final String VOID = "(Ljava/lang/Object;Lorg/robotui/message/FieldWriter;)V";
+
+    private final Class<?> top;
+    private final Parts parts;
+    private final ClassCode code = new ClassCode(RecordWriter.class, 3);
+    private final int out = code.local(Object.class);
+
+    Code(Class<?> top) {
+      this.top = top;
+      this.parts = new Parts(code, RecordWriter.class);
     }
-    return plan;
+
+    RecordWriter compile(Layout layout) {
+      code.load(Object.class, ARGUMENT);
+      code.type(ClassCode.CAST, writer);
+      code.store(Object.class, out);
+      code.load(Object.class, VALUE);
+      code.type(ClassCode.CAST, top);
+      record(top, layout);
+      code.op(ClassCode.RETURN);
+      return new Hidden(lookup).make(top, code.bytes(top, "write", VOID), RecordWriter.class, parts.all());
+    }
+
+    /** Takes the record from the stack. */
+    private void record(Class<?> type, Layout layout) {
+      new Hidden(lookup).check(top, type);
+      int value = code.local(type);
+      code.store(type, value);
+      for (BoundRecord.BoundField each : BoundRecord.of(type, layout, false).fields()) {
+        if (each.component().isEmpty()) {
+          Layout.Field field = each.field();
+          parts.load(new Step((nothing, to) -> ArrayWriter.zero(field, to)), RecordWriter.class);
+          code.load(Object.class, VALUE);
+          write();
+        } else {
+          field(type, value, each.component().get(), each.field());
+        }
+      }
+    }
+
+    private void field(Class<?> type, int value, RecordComponent component, Layout.Field field) {
+      boolean array = field.type().isArray();
+      boolean direct = field.nested() == null && !array && field.type().textBound() == 0;
+      if (direct) {
+        code.load(Object.class, out);
+      } else if (array || field.nested() == null) {
+        parts.load(new Step(array ? array(component, field) : bounded(field)), RecordWriter.class);
+      }
+      code.load(type, value);
+      code.call(ClassCode.VIRTUAL, ClassCode.name(type), component.getName(),
+          "()" + component.getType().descriptorString());
+      if (direct) {
+        single(field.primitive());
+      } else if (array || field.nested() == null) {
+        write();
+      } else {
+        record(component.getType(), field.nested());
+      }
+    }
+
+    private void write() {
+      code.load(Object.class, ARGUMENT);
+      code.call(ClassCode.VIRTUAL, ClassCode.name(RecordWriter.class), "write", VOID);
+    }
+
+    private void single(Primitive type) {
+      switch (type) {
+        case BOOL -> call("bool", "Z");
+        case INT8, UINT8, BYTE, CHAR -> call("u8", "I");
+        case INT16, UINT16 -> call("i16", "I");
+        case INT32 -> call("i32", "I");
+        case UINT32 -> {
+          code.op(ClassCode.LONG_TO_INT);
+          call("i32", "I");
+        }
+        case INT64, UINT64 -> call("i64", "J");
+        case FLOAT32 -> call("f32", "F");
+        case FLOAT64 -> call("f64", "D");
+        case STRING -> call("string", "Ljava/lang/String;");
+        case WSTRING -> call("wstring", "Ljava/lang/String;");
+        case TIME, DURATION -> call("stamp", "J");
+      }
+    }
+
+    private void call(String method, String value) {
+      code.call(ClassCode.VIRTUAL, ClassCode.name(writer), method, "(" + value + ")Lorg/robotui/message/FieldWriter;");
+      code.op(ClassCode.POP);
+    }
   }
 
-  private MethodHandle field(Class<?> type, BoundRecord.BoundField bound) {
-    if (bound.component().isEmpty()) {
-      MethodHandle zero = ZERO.bindTo(bound.field()).asType(MethodType.methodType(void.class, writer));
-      return MethodHandles.dropArguments(zero, 0, type);
-    }
-    RecordComponent component = bound.component().get();
-    return MethodHandles.filterArguments(value(component, bound.field()), 0, BoundRecord.accessor(lookup, component));
+  private static BiConsumer<Object, FieldWriter> bounded(Layout.Field field) {
+    boolean wide = field.primitive() == Primitive.WSTRING;
+    return (value, out) -> {
+      String text = Bounds.written((String) value, field.type().textBound(), field.name());
+      if (wide) {
+        out.wstring(text);
+      } else {
+        out.string(text);
+      }
+    };
   }
 
-  private MethodHandle value(RecordComponent component, Layout.Field field) {
-    Class<?> type = component.getType();
-    MethodType taking = MethodType.methodType(void.class, type, writer);
-    if (field.type().isArray()) {
-      return array(component, field).asType(taking);
-    }
-    return field.nested() != null ? of(type, field.nested()) : single(field.primitive(), taking);
-  }
-
-  private MethodHandle array(RecordComponent component, Layout.Field field) {
+  private BiConsumer<Object, FieldWriter> array(RecordComponent component, Layout.Field field) {
     int length = Bounds.of(field.type());
     if (component.getType() == List.class && field.nested() != null) {
-      MethodHandle one = of(JavaForm.element(component).orElseThrow(), field.nested())
-          .asType(MethodType.methodType(void.class, Object.class, FieldWriter.class));
+      RecordWriter one = of(JavaForm.element(component).orElseThrow(), field.nested());
       ListWriter list = new ListWriter(one, field.name(), length);
-      return Handles.method(ListWriter.class, "write", void.class, List.class, FieldWriter.class).bindTo(list);
+      return (value, out) -> list.write((List<?>) value, out);
     }
-    int width = field.nested() == null ? 1 : JavaForm.flat(field.nested()).orElseThrow().width();
-    return Handles.method(
-        ArrayWriter.class, "write", void.class, component.getType(), FieldWriter.class)
-        .bindTo(new ArrayWriter(field.name(), length, width));
+    ArrayWriter array =
+        new ArrayWriter(field.name(), length,
+            field.nested() == null ? 1 : JavaForm.flat(field.nested()).orElseThrow().width());
+    return array(component.getType(), array, field);
   }
 
-  private MethodHandle single(Primitive type, MethodType taking) {
-    MethodHandle method = switch (type) {
-      case BOOL -> writes("bool", boolean.class);
-      case INT8, UINT8, BYTE, CHAR -> writes("u8", int.class);
-      case INT16, UINT16 -> writes("i16", int.class);
-      case INT32, UINT32 -> writes("i32", int.class);
-      case INT64, UINT64 -> writes("i64", long.class);
-      case FLOAT32 -> writes("f32", float.class);
-      case FLOAT64 -> writes("f64", double.class);
-      case STRING -> writes("string", String.class);
-      case WSTRING -> writes("wstring", String.class);
-      case TIME, DURATION -> writes("stamp", long.class);
+  private static BiConsumer<Object, FieldWriter> array(Class<?> type, ArrayWriter array, Layout.Field field) {
+    if (type == List.class) {
+      return (value, out) -> array.texts((List<?>) value, field, out);
+    }
+    if (type == ByteBuffer.class) {
+      return (value, out) -> array.write((ByteBuffer) value, out);
+    }
+    return switch (type.componentType().getName()) {
+      case "short" -> (value, out) -> array.write((short[]) value, out);
+      case "int" -> (value, out) -> array.write((int[]) value, out);
+      case "long" -> (value, out) -> array.write((long[]) value, out);
+      case "float" -> (value, out) -> array.write((float[]) value, out);
+      default -> (value, out) -> array.write((double[]) value, out);
     };
-    return MethodHandles.explicitCastArguments(method, taking);
   }
 
-  private MethodHandle writes(String name, Class<?> value) {
-    MethodHandle method = MethodHandles.dropReturn(Handles.method(writer, name, FieldWriter.class, value));
-    return MethodHandles.permuteArguments(method, MethodType.methodType(void.class, value, writer), 1, 0);
+  /** A part of the code that is written in Java. */
+  private static final class Step extends RecordWriter {
+
+    private final BiConsumer<Object, FieldWriter> writing;
+
+    Step(BiConsumer<Object, FieldWriter> writing) {
+      super(new Object[0]);
+      this.writing = writing;
+    }
+
+    @Override
+    public void write(Object value, FieldWriter out) {
+      writing.accept(value, out);
+    }
   }
 }
