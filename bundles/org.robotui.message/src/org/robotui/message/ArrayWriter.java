@@ -7,7 +7,7 @@ import java.util.List;
  * Writes an array of numbers or texts, after its length where that is sent.
  *
  * @param field for errors
- * @param length of the definition, or as {@link Bounds} has it
+ * @param length of the definition, or as {@link LengthBounds} has it
  * @param width how many numbers make an element
  */
 record ArrayWriter(String field, int length, int width) {
@@ -45,7 +45,7 @@ record ArrayWriter(String field, int length, int width) {
   void texts(List<?> texts, Layout.Field field, FieldWriter out) {
     start(texts.size(), out);
     for (Object each : texts) {
-      String text = Bounds.written((String) each, field.type().textBound(), field.name());
+      String text = LengthBounds.written((String) each, field.type().textBound(), field.name());
       if (field.primitive() == Primitive.WSTRING) {
         out.wstring(text);
       } else {
@@ -62,9 +62,9 @@ record ArrayWriter(String field, int length, int width) {
           ? " has " + width + " values an element, not " + numbers + " in all"
           : " has " + length * width + " values, not " + numbers));
     }
-    if (sent && numbers / width > Bounds.most(length)) {
+    if (sent && numbers / width > LengthBounds.most(length)) {
       throw new IllegalArgumentException(
-          field + " has " + Bounds.most(length) + " elements at most, not " + numbers / width);
+          field + " has " + LengthBounds.most(length) + " elements at most, not " + numbers / width);
     }
     if (sent) {
       out.array(numbers / width);

@@ -203,7 +203,7 @@ public abstract sealed class BlockReader implements FieldReader permits MessageR
       return length;
     }
     int count = count(field, element);
-    int most = Bounds.most(length);
+    int most = LengthBounds.most(length);
     if (count > most) {
       throw new MessageException("a length of " + count + " is more than the " + most + " of the definition", field,
           offset() - Integer.BYTES);

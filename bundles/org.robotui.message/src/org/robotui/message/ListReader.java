@@ -8,10 +8,10 @@ import java.util.List;
  *
  * @param element reads one of them
  * @param field for errors
- * @param length of the definition, or as {@link Bounds} has it
+ * @param length of the definition, or as {@link LengthBounds} has it
  * @param size the fewest bytes of an element
  */
-record ListReader(RecordReader element, String field, int length, long size) {
+record ListReader(BoundReader element, String field, int length, long size) {
 
   List<Object> read(FieldReader in) throws MessageException {
     int count = in.count(field, length, size);

@@ -7,9 +7,9 @@ import java.util.List;
  *
  * @param element writes one of them
  * @param field for errors
- * @param length of the definition, or as {@link Bounds} has it
+ * @param length of the definition, or as {@link LengthBounds} has it
  */
-record ListWriter(RecordWriter element, String field, int length) {
+record ListWriter(BoundWriter element, String field, int length) {
 
   void write(List<?> values, FieldWriter out) {
     new ArrayWriter(field, length, 1).start(values.size(), out);

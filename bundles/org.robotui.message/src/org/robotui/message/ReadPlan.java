@@ -21,7 +21,7 @@ final class ReadPlan {
    * By the layouts themselves, each of which is made once for a schema: to compare what they hold takes longer than all
    * the rest.
    */
-  private final Map<Layout, Map<Class<?>, RecordReader>> done = new IdentityHashMap<>();
+  private final Map<Layout, Map<Class<?>, BoundReader>> done = new IdentityHashMap<>();
 
   ReadPlan(Class<?> reader, MethodHandles.Lookup lookup) {
     this.reader = reader;
@@ -34,9 +34,9 @@ final class ReadPlan {
    * @param layout of the messages
    * @param own of the version that the record is made for, by which fields are filled that the messages lack
    */
-  RecordReader of(Class<?> type, Layout layout, Layout own) {
-    Map<Class<?>, RecordReader> records = done.computeIfAbsent(layout, each -> new HashMap<>());
-    RecordReader known = records.get(type);
+  BoundReader of(Class<?> type, Layout layout, Layout own) {
+    Map<Class<?>, BoundReader> records = done.computeIfAbsent(layout, each -> new HashMap<>());
+    BoundReader known = records.get(type);
     if (known == null) {
       known = new Code(type).compile(layout, own);
       records.put(type, known);
@@ -52,21 +52,21 @@ final class ReadPlan {
 
     private final Class<?> top;
     private final Parts parts;
-    private final ClassCode code = new ClassCode(RecordReader.class, 2);
+    private final ClassCode code = new ClassCode(BoundReader.class, 2);
     private final int in = code.local(Object.class);
 
     Code(Class<?> top) {
       this.top = top;
-      this.parts = new Parts(code, RecordReader.class);
+      this.parts = new Parts(code, BoundReader.class);
     }
 
-    RecordReader compile(Layout layout, Layout own) {
+    BoundReader compile(Layout layout, Layout own) {
       code.load(Object.class, ARGUMENT);
       code.type(ClassCode.CAST, reader);
       code.store(Object.class, in);
       record(top, layout, own, "");
       code.op(ClassCode.ARETURN);
-      return new Hidden(lookup).make(top, code.bytes(top, "read", OBJECT), RecordReader.class, parts.all());
+      return new Hidden(lookup).make(top, code.bytes(top, "read", OBJECT), BoundReader.class, parts.all());
     }
 
     private void record(Class<?> type, Layout layout, Layout own, String path) {
@@ -80,7 +80,7 @@ final class ReadPlan {
       }
       for (BoundRecord.BoundField each : bound.fields()) {
         if (each.component().isEmpty()) {
-          parts.load(skip(each.field(), path), RecordReader.class);
+          parts.load(skip(each.field(), path), BoundReader.class);
           read();
           code.op(ClassCode.POP);
         } else {
@@ -116,7 +116,7 @@ final class ReadPlan {
       }
     }
 
-    private static RecordReader skip(Layout.Field field, String path) {
+    private static BoundReader skip(Layout.Field field, String path) {
       return new Step(path, in -> {
         Skip.field(field, in);
         return field;
@@ -145,7 +145,7 @@ final class ReadPlan {
             "(Ljava/lang/String;)" + result);
         return;
       }
-      code.number(Bounds.of(field.type()));
+      code.number(LengthBounds.of(field.type()));
       if (type == List.class) {
         code.call(ClassCode.VIRTUAL, ClassCode.name(reader), field.primitive().rosName() + "s",
             "(Ljava/lang/String;I)" + result);
@@ -155,32 +155,32 @@ final class ReadPlan {
       code.call(ClassCode.VIRTUAL, ClassCode.name(reader), array(type), "(Ljava/lang/String;II)" + result);
     }
 
-    private void part(RecordReader part, Class<?> type) {
-      parts.load(part, RecordReader.class);
+    private void part(BoundReader part, Class<?> type) {
+      parts.load(part, BoundReader.class);
       read();
       code.type(ClassCode.CAST, type);
     }
 
     private void read() {
       code.load(Object.class, ARGUMENT);
-      code.call(ClassCode.VIRTUAL, ClassCode.name(RecordReader.class), "read", OBJECT);
+      code.call(ClassCode.VIRTUAL, ClassCode.name(BoundReader.class), "read", OBJECT);
     }
 
     private Reading list(RecordComponent component, Layout.Field field, Layout own) {
-      RecordReader element =
+      BoundReader element =
           of(JavaForm.element(component).orElseThrow(), field.nested(), BoundRecord.field(own, component).nested());
-      return new ListReader(element, field.name(), Bounds.of(field.type()), field.element())::read;
+      return new ListReader(element, field.name(), LengthBounds.of(field.type()), field.element())::read;
     }
   }
 
   private static Reading bounded(Layout.Field field) {
     int most = field.type().textBound();
-    int length = Bounds.of(field.type());
+    int length = LengthBounds.of(field.type());
     boolean wide = field.primitive() == Primitive.WSTRING;
     String name = field.name();
     return field.type().isArray()
-        ? in -> Bounds.texts(wide ? in.wstrings(name, length) : in.strings(name, length), most, name)
-        : in -> Bounds.text(wide ? in.wstring(name) : in.string(name), most, name);
+        ? in -> LengthBounds.texts(wide ? in.wstrings(name, length) : in.strings(name, length), most, name)
+        : in -> LengthBounds.text(wide ? in.wstring(name) : in.string(name), most, name);
   }
 
   private static String single(Primitive type) {
@@ -202,7 +202,7 @@ final class ReadPlan {
   }
 
   /** Runs a part within a record that is read in place: errors name the fields that lead to it. */
-  private static final class Step extends RecordReader {
+  private static final class Step extends BoundReader {
 
     private final String path;
     private final Reading reading;

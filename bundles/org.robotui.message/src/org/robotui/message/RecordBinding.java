@@ -16,11 +16,11 @@ import java.util.function.Supplier;
 public final class RecordBinding<T extends Record> {
 
   private final Encoding encoding;
-  private final RecordReader reader;
-  private final Supplier<RecordWriter> writePlan;
-  private volatile RecordWriter writer;
+  private final BoundReader reader;
+  private final Supplier<BoundWriter> writePlan;
+  private volatile BoundWriter writer;
 
-  private RecordBinding(Encoding encoding, RecordReader reader, Supplier<RecordWriter> writePlan) {
+  private RecordBinding(Encoding encoding, BoundReader reader, Supplier<BoundWriter> writePlan) {
     this.encoding = encoding;
     this.reader = reader;
     this.writePlan = writePlan;
@@ -91,7 +91,7 @@ public final class RecordBinding<T extends Record> {
   }
 
   /** Most records are only ever read, and a plan takes time to make. */
-  private RecordWriter writing() {
+  private BoundWriter writing() {
     if (writer == null) {
       synchronized (this) {
         if (writer == null) {

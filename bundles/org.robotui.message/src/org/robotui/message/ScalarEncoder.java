@@ -17,7 +17,7 @@ final class ScalarEncoder {
   /** Writes one value within the bound of its field. */
   void write(Layout.Field field, Object value) throws MessageException {
     int most = field.type().textBound();
-    write(field.primitive(), most == 0 ? value : Bounds.text(text(value), most, ""));
+    write(field.primitive(), most == 0 ? value : LengthBounds.text(text(value), most, ""));
   }
 
   /** Writes one value; null is zero or empty. */

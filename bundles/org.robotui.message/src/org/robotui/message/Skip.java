@@ -6,7 +6,7 @@ final class Skip {
   private Skip() {}
 
   static void field(Layout.Field field, FieldReader in) throws MessageException {
-    int count = field.type().isArray() ? in.count(field.name(), Bounds.of(field.type()), field.element()) : 1;
+    int count = field.type().isArray() ? in.count(field.name(), LengthBounds.of(field.type()), field.element()) : 1;
     if (field.nested() == null) {
       in.skip(field.name(), field.primitive(), count);
       return;

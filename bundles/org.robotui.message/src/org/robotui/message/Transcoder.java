@@ -14,7 +14,7 @@ record Transcoder(FieldReader in, FieldWriter out) {
   }
 
   private void messages(Layout.Field field) throws MessageException {
-    int count = field.type().isArray() ? in.count(field.name(), Bounds.of(field.type()), field.element()) : 1;
+    int count = field.type().isArray() ? in.count(field.name(), LengthBounds.of(field.type()), field.element()) : 1;
     if (field.type().arity() == FieldType.Arity.VARIABLE) {
       out.array(count);
     }
@@ -32,7 +32,7 @@ record Transcoder(FieldReader in, FieldWriter out) {
       single(field);
       return;
     }
-    int length = Bounds.of(field.type());
+    int length = LengthBounds.of(field.type());
     String name = field.name();
     ArrayWriter array = new ArrayWriter(name, length, 1);
     switch (field.primitive()) {
@@ -75,6 +75,6 @@ record Transcoder(FieldReader in, FieldWriter out) {
 
   private static String bounded(Layout.Field field, String text) throws MessageException {
     int most = field.type().textBound();
-    return most == 0 ? text : Bounds.text(text, most, field.name());
+    return most == 0 ? text : LengthBounds.text(text, most, field.name());
   }
 }

@@ -18,16 +18,16 @@ final class WritePlan {
    * By the layouts themselves, each of which is made once for a schema: to compare what they hold takes longer than all
    * the rest.
    */
-  private final Map<Layout, Map<Class<?>, RecordWriter>> done = new IdentityHashMap<>();
+  private final Map<Layout, Map<Class<?>, BoundWriter>> done = new IdentityHashMap<>();
 
   WritePlan(Class<?> writer, MethodHandles.Lookup lookup) {
     this.writer = writer;
     this.lookup = lookup;
   }
 
-  RecordWriter of(Class<?> type, Layout layout) {
-    Map<Class<?>, RecordWriter> records = done.computeIfAbsent(layout, each -> new HashMap<>());
-    RecordWriter known = records.get(type);
+  BoundWriter of(Class<?> type, Layout layout) {
+    Map<Class<?>, BoundWriter> records = done.computeIfAbsent(layout, each -> new HashMap<>());
+    BoundWriter known = records.get(type);
     if (known == null) {
       known = new Code(type).compile(layout);
       records.put(type, known);
@@ -44,15 +44,15 @@ final class WritePlan {
 
     private final Class<?> top;
     private final Parts parts;
-    private final ClassCode code = new ClassCode(RecordWriter.class, 3);
+    private final ClassCode code = new ClassCode(BoundWriter.class, 3);
     private final int out = code.local(Object.class);
 
     Code(Class<?> top) {
       this.top = top;
-      this.parts = new Parts(code, RecordWriter.class);
+      this.parts = new Parts(code, BoundWriter.class);
     }
 
-    RecordWriter compile(Layout layout) {
+    BoundWriter compile(Layout layout) {
       code.load(Object.class, ARGUMENT);
       code.type(ClassCode.CAST, writer);
       code.store(Object.class, out);
@@ -60,7 +60,7 @@ final class WritePlan {
       code.type(ClassCode.CAST, top);
       record(top, layout);
       code.op(ClassCode.RETURN);
-      return new Hidden(lookup).make(top, code.bytes(top, "write", VOID), RecordWriter.class, parts.all());
+      return new Hidden(lookup).make(top, code.bytes(top, "write", VOID), BoundWriter.class, parts.all());
     }
 
     /** Takes the record from the stack. */
@@ -71,7 +71,7 @@ final class WritePlan {
       for (BoundRecord.BoundField each : BoundRecord.of(type, layout, false).fields()) {
         if (each.component().isEmpty()) {
           Layout.Field field = each.field();
-          parts.load(new Step((nothing, to) -> ArrayWriter.zero(field, to)), RecordWriter.class);
+          parts.load(new Step((nothing, to) -> ArrayWriter.zero(field, to)), BoundWriter.class);
           code.load(Object.class, VALUE);
           write();
         } else {
@@ -86,7 +86,7 @@ final class WritePlan {
       if (direct) {
         code.load(Object.class, out);
       } else if (array || field.nested() == null) {
-        parts.load(new Step(array ? array(component, field) : bounded(field)), RecordWriter.class);
+        parts.load(new Step(array ? array(component, field) : bounded(field)), BoundWriter.class);
       }
       code.load(type, value);
       code.call(ClassCode.VIRTUAL, ClassCode.name(type), component.getName(),
@@ -102,7 +102,7 @@ final class WritePlan {
 
     private void write() {
       code.load(Object.class, ARGUMENT);
-      code.call(ClassCode.VIRTUAL, ClassCode.name(RecordWriter.class), "write", VOID);
+      code.call(ClassCode.VIRTUAL, ClassCode.name(BoundWriter.class), "write", VOID);
     }
 
     private void single(Primitive type) {
@@ -133,7 +133,7 @@ final class WritePlan {
   private static BiConsumer<Object, FieldWriter> bounded(Layout.Field field) {
     boolean wide = field.primitive() == Primitive.WSTRING;
     return (value, out) -> {
-      String text = Bounds.written((String) value, field.type().textBound(), field.name());
+      String text = LengthBounds.written((String) value, field.type().textBound(), field.name());
       if (wide) {
         out.wstring(text);
       } else {
@@ -143,9 +143,9 @@ final class WritePlan {
   }
 
   private BiConsumer<Object, FieldWriter> array(RecordComponent component, Layout.Field field) {
-    int length = Bounds.of(field.type());
+    int length = LengthBounds.of(field.type());
     if (component.getType() == List.class && field.nested() != null) {
-      RecordWriter one = of(JavaForm.element(component).orElseThrow(), field.nested());
+      BoundWriter one = of(JavaForm.element(component).orElseThrow(), field.nested());
       ListWriter list = new ListWriter(one, field.name(), length);
       return (value, out) -> list.write((List<?>) value, out);
     }
@@ -172,7 +172,7 @@ final class WritePlan {
   }
 
   /** A part of the code that is written in Java. */
-  private static final class Step extends RecordWriter {
+  private static final class Step extends BoundWriter {
 
     private final BiConsumer<Object, FieldWriter> writing;
 

@@ -37,7 +37,7 @@ public final class StateAdapters {
         Adapter.of(DiagnosticArray.class, Diagnostics.class,
             (m, names) -> diagnostics(m), m -> m.header().stamp()),
         Adapter.of(Log.class, LogEntry.class, (m, names) -> log(m), m -> m.header().stamp()),
-        Adapter.of(org.robotui.message.ros.rcl_interfaces.Log.class, LogEntry.class, (m, names) -> log(m),
+        Adapter.of(org.robotui.message.ros.rcl_interfaces.RclLog.class, LogEntry.class, (m, names) -> log(m),
             m -> m.stamp()),
         new Adapter<>("tf2_msgs/TFMessage", new MessageForm.Bound<>(TFMessage.class, false), TransformSet.class,
             (m, names) -> transforms(m, names, false), StateAdapters::stampOf),
@@ -131,10 +131,10 @@ public final class StateAdapters {
   }
 
   /** Levels of ROS 2 are tens, of which the constants are the lowest of each. */
-  private static LogEntry log(org.robotui.message.ros.rcl_interfaces.Log m) {
+  private static LogEntry log(org.robotui.message.ros.rcl_interfaces.RclLog m) {
     Severity[] severities =
         {Severity.DEBUG, Severity.DEBUG, Severity.INFO, Severity.WARNING, Severity.ERROR, Severity.FATAL};
-    int level = Math.clamp(m.level() / org.robotui.message.ros.rcl_interfaces.Log.DEBUG, 0, severities.length - 1);
+    int level = Math.clamp(m.level() / org.robotui.message.ros.rcl_interfaces.RclLog.DEBUG, 0, severities.length - 1);
     return new LogEntry(severities[level], m.name(), m.msg(), location(m.file(), m.line()));
   }
 

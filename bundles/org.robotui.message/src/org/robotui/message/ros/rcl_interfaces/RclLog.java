@@ -14,7 +14,7 @@ import org.robotui.message.MessageType;
  * @param line the line of the file
  */
 @MessageType("rcl_interfaces/Log")
-public record Log(long stamp, int level, String name, String msg, String file, String function, long line) {
+public record RclLog(long stamp, int level, String name, String msg, String file, String function, long line) {
 
   /** For developers. */
   public static final int DEBUG = 10;

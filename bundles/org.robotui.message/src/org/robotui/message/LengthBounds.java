@@ -7,9 +7,9 @@ import java.util.List;
  * What a definition says of the length of an array, as one number: the length, {@link FieldReader#SENT} where it is
  * sent with the array, or {@code SENT - n} where it is sent and at most n.
  */
-final class Bounds {
+final class LengthBounds {
 
-  private Bounds() {}
+  private LengthBounds() {}
 
   static int of(FieldType type) {
     return type.arity() == FieldType.Arity.FIXED ? type.length() : FieldReader.SENT - type.bound();

@@ -4,7 +4,7 @@ package org.robotui.message;
  * Reads the fields of one type into a record. What reads records is made when they are bound, in the package of the
  * record, which is why this class is to be seen from there.
  */
-public abstract class RecordReader {
+public abstract class BoundReader {
 
   /**
    * What is not written down in the code itself: readers of arrays, fields that are passed over, values of fields that
@@ -17,7 +17,7 @@ public abstract class RecordReader {
    *
    * @param parts what the code refers to
    */
-  protected RecordReader(Object[] parts) {
+  protected BoundReader(Object[] parts) {
     this.parts = parts;
   }
 
