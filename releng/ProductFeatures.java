@@ -12,9 +12,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Writes into the products and into the category of the update site which features there are, so that a new feature is
- * a folder in {@code features} and nothing else. The products are files that Tycho and the IDE read as they are, which
- * is why they hold the list (docs/adr/0112).
+ * Writes into the products, their launch configurations and the category of the update site which features there are,
+ * so that a new feature is a folder in {@code features} and nothing else. These are files that Tycho and the IDE read
+ * as they are, which is why they hold the list (docs/adr/0112).
  *
  * <p>{@code java releng/ProductFeatures.java ROOT} writes; with {@code --check} it says what is not up to date, and
  * ends with 1.
@@ -25,9 +25,23 @@ public final class ProductFeatures {
 
   private static final String HEADLESS_PRODUCT = "product/org.robotui.headless.product";
 
+  private static final String WINDOW_LAUNCH = "releng/RobotUI.launch";
+
+  private static final String HEADLESS_LAUNCH = "releng/RobotUI headless.launch";
+
   private static final String CATEGORY = "product/category.xml";
 
   private static final String PLATFORM = "org.robotui.feature.platform";
+
+  /** For tests of bundles, which products have none of. */
+  private static final String SDK = "org.robotui.feature.sdk";
+
+  private static final String PRODUCT_LINE = "    <feature id=\"%s\" installMode=\"root\"/>\n";
+
+  private static final String LAUNCH_LINE = "        <setEntry value=\"%s:default\"/>\n";
+
+  private static final Pattern LAUNCH_LIST =
+      Pattern.compile("(?s)( *<setAttribute key=\"selected_features\">\n).*?( *</setAttribute>\n)");
 
   private static final Pattern LIST = Pattern.compile("(?s)( *<features>\n).*?( *</features>\n)");
 
@@ -64,16 +78,19 @@ public final class ProductFeatures {
 
   private List<String> run() throws IOException {
     List<Feature> all = features();
-    List<Feature> roots = all.stream()
+    List<Feature> shipped = all.stream().filter(feature -> !feature.id().equals(SDK)).toList();
+    List<Feature> roots = shipped.stream()
         .filter(feature -> all.stream().noneMatch(other -> other.included().contains(feature.id()))).toList();
     List<Feature> windowless = new ArrayList<>();
-    for (Feature feature : all) {
+    for (Feature feature : shipped) {
       if (!needsWindow(feature)) {
         windowless.add(feature);
       }
     }
-    rewrite(WINDOW_PRODUCT, LIST, list(roots, "    <feature id=\"%s\" installMode=\"root\"/>\n"));
-    rewrite(HEADLESS_PRODUCT, LIST, list(windowless, "    <feature id=\"%s\" installMode=\"root\"/>\n"));
+    rewrite(WINDOW_PRODUCT, LIST, list(roots, PRODUCT_LINE));
+    rewrite(HEADLESS_PRODUCT, LIST, list(windowless, PRODUCT_LINE));
+    rewrite(WINDOW_LAUNCH, LAUNCH_LIST, launchList(roots));
+    rewrite(HEADLESS_LAUNCH, LAUNCH_LIST, launchList(windowless));
     rewrite(CATEGORY, CATEGORY_LIST, list(all.stream().filter(feature -> !feature.isPlatform()).toList(),
         "  <feature id=\"%s\"><category name=\"org.robotui\"/></feature>\n"));
     return stale;
@@ -84,6 +101,10 @@ public final class ProductFeatures {
         features.stream()
             .sorted(Comparator.comparing((Feature feature) -> !feature.isPlatform()).thenComparing(Feature::id))
             .map(feature -> line.formatted(feature.id())).toList());
+  }
+
+  private static String launchList(List<Feature> features) {
+    return String.join("", features.stream().map(Feature::id).sorted().map(LAUNCH_LINE::formatted).toList());
   }
 
   private void rewrite(String name, Pattern place, String list) throws IOException {

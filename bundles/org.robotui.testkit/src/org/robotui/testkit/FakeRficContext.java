@@ -67,6 +67,8 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
   public final Deque<FrameTransform> transforms = new ConcurrentLinkedDeque<>();
   /** The simulated times so far, nanoseconds. */
   public final Deque<Long> simulated = new ConcurrentLinkedDeque<>();
+  /** Who was told that a stream is wanted, by stream. */
+  private final Map<String, Demand> wanted = new ConcurrentHashMap<>();
   /** All threads that were made. */
   public final Set<Thread> threads = ConcurrentHashMap.newKeySet();
 
@@ -150,7 +152,26 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
    * @param wanted true where one comes
    */
   public void demand(String port, boolean wanted) {
-    demands.get(port).changed(wanted);
+    Demand demand = demands.get(port);
+    if (wanted) {
+      this.wanted.put(port, demand);
+    } else {
+      this.wanted.remove(port);
+    }
+    demand.changed(wanted);
+  }
+
+  /**
+   * Connects the consumers of streams that were withdrawn and are offered again, as core does when it matches ports
+   * anew.
+   */
+  public void match() {
+    wanted.forEach((port, told) -> {
+      Demand demand = demands.getOrDefault(port, told);
+      if (demand != told) {
+        demand(port, true);
+      }
+    });
   }
 
   @Override

@@ -175,6 +175,7 @@ final class Trial implements AutoCloseable {
         throw new AssertionError("waited in vain until " + what + "; instead: " + instead.get());
       }
       Thread.sleep(LOOK);
+      context.match();
     }
   }
 

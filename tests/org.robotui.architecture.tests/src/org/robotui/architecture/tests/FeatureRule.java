@@ -5,12 +5,10 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Every bundle is shipped, once: in one feature. Only what helps tests is not. */
+/** Every bundle is shipped, once: in one feature. That of developers is on the update site only. */
 final class FeatureRule implements Rule {
 
   private static final Pattern PLUGIN = Pattern.compile("<plugin\\s+id=\"(org\\.robotui\\.[^\"]+)\"");
-
-  private static final String FOR_TESTS = "org.robotui.testkit";
 
   @Override
   public String statement() {
@@ -21,7 +19,6 @@ final class FeatureRule implements Rule {
   public Stream<Violation> violations(Repository repository) {
     List<String> shipped = repository.features().stream().flatMap(FeatureRule::pluginsOf).toList();
     return repository.bundles().stream().map(Bundle::name)
-        .filter(name -> !name.startsWith(FOR_TESTS))
         .filter(name -> shipped.stream().filter(name::equals).count() != 1)
         .map(name -> new Violation(name,
             "is in " + shipped.stream().filter(name::equals).count() + " of features/*/feature.xml"));

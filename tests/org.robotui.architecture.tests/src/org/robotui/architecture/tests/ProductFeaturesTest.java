@@ -17,6 +17,8 @@ class ProductFeaturesTest {
 
   private static final String PRODUCT = "<product>\n  <features>\n  </features>\n</product>\n";
 
+  private static final String LAUNCH = "    <setAttribute key=\"selected_features\">\n    </setAttribute>\n";
+
   private static final String ROOT_FEATURE = "    <feature id=\"org.robotui.feature.%s\" installMode=\"root\"/>\n";
 
   @TempDir
@@ -27,6 +29,8 @@ class ProductFeaturesTest {
     new Fixture(folder)
         .file("product/org.robotui.workbench.product", PRODUCT)
         .file("product/org.robotui.headless.product", PRODUCT)
+        .file("releng/RobotUI.launch", LAUNCH)
+        .file("releng/RobotUI headless.launch", LAUNCH)
         .file("product/category.xml", "<site>\n  <category-def name=\"org.robotui\" label=\"RobotUI\"/>\n</site>\n")
         .file("features/a/feature.xml",
             "<feature id=\"org.robotui.feature.platform\"><includes id=\"org.robotui.feature.platform.headless\"/>"
@@ -37,6 +41,8 @@ class ProductFeaturesTest {
             "<feature id=\"org.robotui.feature.views\"><plugin id=\"org.robotui.uic.map\"/></feature>")
         .file("features/d/feature.xml",
             "<feature id=\"org.robotui.feature.lcm\"><plugin id=\"org.robotui.rfic.lcm\"/></feature>")
+        .file("features/e/feature.xml",
+            "<feature id=\"org.robotui.feature.sdk\"><plugin id=\"org.robotui.testkit\"/></feature>")
         .bundle("org.robotui.uic.map", "Import-Package: org.robotui.api;version=\"[1.0,2.0)\",org.robotui.ui.scene")
         .bundle("org.robotui.rfic.lcm", "Import-Package: org.robotui.api");
   }
@@ -58,12 +64,25 @@ class ProductFeaturesTest {
   }
 
   @Test
-  void the_update_site_has_all_but_the_platforms() throws Exception {
+  void the_update_site_has_all_but_the_platforms_and_also_what_is_for_developers() throws Exception {
     run(folder);
 
-    assertEquals(List.of("lcm", "views"), Files.readString(folder.resolve("product/category.xml")).lines()
+    assertEquals(List.of("lcm", "sdk", "views"), Files.readString(folder.resolve("product/category.xml")).lines()
         .filter(line -> line.contains("<feature")).map(line -> line.replaceAll(".*feature\\.([a-z]+)\".*", "$1"))
         .toList());
+  }
+
+  @Test
+  void the_ide_starts_a_product_with_its_features() throws Exception {
+    run(folder);
+
+    assertEquals(List.of("lcm", "platform", "views"), launched("releng/RobotUI.launch"));
+    assertEquals(List.of("lcm", "platform.headless"), launched("releng/RobotUI headless.launch"));
+  }
+
+  private List<String> launched(String name) throws IOException {
+    return Files.readString(folder.resolve(name)).lines().filter(text -> text.contains("setEntry"))
+        .map(text -> text.replaceAll(".*feature\\.([a-z.]+):default.*", "$1")).toList();
   }
 
   @Test

@@ -1,4 +1,4 @@
-package org.robotui.testkit.rfic;
+package org.robotui.rfic.line.internal;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -28,23 +28,26 @@ import org.robotui.data.command.VelocityCommand;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
+import org.robotui.net.socket.HostPort;
+import org.robotui.testkit.rfic.Capability;
+import org.robotui.testkit.rfic.Gate;
+import org.robotui.testkit.rfic.Peer;
+import org.robotui.testkit.rfic.Sample;
 
 /** A robot that speaks in lines of text, in millimetres and degrees. */
-final class LinePeer implements Peer {
+class LinePeer implements Peer {
   private static final Sample POSE = new Sample("pose",
       new Odometry(new FrameId("robby", "odom"), new FrameId("robby", "base"), RigidTransform.planar(1.5, -2, 0),
           Doubles.EMPTY, Vector3.ZERO, Vector3.ZERO, Doubles.EMPTY),
       Optional.of(Stamp.of(1_700_000_000L, 0, ClockKind.ROBOT)));
   private static final long TICK_NANOS = 100_000_000;
 
-  private final Flaw flaw;
   private final List<Data> heard = new CopyOnWriteArrayList<>();
   private final Map<Socket, Boolean> callers = new ConcurrentHashMap<>();
   private final Gate gate;
   private Optional<ServerSocket> server = Optional.empty();
 
-  LinePeer(Flaw flaw) {
-    this.flaw = flaw;
+  LinePeer() {
     try {
       gate = new Gate();
     } catch (IOException e) {
@@ -59,7 +62,7 @@ final class LinePeer implements Peer {
 
   @Override
   public Rfic create(RficContext context) {
-    return new LineRfic(context, gate.port(), flaw);
+    return LineRficType.rfic(context, new LineSettings(new HostPort("127.0.0.1", gate.port()), Duration.ofSeconds(1)));
   }
 
   @Override
@@ -195,9 +198,9 @@ final class LinePeer implements Peer {
     return gate.links();
   }
 
-  @Override
-  public Duration patience() {
-    return flaw == Flaw.NONE ? Duration.ofMinutes(1) : Duration.ofSeconds(4);
+  /** Where it is reached, also while it is away. */
+  final int port() {
+    return gate.port();
   }
 
   @Override

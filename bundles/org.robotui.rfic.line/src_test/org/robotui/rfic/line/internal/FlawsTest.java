@@ -1,4 +1,4 @@
-package org.robotui.testkit.rfic;
+package org.robotui.rfic.line.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -13,12 +13,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.robotui.testkit.rfic.Check;
+import org.robotui.testkit.rfic.RficContract;
 
-/** The contract lets pass what keeps it, and finds what does not. */
-class RficContractTest {
+/** The contract of robot interfaces lets pass what keeps it, and finds what does not. */
+class FlawsTest {
   @TestFactory
   Stream<DynamicTest> whatKeepsItPasses() {
-    return RficContract.of(() -> new LinePeer(Flaw.NONE)).map(check -> dynamicTest(check.name(), () -> {
+    return RficContract.of(() -> new FlawedPeer(Flaw.NONE)).map(check -> dynamicTest(check.name(), () -> {
       assumeTrue(check.lacking().isEmpty(), () -> check.lacking().orElse(""));
       check.run();
     }));
@@ -28,13 +30,14 @@ class RficContractTest {
   @EnumSource(value = Flaw.class, names = "NONE", mode = EnumSource.Mode.EXCLUDE)
   void whatDoesNotIsFound(Flaw flaw) {
     Check check =
-        RficContract.of(() -> new LinePeer(flaw)).filter(c -> c.name().equals(flaw.found)).findFirst().orElseThrow();
+        RficContract.of(() -> new FlawedPeer(flaw)).filter(c -> c.name().equals(flaw.found)).findFirst().orElseThrow();
     assertThrows(AssertionError.class, check::run);
   }
 
   @Test
   void whatIsLackingIsToldWithItsReason() {
-    List<Check> lacking = RficContract.of(() -> new LinePeer(Flaw.NONE)).filter(c -> c.lacking().isPresent()).toList();
+    List<Check> lacking =
+        RficContract.of(() -> new FlawedPeer(Flaw.NONE)).filter(c -> c.lacking().isPresent()).toList();
     assertEquals(List.of("leaves the robot as it was"), lacking.stream().map(Check::name).toList());
     assertEquals(Optional.of("it keeps no list"), lacking.getFirst().lacking());
   }

@@ -1,4 +1,4 @@
-package org.robotui.testkit.rfic;
+package org.robotui.rfic.line.internal;
 
 /** What can be wrong with a robot interface, and the check that has to find it. */
 enum Flaw {

@@ -1,4 +1,4 @@
-package org.robotui.testkit.rfic;
+package org.robotui.rfic.line.internal;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -31,8 +31,11 @@ import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 
-/** The smallest robot interface: lines of text over TCP, to which a flaw can be given. */
-final class LineRfic implements Rfic {
+/**
+ * A robot interface for the robot of this bundle that can be given a flaw. It is made without the session base, whose
+ * users cannot have most of them.
+ */
+final class FlawedRfic implements Rfic {
   private static final Duration RETRY = Duration.ofMillis(200);
   private static final int SILENCE_MILLIS = 1000;
   private static final Duration END = Duration.ofMillis(1500);
@@ -49,7 +52,7 @@ final class LineRfic implements Rfic {
   private volatile boolean closed;
   private volatile String kept = "";
 
-  LineRfic(RficContext context, int port, Flaw flaw) {
+  FlawedRfic(RficContext context, int port, Flaw flaw) {
     this.context = context;
     this.port = port;
     this.flaw = flaw;
@@ -182,7 +185,7 @@ final class LineRfic implements Rfic {
       context.threads().newThread(() -> LockSupport.parkNanos(Duration.ofSeconds(30).toNanos())).start();
     }
     if (flaw == Flaw.HANGS_AT_END) {
-      LockSupport.parkNanos(Trial.END.plusSeconds(1).toNanos());
+      LockSupport.parkNanos(Duration.ofSeconds(6).toNanos());
     }
     if (flaw != Flaw.LEAVES_OFFERS) {
       poses.close();
@@ -190,7 +193,7 @@ final class LineRfic implements Rfic {
     }
     worker.stop();
     if (flaw != Flaw.LEAVES_SOCKET) {
-      link.ifPresent(LineRfic::hangUp);
+      link.ifPresent(FlawedRfic::hangUp);
     }
     worker.join(END);
     context.link().report(new LinkState.Disconnected());
