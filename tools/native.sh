@@ -177,10 +177,6 @@ test_lint() {
 
 cmd_new_plugin() {
   local kind=${1:-} name=${2:-} folder=${3:-}
-  case $kind in
-    plugin | ioplugin) ;;
-    *) usage_error "new makes a robot UI (./robotui new --rfic TYPE --name NAME FILE), a plugin or an ioplugin (./robotui new plugin NAME [DIR])" ;;
-  esac
   [[ $name =~ ^[A-Z][A-Za-z0-9]*$ ]] || usage_error "the name of a plugin is that of a class, such as MyControl, not '$name'"
   folder=$(realpath -m "${folder:-$PWD/$name}")
   if [[ -e $folder ]]; then

@@ -74,7 +74,7 @@ cmd_check() {
 }
 
 cmd_new() {
-  [[ ${1:-} == --* ]] || { cmd_new_plugin "$@"; return; }
+  [[ ${1:-} == --* ]] || { cmd_new_sources "$@"; return; }
   local file='' options=()
   while [[ $# -gt 0 ]]; do
     case $1 in

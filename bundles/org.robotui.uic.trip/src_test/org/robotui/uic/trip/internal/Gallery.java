@@ -35,8 +35,8 @@ record Gallery(GalleryWindow window, Theme theme) {
 
   private static void gone(FakeUicContext context) {
     for (int i = 0; i < 50; i++) {
-      Trips.at(context, "odom", 0.1 * i, 0);
-      Trips.at(context, "wheel_encoders/odometry_with_a_long_name", 0.03 * i, 0);
+      TripPoses.at(context, "odom", 0.1 * i, 0);
+      TripPoses.at(context, "wheel_encoders/odometry_with_a_long_name", 0.03 * i, 0);
     }
   }
 

@@ -52,14 +52,14 @@ class TripUicTest {
 
   @Test
   void paints_only_what_is_new() {
-    Trips.at(context, "odom", 1, 2);
+    TripPoses.at(context, "odom", 1, 2);
 
     assertTrue(uic.tick(0));
     assertFalse(uic.tick(1));
   }
 
   private void go(double x, double y) {
-    Trips.at(context, "odom", x, y);
+    TripPoses.at(context, "odom", x, y);
     uic.tick(0);
   }
 

@@ -10,9 +10,9 @@ import org.robotui.geometry.Vector3;
 import org.robotui.testkit.FakeUicContext;
 
 /** Robots that are somewhere, for tests. */
-final class Trips {
+final class TripPoses {
 
-  private Trips() {}
+  private TripPoses() {}
 
   static void at(FakeUicContext context, String port, double x, double y) {
     Odometry odometry =

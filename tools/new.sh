@@ -1,0 +1,22 @@
+# ./robotui new: plugins of a control from templates, and bundles from the example of their kind.
+
+cmd_new_sources() {
+  case ${1:-} in
+    plugin | ioplugin) cmd_new_plugin "$@" ;;
+    rfic | uic | entity | display | ruic) new_bundle "$@" ;;
+    *)
+      say "robotui: new makes one of these, and not '${1:-nothing}':"
+      say "  the configuration of a robot:  ./robotui new --rfic TYPE --name NAME FILE"
+      say "  a bundle:                      ./robotui new rfic|uic|entity|display|ruic NAME [--in FOLDER]"
+      say "  a plugin of a control:         ./robotui new plugin|ioplugin NAME [DIR]"
+      exit 2
+      ;;
+  esac
+}
+
+# Derived lists of features follow at once, so that the tests of the architecture find nothing that a build would write.
+new_bundle() {
+  need_jdk
+  "$JAVA_HOME/bin/java" "$ROOT/releng/NewBundle.java" "$ROOT" "$@" || exit $?
+  [[ " $* " == *' --in '* ]] || list_features 2>/dev/null
+}
