@@ -2,11 +2,14 @@ package org.robotui.rfic.line.internal;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.List;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
 import org.robotui.data.array.Doubles;
 import org.robotui.data.command.VelocityCommand;
+import org.robotui.data.geometry.FrameTransform;
+import org.robotui.data.geometry.TransformSet;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
@@ -24,7 +27,14 @@ final class LineMessages {
    * @param odometry its pose
    * @param stamp when it was measured, by the robot's clock
    */
-  record Pose(Odometry odometry, Stamp stamp) {}
+  record Pose(Odometry odometry, Stamp stamp) {
+
+    /** Where the robot is in its frame of odometry, by which maps and scenes find it. */
+    TransformSet frames() {
+      return new TransformSet(
+          List.of(new FrameTransform(odometry.frame(), odometry.childFrame(), stamp, odometry.pose(), false)));
+    }
+  }
 
   private LineMessages() {}
 

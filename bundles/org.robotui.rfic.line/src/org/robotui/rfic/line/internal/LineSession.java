@@ -96,6 +96,7 @@ final class LineSession implements RobotSession {
     }
     try {
       LineMessages.Pose pose = LineMessages.pose(text, context.robot());
+      context.frames().add(pose.frames(), settings.robot().toString());
       poses.publish(pose.odometry(), Optional.of(pose.stamp()));
     } catch (IllegalArgumentException e) {
       poses.lost(1, settings.robot() + ": " + e.getMessage());

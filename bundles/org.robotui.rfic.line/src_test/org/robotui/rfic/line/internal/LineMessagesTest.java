@@ -23,6 +23,7 @@ class LineMessagesTest {
     assertEquals(-2.0, pose.odometry().pose().translation().y());
     assertEquals(new FrameId("robby", "odom"), pose.odometry().frame());
     assertEquals(12_000_000_000L, pose.stamp().nanos());
+    assertEquals(new FrameId("robby", "base"), pose.frames().transforms().getFirst().child());
   }
 
   @ParameterizedTest
