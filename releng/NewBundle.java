@@ -34,6 +34,7 @@ public final class NewBundle {
   private enum Kind {
     RFIC("org.robotui.rfic.line", Optional.empty(), "robots that speak %s"),
     UIC("org.robotui.uic.trip", Optional.of(VIEWS), "the view %s"),
+    ENTITY("org.robotui.entity.reach", Optional.of(VIEWS), "the layer %s of maps"),
     DISPLAY("org.robotui.entity.speed", Optional.of(VIEWS), "the display %s in space"),
     RUIC("org.robotui.ruic.cockpit", Optional.of(CORE), "the UI %s");
 

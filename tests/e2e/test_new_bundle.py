@@ -9,8 +9,8 @@ import pytest
 from conftest import ROOT
 from test_product import DIRECTOR, PRODUCTS, UPDATE_SITE, installed, run
 
-KINDS = ("rfic", "uic", "display", "ruic")
-EXAMPLES = re.compile(r"org\.robotui\.(rfic\.line|uic\.trip|entity\.speed|ruic\.cockpit)|\b(Line|Trip|Speed|Cockpit)[A-Z]|@[a-z]+@")
+KINDS = ("rfic", "uic", "entity", "display", "ruic")
+EXAMPLES = re.compile(r"org\.robotui\.(rfic\.line|uic\.trip|entity\.(reach|speed)|ruic\.cockpit)|\b(Line|Trip|Reach|Speed|Cockpit)[A-Z]|@[a-z]+@")
 BUILD_SECONDS = 600
 
 
