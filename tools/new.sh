@@ -18,5 +18,5 @@ cmd_new_sources() {
 new_bundle() {
   need_jdk
   "$JAVA_HOME/bin/java" "$ROOT/releng/NewBundle.java" "$ROOT" "$@" || exit $?
-  [[ " $* " == *' --in '* ]] || list_features 2>/dev/null
+  [[ " $* " == *' --in '* ]] || list_features
 }

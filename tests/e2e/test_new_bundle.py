@@ -1,4 +1,6 @@
 """./robotui new KIND NAME: bundles of every kind, made outside of the repository and inside, built, tested, installed and used."""
+import json
+import os
 import re
 import shutil
 import subprocess
@@ -6,7 +8,7 @@ import sys
 
 import pytest
 
-from conftest import ROOT
+from conftest import ROOT, free_port
 from test_product import DIRECTOR, PRODUCTS, UPDATE_SITE, installed, run
 
 KINDS = ("rfic", "uic", "entity", "display", "ruic")
@@ -71,12 +73,12 @@ def test_an_ide_finds_its_projects_its_target_and_its_launches(project):
         assert f'value="acme.my_{kind}"' in (bundle / f"Unit tests of acme.my_{kind}.launch").read_text(encoding="utf-8")
 
 
-def test_a_product_takes_the_bundles_in_and_a_configuration_uses_them(project, tmp_path):
-    product, state = tmp_path / "robotui", str(tmp_path / "state")
+def test_a_product_takes_the_bundles_in_and_they_show_the_robot_of_the_guide(project, tmp_path, processes):
+    product, state, port = tmp_path / "robotui", str(tmp_path / "state"), free_port()
     shutil.copytree(PRODUCTS["workbench"], product, symlinks=True, ignore=shutil.ignore_patterns("classes.jsa"))
     units = ",".join(f"acme.my_{kind}.feature.feature.group" for kind in KINDS)
     config = tmp_path / "acme.yaml"
-    config.write_text("ruics:\n  Robby:\n    type: my_ruic\n    rfics:\n      base: {type: my_rfic, port: 4711}\n    uics:\n      odo: {type: my_uic, limit: 5}\n",
+    config.write_text("ruics:\n  Robby:\n    type: my_ruic\n    rfics:\n      base: {type: my_rfic, port: %d}\n    uics:\n      odo: {type: my_uic, limit: 5}\n" % port,
                       encoding="utf-8")
     before = run(product / "robotui", "check", config, XDG_STATE_HOME=state)
     assert "type 'my_ruic' is not installed" in before.stdout + before.stderr
@@ -88,7 +90,15 @@ def test_a_product_takes_the_bundles_in_and_a_configuration_uses_them(project, t
     assert {f"acme.my_{kind}" for kind in KINDS} <= installed(product)
     checked = run(product / "robotui", "check", config, XDG_STATE_HOME=state)
     assert checked.returncode == 0, checked.stdout + checked.stderr
-    assert "odo.odometry <-> base.pose" in checked.stdout, checked.stdout
+    assert re.search(r"connected +odo\.odometry \(Odometry\) +<- base\.pose", checked.stdout), checked.stdout
+
+    text = (ROOT / "docs/extending.md").read_text(encoding="utf-8")
+    robot = tmp_path / "crawler.py"
+    robot.write_text(re.search(r"```python\n(.*?)```", text, re.DOTALL).group(1).replace("4000", str(port)), encoding="utf-8")
+    processes.start([sys.executable, robot], "crawler", dict(os.environ))
+    lines = run(product / "robotui", "run", config, "--json", "--for", "15", XDG_STATE_HOME=state).stdout.splitlines()
+    poses = [line for line in map(json.loads, lines) if line.get("port") == "base.pose" and line["rate_hz"] > 0]
+    assert poses, lines[-3:]
 
 
 # ---- inside -------------------------------------------------------------------------------------------------------------
