@@ -82,24 +82,24 @@ final class LineSession implements RobotSession {
     return Optional.of(settings.robot() + " has closed the connection");
   }
 
+  /** What nobody can read is complained of, and the rest goes on. */
   private void receive(String text) {
-    switch (text.split(" ", 2)[0]) {
-      case "hello", "tick" -> link.report(new LinkState.Connected(settings.robot().toString()));
-      case "pose" -> publish(text);
-      default -> poses.lost(1, settings.robot() + " says what is no message: " + PeerText.brief(text));
+    try {
+      switch (text.split(" ", 2)[0]) {
+        case "hello", "tick" -> link.report(new LinkState.Connected(settings.robot().toString()));
+        case "pose" -> publish(text);
+        default -> throw new IllegalArgumentException("it says what is no message: " + PeerText.brief(text));
+      }
+    } catch (IllegalArgumentException e) {
+      poses.lost(1, settings.robot() + ": " + e.getMessage());
     }
   }
 
   private void publish(String text) {
-    if (!wanted) {
-      return;
-    }
-    try {
+    if (wanted) {
       LineMessages.Pose pose = LineMessages.pose(text, context.robot());
       context.frames().add(pose.frames(), settings.robot().toString());
       poses.publish(pose.odometry(), Optional.of(pose.stamp()));
-    } catch (IllegalArgumentException e) {
-      poses.lost(1, settings.robot() + ": " + e.getMessage());
     }
   }
 
