@@ -17,7 +17,7 @@ BUILD_SECONDS = 600
 
 
 def new(root, *arguments):
-    return subprocess.run([root / "robotui", "new", *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run([root / "robotui", "new", *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, check=False)
 
 
 def maven(folder, *arguments):
