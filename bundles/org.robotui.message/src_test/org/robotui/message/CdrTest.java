@@ -42,8 +42,8 @@ class CdrTest {
   @ParameterizedTest
   @MethodSource("vectors")
   void aRecordHoldsTheSameOfBothGenerations(CdrVectors.Vector vector) throws Exception {
-    same(vector, RecordBinding.shipped(ShippedRecords.record(vector.type()), Generation.ROS2),
-        vector.ros1().isPresent() ? RecordBinding.shipped(ShippedRecords.record(vector.type()), Generation.ROS1)
+    same(vector, ShippedRecords.binding(vector.type(), Generation.ROS2),
+        vector.ros1().isPresent() ? ShippedRecords.binding(vector.type(), Generation.ROS1)
             : null);
   }
 
@@ -76,7 +76,7 @@ class CdrTest {
   void damagedMessagesAreRefusedOrRead(CdrVectors.Vector vector) throws Exception {
     SplittableRandom random = new SplittableRandom(18);
     MessageSchema schema = ShippedDefinitions.schema(vector.type(), Generation.ROS2);
-    RecordBinding<?> binding = RecordBinding.shipped(ShippedRecords.record(vector.type()), Generation.ROS2);
+    RecordBinding<?> binding = ShippedRecords.binding(vector.type(), Generation.ROS2);
     for (int round = 0; round < ROUNDS; round++) {
       byte[] damaged = damage(round % 2 == 0 ? vector.little() : vector.big(), random);
       boolean accepted = accepts(() -> DynamicMessage.read(schema, new CdrReader(ByteBuffer.wrap(damaged))));

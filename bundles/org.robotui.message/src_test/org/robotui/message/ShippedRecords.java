@@ -19,23 +19,23 @@ public final class ShippedRecords {
   /** The codecs of ROS 1 by the name of the type, services' requests and responses included. */
   static Map<String, RecordCodec<?>> codecs() throws IOException {
     Map<String, RecordCodec<?>> codecs = new TreeMap<>();
-    for (Class<? extends Record> each : records()) {
+    for (Class<?> each : records()) {
       if (new ShippedDefinitions(Generation.ROS1).has(RecordCodec.typeOf(each))) {
-        codecs.put(RecordCodec.typeOf(each), RecordCodec.of(each));
+        codecs.put(RecordCodec.typeOf(each), RecordCodec.of(each.asSubclass(Record.class)));
       }
     }
     return codecs;
   }
 
-  private static List<Class<? extends Record>> records() throws IOException {
-    List<Class<? extends Record>> records = new ArrayList<>();
+  private static List<Class<?>> records() throws IOException {
+    List<Class<?>> records = new ArrayList<>();
     Path root = classes();
     try (Stream<Path> files = Files.walk(root.resolve("org/robotui/message/ros"))) {
       for (Path each : (Iterable<Path>) files.filter(f -> f.toString().endsWith(".class"))::iterator) {
         String name = root.relativize(each).toString().replace('/', '.').replaceFirst("\\.class$", "");
         Class<?> type = Class.forName(name);
         if (type.isRecord()) {
-          records.add(type.asSubclass(Record.class));
+          records.add(type);
         }
       }
     } catch (ReflectiveOperationException e) {
@@ -44,9 +44,11 @@ public final class ShippedRecords {
     return records;
   }
 
-  /** The record of a type. */
-  static Class<? extends Record> record(String type) throws IOException {
-    return records().stream().filter(each -> RecordCodec.typeOf(each).equals(type)).findFirst().orElseThrow();
+  /** The record of a type, bound to its definition. */
+  static RecordBinding<?> binding(String type, Generation generation) throws IOException {
+    Class<?> found =
+        records().stream().filter(each -> RecordCodec.typeOf(each).equals(type)).findFirst().orElseThrow();
+    return RecordBinding.shipped(found.asSubclass(Record.class), generation);
   }
 
   /** Whether a record has all that ROS 2 sends. */

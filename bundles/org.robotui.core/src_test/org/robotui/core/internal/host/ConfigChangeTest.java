@@ -82,6 +82,14 @@ class ConfigChangeTest {
   }
 
   @Test
+  void sameNameTwiceIsAProblem() throws Exception {
+    assertEquals(List.of(), bench.load(YAML), "the same file read again brings nothing new");
+    Path other = Files.writeString(folder.resolve("other.yaml"), YAML);
+    assertTrue(bench.core.load(other).getFirst().message().contains("runs already"));
+    assertEquals(1, bench.core.ruics().size());
+  }
+
+  @Test
   void anotherFrameworkIsToldAndNotTakenUpByItself() {
     ConfigChange change = after(YAML.replace("type: fake, peer: first", "type: other, peer: second"));
     InterfaceConfig wanted = new InterfaceConfig("base", "other", "pioneer", "", Map.of("peer", "second"));

@@ -383,15 +383,6 @@ class CoreTest {
   }
 
   @Test
-  void sameNameTwiceIsAProblem() throws Exception {
-    running();
-    assertEquals(List.of(), bench.load(YAML), "the same file read again brings nothing new");
-    Path other = Files.writeString(folder.resolve("other.yaml"), YAML);
-    assertTrue(bench.core.load(other).getFirst().message().contains("runs already"));
-    assertEquals(1, bench.core.ruics().size());
-  }
-
-  @Test
   void removedRuicLeavesNoThread() throws Exception {
     Ruic ruic = running();
     ruic.select("window");

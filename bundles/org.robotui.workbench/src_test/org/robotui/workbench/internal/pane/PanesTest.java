@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -39,7 +38,6 @@ import org.robotui.workbench.internal.model.Lease;
 import org.robotui.workbench.internal.model.Overview;
 import org.robotui.workbench.internal.model.SearchEntry;
 import org.robotui.workbench.internal.model.Stops;
-import org.robotui.workbench.internal.model.WindowPlaces;
 
 @EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class PanesTest {
@@ -243,7 +241,7 @@ class PanesTest {
     bar.setSize(1400, 44);
     bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), new Stops(TWO.robots(), List.of("Natalie")));
 
-    assertTrue(button(bar, "Release the stop of Natalie;").getSize().x > 80);
+    assertTrue(TopBarTest.button(bar, "Release the stop of Natalie;").getSize().x > 80);
     assertTrue(Controls.all(bar, ShortenedLabel.class).stream()
         .anyMatch(words -> words.text().equals("Stopped: Natalie") && words.getSize().x > 80));
 
@@ -320,27 +318,6 @@ class PanesTest {
 
     assertTrue(search.isDisposed());
     assertEquals(List.of("F"), shortcuts.found().stream().map(SearchEntry::keys).toList());
-  }
-
-  @Test
-  void theStopIsSeenWholeInNarrowWindowsToo() {
-    TopBar bar = new TopBar(shell, theme, Menus.ALL, actions);
-    for (int width : new int[]{1600, WindowPlaces.LEAST_WIDTH, 954, 780, 1200, WindowPlaces.LEAST_WIDTH}) {
-      bar.setSize(width, 44);
-      QuietButton stop = button(bar, "Stop all robots");
-      assertTrue(stop.getLocation().x + stop.getSize().x <= width, () -> width + " pixels: " + stop.getBounds());
-      assertTrue(stop.getSize().x > 100);
-    }
-    bar.setSize(820, 44);
-    bar.show(Lease.of(ruic.authorities(), ruic.snapshot().link(), YOU), TWO);
-    QuietButton release = button(bar, "Release the stop");
-    assertTrue(release.getSize().x > 80
-        && release.getLocation().x + release.getSize().x <= button(bar, "Stop all robots").getLocation().x);
-  }
-
-  private static QuietButton button(Composite parent, String hint) {
-    return Arrays.stream(parent.getChildren()).filter(QuietButton.class::isInstance).map(QuietButton.class::cast)
-        .filter(b -> String.valueOf(b.getToolTipText()).startsWith(hint)).findFirst().orElseThrow();
   }
 
   @Test
