@@ -3,7 +3,13 @@
 cmd_format() {
   [[ $# -eq 0 ]] || usage_error "format takes no arguments: it lays out all Java code of this checkout"
   need_jdk
-  need_maven
   say "Laying out the Java code"
-  maven "$KEEP/logs/format.log" -N -q net.revelc.code.formatter:formatter-maven-plugin:format || fail "the code could not be laid out"
+  lay_out '**/*.java'
+}
+
+# lay_out FILES: those in bundles, tests and releng that the pattern names.
+lay_out() {
+  need_maven
+  maven "$KEEP/logs/format.log" -N -q net.revelc.code.formatter:formatter-maven-plugin:format "-Dformat.files=$1" \
+    || fail "the code could not be laid out"
 }

@@ -14,9 +14,10 @@ cmd_new_sources() {
   esac
 }
 
-# Derived lists of features follow at once, so that the tests of the architecture find nothing that a build would write.
+# In the repository, derived lists of features follow at once, so that the tests of the architecture find nothing that a build would write;
+# and lines are wrapped anew, as the name of the bundle is longer or shorter than that of the example.
 new_bundle() {
   need_jdk
   "$JAVA_HOME/bin/java" "$ROOT/releng/NewBundle.java" "$ROOT" "$@" || exit $?
-  [[ " $* " == *' --in '* ]] || list_features
+  [[ " $* " == *' --in '* ]] || { list_features && lay_out "*.$2/**/*.java"; }
 }
