@@ -9,6 +9,7 @@ final class Rules {
       new LayerRule(), new BuildOrderRule(), new ReservedPackagesRule(), new ComponentIsolationRule(), new ExportRule(),
       new NamingRule(), new SharedNameRule(),
       new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(),
+      new WalkRule(),
       new JavadocRule(), new SizeRule(),
       new ForbiddenTextRule(), new IdeRule());
 
