@@ -8,10 +8,12 @@ import java.nio.file.Path;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.PaletteData;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.testkit.TestDisplay;
 
+@EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class PngFileSwtTest {
   private static final ImageData PICTURE = new ImageData(8, 4, 24, new PaletteData(0xff, 0xff00, 0xff0000));
 
