@@ -101,7 +101,7 @@ public final class WorkbenchApplication implements IApplication {
         say("the core did not start within " + CORE_LIMIT.toSeconds() + " s");
         return NO_CORE;
       }
-      DisplayLoss.watch(() -> onDisplayLost(host.get()));
+      DisplayLoss.watch(display, () -> onDisplayLost(host.get()));
       return run(host.get(), display, arguments, components);
     } finally {
       display.dispose();
