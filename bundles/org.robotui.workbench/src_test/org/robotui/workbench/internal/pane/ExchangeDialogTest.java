@@ -14,6 +14,7 @@ import org.eclipse.swt.widgets.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.robotui.api.Descriptor;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
@@ -40,6 +41,7 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.ExchangeModel;
 
+@EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class ExchangeDialogTest {
   private static final Schema ROS =
       Schema.of(Setting.optional("master", new ValueType.Text(), "address of the master"));

@@ -15,6 +15,7 @@ import org.eclipse.swt.widgets.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.robotui.api.Descriptor;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
@@ -37,6 +38,7 @@ import org.robotui.ui.Themes;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.workbench.internal.model.NewRobotModel;
 
+@EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class NewRobotDialogTest {
   private static final Path FILE = Path.of("/x/robot.yaml");
   private static final Schema PLAYER = Schema.of(

@@ -10,6 +10,7 @@ import org.eclipse.swt.widgets.Shell;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.ReuseReport.Kind;
@@ -18,6 +19,7 @@ import org.robotui.testkit.TestDisplay;
 import org.robotui.ui.Theme;
 import org.robotui.ui.Themes;
 
+@EnabledIfEnvironmentVariable(named = "DISPLAY", matches = ".+")
 class ReuseDialogTest {
   private static final ReuseReport REPORT = new ReuseReport(List.of("Natalie", "Keira"), List.of(
       new Row(Kind.RFIC, "org.robotui.rfic.ros", "ROS 1", List.of("Natalie")),
