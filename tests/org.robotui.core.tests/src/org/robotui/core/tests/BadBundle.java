@@ -9,7 +9,8 @@ final class BadBundle {
 
   private static final String IMPORTS =
       "org.osgi.framework,org.robotui.api,org.robotui.api.command,org.robotui.api.config,"
-          + "org.robotui.api.host,org.robotui.api.link,org.robotui.api.port,org.robotui.data,org.robotui.geometry";
+          + "org.robotui.api.host,org.robotui.api.link,org.robotui.api.port,org.robotui.data,"
+          + "org.robotui.data.command,org.robotui.data.record,org.robotui.data.status,org.robotui.geometry";
 
   private BadBundle() {}
 
