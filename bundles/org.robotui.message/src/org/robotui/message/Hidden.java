@@ -13,10 +13,9 @@ record Hidden(MethodHandles.Lookup lookup) {
   /** An object of the class, which nobody else can name. */
   <T> T make(Class<?> neighbour, byte[] code, Class<T> type, Object[] parts) {
     try {
-      MethodHandles.Lookup hidden = MethodHandles.privateLookupIn(neighbour, HERE)
-          .defineHiddenClass(code, true, MethodHandles.Lookup.ClassOption.NESTMATE);
+      MethodHandles.Lookup made = define(neighbour, code);
       MethodHandle constructor =
-          hidden.findConstructor(hidden.lookupClass(), MethodType.methodType(void.class, Object[].class));
+          made.findConstructor(made.lookupClass(), MethodType.methodType(void.class, Object[].class));
       return type.cast(constructor.asType(MethodType.methodType(Object.class, Object[].class)).invokeExact(parts));
     } catch (IllegalAccessException | LinkageError e) {
       throw new IllegalArgumentException(neighbour.getName() + " cannot be bound: " + e.getMessage(), e);
@@ -24,6 +23,29 @@ record Hidden(MethodHandles.Lookup lookup) {
       throw e;
     } catch (Throwable e) {
       throw new IllegalStateException(e);
+    }
+  }
+
+  /**
+   * A class of another bundle cannot be given hidden neighbours, as each bundle is a module of its own. A loader below
+   * its own sees all that is public there.
+   */
+  private static MethodHandles.Lookup define(Class<?> neighbour, byte[] code) throws IllegalAccessException {
+    MethodHandles.Lookup beside = MethodHandles.privateLookupIn(neighbour, HERE);
+    if (beside.hasFullPrivilegeAccess()) {
+      return beside.defineHiddenClass(code, true, MethodHandles.Lookup.ClassOption.NESTMATE);
+    }
+    return MethodHandles.privateLookupIn(new Below(neighbour.getClassLoader()).define(code), HERE);
+  }
+
+  /** The loader of one class, with which it goes. */
+  private static final class Below extends ClassLoader {
+    Below(ClassLoader above) {
+      super(above);
+    }
+
+    Class<?> define(byte[] code) {
+      return defineClass(null, code, 0, code.length);
     }
   }
 

@@ -31,30 +31,43 @@ final class Pending {
     this.executor = executor;
   }
 
-  /** Adds what is to be told, unless it is there already. */
+  /**
+   * Adds what is to be told, unless it is there already. Never throws, whatever becomes of memory or of a display that
+   * has gone: the others are to hear of it, and who tells has more to do.
+   */
   void post(Object key, Consumer<HostListener> event) {
-    if (add(key, event)) {
-      try {
+    try {
+      if (add(key, event)) {
         executor.execute(this::tell);
-      } catch (RuntimeException e) { // a display that has just gone: the others are to hear of it
-        Thrown.log(LOG, "A listener cannot be told any more: " + listener.getClass().getName(), e);
       }
+    } catch (RuntimeException | Error e) {
+      again();
+      Thrown.log(LOG, "A listener could not be told", e);
     }
   }
 
   /** True where a task is needed. */
   private synchronized boolean add(Object key, Consumer<HostListener> event) {
-    if (ended || events.size() >= MOST) {
-      return false;
+    if (!ended && events.size() < MOST) {
+      events.putIfAbsent(key, event);
     }
-    events.putIfAbsent(key, event);
-    boolean first = !waits;
+    boolean needed = !ended && !waits;
     waits = true;
-    return first;
+    return needed;
   }
 
   private void tell() {
-    take().forEach(this::tell);
+    try {
+      take().forEach(this::tell);
+    } catch (RuntimeException | Error e) {
+      again();
+      Thrown.log(LOG, "A listener could not be told", e);
+    }
+  }
+
+  /** No task waits: the next thing that happens makes one, also for what is left. */
+  private synchronized void again() {
+    waits = false;
   }
 
   private synchronized List<Consumer<HostListener>> take() {
