@@ -33,7 +33,8 @@ final class Pending {
 
   /**
    * Adds what is to be told, unless it is there already. Never throws, whatever becomes of memory or of a display that
-   * has gone: the others are to hear of it, and who tells has more to do.
+   * has gone: the others are to hear of it, and who tells has more to do. Where it threw for want of memory, robots
+   * that were to be stopped went on moving.
    */
   void post(Object key, Consumer<HostListener> event) {
     try {
