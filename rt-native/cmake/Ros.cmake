@@ -1,7 +1,7 @@
 # ROS 1, where it is wanted: the target rt::ros_libraries, and rt_ros_messages() for messages that no package of the system has.
 set(RT_ROS AUTO CACHE STRING "the process that shows the robot in ROS: ON, OFF, or AUTO (where ROS 1 is found)")
 set(RT_ROS_PACKAGES "libroscpp-dev libstd-srvs-dev libsensor-msgs-dev libgeometry-msgs-dev libtf2-msgs-dev python3-gencpp python3-genpy")
-set(RT_ROS_DEFINITIONS ${CMAKE_CURRENT_LIST_DIR}/../../bundles/org.robotui.ros/src/org/robotui/ros/message/definitions)
+set(RT_ROS_DEFINITIONS ${CMAKE_CURRENT_LIST_DIR}/../../bundles/org.robotui.message/src/org/robotui/message/definitions)
 
 if(RT_ROS)
   pkg_check_modules(ROSCPP QUIET IMPORTED_TARGET roscpp std_srvs sensor_msgs geometry_msgs tf2_msgs)
