@@ -19,8 +19,8 @@ import org.osgi.util.tracker.ServiceTracker;
 import org.robotui.api.ComponentType;
 import org.robotui.api.RficType;
 import org.robotui.api.TextUic;
-import org.robotui.api.UicType;
 import org.robotui.api.UicType.Surface;
+import org.robotui.api.UicType;
 import org.robotui.api.command.Principal;
 import org.robotui.api.host.ComponentStatus;
 import org.robotui.api.host.Host;
@@ -39,7 +39,7 @@ final class World implements AutoCloseable {
   static final String SINGLE = "org.robotui.ruic.single";
 
   private static final List<String> PARTS = List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.message",
-      "org.robotui.message.data", "org.robotui.ros",
+      "org.robotui.message.data", "org.robotui.message.topic", "org.robotui.ros",
       "org.robotui.rfic.ros", "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm",
       "org.robotui.rfic.lcm");
   private static final long SERVICE_MILLIS = 10_000;

@@ -8,7 +8,7 @@ import org.robotui.api.RficContext;
 import org.robotui.api.RficType;
 import org.robotui.api.config.Settings;
 import org.robotui.guard.Guards;
-import org.robotui.rfic.ros.internal.call.RosPorts;
+import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 
 /** The type {@code ros}: a client of ROS 1. */
@@ -17,7 +17,7 @@ public final class RosRficType implements RficType {
   /** Streams and commands are those that the robot has; only calling and browsing are always there. */
   private static final Descriptor DESCRIPTOR = new Descriptor("ros", "ROS 1",
       "Topics, services, parameters and transforms of a ROS 1 robot, found by asking its master.",
-      RosSettings.SCHEMA, List.of(RosPorts.SERVICES, RosPorts.GRAPH));
+      RosSettings.SCHEMA, List.of(TopicPorts.SERVICES, TopicPorts.GRAPH));
 
   private final SharedMasters masters = new SharedMasters();
   private final Guards guards = new Guards();

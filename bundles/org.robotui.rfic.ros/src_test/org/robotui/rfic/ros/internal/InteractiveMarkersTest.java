@@ -21,8 +21,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robotui.api.config.Settings;
-import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
+import org.robotui.api.port.CommandSink;
 import org.robotui.data.FrameId;
 import org.robotui.data.marker.InteractiveMarker;
 import org.robotui.data.marker.InteractiveMarkerSet;
@@ -31,10 +31,14 @@ import org.robotui.geometry.RigidTransform;
 import org.robotui.geometry.Vector3;
 import org.robotui.guard.Guards;
 import org.robotui.message.RecordCodec;
+import org.robotui.message.ros.geometry_msgs.Point;
+import org.robotui.message.ros.geometry_msgs.Pose;
+import org.robotui.message.ros.geometry_msgs.Quaternion;
+import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerFeedback;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
-import org.robotui.rfic.ros.internal.graph.SampleHandles;
+import org.robotui.message.ros.visualization_msgs.MenuEntry;
 import org.robotui.rfic.ros.internal.graph.SharedMasters;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
@@ -67,7 +71,7 @@ class InteractiveMarkersTest {
     updates =
         server.publisher("/goals/update", RecordCodec.of(InteractiveMarkerUpdate.class), PublisherOptions.standard());
     server.publisher("/goals/update_full", RecordCodec.of(InteractiveMarkerInit.class), PublisherOptions.latched())
-        .publish(new InteractiveMarkerInit("s", 4, List.of(SampleHandles.interactive("goal", 2))));
+        .publish(new InteractiveMarkerInit("s", 4, List.of(handle())));
     server.subscriber("/goals/feedback", RecordCodec.of(InteractiveMarkerFeedback.class), SubscriberOptions.standard(),
         (m, from) -> heard.add(m));
   }
@@ -142,5 +146,11 @@ class InteractiveMarkersTest {
       assertTrue(System.nanoTime() < end, "waited in vain");
       LockSupport.parkNanos(5_000_000);
     }
+  }
+
+  private static org.robotui.message.ros.visualization_msgs.InteractiveMarker handle() {
+    Pose pose = new Pose(new Point(2, 0, 0), new Quaternion(0, 0, 0, 1));
+    return new org.robotui.message.ros.visualization_msgs.InteractiveMarker(new Header(0, 0, "map"), pose, "goal",
+        "the goal", 1, List.of(new MenuEntry(1, 0, "Go", "", 0)), List.of());
   }
 }

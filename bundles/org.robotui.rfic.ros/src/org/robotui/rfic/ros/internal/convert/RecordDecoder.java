@@ -42,7 +42,12 @@ public final class RecordDecoder {
     }
   }
 
-  MessageRegistry registry() {
+  /**
+   * What it decodes by.
+   *
+   * @return knows message definitions
+   */
+  public MessageRegistry registry() {
     return registry;
   }
 

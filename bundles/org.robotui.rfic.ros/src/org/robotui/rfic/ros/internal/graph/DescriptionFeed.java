@@ -33,8 +33,8 @@ final class DescriptionFeed implements AutoCloseable {
 
   DescriptionFeed(RficContext context, Parameters parameters, RosSettings settings, String packagePath) {
     this.context = context;
-    this.topic = settings.topic(NAME);
-    this.port = settings.portName(topic);
+    this.topic = settings.topics().topic(NAME);
+    this.port = settings.topics().portName(topic);
     this.roots = Stream.of(packagePath.split(":")).filter(folder -> folder.startsWith("/")).toList();
     parameters.subscribe(topic, (key, value) -> urdf = text(value));
     parameters.subscribe(topic + "_semantic", (key, value) -> srdf = text(value));

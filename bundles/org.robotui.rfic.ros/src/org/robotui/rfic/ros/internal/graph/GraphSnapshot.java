@@ -4,20 +4,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import org.robotui.message.topic.TopicGraph;
 
-/**
- * Who else, beside this process, publishes and subscribes what, at one moment.
- *
- * @param published type by topic, of topics that others publish
- * @param subscribed type by topic, of topics to which others subscribe
- */
-record GraphSnapshot(Map<String, String> published, Map<String, String> subscribed) {
+/** Who else, beside this process, publishes and subscribes what, as a master says it. */
+final class GraphSnapshot {
   private static final String ANY = "*";
 
+  private GraphSnapshot() {}
+
   /** What others do, seen from one node. */
-  static GraphSnapshot of(SharedGraph graph, String self) {
+  static TopicGraph of(SharedGraph graph, String self) {
     Predicate<String> ours = ours(self);
-    return new GraphSnapshot(
+    return new TopicGraph(
         typed(graph.state().publishers(), graph.types(), ours),
         typed(graph.state().subscribers(), graph.types(), ours));
   }

@@ -11,18 +11,20 @@ import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
 import org.robotui.api.RficContext;
 import org.robotui.api.link.LinkState;
-import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.RobotSession;
 import org.robotui.message.MessageRegistry;
-import org.robotui.rfic.ros.internal.convert.RecordDecoder;
+import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.TopicClient;
+import org.robotui.message.topic.TopicGraph;
+import org.robotui.message.topic.TopicPorts;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
 import org.robotui.rfic.ros.internal.call.RosActions;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
-import org.robotui.rfic.ros.internal.call.RosPorts;
 import org.robotui.rfic.ros.internal.call.RosServices;
 import org.robotui.rfic.ros.internal.call.RosTunables;
+import org.robotui.rfic.ros.internal.convert.RecordDecoder;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.NodeOptions;
 import org.robotui.ros.RosNode;
@@ -38,14 +40,8 @@ public final class RosSession implements RobotSession {
   private final RosSettings settings;
   private final SharedMaster master;
   private final RosNode node;
-  private final Offers offers;
-  private final TransformFeed transforms;
+  private final RobotTopics topics;
   private final DescriptionFeed description;
-  private final SessionClock clock;
-  private final Pulse pulse = new Pulse();
-  private final MessageTopics messages;
-  private final Offer publish;
-  private final Offer handled;
   private final Offer services;
   private final RosActions actions;
   private final Offer goals;
@@ -72,20 +68,15 @@ public final class RosSession implements RobotSession {
     LinkWatch watch = new LinkWatch();
     NodeOptions options = NodeOptions.standard(context.threads()).withLinks(watch).withRecords(context.stateFolder());
     this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), care.apply(options));
-    this.clock = new SessionClock(context, node.clock());
-    MarkerFeedbacks feedbacks = new MarkerFeedbacks(node, pulse);
-    this.offers = new Offers(context, settings, node, clock, new RecordDecoder(registry), watch, pulse, feedbacks);
-    this.handled = context.offers().command(RosPorts.MARKER_FEEDBACK, feedbacks);
-    this.transforms = new TransformFeed(context, node, clock, settings, master);
+    TopicClient client = new RosTopicClient(node, new RecordDecoder(registry), watch);
+    this.topics = new RobotTopics(context, settings.topics(), client, master.transforms());
     this.description = new DescriptionFeed(context, node.parameters(), settings,
         Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
-    this.messages = new MessageTopics(node, registry);
-    this.publish = context.offers().command(RosPorts.PUBLISH, messages);
-    this.services = context.offers().call(RosPorts.SERVICES, new RosServices(node, registry));
+    this.services = context.offers().call(TopicPorts.SERVICES, new RosServices(node, registry));
     this.actions = new RosActions(node, registry, context.threads());
-    this.goals = context.offers().call(RosPorts.ACTIONS, actions);
+    this.goals = context.offers().call(TopicPorts.ACTIONS, actions);
     this.tunables = new RosTunables(node);
-    this.graph = context.offers().browse(RosPorts.GRAPH, new RosBrowser(node, registry, tunables));
+    this.graph = context.offers().browse(TopicPorts.GRAPH, new RosBrowser(node, registry, tunables));
   }
 
   /** Follows the graph until the node is ended from outside. */
@@ -98,12 +89,9 @@ public final class RosSession implements RobotSession {
         look();
         nextLook = System.nanoTime() + LOOK.toNanos();
       }
-      offers.applyDemand();
-      messages.tick();
+      topics.tick();
       description.tick();
       tunables.tick();
-      clock.tick();
-      transforms.tick();
       try {
         return Optional.of("our node was ended: " + ended.get(CLOCK.toMillis(), TimeUnit.MILLISECONDS));
       } catch (TimeoutException e) {
@@ -122,20 +110,19 @@ public final class RosSession implements RobotSession {
     }
   }
 
-  private void seen(GraphSnapshot snapshot) {
+  private void seen(TopicGraph snapshot) {
     met = true;
-    pulse.answered(System.nanoTime());
-    offers.follow(snapshot);
-    messages.follow(snapshot);
+    topics.pulse().answered(System.nanoTime());
+    topics.follow(snapshot);
     String peer = settings.master().toString();
-    String problem = offers.problem();
+    String problem = topics.problem();
     context.link().report(
         problem.isEmpty() ? new LinkState.Connected(peer) : new LinkState.Degraded(peer, problem));
   }
 
   /** Without the master, established links go on: that is no failure of the robot, but nothing new can be found. */
   private void unseen(String reason) {
-    boolean flowing = met && offers.flowing();
+    boolean flowing = met && topics.flowing();
     context.link().report(
         flowing
             ? new LinkState.Degraded(settings.master().toString(), reason + "; established links go on")
@@ -148,18 +135,14 @@ public final class RosSession implements RobotSession {
    */
   @Override
   public void close() {
-    offers.stop();
+    topics.stop();
     node.leave();
-    publish.close();
-    handled.close();
-    messages.close();
     services.close();
     goals.close();
     actions.close();
     tunables.close();
     graph.close();
-    offers.close();
-    transforms.close();
+    topics.close();
     description.close();
     node.close();
   }

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import java.time.Duration;
 import java.util.HashMap;
@@ -11,37 +11,43 @@ import org.robotui.data.command.Motion;
 import org.robotui.message.DynamicCodec;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageException;
-import org.robotui.message.MessageRegistry;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.CommandType;
-import org.robotui.ros.Publisher;
-import org.robotui.ros.PublisherOptions;
-import org.robotui.ros.RosNode;
+import org.robotui.message.topic.TopicClient;
+import org.robotui.message.topic.TopicGraph;
+import org.robotui.message.topic.TopicPublisher;
 
 /**
  * Says single messages of any type on any topic that somebody listens to. A topic is advertised with its first message,
  * which waits a moment for its listeners to connect, and is given up when nothing was said for a while. Nothing
  * latches: what was said is not said again to those who come later.
  */
-final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable {
+public final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable {
   private static final Duration PATIENCE = Duration.ofMillis(1500);
   private static final Duration GATHERING = Duration.ofMillis(150);
   private static final Duration IDLE = Duration.ofSeconds(30);
 
-  private final RosNode node;
-  private final MessageRegistry registry;
+  private final TopicClient client;
   private final Map<String, Topic> topics = new HashMap<>();
   private volatile Map<String, String> listened = Map.of();
 
-  MessageTopics(RosNode node, MessageRegistry registry) {
-    this.node = node;
-    this.registry = registry;
+  /**
+   * Has no topics yet.
+   *
+   * @param client says what is to be said
+   */
+  public MessageTopics(TopicClient client) {
+    this.client = client;
   }
 
-  /** Who listens to what. */
-  void follow(GraphSnapshot graph) {
-    listened = Map.copyOf(graph.subscribed());
+  /**
+   * Takes note of who listens to what.
+   *
+   * @param graph who subscribes what
+   */
+  public void follow(TopicGraph graph) {
+    listened = graph.subscribed();
   }
 
   @Override
@@ -65,25 +71,25 @@ final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable 
   }
 
   private Sent say(MessageCommand command) {
-    if (!(registry.message(command.type()) instanceof SchemaLookup.Found<MessageSchema> found)) {
+    if (!(client.schema(command.type()) instanceof SchemaLookup.Found<MessageSchema> found)) {
       return new Sent.Refused("the definition of " + command.type() + " is not known here");
     }
     DynamicCodec codec = new DynamicCodec(found.schema());
     try {
-      topic(command, codec).say(codec.build(command.fields()));
+      topic(command, found.schema()).say(codec.build(command.fields()));
       return new Sent.Out();
     } catch (MessageException e) {
       return new Sent.Refused(command.type() + " is not filled in like this: " + e.getMessage());
     }
   }
 
-  private Topic topic(MessageCommand command, DynamicCodec codec) {
+  private Topic topic(MessageCommand command, MessageSchema schema) {
     return topics.computeIfAbsent(command.topic(),
-        t -> new Topic(node.publisher(t, codec, PublisherOptions.standard().withQueue(1))));
+        t -> new Topic(client.messages(t, schema)));
   }
 
   /** Says what waited for its listeners, and gives up what is not used. */
-  synchronized void tick() {
+  public synchronized void tick() {
     for (Iterator<Topic> all = topics.values().iterator(); all.hasNext();) {
       Topic topic = all.next();
       topic.tick();
@@ -102,14 +108,14 @@ final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable 
 
   /** One advertised topic. */
   private static final class Topic {
-    private final Publisher<DynamicMessage> publisher;
+    private final TopicPublisher<DynamicMessage> publisher;
     private final long since = System.nanoTime();
     private Optional<DynamicMessage> waiting = Optional.empty();
     private long connectedAt;
     private long saidAt = since;
     private boolean ready;
 
-    Topic(Publisher<DynamicMessage> publisher) {
+    Topic(TopicPublisher<DynamicMessage> publisher) {
       this.publisher = publisher;
     }
 
@@ -125,7 +131,7 @@ final class MessageTopics implements CommandSink<MessageCommand>, AutoCloseable 
     /** The first listener is given some time for the others to come, so that all hear the first message. */
     void tick() {
       long now = System.nanoTime();
-      if (!ready && connectedAt == 0 && publisher.numSubscribers() > 0) {
+      if (!ready && connectedAt == 0 && publisher.subscribers() > 0) {
         connectedAt = now;
       }
       boolean gathered = connectedAt != 0 && now - connectedAt > GATHERING.toNanos();

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -6,64 +6,48 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robotui.api.RficContext;
-import org.robotui.api.link.Pulse;
+import java.util.function.BiConsumer;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Publication;
 import org.robotui.api.port.StreamPort;
 import org.robotui.data.marker.InteractiveMarkerSet;
-import org.robotui.message.RecordCodec;
 import org.robotui.message.data.FrameNames;
+import org.robotui.message.data.MessageForm;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
-import org.robotui.rfic.ros.internal.RosSettings;
-import org.robotui.ros.Reception;
-import org.robotui.ros.RosNode;
-import org.robotui.ros.Subscriber;
-import org.robotui.ros.SubscriberOptions;
+import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.TopicListener;
+import org.robotui.message.topic.TopicSubscription;
 
 /**
  * The interactive markers of the servers on one topic as a stream: what the updates and the list of all say together.
  */
 final class MarkerStream implements Followed {
   static final String TYPE = "visualization_msgs/InteractiveMarkerUpdate";
+  private static final String FULL = "visualization_msgs/InteractiveMarkerInit";
   private static final String UPDATE = "/update";
   private static final long SILENCE_NANOS = Duration.ofSeconds(10).toNanos();
   private static final int MOST_SERVERS = 16;
 
   private final String topic;
-  private final RosNode node;
-  private final SessionClock clock;
-  private final LinkWatch watch;
-  private final Pulse pulse;
+  private final TopicScope scope;
   private final MarkerFeedbacks feedbacks;
   private final Publication<InteractiveMarkerSet> publication;
   private final Map<String, MarkerSync> servers = new HashMap<>(); // guarded by this
-  private final List<Subscriber> subscribers = new ArrayList<>();
+  private final List<TopicSubscription> subscriptions = new ArrayList<>();
   private boolean published = true;
   private boolean begun; // guarded by this
   private String told = "";
   private volatile long heardAt;
   private volatile boolean wanted;
 
-  MarkerStream(
-      String topic,
-      RficContext context,
-      RosSettings settings,
-      RosNode node,
-      SessionClock clock,
-      LinkWatch watch,
-      Pulse pulse,
-      MarkerFeedbacks feedbacks) {
+  MarkerStream(String topic, TopicScope scope, MarkerFeedbacks feedbacks) {
     this.topic = topic;
-    this.node = node;
-    this.clock = clock;
-    this.watch = watch;
-    this.pulse = pulse;
+    this.scope = scope;
     this.feedbacks = feedbacks;
-    StreamPort<InteractiveMarkerSet> port = new StreamPort<>(
-        settings.portName(topic), InteractiveMarkerSet.class, Arity.MANY, topic + ", interactive markers");
-    this.publication = context.offers().stream(port, w -> wanted = w);
+    StreamPort<InteractiveMarkerSet> port = new StreamPort<>(scope.settings().portName(topic),
+        InteractiveMarkerSet.class, Arity.MANY, topic + ", interactive markers");
+    this.publication = scope.context().offers().stream(port, w -> wanted = w);
   }
 
   static boolean serves(String topic, String type) {
@@ -95,33 +79,46 @@ final class MarkerStream implements Followed {
 
   @Override
   public boolean flowing() {
-    return subscribers.stream().anyMatch(s -> s.numPublishers() > 0);
+    return subscriptions.stream().anyMatch(s -> s.publishers() > 0);
   }
 
   @Override
   public void applyDemand() {
-    if (wanted && subscribers.isEmpty()) {
+    if (wanted && subscriptions.isEmpty()) {
       heardAt = System.nanoTime();
       feedbacks.open(feedback());
-      SubscriberOptions options = SubscriberOptions.observing();
-      subscribers.add(node.subscriber(topic, RecordCodec.of(InteractiveMarkerUpdate.class), options, this::updated));
-      subscribers.add(
-          node.subscriber(base() + "/update_full", RecordCodec.of(InteractiveMarkerInit.class), options, this::begun));
+      subscriptions.add(subscribe(topic, TYPE, InteractiveMarkerUpdate.class, this::updated));
+      subscriptions.add(subscribe(base() + "/update_full", FULL, InteractiveMarkerInit.class, this::begun));
     } else if (!wanted) {
       end();
     }
   }
 
-  private synchronized void updated(InteractiveMarkerUpdate message, Reception reception) {
-    heardAt = reception.receiveNanos();
-    pulse.heard(heardAt);
-    FrameNames names = clock.names();
-    server(message.serverId()).ifPresent(server -> say(server.take(message, names), reception));
+  private <M extends Record> TopicSubscription subscribe(String from, String type, Class<M> form,
+      BiConsumer<M, Arrival> taking) {
+    return scope.client().subscribe(from, type, new MessageForm.Bound<>(form, false), new TopicListener<M>() {
+      @Override
+      public void received(M message, Arrival arrival) {
+        taking.accept(message, arrival);
+      }
+
+      @Override
+      public void unreadable(String reason, Arrival arrival) {
+        publication.lost(1, from + " from " + arrival.sender() + ": " + reason);
+      }
+    });
   }
 
-  private synchronized void begun(InteractiveMarkerInit message, Reception reception) {
-    FrameNames names = clock.names();
-    server(message.serverId()).ifPresent(server -> say(server.take(message, names), reception));
+  private synchronized void updated(InteractiveMarkerUpdate message, Arrival arrival) {
+    heardAt = arrival.receiveNanos();
+    scope.pulse().heard(heardAt);
+    FrameNames names = scope.clock().names();
+    server(message.serverId()).ifPresent(server -> say(server.take(message, names), arrival));
+  }
+
+  private synchronized void begun(InteractiveMarkerInit message, Arrival arrival) {
+    FrameNames names = scope.clock().names();
+    server(message.serverId()).ifPresent(server -> say(server.take(message, names), arrival));
   }
 
   private Optional<MarkerSync> server(String id) {
@@ -134,11 +131,11 @@ final class MarkerStream implements Followed {
   }
 
   /** The first that is said counts as all there is: what was known from before may be gone. */
-  private void say(List<InteractiveMarkerSet.Entry> changed, Reception reception) {
+  private void say(List<InteractiveMarkerSet.Entry> changed, Arrival arrival) {
     boolean first = !begun && servers.values().stream().anyMatch(MarkerSync::synchronised);
     if (first || !changed.isEmpty()) {
       begun = true;
-      publication.publish(new InteractiveMarkerSet(first, changed), Optional.empty(), reception.receiveNanos(),
+      publication.publish(new InteractiveMarkerSet(first, changed), Optional.empty(), arrival.receiveNanos(),
           Optional.empty());
     }
   }
@@ -161,16 +158,15 @@ final class MarkerStream implements Followed {
     if (!published) {
       return "nobody publishes " + topic + " any more";
     }
-    boolean silent = !subscribers.isEmpty() && System.nanoTime() - heardAt > SILENCE_NANOS;
-    return watch.failure(topic).orElse(silent ? "no sign of life on " + topic + " for 10 s" : "");
+    boolean silent = !subscriptions.isEmpty() && System.nanoTime() - heardAt > SILENCE_NANOS;
+    return scope.client().failure(topic).orElse(silent ? "no sign of life on " + topic + " for 10 s" : "");
   }
 
   private void end() {
-    if (!subscribers.isEmpty()) {
-      subscribers.forEach(Subscriber::close);
-      subscribers.clear();
+    if (!subscriptions.isEmpty()) {
+      subscriptions.forEach(TopicSubscription::close);
+      subscriptions.clear();
       feedbacks.close(feedback());
-      watch.forget(topic);
       forget();
     }
   }

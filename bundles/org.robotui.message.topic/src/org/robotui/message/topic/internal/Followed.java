@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 /**
  * What is offered because others publish it. The robot is only asked for it while somebody wants it. For the thread

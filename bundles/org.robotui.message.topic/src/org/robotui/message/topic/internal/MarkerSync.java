@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

@@ -1,10 +1,9 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import org.robotui.api.RficContext;
 import org.robotui.api.link.Pulse;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.CommandPort;
@@ -12,12 +11,8 @@ import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.Offer;
 import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
-import org.robotui.message.RecordCodec;
 import org.robotui.message.data.CommandType;
-import org.robotui.rfic.ros.internal.RosSettings;
-import org.robotui.ros.Publisher;
-import org.robotui.ros.PublisherOptions;
-import org.robotui.ros.RosNode;
+import org.robotui.message.topic.TopicPublisher;
 
 /**
  * A topic as a command port. It is advertised as soon as it is offered, as a first command would else be lost while its
@@ -33,20 +28,12 @@ final class CommandTopic implements AutoCloseable {
   private final BooleanSupplier base;
   private final Entry<?, ?> entry;
 
-  CommandTopic(
-      String topic,
-      CommandType<?, ?> command,
-      RficContext context,
-      RosSettings settings,
-      RosNode node,
-      SessionClock clock,
-      Pulse pulse,
-      BooleanSupplier base) {
+  CommandTopic(String topic, CommandType<?, ?> command, TopicScope scope, BooleanSupplier base) {
     this.topic = topic;
     this.type = command.type();
-    this.pulse = pulse;
+    this.pulse = scope.pulse();
     this.base = base;
-    this.entry = new Entry<>(command, context, settings.portName(topic), node, clock);
+    this.entry = new Entry<>(command, scope);
   }
 
   String type() {
@@ -65,17 +52,19 @@ final class CommandTopic implements AutoCloseable {
   private final class Entry<D extends Data, M extends Record> implements CommandSink<D> {
     private final CommandType<D, M> command;
     private final SessionClock clock;
-    private final Publisher<M> publisher;
+    private final TopicPublisher<M> publisher;
     private final Offer offer;
     /** What we drive with now, from when it is sent until a stop is. */
     private volatile Optional<Motion<?>> driven = Optional.empty();
 
-    Entry(CommandType<D, M> command, RficContext context, String port, RosNode node, SessionClock clock) {
+    Entry(CommandType<D, M> command, TopicScope scope) {
       this.command = command;
-      this.clock = clock;
-      this.publisher = node.publisher(topic, RecordCodec.of(command.form()), PublisherOptions.commands());
-      this.offer = context.offers().command(
-          new CommandPort<>(port, command.data(), Arity.MANY, topic + ": " + command.help()), this);
+      this.clock = scope.clock();
+      this.publisher = scope.client().commands(topic, command.type(), command.form(), 1);
+      this.offer = scope.context().offers().command(
+          new CommandPort<>(scope.settings().portName(topic), command.data(), Arity.MANY,
+              topic + ": " + command.help()),
+          this);
     }
 
     @Override
@@ -85,7 +74,7 @@ final class CommandTopic implements AutoCloseable {
 
     @Override
     public Sent send(D value) {
-      if (publisher.numSubscribers() == 0) {
+      if (publisher.subscribers() == 0) {
         return new Sent.Refused("nobody subscribes to " + topic + " now");
       }
       boolean stops = value instanceof Motion<?> motion && motion.equals(motion.stopped());

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import java.util.HashMap;
 import java.util.HashSet;
@@ -8,55 +8,42 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.robotui.api.RficContext;
-import org.robotui.api.link.Pulse;
 import org.robotui.data.command.Motion;
 import org.robotui.message.data.Adapters;
 import org.robotui.message.data.CommandType;
-import org.robotui.rfic.ros.internal.RosSettings;
-import org.robotui.rfic.ros.internal.call.RosPorts;
-import org.robotui.rfic.ros.internal.convert.RecordDecoder;
-import org.robotui.ros.RosNode;
+import org.robotui.message.topic.TopicGraph;
+import org.robotui.message.topic.TopicPorts;
 
 /** Keeps the offered ports equal to the graph. Used by the one thread that follows the graph, but for closing. */
-final class Offers implements AutoCloseable {
+public final class TopicOffers implements AutoCloseable {
   private static final Set<String> TRANSFORMS = Set.of("/tf", "/tf_static");
-  private static final Set<String> OWN = Set.of(RosPorts.PUBLISH.name(), RosPorts.MARKER_FEEDBACK.name());
+  private static final Set<String> OWN = Set.of(TopicPorts.PUBLISH.name(), TopicPorts.MARKER_FEEDBACK.name());
 
-  private final RficContext context;
-  private final RosSettings settings;
-  private final RosNode node;
-  private final SessionClock clock;
+  private final TopicScope scope;
   private final Adapters adapters = new Adapters();
-  private final RecordDecoder records;
-  private final LinkWatch watch;
-  private final Pulse pulse;
   private final MarkerFeedbacks feedbacks;
   private final Map<String, Followed> streams = new HashMap<>();
   private final Map<String, CommandTopic> commands = new HashMap<>();
   private volatile BaseTopics bases = BaseTopics.of(Map.of());
   private boolean closed;
 
-  Offers(
-      RficContext context,
-      RosSettings settings,
-      RosNode node,
-      SessionClock clock,
-      RecordDecoder records,
-      LinkWatch watch,
-      Pulse pulse,
-      MarkerFeedbacks feedbacks) {
-    this.context = context;
-    this.settings = settings;
-    this.node = node;
-    this.clock = clock;
-    this.records = records;
-    this.watch = watch;
-    this.pulse = pulse;
+  /**
+   * Offers nothing yet.
+   *
+   * @param scope what ports share
+   * @param feedbacks tells servers of interactive markers what users do
+   */
+  public TopicOffers(TopicScope scope, MarkerFeedbacks feedbacks) {
+    this.scope = scope;
     this.feedbacks = feedbacks;
   }
 
-  synchronized void follow(GraphSnapshot graph) {
+  /**
+   * Offers what there is now.
+   *
+   * @param graph who publishes and subscribes what
+   */
+  public synchronized void follow(TopicGraph graph) {
     if (closed) {
       return;
     }
@@ -66,12 +53,16 @@ final class Offers implements AutoCloseable {
   }
 
   /** Subscribes to what is wanted, and to nothing else. */
-  synchronized void applyDemand() {
+  public synchronized void applyDemand() {
     streams.values().forEach(Followed::applyDemand);
   }
 
-  /** What is wanted but does not come, empty where all is well. */
-  synchronized String problem() {
+  /**
+   * What is wanted but does not come.
+   *
+   * @return a sentence, empty where all is well
+   */
+  public synchronized String problem() {
     return streams.values().stream()
         .map(Followed::problem)
         .filter(p -> !p.isEmpty())
@@ -79,7 +70,12 @@ final class Offers implements AutoCloseable {
         .collect(Collectors.joining("; "));
   }
 
-  synchronized boolean flowing() {
+  /**
+   * Whether messages can come of anything that is wanted.
+   *
+   * @return true where a publisher is connected
+   */
+  public synchronized boolean flowing() {
     return streams.values().stream().anyMatch(Followed::flowing);
   }
 
@@ -108,7 +104,7 @@ final class Offers implements AutoCloseable {
       }
     }
     published.forEach((topic, type) -> {
-      if (settings.offers(topic) && !TRANSFORMS.contains(topic) && !streams.containsKey(topic)) {
+      if (scope.settings().offers(topic) && !TRANSFORMS.contains(topic) && !streams.containsKey(topic)) {
         streams.put(topic, stream(topic, type));
       }
     });
@@ -116,8 +112,8 @@ final class Offers implements AutoCloseable {
 
   private Followed stream(String topic, String type) {
     return MarkerStream.serves(topic, type)
-        ? new MarkerStream(topic, context, settings, node, clock, watch, pulse, feedbacks)
-        : new TopicStream(topic, adapters.of(type), records, context, settings, node, clock, watch, pulse);
+        ? new MarkerStream(topic, scope, feedbacks)
+        : new TopicStream(topic, adapters.of(type), scope);
   }
 
   private Map<String, String> commandTopics(Map<String, String> subscribed) {
@@ -125,11 +121,12 @@ final class Offers implements AutoCloseable {
     subscribed.forEach((topic, type) -> {
       // a topic that carries the name of a port for all topics would hide it
       boolean free = CommandType.of(type).filter(CommandType::named).isEmpty();
-      if (free && settings.offers(topic) && !OWN.contains(settings.portName(topic))) {
+      if (free && scope.settings().offers(topic) && !OWN.contains(scope.settings().portName(topic))) {
         topics.put(topic, type);
       }
     });
-    settings.commands().forEach((type, names) -> names.forEach(n -> topics.putIfAbsent(settings.topic(n), type)));
+    scope.settings().commands()
+        .forEach((type, names) -> names.forEach(n -> topics.putIfAbsent(scope.settings().topic(n), type)));
     topics.values().removeIf(type -> CommandType.of(type).isEmpty());
     return topics;
   }
@@ -142,13 +139,13 @@ final class Offers implements AutoCloseable {
     topics.forEach((topic, type) -> {
       if (!commands.containsKey(topic)) {
         CommandType.of(type).ifPresent(c -> commands.put(topic,
-            new CommandTopic(topic, c, context, settings, node, clock, pulse, () -> bases.test(topic))));
+            new CommandTopic(topic, c, scope, () -> bases.test(topic))));
       }
     });
   }
 
   /** Stops what we drive, and offers nothing more. Blocks until that is sent, at most 0.3 s a topic. */
-  synchronized void stop() {
+  public synchronized void stop() {
     closed = true;
     commands.values().forEach(CommandTopic::close);
     commands.clear();

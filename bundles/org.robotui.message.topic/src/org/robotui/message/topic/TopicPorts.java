@@ -1,4 +1,4 @@
-package org.robotui.rfic.ros.internal.call;
+package org.robotui.message.topic;
 
 import org.robotui.api.port.ActionReply;
 import org.robotui.api.port.ActionRequest;
@@ -11,8 +11,8 @@ import org.robotui.api.port.ServiceRequest;
 import org.robotui.data.command.MessageCommand;
 import org.robotui.data.marker.MarkerFeedback;
 
-/** The ports that every ROS robot has, whatever its topics are. */
-public final class RosPorts {
+/** The ports that every robot with topics has, whatever they are. */
+public final class TopicPorts {
   /** Calls services. */
   public static final CallPort<ServiceRequest, ServiceReply> SERVICES =
       new CallPort<>("services", ServiceRequest.class, ServiceReply.class, Arity.MANY, "Calls a service by its name.");
@@ -35,5 +35,5 @@ public final class RosPorts {
       new CommandPort<>("marker_feedback", MarkerFeedback.class,
           Arity.MANY, "Tells servers of interactive markers what a user does with them.");
 
-  private RosPorts() {}
+  private TopicPorts() {}
 }

@@ -1,28 +1,34 @@
-package org.robotui.rfic.ros.internal.graph;
+package org.robotui.message.topic.internal;
 
 import java.util.Optional;
 import org.robotui.api.RficContext;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
 import org.robotui.message.data.FrameNames;
-import org.robotui.ros.NodeClock;
+import org.robotui.message.topic.TopicClient;
 
 /** Tells core the robot's time and names the clock of stamps. */
-final class SessionClock {
+public final class SessionClock {
   private final RficContext context;
-  private final NodeClock clock;
+  private final TopicClient client;
   private boolean wasSimulated;
 
-  SessionClock(RficContext context, NodeClock clock) {
+  /**
+   * Creates a clock.
+   *
+   * @param context is told the time
+   * @param client knows it
+   */
+  public SessionClock(RficContext context, TopicClient client) {
     this.context = context;
-    this.clock = clock;
+    this.client = client;
   }
 
   /** Called regularly by the one thread that follows the graph. */
-  void tick() {
-    boolean simulated = clock.isSimulated();
+  public void tick() {
+    boolean simulated = client.isSimulated();
     if (simulated) {
-      context.clock().simulated(clock.nowNanos());
+      context.clock().simulated(client.nowNanos());
     } else if (wasSimulated) {
       context.clock().live();
     }
@@ -30,11 +36,11 @@ final class SessionClock {
   }
 
   long nowNanos() {
-    return clock.nowNanos();
+    return client.nowNanos();
   }
 
   FrameNames names() {
-    return new FrameNames(context.robot(), clock.isSimulated() ? ClockKind.SIMULATED : ClockKind.ROBOT);
+    return new FrameNames(context.robot(), client.isSimulated() ? ClockKind.SIMULATED : ClockKind.ROBOT);
   }
 
   /** The stamp of a message; 0 is how ROS says that there is none. */

@@ -1,0 +1,86 @@
+package org.robotui.message.topic;
+
+import java.util.Optional;
+import org.robotui.message.DynamicMessage;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.SchemaLookup;
+import org.robotui.message.data.MessageForm;
+
+/**
+ * What a robotics framework gives of its own: topics that carry messages. Topics have global names that begin with a
+ * slash; types have names of two parts, such as {@code sensor_msgs/LaserScan}, also where the framework writes three.
+ * Any thread may call it; no call waits for the robot.
+ */
+public interface TopicClient {
+
+  /**
+   * Receives the messages of a topic, from now on and from all who publish it.
+   *
+   * @param <M> the Java value of a message
+   * @param topic its name
+   * @param type the type of its messages
+   * @param form what they are read as
+   * @param listener is told of each message, on a thread of the framework
+   * @return the subscription; to be closed before the client
+   */
+  <M> TopicSubscription subscribe(String topic, String type, MessageForm<M> form, TopicListener<M> listener);
+
+  /**
+   * Offers a topic for commands. As little as possible is entrusted to a network that stalls: what comes late does
+   * harm. Nothing is kept for subscribers that come later.
+   *
+   * @param <M> the record of a message
+   * @param topic its name
+   * @param type the type of its messages
+   * @param form the record
+   * @param mostWaiting how many messages may wait for each subscriber; the oldest go
+   * @return what says them
+   */
+  <M extends Record> TopicPublisher<M> commands(String topic, String type, Class<M> form, int mostWaiting);
+
+  /**
+   * Offers a topic for single messages of any type. Nothing is kept for subscribers that come later.
+   *
+   * @param topic its name
+   * @param schema the type of its messages
+   * @return what says them
+   */
+  TopicPublisher<DynamicMessage> messages(String topic, MessageSchema schema);
+
+  /**
+   * The definition of a type.
+   *
+   * @param type its name
+   * @return the definition, or why it is not known here
+   */
+  SchemaLookup<MessageSchema> schema(String type);
+
+  /**
+   * Why messages of a topic to which we subscribe do not come.
+   *
+   * @param topic its name
+   * @return a sentence, or none where nothing is known to be wrong
+   */
+  Optional<String> failure(String topic);
+
+  /**
+   * Whether time is simulated: the robot then says what time it is.
+   *
+   * @return true while it does
+   */
+  boolean isSimulated();
+
+  /**
+   * The robot's time.
+   *
+   * @return nanoseconds since the epoch of its clock
+   */
+  long nowNanos();
+
+  /**
+   * What we are called.
+   *
+   * @return the name by which the robot knows this client
+   */
+  String name();
+}

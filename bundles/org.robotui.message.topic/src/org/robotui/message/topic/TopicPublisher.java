@@ -1,0 +1,43 @@
+package org.robotui.message.topic;
+
+import java.time.Duration;
+
+/**
+ * Says messages on a topic. Any thread may use it.
+ *
+ * @param <M> the Java value of a message
+ */
+public interface TopicPublisher<M> extends AutoCloseable {
+
+  /**
+   * How many subscribers hear it.
+   *
+   * @return the number of those that are connected now
+   */
+  int subscribers();
+
+  /**
+   * Says a message; never waits for a subscriber.
+   *
+   * @param message the message
+   */
+  void publish(M message);
+
+  /**
+   * Says a message next, and drops those that still wait: a stop comes right behind what is on its way already.
+   *
+   * @param message the message
+   */
+  void publishUrgently(M message);
+
+  /**
+   * Waits until all that was published is handed to the network: closing drops what waits.
+   *
+   * @param patience at most so long
+   */
+  void awaitSent(Duration patience);
+
+  /** Offers the topic no longer. */
+  @Override
+  void close();
+}

@@ -1,0 +1,139 @@
+package org.robotui.message.topic.internal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.StreamPort;
+import org.robotui.data.geometry.TransformSet;
+import org.robotui.message.data.FrameNames;
+import org.robotui.message.data.MessageForm;
+import org.robotui.message.data.StateAdapters;
+import org.robotui.message.ros.geometry_msgs.TransformStamped;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
+import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.SharedTransforms;
+import org.robotui.message.topic.TopicListener;
+import org.robotui.message.topic.TopicSubscription;
+
+/**
+ * Transforms, moving and static. Of all interfaces that see the same topics one listens, and gives to each what
+ * concerns its robot: an interface in a namespace is spared frames that begin with the name of another one. When the
+ * one that listens ends, the next one does. The old type {@code tf/tfMessage} has the same definition, and so the same
+ * sum, as the present one.
+ */
+public final class TransformFeed implements AutoCloseable {
+  private static final String TYPE = "tf2_msgs/TFMessage";
+
+  private final TopicScope scope;
+  private final SharedTransforms shared;
+  private final String namespace;
+  private final Publication<TransformSet> publication;
+  private final List<TopicSubscription> subscriptions = new ArrayList<>();
+  private boolean closed;
+
+  /**
+   * Offers the transforms of a robot; it is listened to them at once, unless another interface does.
+   *
+   * @param scope what ports share
+   * @param shared the interfaces that see the same topics
+   */
+  public TransformFeed(TopicScope scope, SharedTransforms shared) {
+    this.scope = scope;
+    this.shared = shared;
+    this.namespace = scope.settings().namespace().substring(1).replaceAll("/$", "");
+    this.publication = scope.context().offers().stream(
+        new StreamPort<>("tf", TransformSet.class, Arity.MANY, "/tf and /tf_static"), Demand.IGNORED);
+    if (scope.settings().tf()) {
+      shared.add(this);
+      tick();
+    } else {
+      closed = true;
+    }
+  }
+
+  /** Listens for all where nobody does. Called regularly by the thread that follows the graph. */
+  public synchronized void tick() {
+    if (!closed && subscriptions.isEmpty() && shared.listens(this)) {
+      subscribe(false);
+      subscribe(true);
+    }
+  }
+
+  private void subscribe(boolean fixed) {
+    subscriptions.add(scope.client().subscribe(topic(fixed), TYPE, new MessageForm.Bound<>(TFMessage.class, false),
+        new TopicListener<TFMessage>() {
+          @Override
+          public void received(TFMessage message, Arrival arrival) {
+            shared.heard(message, arrival.sender(), fixed);
+          }
+
+          @Override
+          public void unreadable(String reason, Arrival arrival) {
+            publication.lost(1, topic(fixed) + " from " + arrival.sender() + ": " + reason);
+          }
+        }));
+  }
+
+  private static String topic(boolean fixed) {
+    return fixed ? "/tf_static" : "/tf";
+  }
+
+  /**
+   * The namespace of the robot.
+   *
+   * @return without slashes at its ends, empty for all
+   */
+  public String namespace() {
+    return namespace;
+  }
+
+  /**
+   * Takes what concerns its robot. On the thread of the one that listens.
+   *
+   * @param all what was said
+   * @param sender who said it
+   * @param fixed whether it holds for good
+   */
+  public void received(TFMessage all, String sender, boolean fixed) {
+    List<TransformStamped> own = all.transforms().stream().filter(t -> concerns(t.childFrameId())).toList();
+    if (own.isEmpty()) {
+      return;
+    }
+    TFMessage message = new TFMessage(own);
+    FrameNames names = scope.clock().names();
+    Optional<TransformSet> good = StateAdapters.transforms(message, names, fixed);
+    int refused = own.size() - good.map(set -> set.transforms().size()).orElse(0);
+    if (refused > 0) {
+      publication.lost(refused, topic(fixed) + " from " + sender + ": " + refused + " of " + own.size()
+          + " transforms refused; " + StateAdapters.refusal(message, names).orElse(""));
+    }
+    good.ifPresent(set -> {
+      scope.context().frames().add(set, sender);
+      publication.publish(set, scope.clock().stamp(set.transforms().getFirst().stamp().nanos(), names));
+    });
+  }
+
+  private boolean concerns(String frame) {
+    int from = frame.startsWith("/") ? 1 : 0;
+    if (namespace.isEmpty() || frame.startsWith(namespace + "/", from)) {
+      return true;
+    }
+    int end = frame.indexOf('/', from);
+    return end < 0 || !isStranger(frame.substring(from, end));
+  }
+
+  private boolean isStranger(String prefix) {
+    return !namespace.startsWith(prefix + "/") && shared.isNamespace(prefix);
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    subscriptions.forEach(TopicSubscription::close);
+    shared.remove(this);
+    publication.close();
+  }
+}

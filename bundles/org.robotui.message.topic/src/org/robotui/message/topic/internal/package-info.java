@@ -1,0 +1,2 @@
+/** How topics become ports. */
+package org.robotui.message.topic.internal;
