@@ -8,12 +8,12 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 import org.robotui.data.record.FieldShape;
 
 /** Reads what was typed into a field. Blank is zero, as it is for the robot. Pure but for the clock. */
 final class FormInput {
-  private static final int HEX = 16;
   private static final int NANO_DIGITS = 9;
   private static final long NANOS = 1_000_000_000L;
   private static final int MOST_NUMBERS = 1_000_000;
@@ -27,9 +27,9 @@ final class FormInput {
 
   /** Reads one value of a form that is neither a record nor many records. */
   Object read(FieldShape shape, String typed) throws Unreadable {
-    String text = typed.strip();
+    String text = typed.isBlank() ? blank(shape) : typed.strip();
     return switch (shape) {
-      case FieldShape.Flag f -> flag(text);
+      case FieldShape.Flag f -> TypedText.flag(text);
       case FieldShape.Whole w -> whole(w, text);
       case FieldShape.Real r -> real(r, text);
       case FieldShape.Text t -> typed;
@@ -38,6 +38,10 @@ final class FormInput {
       case FieldShape.Many m -> many(m, text);
       case FieldShape.Nested n -> throw new Unreadable("is a record and cannot be typed in one line");
     };
+  }
+
+  private static String blank(FieldShape shape) {
+    return shape instanceof FieldShape.Many ? "" : "0";
   }
 
   /** What stands in an empty field. */
@@ -53,67 +57,20 @@ final class FormInput {
     };
   }
 
-  private static Boolean flag(String text) throws Unreadable {
-    return switch (text.toLowerCase(Locale.ROOT)) {
-      case "", "false", "0", "no" -> Boolean.FALSE;
-      case "true", "1", "yes" -> Boolean.TRUE;
-      default -> throw new Unreadable("is neither true nor false");
-    };
-  }
-
   private static Object whole(FieldShape.Whole shape, String text) throws Unreadable {
-    BigInteger value = text.isEmpty() ? BigInteger.ZERO : integer(text);
     BigInteger least = shape.signed() ? BigInteger.ONE.shiftLeft(shape.bits() - 1).negate() : BigInteger.ZERO;
     BigInteger most =
         BigInteger.ONE.shiftLeft(shape.signed() ? shape.bits() - 1 : shape.bits()).subtract(BigInteger.ONE);
-    if (value.compareTo(least) < 0 || value.compareTo(most) > 0) {
-      throw new Unreadable("must be from " + least + " to " + most);
-    }
+    BigInteger value = TypedText.whole(text, least, most);
     return value.bitLength() < Long.SIZE ? (Object) value.longValueExact() : value;
   }
 
-  private static BigInteger integer(String text) throws Unreadable {
-    try {
-      boolean hex = text.startsWith("0x") || text.startsWith("0X");
-      return hex ? new BigInteger(text.substring(2), HEX) : new BigInteger(text);
-    } catch (NumberFormatException e) {
-      throw new Unreadable("is no whole number");
-    }
-  }
-
   private static Double real(FieldShape.Real shape, String text) throws Unreadable {
-    double value = text.isEmpty() ? 0 : real(text.toLowerCase(Locale.ROOT));
+    double value = TypedText.real(text);
     if (shape.bits() == Float.SIZE && Double.isFinite(value) && Math.abs(value) > Float.MAX_VALUE) {
       throw new Unreadable("is too large for single precision");
     }
     return value;
-  }
-
-  private static double real(String text) throws Unreadable {
-    switch (text) {
-      case "nan" :
-        return Double.NaN;
-      case "inf", "+inf" :
-        return Double.POSITIVE_INFINITY;
-      case "-inf" :
-        return Double.NEGATIVE_INFINITY;
-      default :
-        return finite(text);
-    }
-  }
-
-  private static double finite(String text) throws Unreadable {
-    // Java would take 1d and 1f for numbers, which a user more likely mistyped.
-    boolean suffixed = text.endsWith("d") || text.endsWith("f");
-    try {
-      double value = Double.parseDouble(suffixed ? "?" : text);
-      if (Double.isInfinite(value)) {
-        throw new Unreadable("is too large");
-      }
-      return value;
-    } catch (NumberFormatException e) {
-      throw new Unreadable(text.indexOf(',') >= 0 ? "is no number; decimals begin with a point" : "is no number");
-    }
   }
 
   private Long time(String text) throws Unreadable {
@@ -137,9 +94,6 @@ final class FormInput {
   }
 
   private static long nanos(String text, String otherwise) throws Unreadable {
-    if (text.isEmpty()) {
-      return 0;
-    }
     try {
       BigDecimal seconds = new BigDecimal(text.endsWith("s") ? text.substring(0, text.length() - 1).strip() : text);
       return seconds.setScale(NANO_DIGITS, RoundingMode.HALF_UP).unscaledValue().longValueExact();
@@ -169,15 +123,6 @@ final class FormInput {
       return read(shape, part);
     } catch (Unreadable e) {
       throw new Unreadable("[" + index + "] '" + part + "' " + e.getMessage());
-    }
-  }
-
-  /** What was typed cannot be read; the message continues a sentence that begins with the field. */
-  static final class Unreadable extends Exception {
-    private static final long serialVersionUID = 1;
-
-    Unreadable(String message) {
-      super(message, null, false, false);
     }
   }
 }

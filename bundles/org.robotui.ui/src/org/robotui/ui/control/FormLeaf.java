@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.robotui.api.input.Unreadable;
 import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.FieldValue;
 import org.robotui.data.record.RecordShape;
-import org.robotui.ui.control.FormInput.Unreadable;
 
 /** A field that is typed in one line. */
 final class FormLeaf implements FormNode {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.api.input.Unreadable;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.FieldValue;
@@ -90,7 +91,7 @@ final class FormModel {
     try {
       input.read(shape, value);
       return true;
-    } catch (FormInput.Unreadable e) {
+    } catch (Unreadable e) {
       return false;
     }
   }

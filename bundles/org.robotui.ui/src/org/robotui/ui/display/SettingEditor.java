@@ -1,8 +1,7 @@
 package org.robotui.ui.display;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
@@ -12,6 +11,8 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
@@ -75,13 +76,18 @@ record SettingEditor(Control control, Consumer<Object> show) {
     text.setLayoutData(new GridData(SWT.FILL, SWT.CENTER, true, true));
     text.setFont(theme.font(Face.BODY));
     text.setBackground(theme.color(Role.GROUND));
-    text.setToolTipText(setting.help() + "\n" + setting.type().expected());
+    String help = setting.help() + "\n" + setting.type().expected();
+    text.setToolTipText(help);
     boolean[] showing = new boolean[1];
     text.addListener(SWT.Modify, e -> {
-      Optional<Object> value = read(setting.type(), text.getText());
-      text.setForeground(theme.color(value.isPresent() ? Role.TEXT : Role.BAD));
-      if (!showing[0]) {
-        value.ifPresent(changed);
+      try {
+        Object value = read(setting.type(), text.getText());
+        judged(text, theme, Role.TEXT, help);
+        if (!showing[0]) {
+          changed.accept(value);
+        }
+      } catch (Unreadable fault) {
+        judged(text, theme, Role.BAD, "'" + text.getText() + "' " + fault.getMessage() + "\n" + help);
       }
     });
     text.setForeground(theme.color(Role.TEXT));
@@ -95,6 +101,11 @@ record SettingEditor(Control control, Consumer<Object> show) {
     });
   }
 
+  private static void judged(Text text, Theme theme, Role role, String words) {
+    text.setForeground(theme.color(role));
+    text.setToolTipText(words);
+  }
+
   /** A value as it is typed. */
   static String words(Object value) {
     if (value instanceof List<?> list) {
@@ -104,33 +115,40 @@ record SettingEditor(Control control, Consumer<Object> show) {
     return whole ? Long.toString(((Double) value).longValue()) : value.toString();
   }
 
-  /** What was typed, where it fits. */
-  static Optional<Object> read(ValueType type, String typed) {
-    String words = typed.strip();
+  /** What was typed; the message goes on with a sentence that begins with it. */
+  static Object read(ValueType type, String typed) throws Unreadable {
     return switch (type) {
-      case ValueType.Text t -> t.fit(typed);
-      case ValueType.Num n -> number(words).flatMap(type::fit);
-      case ValueType.Int i -> number(words).flatMap(type::fit);
-      case ValueType.Flag f -> words.equals("true") ? Optional.of(true)
-          : words.equals("false") ? Optional.of(false) : Optional.empty();
-      case ValueType.Choice c -> type.fit(words);
-      case ValueType.ListOf l -> list(l, words);
-      case ValueType.AnyOf any -> any.alternatives().stream().flatMap(a -> read(a, typed).stream()).findFirst();
-      default -> Optional.empty();
+      case ValueType.Text t -> fit(t, typed);
+      case ValueType.Num n -> fit(n, TypedText.finite(typed));
+      case ValueType.Int i -> fit(i, TypedText.whole(typed));
+      case ValueType.Flag f -> TypedText.flag(typed);
+      case ValueType.Choice c -> fit(c, typed.strip());
+      case ValueType.ListOf l -> list(l, typed.strip());
+      case ValueType.AnyOf any -> any(any, typed);
+      default -> throw new Unreadable("cannot be typed in one line");
     };
   }
 
-  private static Optional<Object> list(ValueType.ListOf type, String words) {
-    List<String> items = words.isEmpty() ? List.of() : Arrays.stream(words.split(",")).map(String::strip).toList();
-    List<Object> values = items.stream().flatMap(i -> read(type.element(), i).stream()).toList();
-    return values.size() == items.size() ? Optional.of(values) : Optional.empty();
+  private static Object fit(ValueType type, Object value) throws Unreadable {
+    return type.fit(value).orElseThrow(() -> new Unreadable("must be " + type.expected()));
   }
 
-  private static Optional<Object> number(String words) {
-    try {
-      return Optional.of(Double.valueOf(words));
-    } catch (NumberFormatException e) {
-      return Optional.empty();
+  private static Object list(ValueType.ListOf type, String words) throws Unreadable {
+    List<Object> values = new ArrayList<>();
+    for (String item : words.isEmpty() ? new String[0] : words.split(",", -1)) {
+      values.add(read(type.element(), item.strip()));
     }
+    return List.copyOf(values);
+  }
+
+  private static Object any(ValueType.AnyOf type, String typed) throws Unreadable {
+    for (ValueType alternative : type.alternatives()) {
+      try {
+        return read(alternative, typed);
+      } catch (Unreadable e) {
+        continue;
+      }
+    }
+    throw new Unreadable("must be " + type.expected());
   }
 }

@@ -55,6 +55,7 @@ class FormModelTest {
     assertEquals(Double.NaN, input.read(new FieldShape.Real(64), "nan"));
     assertEquals(Double.NEGATIVE_INFINITY, input.read(new FieldShape.Real(32), "-inf"));
     assertEquals(1.5e-3, input.read(new FieldShape.Real(64), " 1.5e-3 "));
+    assertEquals(1.5, input.read(new FieldShape.Real(64), "1,5"));
     assertEquals(100_000_000_005L, input.read(new FieldShape.Time(), "now"));
     assertEquals(1_500_000_000L, input.read(new FieldShape.Time(), "1.5"));
     assertEquals(-250_000_000L, input.read(new FieldShape.Duration(), "-0.25 s"));
@@ -63,8 +64,10 @@ class FormModelTest {
 
   @Test
   void refusalsSayWhatToWrite() {
-    assertEquals("is no number; decimals begin with a point", refusal(new FieldShape.Real(64), "1,5"));
+    assertEquals("is no number; decimals begin with a point", refusal(new FieldShape.Real(64), "1,500"));
     assertEquals("is no number", refusal(new FieldShape.Real(64), "1f"));
+    assertEquals("is no number", refusal(new FieldShape.Real(64), "0x1p3"));
+    assertEquals("is neither true nor false", refusal(new FieldShape.Flag(), "maybe"));
     assertEquals("is too large for single precision", refusal(new FieldShape.Real(32), "1e39"));
     assertEquals("is too large", refusal(new FieldShape.Real(64), "1e999"));
     assertEquals("is no time: write seconds, or now", refusal(new FieldShape.Time(), "soon"));

@@ -10,6 +10,7 @@ import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.ValueType;
 import org.robotui.api.host.Problem;
+import org.robotui.api.input.Numerals;
 
 /** Turns what is written into checked values; what does not fit becomes a problem that names the place. */
 final class ValueReader {
@@ -88,11 +89,12 @@ final class ValueReader {
   }
 
   private Optional<Object> number(YamlValue value, ValueType.Num type, String name) {
-    return scalar(value).flatMap(s -> Numbers.decimal(s.text())).flatMap(type::fit).or(() -> wrong(value, type, name));
+    return scalar(value).flatMap(s -> Numerals.decimal(s.text())).flatMap(type::fit).or(() -> wrong(value, type, name));
   }
 
   private Optional<Object> integer(YamlValue value, ValueType.Int type, String name) {
-    return scalar(value).flatMap(s -> Numbers.whole(s.text())).flatMap(type::fit).or(() -> wrong(value, type, name));
+    return scalar(value).flatMap(s -> Numerals.whole(s.text())).filter(n -> n.bitLength() < Long.SIZE)
+        .flatMap(type::fit).or(() -> wrong(value, type, name));
   }
 
   private Optional<Object> choice(YamlValue value, ValueType.Choice type, String name) {

@@ -1,6 +1,7 @@
 package org.robotui.uic.jointcontrol.internal.model;
 
-import java.util.OptionalDouble;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 import org.robotui.data.joint.JointModel;
 import org.robotui.ui.Figures;
 
@@ -69,20 +70,9 @@ public record Measure(JointModel.Type type, boolean degrees) {
     return Figures.fixed(inDegrees() ? Math.toDegrees(value) : value, inDegrees() ? 1 : slides() ? 4 : 3);
   }
 
-  /** Reads what was typed into a field, in radians or metres; empty where it is no finite number. */
-  public OptionalDouble read(String typed) {
-    OptionalDouble number = number(typed);
-    return number.isPresent() && inDegrees() ? OptionalDouble.of(Math.toRadians(number.getAsDouble())) : number;
-  }
-
-  /** Reads a plain number, also with a real minus sign, a decimal comma or the degree sign; empty where it is none. */
-  public static OptionalDouble number(String typed) {
-    try {
-      double value = Double.parseDouble(typed.strip().replace('\u2212', '-').replace(',', '.').replace("\u00b0", ""));
-      return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
-    } catch (NumberFormatException e) {
-      return OptionalDouble.empty();
-    }
+  /** Reads what was typed into a field, in radians or metres; an angle may have its sign. */
+  public double read(String typed) throws Unreadable {
+    return inDegrees() ? Math.toRadians(TypedText.finite(typed.replace("\u00b0", ""))) : TypedText.finite(typed);
   }
 
   private static String figure(double value, int decimals, String unit) {

@@ -1,6 +1,5 @@
 package org.robotui.uic.jointcontrol.internal.view;
 
-import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
@@ -8,13 +7,14 @@ import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 import org.robotui.ui.Face;
 import org.robotui.ui.Figures;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.PlainLabel;
-import org.robotui.uic.jointcontrol.internal.model.Measure;
 
 /** A field for a stiffness or damping: Enter sets it, Esc and leaving give up. Display thread. */
 final class GainField {
@@ -80,21 +80,33 @@ final class GainField {
     colour();
   }
 
-  private OptionalDouble number() {
-    OptionalDouble number = Measure.number(text.getText());
-    return number.isPresent() && number.getAsDouble() >= 0 ? number : OptionalDouble.empty();
+  private double number() throws Unreadable {
+    return TypedText.within(text.getText(), 0, Double.MAX_VALUE, "at least 0");
+  }
+
+  private String fault() {
+    try {
+      number();
+      return "";
+    } catch (Unreadable fault) {
+      return text.getText().isEmpty() ? "" : "'" + text.getText() + "' " + fault.getMessage();
+    }
   }
 
   private void colour() {
     text.setBackground(theme.color(text.getEnabled() ? Role.GROUND : Role.PANEL));
-    boolean readable = text.getText().isEmpty() || number().isPresent();
-    text.setForeground(theme.color(!text.getEnabled() ? Role.DIM : readable ? Role.TEXT : Role.BAD));
+    String fault = fault();
+    text.setToolTipText(fault);
+    text.setForeground(theme.color(!text.getEnabled() ? Role.DIM : fault.isEmpty() ? Role.TEXT : Role.BAD));
   }
 
   private void commit() {
-    number().ifPresent(value -> {
+    try {
+      double value = number();
       written = text.getText();
       set.accept(value);
-    });
+    } catch (Unreadable fault) {
+      colour();
+    }
   }
 }

@@ -1,15 +1,14 @@
 package org.robotui.uic.jointcontrol.internal.view;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
-import java.util.function.Function;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.api.input.Unreadable;
 import org.robotui.ui.Face;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
@@ -37,7 +36,7 @@ final class NumberEditor {
    * @param read reads a number
    * @param set what is done with it
    */
-  void open(Rectangle at, String before, String typed, Function<String, OptionalDouble> read, DoubleConsumer set) {
+  void open(Rectangle at, String before, String typed, Reading read, DoubleConsumer set) {
     cancel();
     Text text = new Text(parent, SWT.SINGLE | SWT.RIGHT);
     text.setFont(theme.font(Face.FIGURES));
@@ -51,8 +50,7 @@ final class NumberEditor {
     }
     int height = Math.min(at.height, text.computeSize(SWT.DEFAULT, SWT.DEFAULT).y);
     text.setBounds(at.x, at.y + (at.height - height) / 2, at.width, height);
-    text.addListener(SWT.Modify,
-        e -> text.setForeground(theme.color(read.apply(text.getText()).isPresent() ? Role.TEXT : Role.BAD)));
+    text.addListener(SWT.Modify, e -> take(text, read, value -> {}));
     text.addListener(SWT.KeyDown, e -> key(e, text, read, set));
     text.addListener(SWT.Traverse, e -> e.doit = false);
     text.addListener(SWT.FocusOut, e -> parent.getDisplay().asyncExec(() -> left(text)));
@@ -82,17 +80,34 @@ final class NumberEditor {
     cancel();
   }
 
-  private void key(Event event, Text text, Function<String, OptionalDouble> read, DoubleConsumer set) {
+  private void key(Event event, Text text, Reading read, DoubleConsumer set) {
     if (event.keyCode == SWT.ESC) {
       event.doit = false;
       leave();
     } else if (event.keyCode == SWT.CR || event.keyCode == SWT.KEYPAD_CR) {
       event.doit = false;
-      OptionalDouble number = read.apply(text.getText());
-      if (number.isPresent()) {
+      take(text, read, value -> {
         leave();
-        set.accept(number.getAsDouble());
-      }
+        set.accept(value);
+      });
     }
+  }
+
+  /** Hands on what can be read, and says of anything else what is wrong. */
+  private void take(Text text, Reading read, DoubleConsumer set) {
+    try {
+      double value = read.read(text.getText());
+      text.setForeground(theme.color(Role.TEXT));
+      text.setToolTipText(null);
+      set.accept(value);
+    } catch (Unreadable fault) {
+      text.setForeground(theme.color(Role.BAD));
+      text.setToolTipText("'" + text.getText() + "' " + fault.getMessage());
+    }
+  }
+
+  /** How a number is read. */
+  interface Reading {
+    double read(String typed) throws Unreadable;
   }
 }

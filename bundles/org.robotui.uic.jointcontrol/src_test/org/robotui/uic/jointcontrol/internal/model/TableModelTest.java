@@ -2,13 +2,14 @@ package org.robotui.uic.jointcontrol.internal.model;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.robotui.api.input.Unreadable;
 import org.robotui.api.port.InputState;
 import org.robotui.data.joint.JointCommand;
 import org.robotui.data.joint.JointControl;
@@ -97,14 +98,19 @@ class TableModelTest {
   }
 
   @Test
-  void typedNumbersAreReadInTheShownUnit() {
+  void typedNumbersAreReadInTheShownUnit() throws Unreadable {
     Measure turning = new Measure(JointModel.Type.REVOLUTE, true);
-    assertEquals(Math.PI / 2, turning.read(" 90\u00b0").orElseThrow(), 1e-12);
-    assertEquals(-0.5, new Measure(JointModel.Type.REVOLUTE, false).read("\u22120,5").orElseThrow());
-    assertEquals(0.02, new Measure(JointModel.Type.PRISMATIC, true).read("0.02").orElseThrow());
-    assertEquals(OptionalDouble.empty(), turning.read("NaN"));
-    assertEquals(OptionalDouble.empty(), turning.read("1e999"));
-    assertEquals(OptionalDouble.empty(), turning.read("left"));
+    assertEquals(Math.PI / 2, turning.read(" 90\u00b0"), 1e-12);
+    assertEquals(-0.5, new Measure(JointModel.Type.REVOLUTE, false).read("\u22120,5"));
+    assertEquals(0.02, new Measure(JointModel.Type.PRISMATIC, true).read("0.02"));
+    assertEquals("is no finite number", fault(turning, "NaN"));
+    assertEquals("is too large", fault(turning, "1e999"));
+    assertEquals("is no number", fault(turning, "left"));
+    assertEquals("is no number", fault(new Measure(JointModel.Type.PRISMATIC, true), "90\u00b0"));
+  }
+
+  private static String fault(Measure measure, String typed) {
+    return assertThrows(Unreadable.class, () -> measure.read(typed)).getMessage();
   }
 
   @Test

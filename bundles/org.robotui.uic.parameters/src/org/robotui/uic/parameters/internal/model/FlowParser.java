@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 
 /** Reads lists and maps in one line, as YAML and JSON write them. Bounded in depth and length. */
 final class FlowParser {
@@ -124,13 +126,16 @@ final class FlowParser {
     return word;
   }
 
-  private static Object scalar(String word) {
+  private static Object scalar(String word) throws Unreadable {
     if (word.equals("true") || word.equals("false")) {
       return Boolean.valueOf(word);
     }
     try {
-      return ValueReader.whole(word);
+      return TypedText.whole(word);
     } catch (Unreadable notWhole) {
+      if (word.matches("[-+]?0\\d+")) {
+        throw new Unreadable("'" + word + "' " + notWhole.getMessage());
+      }
       return realOrText(word);
     }
   }
@@ -139,7 +144,7 @@ final class FlowParser {
     boolean number = Character.isDigit(word.charAt(word.length() - 1)) || word.endsWith(".") || word.endsWith(".inf")
         || word.equals(".nan");
     try {
-      return number ? (Object) ValueReader.real(word) : word;
+      return number ? (Object) TypedText.real(word) : word;
     } catch (Unreadable notReal) {
       return word;
     }

@@ -3,13 +3,12 @@ package org.robotui.uic.parameters.internal.model;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 
 /** Reads a value that was typed, of the kind that the parameter has: a number stays a number, a list of numbers too. */
 public final class ValueReader {
-  private static final int HEX = 16;
-
   private ValueReader() {}
 
   /**
@@ -24,54 +23,20 @@ public final class ValueReader {
     String text = typed.strip();
     return switch (like) {
       case String s -> typed;
-      case Boolean b -> flag(text);
-      case Long l -> whole(text);
-      case Double d -> real(text);
+      case Boolean b -> named(text, TypedText::flag);
+      case Long l -> named(text, TypedText::whole);
+      case Double d -> named(text, TypedText::real);
       case List<?> list -> listLike(list, FlowParser.parse(text));
       case Map<?, ?> map -> mapLike(map, FlowParser.parse(text));
       default -> throw new Unreadable("Values of this kind cannot be edited");
     };
   }
 
-  static Boolean flag(String text) throws Unreadable {
-    return switch (text.toLowerCase(Locale.ROOT)) {
-      case "true", "yes", "on", "1" -> Boolean.TRUE;
-      case "false", "no", "off", "0" -> Boolean.FALSE;
-      default -> throw new Unreadable("Write true or false; '" + text + "' is neither");
-    };
-  }
-
-  static Long whole(String text) throws Unreadable {
+  private static Object named(String text, Reading reading) throws Unreadable {
     try {
-      return text.startsWith("0x") ? Long.parseLong(text.substring(2), HEX) : Long.parseLong(text);
-    } catch (NumberFormatException e) {
-      throw new Unreadable("'" + text + "' is no whole number");
-    }
-  }
-
-  static Double real(String text) throws Unreadable {
-    switch (text.toLowerCase(Locale.ROOT)) {
-      case "nan", ".nan" :
-        return Double.NaN;
-      case "inf", ".inf", "+.inf" :
-        return Double.POSITIVE_INFINITY;
-      case "-inf", "-.inf" :
-        return Double.NEGATIVE_INFINITY;
-      default :
-        return finite(text);
-    }
-  }
-
-  private static Double finite(String text) throws Unreadable {
-    boolean suffixed = text.endsWith("d") || text.endsWith("f") || text.endsWith("D") || text.endsWith("F");
-    try {
-      double value = Double.parseDouble(suffixed ? "?" : text);
-      if (Double.isInfinite(value)) {
-        throw new Unreadable("'" + text + "' is too large");
-      }
-      return value;
-    } catch (NumberFormatException e) {
-      throw new Unreadable("'" + text + "' is no number" + (text.contains(",") ? "; decimals begin with a point" : ""));
+      return reading.read(text);
+    } catch (Unreadable e) {
+      throw new Unreadable("'" + text + "' " + e.getMessage());
     }
   }
 
@@ -110,5 +75,10 @@ public final class ValueReader {
       return listLike(list, value);
     }
     return like instanceof Map<?, ?> map && value instanceof Map<?, ?> ? mapLike(map, value) : value;
+  }
+
+  /** How one value is read. */
+  private interface Reading {
+    Object read(String text) throws Unreadable;
   }
 }

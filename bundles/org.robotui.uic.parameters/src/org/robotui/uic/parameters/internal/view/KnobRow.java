@@ -6,6 +6,7 @@ import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.api.input.Unreadable;
 import org.robotui.api.port.Browser.Choice;
 import org.robotui.api.port.Browser.Tunable;
 import org.robotui.ui.Face;
@@ -20,7 +21,6 @@ import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.uic.parameters.internal.model.Knob;
 import org.robotui.uic.parameters.internal.model.Tuner;
-import org.robotui.uic.parameters.internal.model.Unreadable;
 
 /**
  * One setting: its name, what sets it, a way back to the default, and below its help or what is wrong. Display thread.

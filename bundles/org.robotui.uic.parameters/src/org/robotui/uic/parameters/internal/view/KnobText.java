@@ -2,9 +2,9 @@ package org.robotui.uic.parameters.internal.view;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.robotui.api.input.Unreadable;
 import org.robotui.api.port.Browser.Choice;
 import org.robotui.api.port.Browser.Tunable;
-import org.robotui.uic.parameters.internal.model.Unreadable;
 import org.robotui.uic.parameters.internal.model.ValueReader;
 import org.robotui.uic.parameters.internal.model.ValueText;
 

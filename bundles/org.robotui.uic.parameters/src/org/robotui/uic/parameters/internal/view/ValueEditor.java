@@ -6,6 +6,7 @@ import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.api.input.Unreadable;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.Role;
@@ -14,7 +15,6 @@ import org.robotui.ui.control.PopupMenu;
 import org.robotui.uic.parameters.internal.model.ParameterNotice;
 import org.robotui.uic.parameters.internal.model.ParameterRow;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
-import org.robotui.uic.parameters.internal.model.Unreadable;
 import org.robotui.uic.parameters.internal.model.ValueReader;
 import org.robotui.uic.parameters.internal.model.ValueText;
 

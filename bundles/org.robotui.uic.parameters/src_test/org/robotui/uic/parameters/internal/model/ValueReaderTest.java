@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.robotui.api.input.Unreadable;
 
 class ValueReaderTest {
   @Test
@@ -17,20 +18,22 @@ class ValueReaderTest {
     assertEquals("5", ValueReader.read("5", "text"));
     assertEquals(" a ", ValueReader.read(" a ", "text"));
     assertEquals(true, ValueReader.read("on", false));
+    assertEquals(1.5, ValueReader.read("1,5", 0.0));
     assertEquals(Double.NEGATIVE_INFINITY, ValueReader.read("-.inf", 0.0));
   }
 
   @Test
   void whatIsWrongIsSaid() {
     assertEquals("'5.5' is no whole number", wrong("5.5", 1L));
-    assertEquals("'1,5' is no number; decimals begin with a point", wrong("1,5", 1.0));
+    assertEquals("'1,500' is no number; decimals begin with a point", wrong("1,500", 1.0));
     assertEquals("'1e999' is too large", wrong("1e999", 1.0));
-    assertEquals("Write true or false; 'maybe' is neither", wrong("maybe", true));
+    assertEquals("'maybe' is neither true nor false", wrong("maybe", true));
     assertEquals("',' or ']' is expected at the end", wrong("[1, 2", List.of()));
     assertEquals("':' after 'x' is expected at character 3, there is '}'", wrong("{x}", Map.of()));
     assertEquals("the end is expected at character 4, there is '5'", wrong("[] 5", List.of()));
     assertEquals("The quote at character 2 is never closed", wrong("[\"a", List.of()));
     assertEquals("'a' stands there twice", wrong("{a: 1, a: 2}", Map.of()));
+    assertEquals("'010' is no whole number; write it without zeros in front", wrong("[1, 010]", List.of()));
     assertEquals("Write a list, for example [1, 2, 3]", wrong("5", List.of(1L)));
   }
 

@@ -2,13 +2,14 @@ package org.robotui.uic.topics.internal.view;
 
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 import org.robotui.data.command.MessageCommand;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.RecordShape;
@@ -33,6 +34,7 @@ import org.robotui.uic.topics.internal.model.TopicsViewState;
 /** A form of a message, to say it on its topic once or again and again. Display thread. */
 final class PublishPane {
   private static final int RATE_WIDTH = 44;
+  private static final String RATES = "from 0.1 to 50 Hz";
 
   private final TopicsModel model;
   private final Composite root;
@@ -138,14 +140,14 @@ final class PublishPane {
     repeat.forceFocus();
     if (repeating) {
       model.speaker().stop("");
-    } else {
-      OptionalDouble hertz = hertz();
-      if (hertz.isPresent()) {
-        message(m -> model.speaker().repeat(m, hertz.getAsDouble(), System.nanoTime()));
-      } else {
-        outcome.show(Health.WARNING, "The rate must be from 0.1 to 50 Hz, is " + rate.getText());
-        rate.setFocus();
-      }
+      return;
+    }
+    try {
+      double hertz = hertz();
+      message(m -> model.speaker().repeat(m, hertz, System.nanoTime()));
+    } catch (Unreadable fault) {
+      outcome.show(Health.WARNING, "The rate '" + rate.getText() + "' " + fault.getMessage());
+      rate.setFocus();
     }
   }
 
@@ -197,13 +199,8 @@ final class PublishPane {
     }
   }
 
-  private OptionalDouble hertz() {
-    try {
-      double value = Double.parseDouble(rate.getText().strip().replace(',', '.'));
-      return value >= Speaker.SLOWEST && value <= Speaker.FASTEST ? OptionalDouble.of(value) : OptionalDouble.empty();
-    } catch (NumberFormatException e) {
-      return OptionalDouble.empty();
-    }
+  private double hertz() throws Unreadable {
+    return TypedText.within(rate.getText(), Speaker.SLOWEST, Speaker.FASTEST, RATES);
   }
 
   private Text rate(Composite parent, Theme theme) {
@@ -212,7 +209,7 @@ final class PublishPane {
     text.setFont(theme.font(Face.FIGURES));
     text.setBackground(theme.color(Role.GROUND));
     text.setForeground(theme.color(Role.TEXT));
-    text.setToolTipText("Messages per second, 0.1 to 50");
+    text.setToolTipText("Messages per second, " + RATES);
     GridData data = Boxes.middle();
     data.widthHint = RATE_WIDTH;
     text.setLayoutData(data);
