@@ -11,7 +11,7 @@ final class Rules {
       new LazyComponentsRule(), new FeatureRule(), new StartLevelRule(), new ArchitectureDocumentRule(),
       new WalkRule(),
       new JavadocRule(), new SizeRule(),
-      new ForbiddenTextRule(), new IdeRule());
+      new ForbiddenTextRule(), new PathRule(), new IdeRule());
 
   private Rules() {}
 }
