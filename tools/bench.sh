@@ -13,6 +13,7 @@ cmd_bench() {
   [[ ${2:-} != --help ]] || exec "$BENCHES/$1/run" --help
   [[ $# -eq 0 ]] || shift
   need_packages "The benchmarks" "${PEER_PACKAGES[@]}" || true
+  [[ " $names " != *ros2* ]] || { need_packages "The benchmark ros2" "${CYCLONE_PEER_PACKAGES[@]}" && make_ros2_peers; } || true
   [[ " $names " != *scene* ]] || need_packages "The benchmark scene" "${DISPLAY_PACKAGES[@]}" "${SCENE_BENCH_PACKAGES[@]}" || true
   need_product
   results=$(mktemp)
@@ -50,6 +51,7 @@ run_bench() {
   shift
   [[ $name != rt ]] || need_native_benches || return 1
   figures=$(cd "$BENCHES/$name" && ROBOTUI_ROOT=$ROOT ROBOTUI_PLUGINS=$HEADLESS_PRODUCT/plugins ROBOTUI_NATIVE=$NATIVE_BUILD \
-    ROBOTUI_WINDOW_PRODUCT=$WINDOW_PRODUCT ROBOTUI_SIMULATOR_PATH=$(simulator_classpath) ./run "$@" </dev/null) || return 1
+    ROBOTUI_WINDOW_PRODUCT=$WINDOW_PRODUCT ROBOTUI_SIMULATOR_PATH=$(simulator_classpath) \
+    ROBOTUI_RCLPY=$(ros2_peer rclpy) ROBOTUI_CYCLONE=$(ros2_peer cyclone) ./run "$@" </dev/null) || return 1
   [[ -n $figures ]] && printf '%s\n' "$figures"
 }

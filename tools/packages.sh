@@ -14,6 +14,8 @@ readonly PEER_PACKAGES=(
   iproute2 procps
 )
 readonly SCENE_BENCH_PACKAGES=(rviz ros-robot-state-publisher libvisualization-msgs-dev python3-xlib)
+# The C library of Cyclone DDS, as a peer on the wire.
+readonly CYCLONE_PEER_PACKAGES=(cyclonedds-dev cyclonedds-tools gcc iproute2 python3-venv)
 readonly RT_BENCH_PACKAGES=(rt-tests stress-ng libbenchmark-dev)
 
 # need_packages PURPOSE PACKAGE...: fails when something is missing and cannot be installed.

@@ -14,12 +14,15 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The definitions of the packages installed on this machine, found as ROS lays them out: {@code PACKAGE/msg/Type.msg}
- * and {@code PACKAGE/srv/Type.srv}. Folders are read at each question, which may take a while: not for I/O threads.
+ * The definitions of the packages installed on this machine, found as ROS lays them out: {@code PACKAGE/msg/Type.msg},
+ * {@code PACKAGE/srv/Type.srv} and {@code PACKAGE/action/Type.action}, for ROS 2 also {@code .idl}. Folders are read at
+ * each question, which may take a while: not for I/O threads.
  */
-public final class LocalDefinitions implements DefinitionSource {
+public final class LocalDefinitions implements Definitions {
 
   private static final Pattern TYPE = Pattern.compile("[A-Za-z]\\w*/[A-Za-z]\\w*");
+
+  private static final int MAX_PACKAGES = 2000;
 
   private final List<Path> shares;
   private final List<Path> trees;
@@ -62,6 +65,35 @@ public final class LocalDefinitions implements DefinitionSource {
     return new LocalDefinitions(shares, paths(environment, "ROS_PACKAGE_PATH"));
   }
 
+  /**
+   * Looks where ROS 2 does: in folders that a setting names, then in the share folders of AMENT_PREFIX_PATH and
+   * COLCON_PREFIX_PATH. A folder of a setting may be a package, hold packages up to four levels down, or be the root of
+   * an installation.
+   *
+   * @param folders those of a setting, which win
+   * @param environment the environment variables
+   * @return the definitions found there at the time of each question
+   */
+  public static LocalDefinitions ofRos2(List<Path> folders, Map<String, String> environment) {
+    List<Path> shares = new ArrayList<>();
+    folders.forEach(folder -> shares.add(folder.resolve("share")));
+    paths(environment, "AMENT_PREFIX_PATH").forEach(prefix -> shares.add(prefix.resolve("share")));
+    paths(environment, "COLCON_PREFIX_PATH").forEach(prefix -> shares.addAll(isolated(prefix)));
+    return new LocalDefinitions(shares, folders, Generation.ROS2);
+  }
+
+  /** An installation of colcon is one prefix, or has one for each package. */
+  private static List<Path> isolated(Path prefix) {
+    List<Path> shares = new ArrayList<>(List.of(prefix.resolve("share")));
+    try (Stream<Path> children = Files.list(prefix)) {
+      children.map(child -> child.resolve("share")).filter(Files::isDirectory).limit(MAX_PACKAGES).forEach(shares::add);
+    } catch (IOException e) {
+      // a folder that cannot be read holds nothing for us
+      return shares;
+    }
+    return shares;
+  }
+
   private static List<Path> paths(Map<String, String> environment, String name) {
     String value = environment.getOrDefault(name, "");
     return Arrays.stream(value.split(File.pathSeparator)).filter(s -> !s.isBlank()).map(Path::of).toList();
@@ -75,16 +107,16 @@ public final class LocalDefinitions implements DefinitionSource {
         : ServiceDefinition.messageOf(type, this::service);
   }
 
-  /**
-   * Finds a service.
-   *
-   * @param type the full name
-   * @return empty if no folder has it
-   * @throws DefinitionException if it is there and broken
-   */
+  @Override
   public Optional<ServiceDefinition> service(String type) throws DefinitionException {
     Optional<String> text = text(type, "srv");
     return text.isEmpty() ? Optional.empty() : Optional.of(ServiceDefinition.parse(type, text.get(), generation));
+  }
+
+  @Override
+  public Optional<ActionDefinition> action(String type) throws DefinitionException {
+    Optional<String> text = text(type, "action");
+    return text.isEmpty() ? Optional.empty() : Optional.of(ActionDefinition.parse(type, text.get()));
   }
 
   private Optional<String> text(String type, String kind) throws DefinitionException {
@@ -94,7 +126,18 @@ public final class LocalDefinitions implements DefinitionSource {
     String packageName = type.substring(0, type.indexOf('/'));
     Path inside = Path.of(kind, type.substring(packageName.length() + 1) + "." + kind);
     Optional<Path> file = file(packageName, inside);
-    return file.isEmpty() ? Optional.empty() : Optional.of(read(type, file.get()));
+    if (file.isPresent()) {
+      return Optional.of(read(type, file.get()));
+    }
+    return generation == Generation.ROS2 ? idl(type, kind) : Optional.empty();
+  }
+
+  /** Packages of ROS 2 may define their types in IDL alone. */
+  private Optional<String> idl(String type, String kind) throws DefinitionException {
+    String packageName = type.substring(0, type.indexOf('/'));
+    String name = type.substring(packageName.length() + 1);
+    Optional<Path> file = file(packageName, Path.of(kind, name + ".idl"));
+    return file.isEmpty() ? Optional.empty() : Optional.of(IdlText.definition(type, kind, read(type, file.get())));
   }
 
   private Optional<Path> file(String packageName, Path inside) {

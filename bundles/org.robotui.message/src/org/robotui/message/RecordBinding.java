@@ -83,6 +83,25 @@ public final class RecordBinding<T extends Record> {
     return ofVersion(type, own, version, generation.encoding(), MethodHandles.publicLookup());
   }
 
+  /**
+   * Binds a record of a shipped type to the version of it that a peer has.
+   *
+   * @param type a public record with a {@link MessageType}
+   * @param version what the peer has
+   * @param encoding how the peer's fields become bytes
+   * @param <T> the record
+   * @return the binding
+   * @throws IllegalArgumentException if no definition of the type is shipped, or the record does not fit to the version
+   */
+  public static <T extends Record> RecordBinding<T> shipped(Class<T> type, MessageSchema version, Encoding encoding) {
+    return ofVersion(type, own(RecordCodec.typeOf(type)), version, encoding, MethodHandles.publicLookup());
+  }
+
+  private static MessageSchema own(String name) {
+    boolean old = new ShippedDefinitions(Generation.ROS1).has(name);
+    return ShippedDefinitions.schema(name, old ? Generation.ROS1 : Generation.ROS2);
+  }
+
   private static <T extends Record> RecordBinding<T> bind(
       Class<T> type, MessageSchema own, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
     return new RecordBinding<>(encoding,

@@ -1,5 +1,6 @@
 package org.robotui.message;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -12,6 +13,7 @@ import java.util.Optional;
  */
 public record ServiceDefinition(String type, String text, MessageDefinition request, MessageDefinition response) {
 
+  private static final int PARTS = 2;
   private static final String REQUEST = "Request";
   private static final String RESPONSE = "Response";
 
@@ -31,21 +33,13 @@ public record ServiceDefinition(String type, String text, MessageDefinition requ
    * @throws DefinitionException if it is no service definition
    */
   public static ServiceDefinition parse(String type, String text, Generation generation) throws DefinitionException {
-    StringBuilder[] parts = {new StringBuilder(), new StringBuilder()};
-    int part = 0;
-    for (String line : text.split("\n", -1)) {
-      if (line.startsWith("---")) {
-        part++;
-      } else if (part < parts.length) {
-        parts[part].append(line).append('\n');
-      }
+    List<String> parts = DefinitionParts.of(text);
+    if (parts.size() != PARTS) {
+      throw new DefinitionException(type,
+          "expected one line '---' between request and response, found " + (parts.size() - 1));
     }
-    if (part != 1) {
-      throw new DefinitionException(type, "expected one line '---' between request and response, found " + part);
-    }
-    return new ServiceDefinition(type, text,
-        DefinitionParser.parse(type + REQUEST, parts[0].toString(), generation),
-        DefinitionParser.parse(type + RESPONSE, parts[1].toString(), generation));
+    return new ServiceDefinition(type, text, DefinitionParser.parse(type + REQUEST, parts.get(0), generation),
+        DefinitionParser.parse(type + RESPONSE, parts.get(1), generation));
   }
 
   static Optional<MessageDefinition> messageOf(String type, Finder services) throws DefinitionException {

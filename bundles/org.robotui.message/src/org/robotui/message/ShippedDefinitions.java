@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /** The definitions of common types that are part of this library. */
-final class ShippedDefinitions implements DefinitionSource {
+final class ShippedDefinitions implements Definitions {
 
   private static final Pattern TYPE = Pattern.compile("[A-Za-z]\\w*/[A-Za-z]\\w*");
 
@@ -30,9 +30,16 @@ final class ShippedDefinitions implements DefinitionSource {
         : ServiceDefinition.messageOf(type, this::service);
   }
 
-  Optional<ServiceDefinition> service(String type) throws DefinitionException {
+  @Override
+  public Optional<ServiceDefinition> service(String type) throws DefinitionException {
     Optional<String> text = text(type, ".srv");
     return text.isEmpty() ? Optional.empty() : Optional.of(ServiceDefinition.parse(type, text.get(), generation));
+  }
+
+  @Override
+  public Optional<ActionDefinition> action(String type) throws DefinitionException {
+    Optional<String> text = text(type, ".action");
+    return text.isEmpty() ? Optional.empty() : Optional.of(ActionDefinition.parse(type, text.get()));
   }
 
   boolean has(String type) {

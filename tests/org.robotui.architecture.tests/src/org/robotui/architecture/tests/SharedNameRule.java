@@ -12,8 +12,8 @@ import java.util.stream.Stream;
  */
 final class SharedNameRule implements Rule {
 
-  /** As many names may stand for more than one class. */
-  static final int MOST_NAMES = 202;
+  /** As many names may stand for more than one class: ROS 1 and ROS 2 are two libraries with the words of one. */
+  static final int MOST_NAMES = 225;
 
   /** As many classes may have the same name. */
   static final int MOST_CLASSES = 5;

@@ -1,0 +1,16 @@
+package org.robotui.foxglove;
+
+import java.nio.ByteBuffer;
+
+/** Takes messages of a subscription. */
+@FunctionalInterface
+public interface MessageReceiver {
+
+  /**
+   * A message has come.
+   *
+   * @param payload in the encoding of its channel; nobody writes to it again
+   * @param nanos when the server had it, by the server's clock
+   */
+  void received(ByteBuffer payload, long nanos);
+}

@@ -1,0 +1,73 @@
+"""The same as rclpy_peer.py, by Cyclone DDS without ROS."""
+import sys
+import threading
+import time
+from dataclasses import dataclass
+
+from cyclonedds.core import Policy, Qos
+from cyclonedds.domain import DomainParticipant
+from cyclonedds.idl import IdlStruct
+from cyclonedds.pub import DataWriter
+from cyclonedds.sub import DataReader
+from cyclonedds.topic import Topic
+from cyclonedds.util import duration
+
+
+@dataclass
+class Text(IdlStruct, typename="std_msgs::msg::dds_::String_"):
+    data: str
+
+
+def say(*words):
+    print(*words, flush=True)
+
+
+def quality(reliability, durability, history):
+    kept = Policy.History.KeepAll if history == "all" else Policy.History.KeepLast(int(history))
+    return Qos(
+        Policy.Reliability.Reliable(duration(milliseconds=100)) if reliability == "reliable" else Policy.Reliability.BestEffort,
+        Policy.Durability.TransientLocal if durability == "transient_local" else Policy.Durability.Volatile,
+        kept,
+        # of what was written before, late readers get what this says
+        Policy.DurabilityService(0, kept, -1, -1, -1),
+        Policy.DataRepresentation(use_cdrv0_representation=True))
+
+
+def write(writer, count, size, period):
+    slowest = 0.0
+    due = time.monotonic()
+    for number in range(1, count + 1):
+        time.sleep(max(0.0, due - time.monotonic()))
+        due += period
+        begin = time.monotonic()
+        try:
+            writer.write(Text(data=f"p{number} " + "x" * size))
+        except Exception as fault:
+            say("failed", number, str(fault).splitlines()[0])
+        slowest = max(slowest, time.monotonic() - begin)
+    say("sent", count, f"{slowest:.4f}")
+
+
+def listen(reader):
+    while True:
+        for sample in reader.take(N=100):
+            if isinstance(sample, Text):
+                say("heard", sample.data.split(" ")[0], len(sample.data))
+        time.sleep(0.002)
+
+
+def main():
+    participant = DomainParticipant(int(sys.argv[4]))
+    qos = quality(*sys.argv[1:4])
+    reader = DataReader(participant, Topic(participant, "rt/" + sys.argv[5], Text), qos=qos)
+    writer = DataWriter(participant, Topic(participant, "rt/" + sys.argv[6], Text), qos=qos)
+    threading.Thread(target=listen, args=(reader,), daemon=True).start()
+    say("ready")
+    for line in sys.stdin:
+        order, *figures = line.split()
+        if order == "end":
+            break
+        write(writer, int(figures[0]), int(figures[1]), float(figures[2]))
+
+
+main()

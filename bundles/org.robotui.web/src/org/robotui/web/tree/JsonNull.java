@@ -1,0 +1,7 @@
+package org.robotui.web.tree;
+
+/** What JSON calls null. */
+public enum JsonNull {
+  /** The only value. */
+  NULL
+}

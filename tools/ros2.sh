@@ -1,0 +1,37 @@
+# Peers that speak DDS: ROS 2 (rclpy on Fast DDS) and Cyclone DDS for Python, from PyPI, each in a virtual environment of its own. Optional, made when wanted.
+readonly ROS2_PEERS=$KEEP/ros2-peers
+readonly RCLPY_PACKAGES=(ros-rclpy ros-std-msgs ros-rmw-fastrtps-cpp ros-sensor-msgs ros-nav-msgs ros-geometry-msgs ros-std-srvs)
+readonly CYCLONE_PACKAGES=(cyclonedds==11.0.1)
+
+# Prints the Python of a peer, rclpy or cyclone; nothing where it was not made.
+ros2_peer() { [[ -e $ROS2_PEERS/$1/ready ]] && printf '%s' "$ROS2_PEERS/$1/bin/python"; }
+
+# About 12 s and 270 MB the first time.
+make_ros2_peers() {
+  make_ros2_peer rclpy --no-binary empy "${RCLPY_PACKAGES[@]}" & make_ros2_peer cyclone "${CYCLONE_PACKAGES[@]}"
+  wait $!
+  ros2_peer rclpy >/dev/null && ros2_peer cyclone >/dev/null
+}
+
+# A network that does not answer may not hold anybody up: the time is bounded.
+make_ros2_peer() {
+  local name=$1 home=$ROS2_PEERS/$1 python
+  shift
+  ros2_peer "$name" >/dev/null && return
+  python=$(ros2_python) || return 1
+  say "Making the peer $name (once)"
+  rm -rf "$home"
+  mkdir -p "$ROS2_PEERS"
+  "$python" -m venv "$home" >&2 \
+    && timeout 300 "$home/bin/python" -m pip install -q --disable-pip-version-check --timeout 15 --retries 2 --only-binary=:all: "$@" >&2 \
+    && touch "$home/ready"
+}
+
+# There are packages for these versions alone.
+ros2_python() {
+  local python
+  for python in python3.11 python3.12; do
+    "$python" -c 'import venv, ensurepip' 2>/dev/null && { command -v "$python"; return; }
+  done
+  return 1
+}
