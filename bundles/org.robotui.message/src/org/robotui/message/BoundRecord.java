@@ -36,26 +36,39 @@ record BoundRecord(Class<?> type, List<BoundField> fields, List<Integer> absent)
    */
   static BoundRecord of(Class<?> type, Layout layout, boolean strict) {
     List<RecordComponent> components = List.of(type.getRecordComponents());
+    List<String> names = plainNames(components);
     List<BoundField> fields = new ArrayList<>();
     List<Integer> absent = new ArrayList<>();
     for (int i = 0; i < components.size(); i++) {
       absent.add(i);
     }
     for (Layout.Field each : layout.fields()) {
-      Optional<RecordComponent> holder =
-          components.stream().filter(c -> plain(c.getName()).equals(plain(each.name()))).findFirst();
-      holder.flatMap(c -> JavaForm.misfit(c, each)).ifPresent(why -> {
-        throw new IllegalArgumentException(place(type, holder.get(), layout) + why);
-      });
-      int index = holder.map(components::indexOf).orElse(-1);
+      int index = names.indexOf(plain(each.name()));
+      if (index < 0) {
+        fields.add(new BoundField(each, index, Optional.empty()));
+        continue;
+      }
+      RecordComponent holder = components.get(index);
+      Optional<String> misfit = JavaForm.misfit(holder, each);
+      if (misfit.isPresent()) {
+        throw new IllegalArgumentException(place(type, holder, layout) + misfit.get());
+      }
       absent.remove((Object) index);
-      fields.add(new BoundField(each, index, holder));
+      fields.add(new BoundField(each, index, Optional.of(holder)));
     }
     if (strict && !absent.isEmpty()) {
       throw new IllegalArgumentException(place(type, components.get(absent.getFirst()), layout)
           + "is no field; there are " + layout.fields().stream().map(Layout.Field::name).toList());
     }
     return new BoundRecord(type, fields, absent);
+  }
+
+  private static List<String> plainNames(List<RecordComponent> components) {
+    List<String> names = new ArrayList<>();
+    for (RecordComponent each : components) {
+      names.add(plain(each.getName()));
+    }
+    return names;
   }
 
   private static String place(Class<?> type, RecordComponent component, Layout layout) {
@@ -68,8 +81,13 @@ record BoundRecord(Class<?> type, List<BoundField> fields, List<Integer> absent)
 
   /** The field that a component of a record is made for. */
   static Layout.Field field(Layout own, RecordComponent component) {
-    return own.fields().stream().filter(f -> plain(f.name()).equals(plain(component.getName()))).findFirst()
-        .orElseThrow(() -> new IllegalArgumentException(own.type() + " has no field for " + component));
+    String name = plain(component.getName());
+    for (Layout.Field each : own.fields()) {
+      if (plain(each.name()).equals(name)) {
+        return each;
+      }
+    }
+    throw new IllegalArgumentException(own.type() + " has no field for " + component);
   }
 
   static MethodHandle constructor(MethodHandles.Lookup lookup, Class<?> type) {

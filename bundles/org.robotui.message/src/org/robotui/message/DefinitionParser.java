@@ -17,8 +17,10 @@ final class DefinitionParser {
   private static final FieldDefinition ONLY_MEMBER =
       new FieldDefinition(new FieldType("uint8", FieldType.Arity.ONE, 0), "structure_needs_at_least_one_member");
 
-  private static final Pattern NAME = Pattern.compile("[A-Za-z]\\w*");
-  private static final Pattern CONSTANT = Pattern.compile("\\S+\\s+[A-Za-z]\\w*\\s*=.*");
+  /** A pattern is made when the first constant is met. */
+  private static final class Constants {
+    static final Pattern ROS2 = Pattern.compile("\\S+\\s+[A-Za-z]\\w*\\s*=.*");
+  }
 
   private final String type;
   private final TypeNames types;
@@ -51,9 +53,10 @@ final class DefinitionParser {
     if (clean.isEmpty()) {
       return;
     }
-    boolean constant = generation == Generation.ROS1 ? clean.indexOf('=') >= 0 : CONSTANT.matcher(clean).matches();
+    boolean constant =
+        clean.indexOf('=') >= 0 && (generation == Generation.ROS1 || Constants.ROS2.matcher(clean).matches());
     String name = constant ? constant(line, clean, number, generation) : field(line, clean, number, generation);
-    if (!NAME.matcher(name).matches()) {
+    if (!Names.isName(name)) {
       throw new DefinitionException(type, number, "'" + name + "' is no valid name");
     }
     if (!names.add(name)) {
@@ -62,13 +65,13 @@ final class DefinitionParser {
   }
 
   private String constant(String line, String clean, int number, Generation generation) throws DefinitionException {
-    String[] typed = clean.split("\\s+", 2);
-    Optional<Primitive> primitive = types.primitive(typed[0]);
-    if (typed.length < 2 || primitive.isEmpty() || primitive.get().isTemporal()) {
+    List<String> typed = Names.words(clean, 2);
+    Optional<Primitive> primitive = types.primitive(typed.getFirst());
+    if (typed.size() < 2 || primitive.isEmpty() || primitive.get().isTemporal()) {
       throw new DefinitionException(type, number, "'" + clean + "' is no constant: expected TYPE NAME=VALUE");
     }
     // in a text '#' is no comment: all that is right of the equals sign counts
-    String source = primitive.get().isText() ? line.strip().split("\\s+", 2)[1] : typed[1];
+    String source = primitive.get().isText() ? Names.words(line.strip(), 2).get(1) : typed.get(1);
     int equals = source.indexOf('=');
     String name = source.substring(0, equals).strip();
     String value = source.substring(equals + 1).strip();
@@ -78,17 +81,20 @@ final class DefinitionParser {
   }
 
   private String field(String line, String clean, int number, Generation generation) throws DefinitionException {
-    String[] words = clean.split("\\s+", 3);
-    Optional<FieldType> known = types.field(words[0]);
-    if (words.length < 2 || words.length > 2 && generation == Generation.ROS1 || known.isEmpty()) {
+    List<String> words = Names.words(clean, 3);
+    Optional<FieldType> known = types.field(words.getFirst());
+    if (words.size() < 2 || words.size() > 2 && generation == Generation.ROS1 || known.isEmpty()) {
       throw new DefinitionException(type, number, "'" + clean + "' is no field: expected TYPE NAME");
     }
-    boolean text = known.get().primitive().filter(Primitive::isText).isPresent();
-    Optional<String> initial = words.length < 3
-        ? Optional.empty()
-        : Optional.of(text ? line.strip().split("\\s+", 3)[2] : words[2]);
-    fields.add(new FieldDefinition(known.get(), words[1], initial));
-    return words[1];
+    Optional<String> initial = words.size() < 3 ? Optional.empty()
+        : Optional.of(isText(known.get().base()) ? Names.words(line.strip(), 3).get(2) : words.get(2));
+    fields.add(new FieldDefinition(known.get(), words.get(1), initial));
+    return words.get(1);
+  }
+
+  private static boolean isText(String base) {
+    Optional<Primitive> primitive = Primitive.of(base);
+    return primitive.isPresent() && primitive.get().isText();
   }
 
   private static String withoutComment(String line) {
@@ -100,12 +106,28 @@ final class DefinitionParser {
   private record TypeNames(String within, Generation generation) {
 
     private static final String HEADER = "std_msgs/Header";
-    private static final Pattern ROS1_TYPE = Pattern.compile("([A-Za-z]\\w*(?:/[A-Za-z]\\w*)?)()(\\[()(\\d{0,9})\\])?");
-    private static final Pattern ROS2_TYPE = Pattern.compile(
-        "([A-Za-z]\\w*(?:/(?:msg/)?[A-Za-z]\\w*)?)(?:<=(\\d{1,9}))?(\\[(<=)?(\\d{0,9})\\])?");
+    /** Of what is no name alone, nor an array of a fixed length or of any. */
+    private static final class Forms {
+      static final Pattern ROS1 = Pattern.compile("([A-Za-z]\\w*(?:/[A-Za-z]\\w*)?)()(\\[()(\\d{0,9})\\])?");
+      static final Pattern ROS2 = Pattern.compile(
+          "([A-Za-z]\\w*(?:/(?:msg/)?[A-Za-z]\\w*)?)(?:<=(\\d{1,9}))?(\\[(<=)?(\\d{0,9})\\])?");
+    }
 
     Optional<FieldType> field(String word) {
-      Matcher typed = (generation == Generation.ROS1 ? ROS1_TYPE : ROS2_TYPE).matcher(word);
+      int bracket = word.indexOf('[');
+      String base = bracket < 0 ? word : word.substring(0, bracket);
+      int last = word.length() - 1;
+      boolean plain = bracket < 0 || word.charAt(last) == ']'
+          && (bracket + 1 == last || Names.isCount(word, bracket + 1, last));
+      if (!plain || !Names.isName(base) && !Names.isFullName(base)) {
+        return rare(word);
+      }
+      String digits = bracket < 0 ? "" : word.substring(bracket + 1, last);
+      return Optional.of(type(fullName(base), bracket < 0 ? null : word, digits, number(digits), false, 0));
+    }
+
+    private Optional<FieldType> rare(String word) {
+      Matcher typed = (generation == Generation.ROS1 ? Forms.ROS1 : Forms.ROS2).matcher(word);
       if (!typed.matches()) {
         return Optional.empty();
       }
@@ -115,7 +137,7 @@ final class DefinitionParser {
       boolean bounded = "<=".equals(typed.group(4));
       boolean senseless = bounded && length == 0
           || typed.group(2) != null && !typed.group(2).isEmpty()
-              && (textBound == 0 || Primitive.of(base).filter(Primitive::isText).isEmpty());
+              && (textBound == 0 || !isText(base));
       return senseless ? Optional.empty()
           : Optional.of(type(base, typed.group(3), typed.group(5), length, bounded, textBound));
     }
@@ -142,7 +164,8 @@ final class DefinitionParser {
     }
 
     private boolean builtIn(String name) {
-      return Primitive.of(name).filter(p -> p != Primitive.WSTRING || generation == Generation.ROS2).isPresent();
+      Optional<Primitive> known = Primitive.of(name);
+      return known.isPresent() && (known.get() != Primitive.WSTRING || generation == Generation.ROS2);
     }
 
     private String fullName(String written) {

@@ -2,6 +2,7 @@ package org.robotui.message;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /** Collects the types a definition refers to, depth first in the order of the fields, as ROS's full text has them. */
 final class Dependencies {
@@ -47,7 +48,11 @@ final class Dependencies {
     if (found.size() >= MAX_TYPES) {
       throw new DefinitionException(root, "more than " + MAX_TYPES + " types are involved");
     }
-    return source.find(type).orElseThrow(() -> new DefinitionException(root, "the type " + type + " of field "
-        + holder.type() + "." + field.name() + " is not known"));
+    Optional<MessageDefinition> known = source.find(type);
+    if (known.isEmpty()) {
+      throw new DefinitionException(root,
+          "the type " + type + " of field " + holder.type() + "." + field.name() + " is not known");
+    }
+    return known.get();
   }
 }

@@ -36,8 +36,11 @@ final class JavaForm {
   /** How many numbers of which type a message has that consists of nothing else, such as a point. */
   static Optional<Flat> flat(Layout message) {
     List<Layout.Field> fields = message.fields();
-    boolean flat = !fields.isEmpty() && fields.stream().allMatch(f -> f.primitive() == fields.getFirst().primitive()
-        && f.nested() == null && f.type().arity() == FieldType.Arity.ONE && !f.primitive().isText());
+    boolean flat = !fields.isEmpty();
+    for (Layout.Field each : fields) {
+      flat &= each.primitive() == fields.getFirst().primitive()
+          && each.nested() == null && each.type().arity() == FieldType.Arity.ONE && !each.primitive().isText();
+    }
     return flat ? Optional.of(new Flat(fields.getFirst().primitive(), fields.size())) : Optional.empty();
   }
 
@@ -48,9 +51,12 @@ final class JavaForm {
     if (!field.type().isArray()) {
       return component.getType().isRecord();
     }
-    return component.getType() == List.class
-        ? element(component).filter(Class::isRecord).isPresent()
-        : flat(field.nested()).filter(f -> component.getType() == array(f.type())).isPresent();
+    if (component.getType() == List.class) {
+      Optional<Class<?>> element = element(component);
+      return element.isPresent() && element.get().isRecord();
+    }
+    Optional<Flat> flat = flat(field.nested());
+    return flat.isPresent() && component.getType() == array(flat.get().type());
   }
 
   private static Class<?> primitive(Layout.Field field) {

@@ -36,8 +36,12 @@ final class LayoutCompiler {
       fields.add(field(each));
     }
     open.remove(definition.type());
-    long size = fields.stream().mapToLong(Layout.Field::minSize).reduce(0, Layout::saturatedSum);
-    boolean fixed = fields.stream().allMatch(Layout.Field::isFixed);
+    long size = 0;
+    boolean fixed = true;
+    for (Layout.Field each : fields) {
+      size = Layout.saturatedSum(size, each.minSize());
+      fixed &= each.isFixed();
+    }
     return new Layout(definition.type(), List.copyOf(fields), size, fixed);
   }
 

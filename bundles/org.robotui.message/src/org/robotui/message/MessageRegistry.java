@@ -148,20 +148,6 @@ public final class MessageRegistry implements DefinitionSource {
     return candidates.result();
   }
 
-  /**
-   * An action type of ROS 2 by name.
-   *
-   * @param name the full name
-   * @return the type, shipped or local, or why there is none
-   */
-  public SchemaLookup<ActionSchema> action(String name) {
-    String type = Generation.plainName(name);
-    Candidates<ActionSchema> candidates = new Candidates<>("action", type, MessageInfo.ANY);
-    candidates.add(() -> resolveAction(shipped.action(type)), found -> MessageInfo.ANY);
-    candidates.add(() -> resolveAction(local.action(type)), found -> MessageInfo.ANY);
-    return candidates.result();
-  }
-
   @Override
   public Optional<MessageDefinition> find(String type) throws DefinitionException {
     Optional<MessageDefinition> known = shipped.find(type);
@@ -181,10 +167,6 @@ public final class MessageRegistry implements DefinitionSource {
 
   private Optional<ServiceSchema> resolveService(Optional<ServiceDefinition> definition) throws DefinitionException {
     return definition.isEmpty() ? Optional.empty() : Optional.of(ServiceSchema.resolve(definition.get(), this));
-  }
-
-  private Optional<ActionSchema> resolveAction(Optional<ActionDefinition> definition) throws DefinitionException {
-    return definition.isEmpty() ? Optional.empty() : Optional.of(ActionSchema.resolve(definition.get(), this));
   }
 
   private Optional<MessageDefinition> learnedDefinition(String type) {

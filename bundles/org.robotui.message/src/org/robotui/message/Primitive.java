@@ -1,10 +1,8 @@
 package org.robotui.message;
 
-import java.util.Arrays;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
-import java.util.stream.Collectors;
 
 /** The built-in types of ROS message definitions. */
 public enum Primitive {
@@ -43,8 +41,7 @@ public enum Primitive {
   /** Signed seconds and nanoseconds, 32 bits each. */
   DURATION("duration", 8);
 
-  private static final Map<String, Primitive> BY_NAME =
-      Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(Primitive::rosName, Function.identity()));
+  private static final Map<String, Primitive> BY_NAME = byName();
 
   private final String rosName;
   private final int size;
@@ -52,6 +49,14 @@ public enum Primitive {
   Primitive(String rosName, int size) {
     this.rosName = rosName;
     this.size = size;
+  }
+
+  private static Map<String, Primitive> byName() {
+    Map<String, Primitive> all = new HashMap<>();
+    for (Primitive each : values()) {
+      all.put(each.rosName, each);
+    }
+    return all;
   }
 
   /**

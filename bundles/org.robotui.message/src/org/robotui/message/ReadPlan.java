@@ -3,7 +3,6 @@ package org.robotui.message;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.RecordComponent;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -35,7 +34,8 @@ final class ReadPlan {
    * @param own of the version that the record is made for, by which fields are filled that the messages lack
    */
   BoundReader of(Class<?> type, Layout layout, Layout own) {
-    Map<Class<?>, BoundReader> records = done.computeIfAbsent(layout, each -> new HashMap<>());
+    done.putIfAbsent(layout, new HashMap<>());
+    Map<Class<?>, BoundReader> records = done.get(layout);
     BoundReader known = records.get(type);
     if (known == null) {
       known = new Code(type).compile(layout, own);
@@ -103,7 +103,10 @@ final class ReadPlan {
       for (int i = 0; i < places.length; i++) {
         code.load(components[i].getType(), places[i]);
       }
-      Class<?>[] types = Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
+      Class<?>[] types = new Class<?>[components.length];
+      for (int i = 0; i < types.length; i++) {
+        types[i] = components[i].getType();
+      }
       code.call(ClassCode.SPECIAL, ClassCode.name(type), "<init>",
           MethodType.methodType(void.class, types).descriptorString());
     }
@@ -117,10 +120,7 @@ final class ReadPlan {
     }
 
     private static BoundReader skip(Layout.Field field, String path) {
-      return new Step(path, in -> {
-        Skip.field(field, in);
-        return field;
-      });
+      return new Step(path, new Passed(field));
     }
 
     private void value(RecordComponent component, Layout.Field field, Layout own, String path) {
@@ -169,7 +169,7 @@ final class ReadPlan {
     private Reading list(RecordComponent component, Layout.Field field, Layout own) {
       BoundReader element =
           of(JavaForm.element(component).orElseThrow(), field.nested(), BoundRecord.field(own, component).nested());
-      return new ListReader(element, field.name(), LengthBounds.of(field.type()), field.element())::read;
+      return new Elements(new ListReader(element, field.name(), LengthBounds.of(field.type()), field.element()));
     }
   }
 
@@ -199,6 +199,25 @@ final class ReadPlan {
   @FunctionalInterface
   private interface Reading {
     Object read(FieldReader in) throws MessageException;
+  }
+
+  /**
+   * Fields without a component; like all that most messages need a class of its own, as a lambda is linked at each
+   * start.
+   */
+  private record Passed(Layout.Field field) implements Reading {
+    @Override
+    public Object read(FieldReader in) throws MessageException {
+      Skip.field(field, in);
+      return field;
+    }
+  }
+
+  private record Elements(ListReader list) implements Reading {
+    @Override
+    public Object read(FieldReader in) throws MessageException {
+      return list.read(in);
+    }
   }
 
   /** Runs a part within a record that is read in place: errors name the fields that lead to it. */

@@ -106,7 +106,17 @@ public final class RecordBinding<T extends Record> {
       Class<T> type, MessageSchema own, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup) {
     return new RecordBinding<>(encoding,
         new ReadPlan(encoding.readerType(), lookup).of(type, schema.layout(), own.layout()),
-        () -> new WritePlan(encoding.writerType(), lookup).of(type, schema.layout()));
+        new Writing(type, schema, encoding, lookup));
+  }
+
+  /** How to make what writes. */
+  private record Writing(Class<?> type, MessageSchema schema, Encoding encoding, MethodHandles.Lookup lookup)
+      implements
+      Supplier<BoundWriter> {
+    @Override
+    public BoundWriter get() {
+      return new WritePlan(encoding.writerType(), lookup).of(type, schema.layout());
+    }
   }
 
   /** Most records are only ever read, and a plan takes time to make. */

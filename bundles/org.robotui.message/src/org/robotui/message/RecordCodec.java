@@ -101,8 +101,11 @@ public final class RecordCodec<T extends Record> implements MessageCodec<T> {
    * @throws IllegalArgumentException if it has none
    */
   public static String typeOf(Class<?> type) {
-    return Optional.ofNullable(type.getAnnotation(MessageType.class)).map(MessageType::value)
-        .orElseThrow(() -> new IllegalArgumentException(type.getName() + " has no @MessageType"));
+    Optional<MessageType> named = Optional.ofNullable(type.getAnnotation(MessageType.class));
+    if (named.isEmpty()) {
+      throw new IllegalArgumentException(type.getName() + " has no @MessageType");
+    }
+    return named.get().value();
   }
 
   @Override

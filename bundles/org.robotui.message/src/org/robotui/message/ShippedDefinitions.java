@@ -5,12 +5,9 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import java.util.regex.Pattern;
 
 /** The definitions of common types that are part of this library. */
 final class ShippedDefinitions implements Definitions {
-
-  private static final Pattern TYPE = Pattern.compile("[A-Za-z]\\w*/[A-Za-z]\\w*");
 
   private final Generation generation;
 
@@ -54,9 +51,11 @@ final class ShippedDefinitions implements Definitions {
   static MessageSchema schema(String type, Generation generation) {
     ShippedDefinitions shipped = new ShippedDefinitions(generation);
     try {
-      MessageDefinition definition = shipped.find(type)
-          .orElseThrow(() -> new IllegalArgumentException("no definition of " + type + " is shipped"));
-      return MessageSchema.resolve(definition, shipped);
+      Optional<MessageDefinition> definition = shipped.find(type);
+      if (definition.isEmpty()) {
+        throw new IllegalArgumentException("no definition of " + type + " is shipped");
+      }
+      return MessageSchema.resolve(definition.get(), shipped);
     } catch (DefinitionException e) {
       throw new IllegalArgumentException("the shipped definition of " + type + " is broken", e);
     }
@@ -64,7 +63,7 @@ final class ShippedDefinitions implements Definitions {
 
   /** One text is for both generations, unless ROS 2 has changed the type. */
   private Optional<String> text(String type, String suffix) {
-    if (!TYPE.matcher(type).matches()) {
+    if (!Names.isFullName(type)) {
       return Optional.empty();
     }
     Optional<String> changed = generation == Generation.ROS2 ? resource("ros2/" + type, suffix) : Optional.empty();

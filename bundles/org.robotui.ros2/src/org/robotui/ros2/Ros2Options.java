@@ -8,7 +8,7 @@ import java.util.concurrent.ThreadFactory;
 import org.robotui.message.Definitions;
 import org.robotui.message.Generation;
 import org.robotui.message.LocalDefinitions;
-import org.robotui.rtps.RtpsLimits;
+import org.robotui.rtps.ParticipantLimits;
 
 /**
  * What a context is given by its owner.
@@ -18,7 +18,8 @@ import org.robotui.rtps.RtpsLimits;
  * @param limits how much memory peers may take
  * @param lease how long others take this process to be there when they do not hear it; empty for the standard
  */
-public record Ros2Options(ThreadFactory threads, Definitions definitions, RtpsLimits limits, Optional<Duration> lease) {
+public record Ros2Options(ThreadFactory threads, Definitions definitions, ParticipantLimits limits,
+    Optional<Duration> lease) {
 
   /** Checks that nothing is missing. */
   public Ros2Options {
@@ -35,7 +36,8 @@ public record Ros2Options(ThreadFactory threads, Definitions definitions, RtpsLi
    * @return the default
    */
   public static Ros2Options standard(ThreadFactory threads) {
-    return new Ros2Options(threads, new LocalDefinitions(List.of(), List.of(), Generation.ROS2), RtpsLimits.standard(),
+    return new Ros2Options(threads, new LocalDefinitions(List.of(), List.of(), Generation.ROS2),
+        ParticipantLimits.standard(),
         Optional.empty());
   }
 

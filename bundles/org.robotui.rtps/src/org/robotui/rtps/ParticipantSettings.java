@@ -20,7 +20,8 @@ import java.util.OptionalInt;
  * @param limits how much memory all peers may take together
  */
 public record ParticipantSettings(int domain, OptionalInt participantId, Interfaces interfaces, boolean multicast,
-    List<Peer> peers, String name, ByteBuffer userData, Duration lease, Duration announcePeriod, RtpsLimits limits) {
+    List<InitialPeer> peers, String name, ByteBuffer userData, Duration lease, Duration announcePeriod,
+    ParticipantLimits limits) {
 
   /** The highest domain for which there are ports. */
   public static final int MAX_DOMAIN = 232;
@@ -54,7 +55,7 @@ public record ParticipantSettings(int domain, OptionalInt participantId, Interfa
    */
   public static ParticipantSettings standard(int domain, String name) {
     return new ParticipantSettings(domain, OptionalInt.empty(), new Interfaces.Loopback(), true, List.of(), name,
-        ByteBuffer.allocate(0), Duration.ofSeconds(3), Duration.ofMillis(750), RtpsLimits.standard());
+        ByteBuffer.allocate(0), Duration.ofSeconds(3), Duration.ofMillis(750), ParticipantLimits.standard());
   }
 
   /**
@@ -85,7 +86,7 @@ public record ParticipantSettings(int domain, OptionalInt participantId, Interfa
    * @param machines those that are asked one by one
    * @return the changed settings
    */
-  public ParticipantSettings withPeers(boolean group, List<Peer> machines) {
+  public ParticipantSettings withPeers(boolean group, List<InitialPeer> machines) {
     return new ParticipantSettings(domain, participantId, interfaces, group, machines, name, userData, lease,
         announcePeriod, limits);
   }
@@ -119,7 +120,7 @@ public record ParticipantSettings(int domain, OptionalInt participantId, Interfa
    * @param bounds how much memory all peers may take together
    * @return the changed settings
    */
-  public ParticipantSettings withLimits(RtpsLimits bounds) {
+  public ParticipantSettings withLimits(ParticipantLimits bounds) {
     return new ParticipantSettings(domain, participantId, interfaces, multicast, peers, name, userData, lease,
         announcePeriod, bounds);
   }

@@ -142,7 +142,7 @@ class ParticipantTest {
     Heard.await(SOON, () -> !writer.mismatches().isEmpty(), () -> "no mismatch at the writer");
     assertEquals(List.of("the writer offers best effort, the reader asks for reliable"),
         reader.mismatches().getFirst().reasons());
-    assertEquals(reader.mismatches(), told);
+    Heard.await(SOON, () -> told.equals(reader.mismatches()), () -> "told: " + told);
     assertEquals(List.of(), reader.matched());
   }
 
@@ -186,6 +186,7 @@ class ParticipantTest {
     });
     other.close();
     Heard.await(Duration.ofSeconds(2), () -> one.discovery().participants().isEmpty(), () -> "still there");
+    Heard.await(SOON, () -> !reasons.isEmpty(), () -> "its listeners were not told");
     assertEquals(List.of("its participant: it said farewell"), reasons);
     other = open();
     Writer again = writer(other, RELIABLE);
@@ -224,7 +225,7 @@ class ParticipantTest {
   @Test
   void aSampleThatIsTooLongIsRefused() {
     Writer writer = writer(one, RELIABLE);
-    ByteBuffer huge = ByteBuffer.allocate(RtpsLimits.standard().sampleBytes() + 1);
+    ByteBuffer huge = ByteBuffer.allocate(ParticipantLimits.standard().sampleBytes() + 1);
     assertThrows(IllegalArgumentException.class, () -> writer.write(huge));
   }
 }

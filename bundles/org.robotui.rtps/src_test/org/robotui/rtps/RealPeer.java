@@ -76,6 +76,9 @@ final class RealPeer implements AutoCloseable {
     reading.start();
     Heard.await(START, () -> said.contains("ready") || !process.isAlive(), () -> "no start: " + said);
     Files.delete(script);
+    if (!said.contains("ready")) {
+      throw new IOException("it ended by itself: " + said);
+    }
   }
 
   /** Hears what another one writes. */

@@ -18,8 +18,12 @@ class Text(IdlStruct, typename="std_msgs::msg::dds_::String_"):
     data: str
 
 
+SAYING = threading.Lock()
+
+
 def say(*words):
-    print(*words, flush=True)
+    with SAYING:
+        print(*words, flush=True)
 
 
 def quality(reliability, durability, history):

@@ -33,7 +33,7 @@ public record TypeDescription(StructDescription main, List<StructDescription> re
    * @return its description
    */
   public static TypeDescription of(TypeName name, MessageSchema schema) {
-    return new Describer(name).message(schema);
+    return new DescriptionMaker(name).message(schema);
   }
 
   /**
@@ -44,7 +44,7 @@ public record TypeDescription(StructDescription main, List<StructDescription> re
    * @return its description, with the event that is made of it
    */
   public static TypeDescription of(TypeName name, ServiceSchema schema) {
-    return new Describer(name).service(schema);
+    return new DescriptionMaker(name).service(schema);
   }
 
   /**
@@ -55,7 +55,7 @@ public record TypeDescription(StructDescription main, List<StructDescription> re
    * @return its description, with all services and messages that are made of it
    */
   public static TypeDescription of(TypeName name, ActionSchema schema) {
-    return new Describer(name).action(schema);
+    return new DescriptionMaker(name).action(schema);
   }
 
   /**

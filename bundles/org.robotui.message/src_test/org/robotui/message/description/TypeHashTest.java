@@ -18,7 +18,6 @@ import org.robotui.message.Generation;
 import org.robotui.message.LocalDefinitions;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
-import org.robotui.message.ServiceSchema;
 
 /** The sums are those that the build tools of ROS 2 computed for the same types. */
 class TypeHashTest {
@@ -117,22 +116,22 @@ class TypeHashTest {
         .constants().size());
   }
 
+  /** The build tools of ROS 2 computed the sums for a package of ours. */
   @Test
-  void theServicesOfAnActionAreFoundByTheirNames() throws Exception {
+  void anActionAndWhatItIsMadeOfHaveTheSumsOfTheRealTools() throws Exception {
     Definitions shipped = Definitions.shipped(Generation.ROS2);
-    ActionSchema action = ActionSchema.resolve(ActionDefinition.parse("demo/Count", """
-        int32 order
-        ---
-        int32[] sequence
-        ---
-        int32[] partial
-        """), shipped);
-    TypeName name = TypeName.parse("demo/action/Count").orElseThrow();
-    TypeDescription whole = TypeDescription.of(name, action);
-    ServiceSchema send = action.sendGoal();
-    assertEquals(whole.part("demo/action/Count_SendGoal").hash(),
-        TypeDescription.of(name.part("SendGoal"), send).hash());
-    assertEquals(whole.part("demo/action/Count_FeedbackMessage").hash(),
-        TypeDescription.of(name.part("FeedbackMessage"), action.feedbackMessage()).hash());
+    ActionSchema action = ActionSchema.resolve(
+        ActionDefinition.parse("odd_msgs/Count", "int32 to\n---\nint32 reached\n---\nint32 at\n"), shipped);
+    TypeName name = TypeName.parse("odd_msgs/action/Count").orElseThrow();
+    assertEquals("RIHS01_ae2df40cfb8783e2285e926f38a21aeeaab7b90716be09b8aa32641ae669d082",
+        TypeDescription.of(name, action).hash().text());
+    assertEquals("RIHS01_ec42026fd49fc0980bb0ca39209012f1a344e34fba583cba5c672f351332d072",
+        TypeDescription.of(name.part("SendGoal"), action.sendGoal()).hash().text());
+    assertEquals("RIHS01_ef7d0a56037e93dc44c153f4f942a03d4e5fbb1c7bcaa01122c912e3c8a66232",
+        TypeDescription.of(name.part("GetResult"), action.getResult()).hash().text());
+    assertEquals("RIHS01_e2116f216ba63a3d6d1ec8505544f153b556c2ccb3c84316e06e1842538d233b",
+        TypeDescription.of(name.part("FeedbackMessage"), action.feedbackMessage()).hash().text());
+    assertEquals("RIHS01_12736af77702a088443c655672436587d8da339344971d5fe81fcedf062b3197",
+        TypeDescription.of(name, action).part("odd_msgs/action/Count_SendGoal_Request").hash().text());
   }
 }

@@ -8,7 +8,8 @@ import org.robotui.message.DynamicMessage;
  * What became of a goal.
  *
  * @param end how it ended
- * @param text why it is lost or was rejected; else empty, as servers of ROS 2 have no words of their own
+ * @param text why it is lost or was rejected, or why its result cannot be read; else empty, as servers of ROS 2 have no
+ * words of their own
  * @param result the result; empty if none came
  */
 public record Ros2GoalOutcome(Ros2GoalEnd end, String text, Optional<DynamicMessage> result) {

@@ -16,7 +16,7 @@ import org.robotui.ros2.name.RemapRule;
 import org.robotui.ros2.name.Ros2Name;
 import org.robotui.rtps.Interfaces;
 import org.robotui.rtps.ParticipantSettings;
-import org.robotui.rtps.Peer;
+import org.robotui.rtps.InitialPeer;
 
 /** Reads environment variables and command lines of ROS 2. */
 public final class Ros2EnvironmentParser {
@@ -97,7 +97,8 @@ public final class Ros2EnvironmentParser {
    */
   public static ParticipantSettings settings(Ros2Environment environment, String name) {
     ParticipantSettings plain = ParticipantSettings.standard(environment.domain(), name).withUserData(ENCLAVE);
-    List<Peer> peers = environment.staticPeers().stream().map(host -> new Peer(host, OptionalInt.empty())).toList();
+    List<InitialPeer> peers =
+        environment.staticPeers().stream().map(host -> new InitialPeer(host, OptionalInt.empty())).toList();
     return switch (environment.range()) {
       case OFF -> plain.withPeers(false, List.of());
       case LOCALHOST -> peers.isEmpty() ? plain.withPeers(true, withLocal(peers))
@@ -107,8 +108,8 @@ public final class Ros2EnvironmentParser {
   }
 
   /** Not every machine has multicast on loopback, and programs that look further do not use it there. */
-  private static List<Peer> withLocal(List<Peer> peers) {
-    return Stream.concat(Stream.of(new Peer("127.0.0.1", OptionalInt.empty())), peers.stream()).toList();
+  private static List<InitialPeer> withLocal(List<InitialPeer> peers) {
+    return Stream.concat(Stream.of(new InitialPeer("127.0.0.1", OptionalInt.empty())), peers.stream()).toList();
   }
 
   private static Interfaces used(List<String> names) {

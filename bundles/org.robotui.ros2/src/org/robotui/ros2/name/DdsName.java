@@ -44,7 +44,8 @@ public record DdsName(Role role, Ros2Name name) {
     for (Role role : Role.values()) {
       if (dds.startsWith(role.prefix + "/") && dds.endsWith(role.end)) {
         String name = dds.substring(role.prefix.length(), dds.length() - role.end.length());
-        return Ros2Name.parse(name).map(whole -> new DdsName(role, whole));
+        return Ros2Name.parse(name).filter(whole -> !whole.equals(Ros2Name.ROOT))
+            .map(whole -> new DdsName(role, whole));
       }
     }
     return Optional.empty();

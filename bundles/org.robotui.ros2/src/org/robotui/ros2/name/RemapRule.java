@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
 public record RemapRule(Optional<String> node, Kind kind, String from, String to) {
 
   private static final Pattern FORM =
-      Pattern.compile("(?:([A-Za-z_]\\w*):)?(rostopic://|rosservice://)?([^:=]+):=(\\S+)");
+      Pattern.compile("(?:([A-Za-z_]\\w*):(?!//))?(rostopic://|rosservice://)?([^:=]+):=(\\S+)");
 
   /** What a rule is for. */
   public enum Kind {

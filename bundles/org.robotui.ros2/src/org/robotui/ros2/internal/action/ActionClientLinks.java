@@ -1,5 +1,6 @@
 package org.robotui.ros2.internal.action;
 
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -41,7 +42,7 @@ public final class ActionClientLinks implements Ros2ActionClient {
   private final DynamicCodec resultCodec;
   private final ClientGoals goals;
   private final Ros2ServiceClient<DynamicMessage, DynamicMessage> sending;
-  private final Ros2ServiceClient<DynamicMessage, DynamicMessage> getting;
+  private final Ros2ServiceClient<DynamicMessage, ByteBuffer> getting;
   private final Ros2ServiceClient<CancelGoalAsk, CancelGoalReply> cancelling;
   private final Ros2Subscriber feedback;
   private final Ros2Subscriber status;
@@ -63,7 +64,7 @@ public final class ActionClientLinks implements Ros2ActionClient {
     resultCodec = new DynamicCodec(type.schema().getResult().request());
     ActionNames names = new ActionNames(name, type);
     sending = node.serviceClient(names.sendGoal(), names.sending());
-    getting = node.serviceClient(names.getResult(), names.getting());
+    getting = node.serviceClient(names.getResult(), names.gettingBytes());
     cancelling = node.serviceClient(names.cancelGoal(), ActionNames.cancelling());
     goals = new ClientGoals(name.text(), options, this::ready);
     feedback = node.subscriber(names.feedback(), names.telling(),
@@ -163,16 +164,15 @@ public final class ActionClientLinks implements Ros2ActionClient {
     }
   }
 
-  private void ended(ClientGoal goal, Outcome<DynamicMessage> answer) {
-    if (!(answer instanceof Outcome.Done<DynamicMessage> done)) {
+  private void ended(ClientGoal goal, Outcome<ByteBuffer> answer) {
+    if (!(answer instanceof Outcome.Done<ByteBuffer> done)) {
       goal.lose(answer.reason());
       return;
     }
-    int number = (int) done.value().number("status").orElse(0);
-    Optional<DynamicMessage> result = GoalIds.inner(done.value(), "result");
-    GoalStatuses.end(number).ifPresentOrElse(end -> goal.end(end, "", result),
-        () -> goal.end(Ros2GoalEnd.LOST, "the server of " + name + " sent a result with status " + number
-            + ", which is no end: it does not know the goal", result));
+    GoalResult result = GoalResult.read(done.value(), type.schema().getResult().response());
+    GoalStatuses.end(result.status()).ifPresentOrElse(end -> goal.end(end, result.fault(), result.result()),
+        () -> goal.end(Ros2GoalEnd.LOST, "the server of " + name + " sent a result with status " + result.status()
+            + ", which is no end: it does not know the goal", result.result()));
   }
 
   private void cancel(ClientGoal goal) {

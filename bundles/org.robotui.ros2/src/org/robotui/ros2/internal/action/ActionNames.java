@@ -3,6 +3,7 @@ package org.robotui.ros2.internal.action;
 import org.robotui.ros2.Ros2Codec;
 import org.robotui.ros2.Ros2ServiceCodec;
 import org.robotui.ros2.Ros2Types.TypedAction;
+import java.nio.ByteBuffer;
 import org.robotui.message.DynamicMessage;
 import org.robotui.ros2.internal.msgs.CancelGoalAsk;
 import org.robotui.ros2.internal.msgs.CancelGoalReply;
@@ -46,6 +47,13 @@ record ActionNames(Ros2Name action, TypedAction type) {
 
   Ros2ServiceCodec<DynamicMessage, DynamicMessage> getting() {
     return Ros2ServiceCodec.of(type.name().part("GetResult"), type.schema().getResult());
+  }
+
+  /** Results as bytes: those of another version of the type tell the end of the goal all the same. */
+  Ros2ServiceCodec<DynamicMessage, ByteBuffer> gettingBytes() {
+    Ros2ServiceCodec<DynamicMessage, DynamicMessage> known = getting();
+    return new Ros2ServiceCodec<>(known.type(), known.hash(), known.request(),
+        Ros2Codec.raw(known.response().type(), known.response().hash()));
   }
 
   static Ros2ServiceCodec<CancelGoalAsk, CancelGoalReply> cancelling() {

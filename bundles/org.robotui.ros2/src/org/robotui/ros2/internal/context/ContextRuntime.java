@@ -35,7 +35,7 @@ public final class ContextRuntime implements Ros2Context {
   private final Workers workers;
   private final GraphKeeper graph;
   private final TypeFinder types;
-  private final Map<Ros2Name, NodeRuntime> nodes = new ConcurrentHashMap<>();
+  private final Map<Ros2Name, Ros2NodeRuntime> nodes = new ConcurrentHashMap<>();
   private volatile boolean closed;
 
   /**
@@ -79,12 +79,12 @@ public final class ContextRuntime implements Ros2Context {
     if (!graph.addNode(names.node())) {
       throw new IllegalStateException("this context has a node " + names.node() + " already");
     }
-    NodeRuntime node = new NodeRuntime(this, names, new Ends(participant, graph, names.node()), workers);
+    Ros2NodeRuntime node = new Ros2NodeRuntime(this, names, new Ends(participant, graph, names.node()), workers);
     nodes.put(names.node(), node);
     return node;
   }
 
-  void left(NodeRuntime node) {
+  void left(Ros2NodeRuntime node) {
     nodes.remove(node.name(), node);
     graph.removeNode(node.name());
   }
@@ -108,7 +108,7 @@ public final class ContextRuntime implements Ros2Context {
   public void close() {
     closed = true;
     types.close();
-    List.copyOf(nodes.values()).forEach(NodeRuntime::close);
+    List.copyOf(nodes.values()).forEach(Ros2NodeRuntime::close);
     graph.close();
     participant.close();
     workers.join(System.nanoTime() + LAST_NANOS);

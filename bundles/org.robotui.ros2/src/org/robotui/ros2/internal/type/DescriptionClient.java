@@ -31,6 +31,8 @@ final class DescriptionClient {
   private static final TypeName SERVICE =
       new TypeName("type_description_interfaces", TypeName.Kind.SRV, "GetTypeDescription");
   private static final int MOST_NODES = 3;
+  /** Which part of the time is left for asking, when it took long to learn whom. */
+  private static final int ASKING = 4;
 
   private final Ends ends;
   private final TypeRegistry registry;
@@ -45,13 +47,14 @@ final class DescriptionClient {
   /** Asks those that announce the type until one describes it; answers why none did, empty if one did. */
   Optional<String> ask(TypeName type, TypeHash hash, Supplier<List<GraphEnd>> announcers, Duration patience) {
     // processes say what they have before they say which of their nodes has it
-    if (!Waiting.until(patience.dividedBy(2), () -> false, () -> !nodes(hash, announcers.get()).isEmpty())) {
+    if (!Waiting.until(patience.minus(patience.dividedBy(ASKING)), () -> false,
+        () -> !nodes(hash, announcers.get()).isEmpty())) {
       return Optional.of("no node is known by name that could describe it");
     }
     List<Ros2Name> nodes = nodes(hash, announcers.get());
     String reason = "";
     for (Ros2Name node : nodes) {
-      Optional<String> refusal = ask(node, type, hash, patience.dividedBy(2L * nodes.size()));
+      Optional<String> refusal = ask(node, type, hash, patience.dividedBy((long) ASKING * nodes.size()));
       if (refusal.isEmpty()) {
         return refusal;
       }
@@ -85,7 +88,7 @@ final class DescriptionClient {
     if (answer.field("successful").filter(new RosValue.Flag(true)::equals).isEmpty()) {
       return Optional.of(node + " does not describe it: " + PeerText.brief(answer.text("failure_reason").orElse("")));
     }
-    return registry.learn(type, hash, DescriptionReader.read(answer)) instanceof SchemaLookup.Missing<TypeHash> missing
+    return registry.learn(type, hash, DescribedTypes.read(answer)) instanceof SchemaLookup.Missing<TypeHash> missing
         ? Optional.of(node + ": " + missing.reason())
         : Optional.empty();
   }

@@ -13,7 +13,7 @@ import org.robotui.rtps.DiscoveryListener;
 import org.robotui.rtps.EndpointInfo;
 import org.robotui.rtps.Guid;
 import org.robotui.rtps.GuidPrefix;
-import org.robotui.rtps.RtpsLimits;
+import org.robotui.rtps.ParticipantLimits;
 import org.robotui.rtps.ParticipantInfo;
 
 /**
@@ -24,11 +24,11 @@ public final class DiscoveredParticipants {
 
   private final int domain;
 
-  private final Map<GuidPrefix, Known> known = new ConcurrentHashMap<>();
+  private final Map<GuidPrefix, RemoteParticipant> known = new ConcurrentHashMap<>();
 
   private final Listeners listeners = new Listeners();
 
-  private final Room room;
+  private final DiscoveryRoom room;
 
   /**
    * Knows nobody.
@@ -36,9 +36,9 @@ public final class DiscoveredParticipants {
    * @param domain who says to be of another one is refused
    * @param limits how many are remembered
    */
-  public DiscoveredParticipants(int domain, RtpsLimits limits) {
+  public DiscoveredParticipants(int domain, ParticipantLimits limits) {
     this.domain = domain;
-    this.room = new Room(limits);
+    this.room = new DiscoveryRoom(limits);
   }
 
   /**
@@ -50,34 +50,34 @@ public final class DiscoveredParticipants {
    * @param now when
    * @return what became of it
    */
-  public Outcome announced(ParticipantInfo info, GuidPrefix source, InetAddress host, long now) {
-    Outcome outcome = take(info, source, host, now);
+  public Admission announced(ParticipantInfo info, GuidPrefix source, InetAddress host, long now) {
+    Admission outcome = take(info, source, host, now);
     listeners.tellAll();
     return outcome;
   }
 
-  private synchronized Outcome take(ParticipantInfo info, GuidPrefix source, InetAddress host, long now) {
+  private synchronized Admission take(ParticipantInfo info, GuidPrefix source, InetAddress host, long now) {
     if (!info.guid().prefix().equals(source)) {
       return refused(info.guid(), "announced by " + source);
     }
     if (info.domain().isPresent() && info.domain().getAsInt() != domain) {
       return refused(info.guid(), "is of domain " + info.domain().getAsInt() + ", not of " + domain);
     }
-    Optional<Known> old = Optional.ofNullable(known.get(source));
+    Optional<RemoteParticipant> old = Optional.ofNullable(known.get(source));
     if (old.isEmpty()) {
-      return takeNew(new Known(info, host, now), now);
+      return takeNew(new RemoteParticipant(info, host, now), now);
     }
     old.get().heard(now);
     if (old.get().info().equals(info)) {
-      return new Outcome.Known();
+      return new Admission.Known();
     }
     room.change(old.get().host(), Weight.of(info) - Weight.of(old.get().info()));
     old.get().info(info);
     listeners.queue(listener -> listener.participantChanged(info));
-    return new Outcome.Changed();
+    return new Admission.Changed();
   }
 
-  private Outcome takeNew(Known newcomer, long now) {
+  private Admission takeNew(RemoteParticipant newcomer, long now) {
     ParticipantInfo info = newcomer.info();
     Optional<String> refusal = room.refusal(newcomer.host(), newcomer.bytes(), known.values());
     if (refusal.isPresent() && forgetQuietest(newcomer.host(), now)) {
@@ -89,21 +89,22 @@ public final class DiscoveredParticipants {
     room.change(newcomer.host(), newcomer.bytes());
     known.put(info.guid().prefix(), newcomer);
     listeners.queue(listener -> listener.participantFound(info));
-    return new Outcome.Found();
+    return new Admission.Found();
   }
 
   /** Of the same machine first: what it has too much of is its own. */
   private boolean forgetQuietest(InetAddress host, long now) {
-    Comparator<Known> order = Comparator.comparing((Known one) -> one.host().equals(host))
+    Comparator<RemoteParticipant> order = Comparator.comparing((RemoteParticipant one) -> one.host().equals(host))
         .thenComparing(one -> one.quiet(now));
-    Optional<Known> quietest = known.values().stream().filter(one -> one.quiet(now) > Room.QUIET).max(order);
+    Optional<RemoteParticipant> quietest =
+        known.values().stream().filter(one -> one.quiet(now) > DiscoveryRoom.QUIET).max(order);
     quietest.ifPresent(one -> forget(one, "not heard for " + one.quiet(now) / 1_000_000_000L
         + " s while there is no room for others"));
     return quietest.isPresent();
   }
 
-  private static Outcome refused(Guid whom, String reason) {
-    return new Outcome.Refused(whom + ": " + reason);
+  private static Admission refused(Guid whom, String reason) {
+    return new Admission.Refused(whom + ": " + reason);
   }
 
   /**
@@ -113,7 +114,7 @@ public final class DiscoveredParticipants {
    * @param now when
    */
   public void heard(GuidPrefix source, long now) {
-    Known participant = known.get(source);
+    RemoteParticipant participant = known.get(source);
     if (participant != null) {
       participant.heard(now);
     }
@@ -139,7 +140,7 @@ public final class DiscoveredParticipants {
     listeners.tellAll();
   }
 
-  private void forget(Known gone, String reason) {
+  private void forget(RemoteParticipant gone, String reason) {
     known.remove(gone.info().guid().prefix());
     room.change(gone.host(), -gone.bytes());
     for (EndpointInfo endpoint : gone.endpoints().values()) {
@@ -158,7 +159,7 @@ public final class DiscoveredParticipants {
   public long expire(long now) {
     long next;
     synchronized (this) {
-      for (Known participant : List.copyOf(known.values())) {
+      for (RemoteParticipant participant : List.copyOf(known.values())) {
         if (participant.left(now) <= 0) {
           forget(participant, "not heard for its lease of " + participant.info().lease().toMillis() + " ms");
         }
@@ -176,20 +177,20 @@ public final class DiscoveredParticipants {
    * @param source who sent the message
    * @return what became of it
    */
-  public Outcome endpointAnnounced(EndpointInfo endpoint, GuidPrefix source) {
-    Outcome outcome = take(endpoint, source);
+  public Admission endpointAnnounced(EndpointInfo endpoint, GuidPrefix source) {
+    Admission outcome = take(endpoint, source);
     listeners.tellAll();
     return outcome;
   }
 
-  private synchronized Outcome take(EndpointInfo endpoint, GuidPrefix source) {
-    Known participant = known.get(source);
+  private synchronized Admission take(EndpointInfo endpoint, GuidPrefix source) {
+    RemoteParticipant participant = known.get(source);
     if (participant == null || !endpoint.guid().prefix().equals(source) || endpoint.guid().entity().builtIn()) {
       return refused(endpoint.guid(), participant == null ? "its participant is not known" : "announced by " + source);
     }
     EndpointInfo old = participant.endpoints().get(endpoint.guid().entity());
     if (endpoint.equals(old)) {
-      return new Outcome.Known();
+      return new Admission.Known();
     }
     long more = Weight.of(endpoint) - (old == null ? 0 : Weight.of(old));
     Optional<String> refusal = room.refusal(participant, more, old == null);
@@ -200,10 +201,10 @@ public final class DiscoveredParticipants {
     participant.put(endpoint);
     if (old == null) {
       listeners.queue(listener -> listener.endpointFound(endpoint));
-      return new Outcome.Found();
+      return new Admission.Found();
     }
     listeners.queue(listener -> listener.endpointChanged(endpoint));
-    return new Outcome.Changed();
+    return new Admission.Changed();
   }
 
   /**
@@ -215,7 +216,7 @@ public final class DiscoveredParticipants {
    */
   public void endpointLeft(Guid gone, GuidPrefix source, String reason) {
     synchronized (this) {
-      Known participant = known.get(source);
+      RemoteParticipant participant = known.get(source);
       EndpointInfo endpoint = participant == null ? null : participant.endpoints().get(gone.entity());
       if (endpoint != null && endpoint.guid().equals(gone)) {
         room.change(participant.host(), -Weight.of(endpoint));
@@ -228,12 +229,12 @@ public final class DiscoveredParticipants {
 
   /** The participants that are there. */
   public synchronized List<ParticipantInfo> participants() {
-    return known.values().stream().map(Known::info).toList();
+    return known.values().stream().map(RemoteParticipant::info).toList();
   }
 
   /** One of them. */
   public synchronized Optional<ParticipantInfo> participant(GuidPrefix prefix) {
-    return Optional.ofNullable(known.get(prefix)).map(Known::info);
+    return Optional.ofNullable(known.get(prefix)).map(RemoteParticipant::info);
   }
 
   /** All endpoints of all participants. */
@@ -254,7 +255,7 @@ public final class DiscoveredParticipants {
     listeners.tellAll();
   }
 
-  private static Stream<Consumer<DiscoveryListener>> asFound(Known participant) {
+  private static Stream<Consumer<DiscoveryListener>> asFound(RemoteParticipant participant) {
     ParticipantInfo info = participant.info();
     Stream<Consumer<DiscoveryListener>> first = Stream.of(listener -> listener.participantFound(info));
     return Stream.concat(first, List.copyOf(participant.endpoints().values()).stream()

@@ -36,11 +36,11 @@ final class EndpointReader {
     switch (id) {
       case ParameterId.ENDPOINT_GUID -> guid = ParameterValue.guid(value);
       case ParameterId.KEY_HASH -> guid = guid.equals(Guid.UNKNOWN) ? ParameterValue.guid(value) : guid;
-      case ParameterId.TOPIC_NAME -> topic = ParameterValue.text(value, Bounds.NAME);
-      case ParameterId.TYPE_NAME -> type = ParameterValue.text(value, Bounds.NAME);
+      case ParameterId.TOPIC_NAME -> topic = ParameterValue.text(value, FieldBounds.NAME);
+      case ParameterId.TYPE_NAME -> type = ParameterValue.text(value, FieldBounds.NAME);
       case ParameterId.UNICAST_LOCATOR -> locators.unicast(value);
       case ParameterId.MULTICAST_LOCATOR -> locators.multicast(value);
-      case ParameterId.USER_DATA -> userData = ParameterValue.octets(value, Bounds.USER_DATA);
+      case ParameterId.USER_DATA -> userData = ParameterValue.octets(value, FieldBounds.USER_DATA);
       case ParameterId.EXPECTS_INLINE_QOS -> wantsInlineQos = ParameterValue.flag(value);
       default -> qos.take(id, value);
     }

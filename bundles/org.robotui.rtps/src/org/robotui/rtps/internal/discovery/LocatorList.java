@@ -24,7 +24,7 @@ final class LocatorList {
   }
 
   private static void add(List<Locator> list, Locator locator) {
-    if (list.size() < Bounds.LOCATORS && !list.contains(locator)) {
+    if (list.size() < FieldBounds.LOCATORS && !list.contains(locator)) {
       list.add(locator);
     }
   }

@@ -46,8 +46,8 @@ final class ParticipantReader {
         int both = ParameterValue.pair(value);
         version = new ProtocolVersion(both >> 8, both & 0xff);
       }
-      case ParameterId.ENTITY_NAME -> name = ParameterValue.text(value, Bounds.NAME);
-      case ParameterId.DOMAIN_TAG -> tag = ParameterValue.text(value, Bounds.NAME);
+      case ParameterId.ENTITY_NAME -> name = ParameterValue.text(value, FieldBounds.NAME);
+      case ParameterId.DOMAIN_TAG -> tag = ParameterValue.text(value, FieldBounds.NAME);
       case ParameterId.DOMAIN_ID -> domain = OptionalInt.of(ParameterValue.number(value));
       case ParameterId.LEASE -> lease = ParameterValue.duration(value);
       case ParameterId.BUILTIN_ENDPOINTS,
@@ -56,7 +56,7 @@ final class ParticipantReader {
       case ParameterId.METATRAFFIC_MULTICAST_LOCATOR -> metatraffic.multicast(value);
       case ParameterId.DEFAULT_UNICAST_LOCATOR -> userTraffic.unicast(value);
       case ParameterId.DEFAULT_MULTICAST_LOCATOR -> userTraffic.multicast(value);
-      case ParameterId.USER_DATA -> userData = ParameterValue.octets(value, Bounds.USER_DATA);
+      case ParameterId.USER_DATA -> userData = ParameterValue.octets(value, FieldBounds.USER_DATA);
       default -> {
         // properties, security and what vendors add are not used
       }

@@ -32,9 +32,9 @@ final class QosReader {
       case ParameterId.DEADLINE -> qos = qos.withTimes(ParameterValue.duration(value), qos.lifespan());
       case ParameterId.LIFESPAN -> qos = qos.withTimes(qos.deadline(), ParameterValue.duration(value));
       case ParameterId.HISTORY -> history(value);
-      case ParameterId.PARTITION -> qos = qos.withPartitions(ParameterValue.texts(value, Bounds.PARTITIONS));
+      case ParameterId.PARTITION -> qos = qos.withPartitions(ParameterValue.texts(value, FieldBounds.PARTITIONS));
       case ParameterId.DATA_REPRESENTATION -> qos = qos.withRepresentations(
-          WireQos.representations(ParameterValue.smallNumbers(value, Bounds.REPRESENTATIONS)));
+          WireQos.representations(ParameterValue.smallNumbers(value, FieldBounds.REPRESENTATIONS)));
       default -> {
         // types as they are described by XTypes, and what vendors add, are not used
       }

@@ -14,11 +14,11 @@ final class Acknowledging {
   private static final int MOST_FRAGMENT_SETS = 8;
 
   private final EntityId reader;
-  private final Outlet outlet;
+  private final EndpointOutlet outlet;
   private final AtomicInteger counts;
 
   /** All counts of a participant grow, so that a peer which remembers an earlier reader takes none for an old one. */
-  Acknowledging(EntityId reader, Outlet outlet, AtomicInteger counts) {
+  Acknowledging(EntityId reader, EndpointOutlet outlet, AtomicInteger counts) {
     this.reader = reader;
     this.outlet = outlet;
     this.counts = counts;
@@ -27,7 +27,7 @@ final class Acknowledging {
   void say(RemoteWriter writer, long now) {
     Received received = writer.received();
     EntityId to = writer.info().guid().entity();
-    try (Outlet.Batch batch = outlet.to(writer.destination())) {
+    try (EndpointOutlet.Batch batch = outlet.to(writer.destination())) {
       if (!received.begun()) {
         batch.acknowledge(reader, to, SequenceSet.none(1), counts.incrementAndGet(), true);
       } else {
@@ -50,7 +50,7 @@ final class Acknowledging {
     return set.build();
   }
 
-  private void fragments(RemoteWriter writer, EntityId to, Outlet.Batch batch, long now) {
+  private void fragments(RemoteWriter writer, EntityId to, EndpointOutlet.Batch batch, long now) {
     int sets = 0;
     for (var entry : writer.assemblies().entrySet()) {
       Assembly assembly = entry.getValue();

@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.robotui.rtps.Guid;
 import org.robotui.rtps.History;
 import org.robotui.rtps.Qos;
+import org.robotui.rtps.Sample;
 
 /** The changes that a writer keeps, so many of the last of each instance, or all. Its writer's lock guards it. */
 final class ChangeCache {
@@ -21,6 +23,7 @@ final class ChangeCache {
   private final long mostBytes;
   private final TreeMap<Long, Change> changes = new TreeMap<>();
   private final Map<Guid, TreeMap<Long, Change>> instances = new HashMap<>();
+  private final TreeSet<Long> ended = new TreeSet<>();
   private long bytes;
 
   ChangeCache(Qos qos, long mostBytes) {
@@ -37,6 +40,9 @@ final class ChangeCache {
   /** Keeps a change and says which ones had to go for it. */
   List<Change> add(Change change) {
     changes.put(change.sequence(), change);
+    if (change.kind() != Sample.Kind.ALIVE) {
+      ended.add(change.sequence());
+    }
     bytes += change.size();
     List<Change> gone = new ArrayList<>(1);
     Optional<Change> oldest = change.instance().map(key -> ofInstance(key, change)).orElseGet(() -> tooMany(changes));
@@ -64,6 +70,7 @@ final class ChangeCache {
 
   private void remove(long sequence) {
     Change change = changes.remove(sequence);
+    ended.remove(sequence);
     bytes -= change.size();
     change.instance().ifPresent(key -> instances.computeIfPresent(key, (same, instance) -> {
       instance.remove(sequence);
@@ -75,6 +82,13 @@ final class ChangeCache {
   void removeBefore(long sequence) {
     while (!changes.isEmpty() && changes.firstKey() < sequence) {
       remove(changes.firstKey());
+    }
+  }
+
+  /** Drops what says of instances that they ended, before a number. */
+  void removeEndedBefore(long sequence) {
+    while (!ended.isEmpty() && ended.first() < sequence) {
+      remove(ended.first());
     }
   }
 

@@ -10,7 +10,7 @@ import org.robotui.rtps.Durability;
 import org.robotui.rtps.EndpointInfo;
 import org.robotui.rtps.Guid;
 import org.robotui.rtps.GuidPrefix;
-import org.robotui.rtps.RtpsLimits;
+import org.robotui.rtps.ParticipantLimits;
 import org.robotui.rtps.Liveliness;
 import org.robotui.rtps.Qos;
 import org.robotui.rtps.ReaderStatistics;
@@ -27,25 +27,26 @@ public final class ReaderCore {
   private static final long EXPIRING = Duration.ofMillis(500).toNanos();
 
   private final Qos qos;
-  private final RtpsLimits limits;
+  private final ParticipantLimits limits;
   private final Timers timers;
   private final Timers.Timer timer;
   private final Acknowledging acknowledging;
-  private final Budget waiting;
-  private final Budget partial;
+  private final MemoryBudget waiting;
+  private final MemoryBudget partial;
   private final Map<Guid, RemoteWriter> writers = new HashMap<>();
-  private final Map<Guid, Watch> watches = new HashMap<>();
+  private final Map<Guid, WriterWatch> watches = new HashMap<>();
   private final ReaderTally tally = new ReaderTally();
 
   /** Matched with nobody yet. */
-  public ReaderCore(Guid self, Qos qos, RtpsLimits limits, Timers timers, Outlet outlet, AtomicInteger counts) {
+  public ReaderCore(Guid self, Qos qos, ParticipantLimits limits, Timers timers, EndpointOutlet outlet,
+      AtomicInteger counts) {
     this.qos = qos;
     this.limits = limits;
     this.timers = timers;
     this.timer = timers.timer(this::run);
     this.acknowledging = new Acknowledging(self.entity(), outlet, counts);
-    this.waiting = new Budget(limits.cacheBytes());
-    this.partial = new Budget(limits.partialBytes());
+    this.waiting = new MemoryBudget(limits.cacheBytes());
+    this.partial = new MemoryBudget(limits.partialBytes());
   }
 
   /** Listens to a writer from now on. */
@@ -57,7 +58,7 @@ public final class ReaderCore {
         qos.durability() != Durability.VOLATILE && writer.qos().durability() != Durability.VOLATILE;
     writers.put(writer.guid(),
         new RemoteWriter(writer, destination, reliable, history, waiting, partial, now));
-    watches.put(writer.guid(), new Watch(writer, qos, now));
+    watches.put(writer.guid(), new WriterWatch(writer, qos, now));
     timer.wake(now);
   }
 
@@ -77,7 +78,7 @@ public final class ReaderCore {
     RemoteWriter writer = writers.get(from);
     if (writer != null) {
       long now = timers.now();
-      watches.get(from).written(now);
+      written(from, now);
       told(writer, writer.data(change, inOrder), inOrder, now);
     }
     return inOrder;
@@ -89,7 +90,7 @@ public final class ReaderCore {
     RemoteWriter writer = writers.get(from);
     if (writer != null) {
       long now = timers.now();
-      watches.get(from).written(now);
+      written(from, now);
       makeRoom();
       told(writer, writer.fragments(fragments, limits.sampleBytes(), inOrder, now), inOrder, now);
       if (!writer.assemblies().isEmpty()) {
@@ -97,6 +98,19 @@ public final class ReaderCore {
       }
     }
     return inOrder;
+  }
+
+  private void written(Guid from, long now) {
+    WriterWatch watch = watches.get(from);
+    watch.written(now);
+    look(watch);
+  }
+
+  private void look(WriterWatch watch) {
+    long next = watch.next();
+    if (next != Timers.NEVER) {
+      timer.wake(next);
+    }
   }
 
   /** Whoever fills the memory with parts of samples loses the oldest of its own. */
@@ -116,6 +130,7 @@ public final class ReaderCore {
       long now = timers.now();
       if (alive) {
         watches.get(from).asserted(now);
+        look(watches.get(from));
       }
       told(writer, writer.heartbeat(first, last, inOrder), inOrder, now);
       if (answer) {
@@ -156,6 +171,7 @@ public final class ReaderCore {
     watches.forEach((guid, watch) -> {
       if (guid.prefix().equals(participant)) {
         watch.asserted(kind, now);
+        look(watch);
       }
     });
   }
@@ -180,14 +196,14 @@ public final class ReaderCore {
         next = Math.min(next, now + EXPIRING);
       }
     }
-    for (Watch watch : watches.values()) {
+    for (WriterWatch watch : watches.values()) {
       look(watch, now);
       next = Math.min(next, watch.next());
     }
     return next;
   }
 
-  private void look(Watch watch, long now) {
+  private void look(WriterWatch watch, long now) {
     if (watch.missed(now)) {
       tally.late();
     }

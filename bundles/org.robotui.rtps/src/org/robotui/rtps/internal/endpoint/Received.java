@@ -14,7 +14,7 @@ final class Received {
   private static final int MOST_HELD = 10_000;
   private static final long MOST_NUMBER = 1L << 62;
 
-  private final Budget memory;
+  private final MemoryBudget memory;
   private final TreeMap<Long, Held> held = new TreeMap<>();
   private long next;
   private long last;
@@ -28,7 +28,7 @@ final class Received {
     }
   }
 
-  Received(Budget memory) {
+  Received(MemoryBudget memory) {
     this.memory = memory;
   }
 

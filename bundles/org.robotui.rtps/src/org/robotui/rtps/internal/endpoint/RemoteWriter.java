@@ -18,15 +18,15 @@ final class RemoteWriter {
   private final boolean reliable;
   private final boolean wantsHistory;
   private final Received received;
-  private final Budget partial;
+  private final MemoryBudget partial;
   private final TreeMap<Long, Assembly> assemblies = new TreeMap<>();
   private final Asking asking;
   private long lastBestEffort;
   private long lost;
   private long incomplete;
 
-  RemoteWriter(EndpointInfo info, Destination destination, boolean reliable, boolean wantsHistory, Budget waiting,
-      Budget partial, long now) {
+  RemoteWriter(EndpointInfo info, Destination destination, boolean reliable, boolean wantsHistory, MemoryBudget waiting,
+      MemoryBudget partial, long now) {
     this.info = info;
     this.destination = destination;
     this.reliable = reliable;
@@ -148,7 +148,7 @@ final class RemoteWriter {
     }
     asking.answered();
     if (!received.begun()) {
-      received.begin(wantsHistory ? first : last + 1);
+      received.begin(first);
     }
     received.exists(last);
     if (first > received.next()) {

@@ -21,7 +21,7 @@ final class Sending {
   }
 
   /** Sends a change whole; answers its bytes. */
-  long change(Outlet.Batch batch, EntityId reader, Destination to, Change change) {
+  long change(EndpointOutlet.Batch batch, EntityId reader, Destination to, Change change) {
     int fragmentSize = to.fragmentSize();
     if (change.size() <= fragmentSize) {
       batch.data(reader, writer, change);
@@ -39,7 +39,7 @@ final class Sending {
   }
 
   /** Sends some of what a reader asked for, and what it asked for in vain as a gap. */
-  void repair(Outlet.Batch batch, RemoteReader reader, ChangeCache cache) {
+  void repair(EndpointOutlet.Batch batch, RemoteReader reader, ChangeCache cache) {
     long left = TURN;
     Iterator<Long> whole = reader.requested().iterator();
     while (whole.hasNext() && left > 0) {
@@ -58,7 +58,7 @@ final class Sending {
     }
   }
 
-  private long whole(Outlet.Batch batch, RemoteReader reader, ChangeCache cache, long sequence) {
+  private long whole(EndpointOutlet.Batch batch, RemoteReader reader, ChangeCache cache, long sequence) {
     Optional<Change> change = cache.get(sequence).filter(kept -> sequence >= reader.start());
     EntityId to = reader.info().guid().entity();
     if (change.isEmpty()) {
@@ -69,7 +69,8 @@ final class Sending {
     return change(batch, to, reader.destination(), change.get());
   }
 
-  private long partly(Outlet.Batch batch, RemoteReader reader, Optional<Change> change, long sequence, BitSet numbers,
+  private long partly(EndpointOutlet.Batch batch, RemoteReader reader, Optional<Change> change, long sequence,
+      BitSet numbers,
       long left) {
     EntityId to = reader.info().guid().entity();
     if (change.isEmpty()) {

@@ -32,7 +32,7 @@ public final class WriterCore {
   private final Qos qos;
   private final Timers timers;
   private final Timers.Timer timer;
-  private final Outlet outlet;
+  private final EndpointOutlet outlet;
   private final AtomicInteger counts;
   private final ChangeCache cache;
   private final Sending sending;
@@ -47,7 +47,7 @@ public final class WriterCore {
   private record Target(Destination destination, EntityId reader, boolean reliable) {}
 
   /** Matched with nobody yet. */
-  public WriterCore(Guid self, Qos qos, long mostBytes, Timers timers, Outlet outlet, AtomicInteger counts) {
+  public WriterCore(Guid self, Qos qos, long mostBytes, Timers timers, EndpointOutlet outlet, AtomicInteger counts) {
     this.self = self.entity();
     this.qos = qos;
     this.timers = timers;
@@ -91,7 +91,7 @@ public final class WriterCore {
   }
 
   private void send(Target target, Change change) {
-    try (Outlet.Batch batch = outlet.to(target.destination())) {
+    try (EndpointOutlet.Batch batch = outlet.to(target.destination())) {
       sending.change(batch, target.reader(), target.destination(), change);
       if (target.reliable()) {
         beat(batch, target.reader(), cache.first(last + 1), false);
@@ -99,7 +99,7 @@ public final class WriterCore {
     }
   }
 
-  private void beat(Outlet.Batch batch, EntityId reader, long first, boolean answer) {
+  private void beat(EndpointOutlet.Batch batch, EntityId reader, long first, boolean answer) {
     batch.heartbeat(reader, self, first, last, counts.incrementAndGet(), answer);
   }
 
@@ -107,9 +107,11 @@ public final class WriterCore {
   private void forget() {
     if (qos.durability() == Durability.VOLATILE) {
       cache.removeBefore(allAcknowledged());
+    } else {
+      cache.removeEndedBefore(allAcknowledged()); // who comes later never heard of them
     }
     if (!Qos.infinite(qos.lifespan())) {
-      cache.removeOlder(WallClock.nanos() - qos.lifespan().toNanos());
+      cache.removeOlder(SourceClock.nanos() - qos.lifespan().toNanos());
     }
   }
 
@@ -139,12 +141,12 @@ public final class WriterCore {
   }
 
   private void greet(RemoteReader reader) {
-    try (Outlet.Batch batch = outlet.to(reader.destination())) {
+    try (EndpointOutlet.Batch batch = outlet.to(reader.destination())) {
       ask(batch, reader);
     }
   }
 
-  private void ask(Outlet.Batch batch, RemoteReader reader) {
+  private void ask(EndpointOutlet.Batch batch, RemoteReader reader) {
     long first = Math.max(reader.start(), cache.first(last + 1));
     beat(batch, reader.info().guid().entity(), Math.min(first, last + 1), true);
   }
@@ -206,7 +208,7 @@ public final class WriterCore {
     boolean more = false;
     for (RemoteReader reader : readers.values()) {
       if (reader.asks()) {
-        try (Outlet.Batch batch = outlet.to(reader.destination())) {
+        try (EndpointOutlet.Batch batch = outlet.to(reader.destination())) {
           sending.repair(batch, reader, cache);
         }
         more |= reader.asks();

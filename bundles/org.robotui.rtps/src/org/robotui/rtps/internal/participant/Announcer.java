@@ -14,8 +14,8 @@ import org.robotui.rtps.internal.discovery.EndpointCodec;
 import org.robotui.rtps.internal.discovery.ParticipantCodec;
 import org.robotui.rtps.internal.endpoint.Change;
 import org.robotui.rtps.internal.endpoint.Destination;
-import org.robotui.rtps.internal.endpoint.Outlet;
-import org.robotui.rtps.internal.endpoint.WallClock;
+import org.robotui.rtps.internal.endpoint.EndpointOutlet;
+import org.robotui.rtps.internal.endpoint.SourceClock;
 import org.robotui.rtps.internal.transport.UdpTransport;
 
 /** Says that this participant is there: often at first, as one may get lost, and then in every period. */
@@ -55,7 +55,7 @@ final class Announcer {
 
   /** Says it to one who has just come. */
   void announceTo(Destination destination) {
-    try (Outlet.Batch batch = datagrams.to(destination)) {
+    try (EndpointOutlet.Batch batch = datagrams.to(destination)) {
       send(batch, present);
     }
   }
@@ -64,21 +64,21 @@ final class Announcer {
   void farewell(List<Destination> known) {
     toAll(gone);
     for (Destination each : known) {
-      try (Outlet.Batch batch = datagrams.to(each)) {
+      try (EndpointOutlet.Batch batch = datagrams.to(each)) {
         send(batch, gone);
       }
     }
   }
 
   private void toAll(Change change) {
-    try (Outlet.Batch batch = datagrams.toAll(MOST_DATAGRAM, this::sendToAll)) {
+    try (EndpointOutlet.Batch batch = datagrams.toAll(MOST_DATAGRAM, this::sendToAll)) {
       send(batch, change);
     }
   }
 
-  private static void send(Outlet.Batch batch, Change change) {
+  private static void send(EndpointOutlet.Batch batch, Change change) {
     batch.data(EntityId.UNKNOWN, BuiltIn.PARTICIPANT_WRITER, new Change(change.sequence(), change.kind(),
-        change.payload(), WallClock.nanos(), change.related(), change.instance()));
+        change.payload(), SourceClock.nanos(), change.related(), change.instance()));
   }
 
   private void sendToAll(ByteBuffer datagram) {

@@ -11,7 +11,7 @@ import org.robotui.rtps.EndpointKind;
 import org.robotui.rtps.EntityId;
 import org.robotui.rtps.Guid;
 import org.robotui.rtps.GuidPrefix;
-import org.robotui.rtps.RtpsLimits;
+import org.robotui.rtps.ParticipantLimits;
 import org.robotui.rtps.Locators;
 import org.robotui.rtps.ParticipantInfo;
 import org.robotui.rtps.Qos;
@@ -20,10 +20,10 @@ import org.robotui.rtps.internal.discovery.BuiltIn;
 import org.robotui.rtps.internal.discovery.EndpointCodec;
 import org.robotui.rtps.internal.endpoint.Change;
 import org.robotui.rtps.internal.endpoint.Destination;
-import org.robotui.rtps.internal.endpoint.Outlet;
+import org.robotui.rtps.internal.endpoint.EndpointOutlet;
 import org.robotui.rtps.internal.endpoint.ReaderCore;
 import org.robotui.rtps.internal.endpoint.Timers;
-import org.robotui.rtps.internal.endpoint.WallClock;
+import org.robotui.rtps.internal.endpoint.SourceClock;
 import org.robotui.rtps.internal.endpoint.WriterCore;
 
 /** The ends by which participants tell each other of their readers and writers, and that they are alive. */
@@ -34,9 +34,9 @@ final class BuiltIns implements Matching.Publishing {
 
   private final GuidPrefix own;
   private final Switchboard switchboard;
-  private final RtpsLimits limits;
+  private final ParticipantLimits limits;
   private final Timers timers;
-  private final Outlet outlet;
+  private final EndpointOutlet outlet;
   private final AtomicInteger counts;
   private final List<Pair> pairs;
 
@@ -60,7 +60,7 @@ final class BuiltIns implements Matching.Publishing {
     }
   }
 
-  BuiltIns(GuidPrefix own, Switchboard switchboard, RtpsLimits limits, Timers timers, Outlet outlet,
+  BuiltIns(GuidPrefix own, Switchboard switchboard, ParticipantLimits limits, Timers timers, EndpointOutlet outlet,
       AtomicInteger counts, Hearing hearing) {
     this.own = own;
     this.switchboard = switchboard;
@@ -126,19 +126,19 @@ final class BuiltIns implements Matching.Publishing {
 
   @Override
   public void opened(EndpointInfo endpoint) {
-    announcing(endpoint).write(Sample.Kind.ALIVE, EndpointCodec.write(endpoint, ORDER), WallClock.nanos(),
+    announcing(endpoint).write(Sample.Kind.ALIVE, EndpointCodec.write(endpoint, ORDER), SourceClock.nanos(),
         Optional.empty(), Optional.of(endpoint.guid()));
   }
 
   @Override
   public void closed(EndpointInfo endpoint) {
     announcing(endpoint).write(Sample.Kind.DISPOSED, EndpointCodec.writeKey(endpoint.guid(), ORDER),
-        WallClock.nanos(), Optional.empty(), Optional.of(endpoint.guid()));
+        SourceClock.nanos(), Optional.empty(), Optional.of(endpoint.guid()));
   }
 
   /** Says that this participant is alive, for those of its writers that promise it. */
   void sayAlive() {
-    pairs.get(2).writer().write(Sample.Kind.ALIVE, AliveMessage.automatic(own), WallClock.nanos(), Optional.empty(),
+    pairs.get(2).writer().write(Sample.Kind.ALIVE, AliveMessage.automatic(own), SourceClock.nanos(), Optional.empty(),
         Optional.of(Guid.participant(own)));
   }
 

@@ -11,20 +11,20 @@ import java.util.function.Consumer;
 import org.robotui.rtps.GuidPrefix;
 import org.robotui.rtps.Sample;
 import org.robotui.rtps.internal.endpoint.Destination;
-import org.robotui.rtps.internal.endpoint.Outlet;
+import org.robotui.rtps.internal.endpoint.EndpointOutlet;
 import org.robotui.rtps.internal.transport.UdpTransport;
-import org.robotui.rtps.internal.wire.MessageWriter;
+import org.robotui.rtps.internal.wire.DatagramWriter;
 import org.robotui.rtps.internal.wire.Submessage;
 
 /** Packs what endpoints say into datagrams. Safe for all threads. */
-final class Datagrams implements Outlet {
+final class Datagrams implements EndpointOutlet {
 
   private static final int MOST_IDLE = 4;
 
   private final GuidPrefix own;
   private final UdpTransport transport;
   private final Consumer<LocalBatch.Said> local;
-  private final Map<Integer, Deque<MessageWriter>> idle = new ConcurrentHashMap<>();
+  private final Map<Integer, Deque<DatagramWriter>> idle = new ConcurrentHashMap<>();
 
   Datagrams(GuidPrefix own, UdpTransport transport, Consumer<LocalBatch.Said> local) {
     this.local = local;
@@ -49,7 +49,7 @@ final class Datagrams implements Outlet {
     return new Packing(GuidPrefix.UNKNOWN, mostDatagram, sender);
   }
 
-  private Deque<MessageWriter> idle(int most) {
+  private Deque<DatagramWriter> idle(int most) {
     return idle.computeIfAbsent(most, none -> new ConcurrentLinkedDeque<>());
   }
 
@@ -58,7 +58,7 @@ final class Datagrams implements Outlet {
     private final GuidPrefix destination;
     private final int most;
     private final Consumer<ByteBuffer> sender;
-    private final MessageWriter writer;
+    private final DatagramWriter writer;
     private long time = Sample.NO_TIME;
 
     Packing(GuidPrefix destination, int most, Consumer<ByteBuffer> sender) {
@@ -67,7 +67,7 @@ final class Datagrams implements Outlet {
       this.sender = sender;
       this.writer =
           Optional.ofNullable(idle(most).pollFirst())
-              .orElseGet(() -> new MessageWriter(own, most, SubmessageBatch.ORDER));
+              .orElseGet(() -> new DatagramWriter(own, most, SubmessageBatch.ORDER));
     }
 
     private void add(Submessage part, long at) {
@@ -110,7 +110,7 @@ final class Datagrams implements Outlet {
     @Override
     public void close() {
       flush();
-      Deque<MessageWriter> place = idle(most);
+      Deque<DatagramWriter> place = idle(most);
       if (place.size() < MOST_IDLE) {
         place.addFirst(writer);
       }

@@ -91,18 +91,27 @@ abstract class LocalEndpoint implements Endpoint {
     return reasons;
   }
 
+  /** A remote end is there, but none of its addresses can be used. */
+  final void unreachable(EndpointInfo remote) {
+    refuse(remote, List.of("none of the addresses that it announces is reached from here"));
+  }
+
+  private void refuse(EndpointInfo remote, List<String> reasons) {
+    if (matched.containsKey(remote.guid())) {
+      forget(remote.guid(), reasons.getFirst());
+    }
+    Mismatch mismatch = new Mismatch(remote, reasons);
+    if (!mismatch.equals(mismatches.put(remote.guid(), mismatch))) {
+      tell(listener -> listener.mismatched(mismatch));
+    }
+  }
+
   /** A remote end is there, or says something else than before. */
   final void evaluate(EndpointInfo remote, Destination destination) {
     List<String> against = reasonsAgainst(remote);
     EndpointInfo before = matched.get(remote.guid());
     if (!against.isEmpty()) {
-      if (before != null) {
-        forget(remote.guid(), against.getFirst());
-      }
-      Mismatch mismatch = new Mismatch(remote, against);
-      if (!mismatch.equals(mismatches.put(remote.guid(), mismatch))) {
-        tell(listener -> listener.mismatched(mismatch));
-      }
+      refuse(remote, against);
     } else if (!remote.equals(before)) {
       mismatches.remove(remote.guid());
       matched.put(remote.guid(), remote);

@@ -11,7 +11,7 @@ import org.robotui.rtps.SampleIdentity;
 import org.robotui.rtps.Writer;
 import org.robotui.rtps.WriterStatistics;
 import org.robotui.rtps.internal.endpoint.Destination;
-import org.robotui.rtps.internal.endpoint.WallClock;
+import org.robotui.rtps.internal.endpoint.SourceClock;
 import org.robotui.rtps.internal.endpoint.WriterCore;
 
 /** A writer. */
@@ -67,7 +67,7 @@ final class LocalWriter extends LocalEndpoint implements Writer {
     }
     byte[] bytes = new byte[payload.remaining()];
     payload.get(payload.position(), bytes);
-    return core.write(Sample.Kind.ALIVE, ByteBuffer.wrap(bytes), WallClock.nanos(), related, Optional.empty());
+    return core.write(Sample.Kind.ALIVE, ByteBuffer.wrap(bytes), SourceClock.nanos(), related, Optional.empty());
   }
 
   @Override

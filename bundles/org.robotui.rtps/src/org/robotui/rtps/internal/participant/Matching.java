@@ -2,7 +2,6 @@ package org.robotui.rtps.internal.participant;
 
 import java.time.Duration;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.robotui.rtps.DiscoveryListener;
 import org.robotui.rtps.EndpointInfo;
@@ -25,7 +24,7 @@ final class Matching implements DiscoveryListener {
   private final Peers peers;
   private final Publishing publishing;
   private final List<LocalEndpoint> ours = new CopyOnWriteArrayList<>();
-  private final Notices notices = new Notices();
+  private final MatchNotices notices = new MatchNotices();
   private boolean closed;
 
   /** Tells others of our ends. */
@@ -44,7 +43,7 @@ final class Matching implements DiscoveryListener {
     this.publishing = publishing;
   }
 
-  Notices notices() {
+  MatchNotices notices() {
     return notices;
   }
 
@@ -86,10 +85,8 @@ final class Matching implements DiscoveryListener {
   }
 
   private void evaluate(LocalEndpoint endpoint, EndpointInfo remote) {
-    Optional<Destination> destination = peers.of(remote);
-    if (destination.isPresent()) {
-      endpoint.evaluate(remote, destination.get());
-    }
+    peers.of(remote).ifPresentOrElse(destination -> endpoint.evaluate(remote, destination),
+        () -> endpoint.unreachable(remote));
   }
 
   @Override

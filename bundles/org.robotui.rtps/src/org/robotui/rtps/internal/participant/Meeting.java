@@ -13,7 +13,7 @@ import org.robotui.rtps.ParticipantInfo;
 import org.robotui.rtps.Sample;
 import org.robotui.rtps.internal.discovery.DiscoveredParticipants;
 import org.robotui.rtps.internal.discovery.EndpointCodec;
-import org.robotui.rtps.internal.discovery.Outcome;
+import org.robotui.rtps.internal.discovery.Admission;
 import org.robotui.rtps.internal.discovery.ParticipantCodec;
 import org.robotui.rtps.internal.endpoint.Change;
 import org.robotui.rtps.internal.wire.WireException;
@@ -61,7 +61,7 @@ final class Meeting implements Hearing, DiscoveryListener {
     }
     ParticipantInfo info = ParticipantCodec.read(payload.duplicate());
     peers.put(info, host);
-    if (discovered.announced(info, source, host, attention.now()) instanceof Outcome.Refused refused) {
+    if (discovered.announced(info, source, host, attention.now()) instanceof Admission.Refused refused) {
       forget(info.guid().prefix());
       refused(refused.reason());
     }
@@ -107,7 +107,7 @@ final class Meeting implements Hearing, DiscoveryListener {
     try {
       if (change.kind() == Sample.Kind.ALIVE) {
         if (discovered.endpointAnnounced(EndpointCodec.read(change.payload().duplicate(), kind),
-            writer.prefix()) instanceof Outcome.Refused refused) {
+            writer.prefix()) instanceof Admission.Refused refused) {
           refused(refused.reason());
         }
       } else {

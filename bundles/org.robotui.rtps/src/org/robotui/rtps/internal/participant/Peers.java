@@ -17,17 +17,17 @@ import org.robotui.rtps.internal.transport.Routes;
 final class Peers {
 
   private final Routes routes;
-  private final Map<GuidPrefix, Peer> peers = new ConcurrentHashMap<>();
+  private final Map<GuidPrefix, InitialPeer> peers = new ConcurrentHashMap<>();
 
   /** What one says of itself, and from where it was heard first. */
-  private record Peer(ParticipantInfo info, InetAddress host) {}
+  private record InitialPeer(ParticipantInfo info, InetAddress host) {}
 
   Peers(Routes routes) {
     this.routes = routes;
   }
 
   void put(ParticipantInfo info, InetAddress host) {
-    peers.compute(info.guid().prefix(), (same, old) -> new Peer(info, old == null ? host : old.host()));
+    peers.compute(info.guid().prefix(), (same, old) -> new InitialPeer(info, old == null ? host : old.host()));
   }
 
   void remove(GuidPrefix prefix) {

@@ -6,13 +6,13 @@ import java.util.Optional;
 import org.robotui.rtps.EntityId;
 import org.robotui.rtps.Sample;
 import org.robotui.rtps.internal.endpoint.Change;
-import org.robotui.rtps.internal.endpoint.Outlet;
+import org.robotui.rtps.internal.endpoint.EndpointOutlet;
 import org.robotui.rtps.internal.wire.InlineQos;
 import org.robotui.rtps.internal.wire.SequenceSet;
 import org.robotui.rtps.internal.wire.Submessage;
 
 /** Makes submessages of what ends say. */
-abstract class SubmessageBatch implements Outlet.Batch {
+abstract class SubmessageBatch implements EndpointOutlet.Batch {
 
   static final ByteOrder ORDER = ByteOrder.LITTLE_ENDIAN;
 

@@ -56,7 +56,7 @@ public final class UdpParticipant implements Participant {
   private final Announcer announcer;
   private final BuiltIns builtIns;
   private final Matching matching;
-  private final Inlet inlet;
+  private final DatagramInlet inlet;
   private final Workers workers;
 
   private UdpParticipant(ParticipantSettings settings, ThreadFactory threads, Addresses addresses,
@@ -75,7 +75,7 @@ public final class UdpParticipant implements Participant {
     Meeting meeting = new Meeting(discovered, peers, attention);
     this.builtIns = new BuiltIns(own, switchboard, settings.limits(), timers, datagrams, counts, meeting);
     this.matching = new Matching(discovered, peers, builtIns);
-    this.inlet = new Inlet(own, switchboard, meeting);
+    this.inlet = new DatagramInlet(own, switchboard, meeting);
     this.workers = new Workers(threads);
     meeting.begin(new Meeting.Parts(builtIns, announcer, matching));
     new Upkeep(timers, attention, discovered, announcer, builtIns, matching).start();
@@ -88,7 +88,7 @@ public final class UdpParticipant implements Participant {
   /** Opens the sockets and starts the threads. */
   public static UdpParticipant open(ParticipantSettings settings, ThreadFactory threads) throws IOException {
     Addresses addresses = Addresses.of(settings.interfaces());
-    List<InetSocketAddress> asked = Asked.of(settings, addresses);
+    List<InetSocketAddress> asked = AskedAddresses.of(settings, addresses);
     UdpTransport transport = UdpTransport.open(settings, addresses);
     UdpParticipant participant = new UdpParticipant(settings, threads, addresses, transport, asked);
     try {

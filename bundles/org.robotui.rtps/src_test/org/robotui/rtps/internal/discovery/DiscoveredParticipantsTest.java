@@ -18,7 +18,7 @@ import org.robotui.rtps.EndpointKind;
 import org.robotui.rtps.EntityId;
 import org.robotui.rtps.Guid;
 import org.robotui.rtps.GuidPrefix;
-import org.robotui.rtps.RtpsLimits;
+import org.robotui.rtps.ParticipantLimits;
 import org.robotui.rtps.Locators;
 import org.robotui.rtps.ParticipantInfo;
 import org.robotui.rtps.ProtocolVersion;
@@ -29,7 +29,7 @@ class DiscoveredParticipantsTest {
 
   private static final long SECOND = 1_000_000_000L;
 
-  private static final RtpsLimits SMALL = new RtpsLimits(40, 5, 1000, 1000, 1000);
+  private static final ParticipantLimits SMALL = new ParticipantLimits(40, 5, 1000, 1000, 1000);
 
   private final DiscoveredParticipants discovered = new DiscoveredParticipants(3, SMALL);
 
@@ -84,7 +84,7 @@ class DiscoveredParticipantsTest {
         OptionalInt.of(domain), lease, BuiltIn.OURS, Locators.NONE, Locators.NONE, ByteBuffer.allocate(0));
   }
 
-  private Outcome announce(int number, String name, long now) {
+  private Admission announce(int number, String name, long now) {
     return discovered.announced(info(number, name, 3, Duration.ofSeconds(10)), prefix(number), host(1), now);
   }
 
@@ -98,13 +98,13 @@ class DiscoveredParticipantsTest {
   void participants_and_endpoints_come_change_and_go_in_order() {
     discovered.addListener(new Ear());
 
-    assertEquals(new Outcome.Found(), announce(1, "a", 0));
-    assertEquals(new Outcome.Known(), announce(1, "a", 1));
-    assertEquals(new Outcome.Found(), discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1)));
-    assertEquals(new Outcome.Known(), discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1)));
-    assertEquals(new Outcome.Changed(), discovered.endpointAnnounced(endpoint(1, 1, "y"), prefix(1)));
+    assertEquals(new Admission.Found(), announce(1, "a", 0));
+    assertEquals(new Admission.Known(), announce(1, "a", 1));
+    assertEquals(new Admission.Found(), discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1)));
+    assertEquals(new Admission.Known(), discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1)));
+    assertEquals(new Admission.Changed(), discovered.endpointAnnounced(endpoint(1, 1, "y"), prefix(1)));
     discovered.endpointAnnounced(endpoint(1, 2, "z"), prefix(1));
-    assertEquals(new Outcome.Changed(), announce(1, "b", 2));
+    assertEquals(new Admission.Changed(), announce(1, "b", 2));
     discovered.endpointLeft(endpoint(1, 1, "y").guid(), prefix(1), "it said so");
     discovered.left(Guid.participant(prefix(1)), prefix(1), "it said so");
 
@@ -171,9 +171,9 @@ class DiscoveredParticipantsTest {
     announce(2, "b", 0);
     discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1));
 
-    assertInstanceOf(Outcome.Refused.class, discovered.announced(info(1, "forged", 3, Qos.INFINITE), prefix(2),
+    assertInstanceOf(Admission.Refused.class, discovered.announced(info(1, "forged", 3, Qos.INFINITE), prefix(2),
         host(2), 0));
-    assertInstanceOf(Outcome.Refused.class, discovered.endpointAnnounced(endpoint(1, 2, "forged"), prefix(2)));
+    assertInstanceOf(Admission.Refused.class, discovered.endpointAnnounced(endpoint(1, 2, "forged"), prefix(2)));
     discovered.left(Guid.participant(prefix(1)), prefix(2), "forged");
     discovered.endpointLeft(endpoint(1, 1, "x").guid(), prefix(2), "forged");
 
@@ -183,8 +183,8 @@ class DiscoveredParticipantsTest {
 
   @Test
   void other_domains_and_endpoints_of_nobody_are_refused_with_a_reason() {
-    Outcome other = discovered.announced(info(1, "a", 4, Qos.INFINITE), prefix(1), host(1), 0);
-    Outcome nobody = discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1));
+    Admission other = discovered.announced(info(1, "a", 4, Qos.INFINITE), prefix(1), host(1), 0);
+    Admission nobody = discovered.endpointAnnounced(endpoint(1, 1, "x"), prefix(1));
 
     assertTrue(other.toString().contains("is of domain 4, not of 3"), other::toString);
     assertTrue(nobody.toString().contains("its participant is not known"), nobody::toString);
@@ -193,12 +193,12 @@ class DiscoveredParticipantsTest {
   @Test
   void one_machine_that_floods_leaves_room_for_others() {
     for (int i = 0; i < 10_000; i++) {
-      Outcome outcome = announce(i, "flood", 0);
-      assertEquals(i < 10, outcome instanceof Outcome.Found, outcome::toString);
+      Admission outcome = announce(i, "flood", 0);
+      assertEquals(i < 10, outcome instanceof Admission.Found, outcome::toString);
     }
-    Outcome other = discovered.announced(info(20_000, "robot", 3, Qos.INFINITE), prefix(20_000), host(2), 0);
+    Admission other = discovered.announced(info(20_000, "robot", 3, Qos.INFINITE), prefix(20_000), host(2), 0);
 
-    assertEquals(new Outcome.Found(), other);
+    assertEquals(new Admission.Found(), other);
     assertEquals(11, discovered.participants().size());
   }
 
@@ -209,7 +209,7 @@ class DiscoveredParticipantsTest {
     }
     discovered.heard(prefix(0), 35 * SECOND);
 
-    assertEquals(new Outcome.Found(), announce(50, "honest", 40 * SECOND));
+    assertEquals(new Admission.Found(), announce(50, "honest", 40 * SECOND));
     assertTrue(discovered.participants().stream().noneMatch(info -> info.name().equals("liar 1")));
     assertEquals(10, discovered.participants().size());
   }
@@ -223,14 +223,14 @@ class DiscoveredParticipantsTest {
     announce(2, "b", 0);
 
     assertEquals(5, discovered.endpoints().size());
-    assertEquals(new Outcome.Found(), discovered.endpointAnnounced(endpoint(2, 1, "x"), prefix(2)));
+    assertEquals(new Admission.Found(), discovered.endpointAnnounced(endpoint(2, 1, "x"), prefix(2)));
     discovered.endpointLeft(endpoint(1, 1, "t1").guid(), prefix(1), "gone");
-    assertEquals(new Outcome.Found(), discovered.endpointAnnounced(endpoint(1, 999, "new"), prefix(1)));
+    assertEquals(new Admission.Found(), discovered.endpointAnnounced(endpoint(1, 999, "new"), prefix(1)));
   }
 
   @Test
   void what_a_machine_says_takes_bounded_memory_and_gives_it_back() {
-    DiscoveredParticipants large = new DiscoveredParticipants(3, new RtpsLimits(1000, 100_000, 1, 1, 1));
+    DiscoveredParticipants large = new DiscoveredParticipants(3, new ParticipantLimits(1000, 100_000, 1, 1, 1));
     ByteBuffer data = ByteBuffer.allocate(16 << 10);
     int taken = 0;
     for (int p = 0; p < 8; p++) {
@@ -238,15 +238,15 @@ class DiscoveredParticipantsTest {
       for (int i = 1; i <= 600; i++) {
         EndpointInfo small = endpoint(p, i, "t");
         taken += large.endpointAnnounced(new EndpointInfo(small.guid(), small.kind(), "t", "t", small.qos(), data,
-            Locators.NONE, false), prefix(p)) instanceof Outcome.Found ? 1 : 0;
+            Locators.NONE, false), prefix(p)) instanceof Admission.Found ? 1 : 0;
       }
     }
     assertTrue(taken > 1500 && taken < 2048, taken + " endpoints of 16 KiB in 32 MiB");
-    assertEquals(new Outcome.Found(), large.announced(info(90, "p", 3, Qos.INFINITE), prefix(90), host(2), 0));
+    assertEquals(new Admission.Found(), large.announced(info(90, "p", 3, Qos.INFINITE), prefix(90), host(2), 0));
     for (int p = 0; p < 8; p++) {
       large.left(Guid.participant(prefix(p)), prefix(p), "gone");
     }
-    assertEquals(new Outcome.Found(), large.announced(info(1, "p", 3, Qos.INFINITE), prefix(1), host(1), 0));
-    assertEquals(new Outcome.Found(), large.endpointAnnounced(endpoint(1, 1, "t"), prefix(1)));
+    assertEquals(new Admission.Found(), large.announced(info(1, "p", 3, Qos.INFINITE), prefix(1), host(1), 0));
+    assertEquals(new Admission.Found(), large.endpointAnnounced(endpoint(1, 1, "t"), prefix(1)));
   }
 }

@@ -27,7 +27,7 @@ import org.robotui.rtps.ParticipantInfo;
 import org.robotui.rtps.Reliability;
 import org.robotui.rtps.VendorId;
 import org.robotui.rtps.internal.wire.InlineQos;
-import org.robotui.rtps.internal.wire.MessageReader;
+import org.robotui.rtps.internal.wire.DatagramReader;
 import org.robotui.rtps.internal.wire.Recorded;
 import org.robotui.rtps.internal.wire.Submessage;
 import org.robotui.rtps.internal.wire.WireException;
@@ -52,7 +52,7 @@ class RecordedDiscoveryTest {
     for (GuidPrefix hearer : hearers) {
       for (byte[] datagram : peer.datagrams()) {
         List<Submessage.Data> heard = new ArrayList<>();
-        new MessageReader(hearer).read(ByteBuffer.wrap(datagram), (context, part) -> {
+        new DatagramReader(hearer).read(ByteBuffer.wrap(datagram), (context, part) -> {
           if (part instanceof Submessage.Data data && data.writer().builtIn()) {
             heard.add(data);
           }

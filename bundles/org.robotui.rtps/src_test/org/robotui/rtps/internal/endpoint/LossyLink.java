@@ -18,7 +18,7 @@ import org.robotui.rtps.EndpointKind;
 import org.robotui.rtps.EntityId;
 import org.robotui.rtps.Guid;
 import org.robotui.rtps.GuidPrefix;
-import org.robotui.rtps.RtpsLimits;
+import org.robotui.rtps.ParticipantLimits;
 import org.robotui.rtps.Locators;
 import org.robotui.rtps.Qos;
 import org.robotui.rtps.internal.wire.SequenceSet;
@@ -26,7 +26,7 @@ import org.robotui.rtps.internal.wire.SequenceSet;
 /** Readers and writers on one link in memory that loses and delays, by a clock that the test moves. */
 final class LossyLink {
 
-  static final RtpsLimits LIMITS = new RtpsLimits(10, 10, 4 << 20, 8L << 20, 8L << 20);
+  static final ParticipantLimits LIMITS = new ParticipantLimits(10, 10, 4 << 20, 8L << 20, 8L << 20);
 
   private final Random random;
   private final double loss;
@@ -122,7 +122,7 @@ final class LossyLink {
   }
 
   /** Carries submessages, a datagram for each batch as far as 1500 bytes go. */
-  private final class Wire implements Outlet.Batch {
+  private final class Wire implements EndpointOutlet.Batch {
     private final Guid from;
     private final Destination to;
     private final List<Runnable> parts = new ArrayList<>();

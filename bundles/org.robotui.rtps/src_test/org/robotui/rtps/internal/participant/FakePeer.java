@@ -25,7 +25,7 @@ import org.robotui.rtps.VendorId;
 import org.robotui.rtps.internal.discovery.BuiltIn;
 import org.robotui.rtps.internal.discovery.EndpointCodec;
 import org.robotui.rtps.internal.discovery.ParticipantCodec;
-import org.robotui.rtps.internal.wire.MessageWriter;
+import org.robotui.rtps.internal.wire.DatagramWriter;
 import org.robotui.rtps.internal.wire.Submessage;
 
 /** Says what it is told to, true or not, to one participant, and hears nothing. */
@@ -42,6 +42,8 @@ final class FakePeer implements AutoCloseable {
   private final InetSocketAddress user;
 
   private long announced;
+
+  private Submessage last = new Submessage.InfoTimestamp(0);
 
   FakePeer(ParticipantInfo victim) throws IOException {
     socket = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
@@ -72,9 +74,15 @@ final class FakePeer implements AutoCloseable {
     EndpointInfo info = new EndpointInfo(new Guid(prefix, writer), EndpointKind.WRITER, topic, "type", qos,
         ByteBuffer.allocate(userBytes), Locators.NONE, false);
     announced++;
-    discovery(prefix, new Submessage.Data(BuiltIn.PUBLICATIONS_READER, BuiltIn.PUBLICATIONS_WRITER, announced, NO_QOS,
-        Submessage.Content.SAMPLE, EndpointCodec.write(info, ORDER)));
+    last = new Submessage.Data(BuiltIn.PUBLICATIONS_READER, BuiltIn.PUBLICATIONS_WRITER, announced, NO_QOS,
+        Submessage.Content.SAMPLE, EndpointCodec.write(info, ORDER));
+    repeat(prefix);
     return writer;
+  }
+
+  /** Says once more what it said last of a writer, as somebody does whose datagram may have been lost. */
+  void repeat(GuidPrefix prefix) {
+    discovery(prefix, last);
   }
 
   void discovery(GuidPrefix prefix, Submessage part) {
@@ -86,7 +94,7 @@ final class FakePeer implements AutoCloseable {
   }
 
   private void send(GuidPrefix prefix, Submessage part, InetSocketAddress to) {
-    MessageWriter writer = new MessageWriter(prefix, 65_000, ORDER);
+    DatagramWriter writer = new DatagramWriter(prefix, 65_000, ORDER);
     writer.add(part);
     ByteBuffer datagram = writer.finish();
     byte[] bytes = new byte[datagram.remaining()];

@@ -31,7 +31,7 @@ class HostileMessagesTest {
 
   /** Goes on into what readers would read of a part. */
   private void read(byte[] datagram) {
-    MessageReader reader = new MessageReader(new GuidPrefix(1, 1));
+    DatagramReader reader = new DatagramReader(new GuidPrefix(1, 1));
     try {
       reader.read(ByteBuffer.wrap(datagram), (context, part) -> {
         parts++;
@@ -115,7 +115,7 @@ class HostileMessagesTest {
 
   private static String refusal(ByteBuffer message) {
     message.flip();
-    return assertThrows(WireException.class, () -> new MessageReader(new GuidPrefix(1, 1)).read(message,
+    return assertThrows(WireException.class, () -> new DatagramReader(new GuidPrefix(1, 1)).read(message,
         (context, part) -> {})).getMessage();
   }
 
@@ -166,7 +166,7 @@ class HostileMessagesTest {
     message.put((byte) SubmessageId.PAD).put((byte) 0).putShort((short) 0);
     message.put((byte) SubmessageId.HEARTBEAT_FRAG).put((byte) 0).putShort((short) 32);
     message.putLong(0).putLong(1).putInt(2).putInt(3).putLong(-1).flip(); // and what a later version adds
-    new MessageReader(new GuidPrefix(1, 1)).read(message, (context, part) -> parts++);
+    new DatagramReader(new GuidPrefix(1, 1)).read(message, (context, part) -> parts++);
 
     assertEquals(1, parts);
   }

@@ -39,7 +39,7 @@ class RecordedTest {
       }
       at += length == 0 && datagram[at] != SubmessageId.INFO_TS ? datagram.length : 4 + length;
     }
-    new MessageReader(to).read(ByteBuffer.wrap(datagram), (context, part) -> {
+    new DatagramReader(to).read(ByteBuffer.wrap(datagram), (context, part) -> {
       taken.parts.add(part);
       taken.vendors.add(context.vendor());
       taken.times.add(context.timestamp());

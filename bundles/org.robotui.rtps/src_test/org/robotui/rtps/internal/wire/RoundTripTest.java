@@ -37,10 +37,10 @@ class RoundTripTest {
   private static final ByteBuffer NONE = ByteBuffer.allocate(0);
 
   static List<Submessage> written(Submessage part, ByteOrder order) throws WireException {
-    MessageWriter writer = new MessageWriter(SENDER, 70_000, order);
+    DatagramWriter writer = new DatagramWriter(SENDER, 70_000, order);
     assertTrue(writer.add(part));
     List<Submessage> read = new ArrayList<>();
-    new MessageReader(OWN).read(writer.finish(), (context, it) -> read.add(it));
+    new DatagramReader(OWN).read(writer.finish(), (context, it) -> read.add(it));
     return read;
   }
 
@@ -80,7 +80,7 @@ class RoundTripTest {
   @ParameterizedTest
   @MethodSource("orders")
   void what_is_said_about_parts_holds_for_those_that_follow(ByteOrder order) throws Exception {
-    MessageWriter writer = new MessageWriter(SENDER, 1000, order);
+    DatagramWriter writer = new DatagramWriter(SENDER, 1000, order);
     Locator place = Locator.udp(InetAddress.getByName("10.1.2.3"), 7411);
     Submessage beat = new Submessage.Heartbeat(READER, WRITER, 1, 2, 3, false, false);
     List<Submessage> parts = List.of(beat, new Submessage.InfoTimestamp(1_700_000_000_123_456_789L),
@@ -90,7 +90,7 @@ class RoundTripTest {
         new Submessage.InfoSource(new ProtocolVersion(2, 1), VendorId.CYCLONE_DDS, new GuidPrefix(5, 6)), beat);
     parts.forEach(part -> assertTrue(writer.add(part)));
     List<String> heard = new ArrayList<>();
-    new MessageReader(OWN).read(writer.finish(), (context, part) -> heard.add("%s %s %d %s".formatted(context.vendor(),
+    new DatagramReader(OWN).read(writer.finish(), (context, part) -> heard.add("%s %s %d %s".formatted(context.vendor(),
         context.source(), context.timestamp(), context.reply())));
 
     assertEquals(List.of("unknown vendor " + SENDER + " " + WireTime.NONE + " []",
@@ -100,7 +100,7 @@ class RoundTripTest {
 
   @Test
   void a_writer_says_when_a_datagram_is_full() {
-    MessageWriter writer = new MessageWriter(SENDER, 20 + 3 * 32, ByteOrder.LITTLE_ENDIAN);
+    DatagramWriter writer = new DatagramWriter(SENDER, 20 + 3 * 32, ByteOrder.LITTLE_ENDIAN);
     Submessage beat = new Submessage.Heartbeat(READER, WRITER, 1, 2, 3, false, false);
 
     assertTrue(writer.isEmpty());
@@ -147,7 +147,7 @@ class RoundTripTest {
     message.put((byte) SubmessageId.HEARTBEAT_FRAG).put((byte) 0).putShort((short) 0);
     message.putInt(READER.value()).putInt(WRITER.value()).putLong(1).putInt(2).putInt(3).flip();
     List<String> heard = new ArrayList<>();
-    new MessageReader(OWN).read(message, (context, part) -> heard.add(context.reply() + " " + context.vendor()));
+    new DatagramReader(OWN).read(message, (context, part) -> heard.add(context.reply() + " " + context.vendor()));
 
     assertEquals(List.of("[10.1.2.3:7411] OpenDDS"), heard);
   }
