@@ -31,7 +31,7 @@ maven() {
   local log=$1 rc=0
   shift
   mkdir -p "$(dirname "$log")"
-  (cd "$ROOT" && "$MAVEN/bin/mvn" -B -ntp -T1 "$@") </dev/null 2>&1 | tee "$log" | maven_progress >&2 || rc=$?
+  (cd "$ROOT" && "$MAVEN/bin/mvn" -B -ntp -T"${maven_threads:-1}" "$@") </dev/null 2>&1 | tee "$log" | maven_progress >&2 || rc=$?
   [[ $rc -eq 0 ]] || maven_errors "$log"
   return "$rc"
 }

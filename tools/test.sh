@@ -35,6 +35,9 @@ prepare_tests() {
   need_link
   need_packages "Tests against real ROS tools" "${PEER_PACKAGES[@]}" \
     || say "  Tests that need them will say that they were skipped."
+  [[ -n ${ROBOTUI_ROS2_PEERS:-} ]] || make_ros2_peers \
+    || say "  Peers of ROS 2 could not be fetched: tests against them will say that they were skipped."
+  export ROBOTUI_ROS2_PEERS=${ROBOTUI_ROS2_PEERS:-$ROS2_PEERS}
   [[ $1 == unit ]] && return 0
   need_packages "Tests with a window" "${WINDOW_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" || exit 1
   start_display
@@ -56,12 +59,24 @@ test_with_maven() {
     osgi)         arguments+=(-pl "!:org.robotui.product" -Dskip.unit=true -Dskip.architecture=true) ;;
   esac
   say "Building and testing ($1)"
+  two_at_a_time arguments
   maven "$LOGS/test.log" verify "${arguments[@]}" || broken="the build"
+}
+
+# Two bundles at a time, as their tests wait most of their time, where each can have a display of its own: docs/adr/0138-tests-run-two-at-a-time.md.
+two_at_a_time() {
+  local -n more=$1
+  [[ -n ${display_processes[*]-} ]] || return 0
+  start_more_displays
+  maven_threads=2
+  export ROBOTUI_TEST_JDK=$JAVA_HOME
+  more+=(-Djvm="$ROOT/tools/unit-tests/bin/java")
 }
 
 # Tycho compiles changed tests only, and does not see the classes of the unchanged ones beside them.
 clear_test_classes() { rm -rf "$ROOT"/bundles/*/target/test-classes; }
 
+# Two files of tests at a time, as most of their time tests wait: docs/adr/0138-tests-run-two-at-a-time.md.
 test_end_to_end() {
   if ! ls "$E2E"/test_*.py >/dev/null 2>&1; then
     say "No end-to-end tests: tests/e2e is not there."
@@ -71,19 +86,28 @@ test_end_to_end() {
   say "Testing end to end"
   mkdir -p "$E2E/target"
   [[ $part == all ]] || clear_reports         # else Maven's runner has done so
-  # The exit code 1 means failed tests, which the report counts.
-  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider --reruns 1 --junitxml=target/TEST-e2e.xml . </dev/null) >&2 \
-    || [[ $? -eq 1 ]] || broken="${broken:+$broken and }the end-to-end tests"
+  start_more_displays
+  local rc=0 work
+  # A short one: the sockets of what is tested lie in it, whose paths have 107 bytes at most.
+  work=$(mktemp -d /tmp/e2e.XXXX)
+  (cd "$E2E" && /usr/bin/python3 -m pytest -q -p no:cacheprovider -n 2 --dist loadfile --reruns 1 --basetemp="$work" \
+    --junitxml=target/TEST-e2e.xml . </dev/null) >&2 || rc=$?
+  case $rc in
+    0) rm -rf "$work" ;;
+    1) say "What the failed tests saw lies in $work" ;;           # the report counts them
+    *) broken="${broken:+$broken and }the end-to-end tests" ;;
+  esac
 }
 
 # ---- a display of our own: tests shall not open windows on anybody's screen -------------------------------------------
 
+# [NAME]: with a window manager and a session bus.
 start_display() {
-  local out=$KEEP/display
+  local out=$KEEP/display${1:-}
   mkdir -p "$out"
   : >"$out/number"
   Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$out/number" >"$out/xvfb.log" 2>&1 &
-  display_processes=("$!")
+  display_processes+=("$!")
   await_line "$out/number" || fail "Xvfb did not start: $(tail -n 1 "$out/xvfb.log")"
   DISPLAY=:$(<"$out/number")
   export DISPLAY
@@ -92,6 +116,20 @@ start_display() {
   openbox >"$out/openbox.log" 2>&1 &
   display_processes+=("$!")
   start_session_bus "$out"
+}
+
+# Two more, for tests that run side by side: on one display they would take the focus from the windows of each other.
+start_more_displays() {
+  [[ -z ${ROBOTUI_TEST_DISPLAYS:-} ]] || return 0
+  local first=$DISPLAY bus=${DBUS_SESSION_BUS_ADDRESS:-} number
+  export ROBOTUI_TEST_DISPLAYS='' ROBOTUI_TEST_BUSES=''
+  for number in 2 3; do
+    start_display "$number"
+    ROBOTUI_TEST_DISPLAYS+=" $DISPLAY"
+    ROBOTUI_TEST_BUSES+=" ${DBUS_SESSION_BUS_ADDRESS:-}"
+  done
+  export DISPLAY=$first
+  [[ -z $bus ]] || export DBUS_SESSION_BUS_ADDRESS=$bus
 }
 
 start_session_bus() {

@@ -21,11 +21,24 @@ SHARED = pathlib.Path(os.environ.get("ROBOTUI_SHARED", ROOT.parent / "shared"))
 ROS_TOOLS = ("roscore", "rostopic", "rosbag", "rosservice", "rosnode", "rosparam")
 NO_DISPLAY = ("DISPLAY", "WAYLAND_DISPLAY")
 RT_BIN = ROOT / "rt-native/target/release/bin"
+# What tests/README.md names: it takes long and has hardly ever broken alone.
+needs_long = pytest.mark.skipif(os.environ.get("ROBOTUI_LONG") != "1", reason="takes long: ./robotui test --long")
 needs_rt = pytest.mark.skipif(not (RT_BIN / "robotui-rt").exists(), reason="rt-native is not built: ./robotui rt-ctl --help builds it")
+
+
+def pytest_configure(config):
+    """Each of the processes that run tests side by side has a display of its own."""
+    number = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+    for variable, all_of_them in (("DISPLAY", "ROBOTUI_TEST_DISPLAYS"), ("DBUS_SESSION_BUS_ADDRESS", "ROBOTUI_TEST_BUSES")):
+        values = os.environ.get(all_of_them, "").split()
+        if values:
+            os.environ[variable] = values[number]
 
 
 def pytest_runtest_logreport(report):
     """Says why a test is tried again, and keeps its name for the closing sum once it has passed."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        return                          # the process that collects all reports says it
     if report.outcome == "rerun":
         print(f"\n{report.nodeid} failed and is tried again:\n{report.longreprtext}", file=sys.stderr)
     elif report.passed and report.when == "call" and getattr(report, "rerun", 0):
@@ -75,21 +88,32 @@ class Processes:
         return process
 
     def end(self):
-        for process in reversed(self.running):
+        """All at once, but for the first: what the others are connected to, such as a master, goes last."""
+        for process in reversed(self.running[1:]):
+            tell(process, signal.SIGINT)
+        for process in reversed(self.running[1:]):
+            await_end(process)
+        for process in self.running[:1]:
             end(process)
 
 
 def end(process, how=signal.SIGINT, patience=10):
-    for sign in (how, signal.SIGKILL):
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, sign)
-        try:
-            process.wait(patience)
-        except subprocess.TimeoutExpired:
-            continue
-        break
+    tell(process, how)
+    await_end(process, patience)
+
+
+def tell(process, sign):
     with contextlib.suppress(ProcessLookupError):
-        os.killpg(process.pid, signal.SIGKILL)
+        os.killpg(process.pid, sign)
+
+
+def await_end(process, patience=10):
+    """Waits for it as long as the patience lasts; then it is killed, and so is what it left behind in any case."""
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(patience)
+    tell(process, signal.SIGKILL)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(patience)
 
 
 def below(pid):

@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from conftest import Robot, end, free_port, java, start_robotui, wait_for
+from conftest import Robot, end, free_port, java, needs_long, start_robotui, wait_for
 from network import network    # noqa: F401 (a fixture)
 from side_effects import SPEED, Stopped, Witness, closed, comes_back, ended, guards_of, keep, longest_gap, same_rhythm, same_steps, shows
 
@@ -98,7 +98,7 @@ def test_nothing_changes_by_multicast(processes, environment):
 
 
 @needs_lcm
-@pytest.mark.parametrize("guard", [False, True])
+@pytest.mark.parametrize("guard", [pytest.param(False, marks=needs_long), True])
 def test_nothing_changes_at_a_server_nor_on_a_bad_link_to_it(network, guard):      # noqa: F811
     url = start_server(network.robot, network.robot.address)
     bus = Bus(network.robot, url)
@@ -126,7 +126,7 @@ def test_nothing_changes_at_a_server_nor_on_a_bad_link_to_it(network, guard):   
 
 
 @needs_lcm
-@pytest.mark.parametrize("guard", [False, True])
+@pytest.mark.parametrize("guard", [pytest.param(False, marks=needs_long), True])
 def test_a_stopped_workbench_holds_a_server_up_unless_it_has_a_guard(network, guard):      # noqa: F811
     url = start_server(network.robot, network.robot.address)
     bus = Bus(network.robot, url, FAST)

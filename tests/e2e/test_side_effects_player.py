@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from conftest import Robot, end, start_robotui, wait_for
+from conftest import Robot, end, needs_long, start_robotui, wait_for
 from network import network    # noqa: F401 (a fixture)
 from side_effects import SPEED, Stopped, Witness, closed, comes_back, ended, guards_of, keep, longest_gap, same_rhythm, same_steps, shows
 
@@ -124,6 +124,7 @@ def test_a_stopped_workbench_with_a_guard_holds_nobody_up(server):
     unharmed(server, phases)
 
 
+@needs_long
 def test_without_a_guard_a_stopped_workbench_holds_up_a_server_that_waits_for_it(server):
     """What the guard is for: this is measured, and stands in docs/side-effects.md."""
     phases = [server.phase("without")]
@@ -153,7 +154,7 @@ def test_a_killed_guard_costs_one_connection(server):
     unharmed(server, phases)
 
 
-@pytest.mark.parametrize("guard", [False, True])
+@pytest.mark.parametrize("guard", [pytest.param(False, marks=needs_long), True])
 def test_a_bad_link_to_the_workbench_changes_nothing_where_little_is_sent(network, guard):      # noqa: F811
     server = Server(network.robot, host=network.robot.address)
     phases = [server.phase("without")]

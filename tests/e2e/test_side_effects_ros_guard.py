@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from conftest import end, last_of, wait_for
+from conftest import end, last_of, needs_long, wait_for
 from network import network    # noqa: F401 (a fixture)
 from ros_graph import RATE, headless, make_far_graph, make_graph, unharmed
 from side_effects import Stopped, closed, comes_back, ended, guards_of, keep, longest_gap
@@ -59,7 +59,7 @@ def test_a_stopped_workbench_with_a_guard_is_not_registered_and_comes_back(rosco
     unharmed(phases)
 
 
-@pytest.mark.parametrize("guard", [False, True])
+@pytest.mark.parametrize("guard", [pytest.param(False, marks=needs_long), True])
 def test_a_stopped_workbench_holds_up_a_rospy_robot_without_queues_unless_it_has_a_guard(roscore, guard):
     graph = make_graph(roscore, "--no-queues")
     phases = [graph.phase("without")]
@@ -77,7 +77,7 @@ def test_a_stopped_workbench_holds_up_a_rospy_robot_without_queues_unless_it_has
     assert held_up < HELD_UP if guard else held_up > HELD_UP, held_up
 
 
-@pytest.mark.parametrize("guard", [False, True])
+@pytest.mark.parametrize("guard", [pytest.param(False, marks=needs_long), True])
 def test_a_bad_link_to_the_workbench_changes_nothing(network, ros_tools, guard):      # noqa: F811
     graph = make_far_graph(network)
     phases = [graph.phase("without")]
