@@ -100,6 +100,14 @@ final class RealPeer implements AutoCloseable {
     orders.flush();
   }
 
+  /** Waits until it hears so many writers, and so many readers hear it: what is said before is lost to them. */
+  void meet(int writers, int readers) throws IOException, InterruptedException {
+    int before = said("met").size();
+    orders.write("meet " + writers + " " + readers + "\n");
+    orders.flush();
+    Heard.await(START, () -> said("met").size() > before, () -> "nobody met: " + said);
+  }
+
   /** The words that begin what it heard. */
   List<String> heard() {
     return said.stream().filter(line -> line.startsWith("heard ")).map(line -> line.split(" ")[1]).toList();

@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executors;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -41,10 +44,17 @@ class RealPeersTest {
   }
 
   private static void awaitMatched(Endpoint... ends) throws InterruptedException {
+    awaitMatchedBeside(Set.of(), ends);
+  }
+
+  private static void awaitMatchedBeside(Set<Guid> known, Endpoint... ends) throws InterruptedException {
     for (Endpoint each : ends) {
-      Heard.await(SOON, () -> !each.matched().isEmpty(), () -> each.info().topic() + ": " + each.mismatches());
+      Heard.await(SOON, () -> !known.containsAll(matched(each)), () -> each.info().topic() + ": " + each.mismatches());
     }
-    Thread.sleep(500); // the other side may need a moment longer
+  }
+
+  private static Set<Guid> matched(Endpoint... ends) {
+    return Stream.of(ends).flatMap(end -> end.matched().stream()).map(EndpointInfo::guid).collect(Collectors.toSet());
   }
 
   private static List<String> words(String prefix, int count) {
@@ -53,6 +63,7 @@ class RealPeersTest {
 
   private void exchange(RealPeer peer, Reader reader, Writer writer, int count, int size) throws Exception {
     awaitMatched(reader, writer);
+    peer.meet(1, 1);
     peer.write(count, size, 0.02);
     for (int i = 1; i <= count; i++) {
       writer.write(Heard.string("j" + i + " " + "y".repeat(size)));
@@ -126,11 +137,14 @@ class RealPeersTest {
       });
       Reader reader = reader(us, RELIABLE);
       Writer writer = writer(us, RELIABLE);
+      Set<Guid> killed;
       try (RealPeer peer = peer(vendor, "reliable", "volatile", "100")) {
-        awaitMatched(reader);
+        awaitMatched(reader, writer);
+        killed = matched(reader, writer);
         peer.kill();
       }
       try (RealPeer again = peer(vendor, "reliable", "volatile", "100")) {
+        awaitMatchedBeside(killed, reader, writer);
         exchange(again, reader, writer, 5, 10);
       }
       Heard.await(SOON, () -> reader.matched().isEmpty(), () -> "" + reader.matched());
@@ -147,6 +161,7 @@ class RealPeersTest {
       Reader plain = reader(us, RELIABLE);
       Reader adapting = us.adaptingReader("rt/from_peer", Heard.TYPE, RELIABLE, Heard.NOTHING, heard);
       awaitMatched(adapting);
+      peer.meet(0, 1);
       peer.write(10, 10, 0.05);
       Heard.await(SOON, () -> heard.samples().size() >= 10, () -> "" + heard.words());
       assertEquals(words("p", 10), heard.words());

@@ -52,6 +52,12 @@ def write(writer, count, size, period):
     say("sent", count, f"{slowest:.4f}")
 
 
+def meet(writers, readers, reader, writer):
+    while len(reader.get_matched_publications()) < writers or len(writer.get_matched_subscriptions()) < readers:
+        time.sleep(0.005)
+    say("met")
+
+
 def listen(reader):
     while True:
         for sample in reader.take(N=100):
@@ -71,6 +77,9 @@ def main():
         order, *figures = line.split()
         if order == "end":
             break
+        if order == "meet":
+            meet(int(figures[0]), int(figures[1]), reader, writer)
+            continue
         write(writer, int(figures[0]), int(figures[1]), float(figures[2]))
 
 

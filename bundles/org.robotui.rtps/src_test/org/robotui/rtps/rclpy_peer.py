@@ -2,6 +2,7 @@
 
 Arguments: reliability (reliable, best_effort), durability (volatile, transient_local), history (a depth, or all), domain,
 the topic that it hears, and the one that it writes.
+    meet WRITERS READERS        waits until it hears so many writers, and so many readers hear it, and prints "met"
     write COUNT SIZE PERIOD     writes so many strings of so many characters, one in each period (seconds)
     end                         ends in order
 It prints "sent COUNT SLOWEST" when it has written, SLOWEST being the longest time that a write took, in seconds.
@@ -46,11 +47,17 @@ def write(publisher, count, size, period):
     say("sent", count, f"{slowest:.4f}")
 
 
+def meet(writers, readers, writers_met, readers_met):
+    while writers_met() < writers or readers_met() < readers:
+        time.sleep(0.005)
+    say("met")
+
+
 def main():
     rclpy.init()
     node = rclpy.create_node("peer", enable_rosout=False, start_parameter_services=False)
     qos = quality(*sys.argv[1:4])
-    node.create_subscription(String, sys.argv[5], lambda message: say("heard", message.data.split(" ")[0], len(message.data)), qos)
+    subscription = node.create_subscription(String, sys.argv[5], lambda message: say("heard", message.data.split(" ")[0], len(message.data)), qos)
     publisher = node.create_publisher(String, sys.argv[6], qos)
     executor = SingleThreadedExecutor()
     executor.add_node(node)
@@ -60,6 +67,9 @@ def main():
         order, *figures = line.split()
         if order == "end":
             break
+        if order == "meet":
+            meet(int(figures[0]), int(figures[1]), subscription.get_publisher_count, publisher.get_subscription_count)
+            continue
         write(publisher, int(figures[0]), int(figures[1]), float(figures[2]))
     executor.shutdown()
     node.destroy_node()
