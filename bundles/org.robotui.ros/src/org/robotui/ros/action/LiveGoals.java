@@ -1,27 +1,26 @@
 package org.robotui.ros.action;
 
-import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import org.robotui.message.ros.actionlib_msgs.GoalStatus;
+import org.robotui.net.thread.WatchThread;
 
 /** The goals on their way, with a thread that runs while there are some and notices that their server is silent. */
 final class LiveGoals implements AutoCloseable {
 
-  private final String action;
   private final ActionOptions options;
+  private final WatchThread watching;
   private final Map<String, TrackedGoal> goals = new LinkedHashMap<>();
   /** When each server spoke last. Only those that goals were sent to. */
   private final Map<String, Long> heard = new LinkedHashMap<>();
-  private boolean watching;
   private boolean closed;
 
   LiveGoals(String action, ActionOptions options) {
-    this.action = action;
     this.options = options;
+    this.watching =
+        new WatchThread(options.threads(), "action " + action, options.silence().dividedBy(10), this::look);
   }
 
   /** Takes a goal, unless there are too many or this is closed. */
@@ -31,12 +30,7 @@ final class LiveGoals implements AutoCloseable {
     }
     goals.put(goal.id(), goal);
     heard.put(goal.server(), System.nanoTime());
-    if (!watching) {
-      watching = true;
-      Thread thread = options.threads().newThread(this::watch);
-      thread.setName("action " + action);
-      thread.start();
-    }
+    watching.start();
     return true;
   }
 
@@ -45,7 +39,9 @@ final class LiveGoals implements AutoCloseable {
     if (goals.values().stream().noneMatch(other -> other.server().equals(goal.server()))) {
       heard.remove(goal.server());
     }
-    notifyAll();
+    if (goals.isEmpty()) {
+      watching.stop();
+    }
   }
 
   synchronized List<TrackedGoal> all() {
@@ -72,33 +68,14 @@ final class LiveGoals implements AutoCloseable {
     return last != null && System.nanoTime() - last > options.silence().toNanos();
   }
 
-  private void watch() {
-    while (pause()) {
-      for (TrackedGoal goal : all()) {
-        if (isSilent(goal.server())) {
-          goal.lose("server " + goal.server() + " said nothing for " + options.silence().toMillis() + " ms");
-        } else {
-          goal.expire(options.silence());
-        }
+  private void look() {
+    for (TrackedGoal goal : all()) {
+      if (isSilent(goal.server())) {
+        goal.lose("server " + goal.server() + " said nothing for " + options.silence().toMillis() + " ms");
+      } else {
+        goal.expire(options.silence());
       }
     }
-  }
-
-  /** Waits a little; answers whether there is still something to watch. */
-  private synchronized boolean pause() {
-    Duration step = options.silence().dividedBy(10);
-    long until = System.nanoTime() + step.toNanos();
-    try {
-      for (long left = step.toNanos(); !goals.isEmpty() && left > 0; left = until - System.nanoTime()) {
-        TimeUnit.NANOSECONDS.timedWait(this, left);
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      watching = false;
-      return false;
-    }
-    watching = !goals.isEmpty();
-    return watching;
   }
 
   @Override

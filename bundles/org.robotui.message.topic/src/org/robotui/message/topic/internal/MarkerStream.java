@@ -16,7 +16,6 @@ import org.robotui.message.data.MessageForm;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.message.topic.Arrival;
-import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
 
 /**
@@ -96,17 +95,8 @@ final class MarkerStream implements Followed {
 
   private <M extends Record> TopicSubscription subscribe(String from, String type, Class<M> form,
       BiConsumer<M, Arrival> taking) {
-    return scope.client().subscribe(from, type, new MessageForm.Bound<>(form, false), new TopicListener<M>() {
-      @Override
-      public void received(M message, Arrival arrival) {
-        taking.accept(message, arrival);
-      }
-
-      @Override
-      public void unreadable(String reason, Arrival arrival) {
-        publication.lost(1, from + " from " + arrival.sender() + ": " + reason);
-      }
-    });
+    return scope.client().subscribe(from, type, new MessageForm.Bound<>(form, false),
+        new TopicIntake<>(from, publication, taking));
   }
 
   private synchronized void updated(InteractiveMarkerUpdate message, Arrival arrival) {

@@ -150,7 +150,7 @@ final class TopicStream implements Followed {
     }
 
     private void lost(String reason, Arrival arrival) {
-      publication.lost(1, topic + " from " + arrival.sender() + ": " + reason);
+      TopicIntake.lost(publication, topic, reason, arrival);
     }
 
     private RawMessage raw(D value, Arrival arrival) {

@@ -13,9 +13,7 @@ import org.robotui.message.data.MessageForm;
 import org.robotui.message.data.StateAdapters;
 import org.robotui.message.ros.geometry_msgs.TransformStamped;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
-import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.SharedTransforms;
-import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
 
 /**
@@ -64,17 +62,8 @@ public final class TransformFeed implements AutoCloseable {
 
   private void subscribe(boolean fixed) {
     subscriptions.add(scope.client().subscribe(topic(fixed), TYPE, new MessageForm.Bound<>(TFMessage.class, false),
-        new TopicListener<TFMessage>() {
-          @Override
-          public void received(TFMessage message, Arrival arrival) {
-            shared.heard(message, arrival.sender(), fixed);
-          }
-
-          @Override
-          public void unreadable(String reason, Arrival arrival) {
-            publication.lost(1, topic(fixed) + " from " + arrival.sender() + ": " + reason);
-          }
-        }));
+        new TopicIntake<>(topic(fixed), publication,
+            (message, arrival) -> shared.heard(message, arrival.sender(), fixed))));
   }
 
   private static String topic(boolean fixed) {

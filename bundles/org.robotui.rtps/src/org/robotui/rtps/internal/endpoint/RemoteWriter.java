@@ -148,7 +148,7 @@ final class RemoteWriter {
     }
     asking.answered();
     if (!received.begun()) {
-      received.begin(first);
+      received.begin(first); // not behind the last one: it may have been written between the match there and ours
     }
     received.exists(last);
     if (first > received.next()) {
