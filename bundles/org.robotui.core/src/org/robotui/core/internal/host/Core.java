@@ -42,6 +42,7 @@ import org.robotui.core.internal.life.OverlayStore;
 import org.robotui.core.internal.life.Plan;
 import org.robotui.core.internal.life.RuicRuntime;
 import org.robotui.core.internal.life.Services;
+import org.robotui.core.internal.life.SharedThreads;
 import org.robotui.core.internal.watch.DisplayWatchdog;
 import org.robotui.core.internal.watch.MemoryWatch;
 import org.robotui.core.internal.watch.SuspectFile;
@@ -110,10 +111,7 @@ public final class Core implements Host {
   }
 
   private static ScheduledThreadPoolExecutor executor(String name) {
-    // Its thread may come on that of a component, and must not count as one of its threads.
-    ThreadGroup group = Thread.currentThread().getThreadGroup();
-    ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(
-        1, work -> Thread.ofPlatform().group(group).daemon().name(name).unstarted(work));
+    ScheduledThreadPoolExecutor executor = new ScheduledThreadPoolExecutor(1, new SharedThreads(name));
     executor.setRemoveOnCancelPolicy(true);
     return executor;
   }

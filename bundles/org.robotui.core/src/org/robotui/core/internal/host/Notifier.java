@@ -8,12 +8,12 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import org.robotui.api.host.Host.Subscription;
 import org.robotui.api.host.HostListener;
+import org.robotui.core.internal.life.SharedThreads;
 
 /** Tells listeners, each where it wants to be told: on the display thread, or on a thread that the others share. */
 final class Notifier implements AutoCloseable {
   private final List<Pending> listeners = new CopyOnWriteArrayList<>();
-  private final ExecutorService shared =
-      Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().name("robotui-events").factory());
+  private final ExecutorService shared = Executors.newSingleThreadExecutor(new SharedThreads("robotui-events"));
   private boolean closed;
 
   Subscription listen(HostListener listener) {

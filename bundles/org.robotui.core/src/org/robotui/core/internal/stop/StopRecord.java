@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,6 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Supplier;
+import org.robotui.net.process.RunningProcess;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -96,7 +98,7 @@ public final class StopRecord {
       if (now.isEmpty()) {
         Files.deleteIfExists(file);
       } else {
-        PrivateFiles.write(file, started(ProcessHandle.current()) + "\n" + String.join("\n", now) + "\n");
+        PrivateFiles.write(file, RunningProcess.current().started() + "\n" + String.join("\n", now) + "\n");
       }
     } catch (IOException | UnsupportedOperationException e) {
       LOG.warn("{} cannot be written: the next start will not know of {}", file, now, e);
@@ -120,7 +122,7 @@ public final class StopRecord {
     try {
       List<String> all = Files.readAllLines(left);
       String pid = left.getFileName().toString().replace(PREFIX, "").replace(".txt", "");
-      if (all.size() < 2 || lives(pid, all.getFirst())) {
+      if (all.size() < 2 || runs(pid, all.getFirst())) {
         return Optional.empty();
       }
       Files.delete(left);
@@ -132,13 +134,12 @@ public final class StopRecord {
     }
   }
 
-  /** Numbers of processes come again: it is the same one only if it began at the same time. */
-  private static boolean lives(String pid, String started) {
-    return pid.matches("\\d{1,9}")
-        && ProcessHandle.of(Long.parseLong(pid)).filter(p -> started(p).equals(started)).isPresent();
-  }
-
-  private static String started(ProcessHandle process) {
-    return process.info().startInstant().map(Instant::toString).orElse("at a time that is not known");
+  /** A time that cannot be read is that of no process. */
+  private static boolean runs(String pid, String started) {
+    try {
+      return new RunningProcess(Long.parseLong(pid), Instant.parse(started)).runs();
+    } catch (NumberFormatException | DateTimeParseException e) {
+      return false;
+    }
   }
 }

@@ -154,4 +154,20 @@ class NotifierTest {
     Await.until("it is told", () -> told.contains("second"));
     assertEquals(List.of("message", "second"), told);
   }
+
+  @Test
+  void theThreadOfTheListenersDoesNotBelongToWhoeverTellsThemFirst() throws InterruptedException {
+    List<ThreadGroup> groups = new CopyOnWriteArrayList<>();
+    notifier.listen(new HostListener() {
+      @Override
+      public void ruicsChanged() {
+        groups.add(Thread.currentThread().getThreadGroup());
+      }
+    });
+    Thread component = new Thread(new ThreadGroup("component"), events::ruicsChanged);
+    component.start();
+    component.join();
+    Await.until("it is told", () -> !groups.isEmpty());
+    assertEquals(List.of(Thread.currentThread().getThreadGroup()), groups);
+  }
 }

@@ -28,13 +28,13 @@ final class LeftoverNode {
 
   /** Whether it may still run: its process does, it answers, or it belongs to another machine. */
   boolean mayRun() {
-    return !record.process().isOnThisHost() || record.process().isAlive() || answers();
+    return !record.owner().isOnThisHost() || record.owner().process().runs() || answers();
   }
 
   private boolean answers() {
     try (RosApi node = new RosApi(HostPort.ofUri(record.uri(), "http"), "", perCall)) {
       Outcome<XmlRpcValue> pid = node.call("getPid", caller);
-      return pid.toOptional().filter(XmlRpcValue.of((int) record.process().pid())::equals).isPresent();
+      return pid.toOptional().filter(XmlRpcValue.of((int) record.owner().process().pid())::equals).isPresent();
     } catch (IllegalArgumentException e) {
       return false;
     }

@@ -11,6 +11,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
+import org.robotui.net.process.RunningProcess;
 
 /**
  * What is written down of a node so that its registrations can be removed when its process was killed.
@@ -19,16 +20,16 @@ import java.util.Properties;
  * @param uri the address of its own API
  * @param rpcUri the address of its services
  * @param master the address of the master
- * @param process who it belongs to
+ * @param owner who it belongs to
  * @param parameters the parameters it listens to, which masters do not tell
  */
-record NodeRecord(String node, String uri, String rpcUri, String master, Owner process, List<String> parameters) {
+record NodeRecord(String node, String uri, String rpcUri, String master, Owner owner, List<String> parameters) {
 
   static final String SUFFIX = ".rosnode";
   private static final int MAX_BYTES = 64 * 1024;
 
   NodeRecord withParameters(List<String> keys) {
-    return new NodeRecord(node, uri, rpcUri, master, process, List.copyOf(keys));
+    return new NodeRecord(node, uri, rpcUri, master, owner, List.copyOf(keys));
   }
 
   /** Writes it so that a reader finds the whole or nothing. */
@@ -38,9 +39,9 @@ record NodeRecord(String node, String uri, String rpcUri, String master, Owner p
     all.setProperty("uri", uri);
     all.setProperty("rpc_uri", rpcUri);
     all.setProperty("master", master);
-    all.setProperty("host", process.host());
-    all.setProperty("pid", Long.toString(process.pid()));
-    all.setProperty("started", Long.toString(process.started().toEpochMilli()));
+    all.setProperty("host", owner.host());
+    all.setProperty("pid", Long.toString(owner.process().pid()));
+    all.setProperty("started", Long.toString(owner.process().started().toEpochMilli()));
     all.setProperty("parameters", String.join(" ", parameters));
     StringWriter text = new StringWriter();
     all.store(text, "registered at a ROS master; removed when the node is closed");
@@ -60,11 +61,11 @@ record NodeRecord(String node, String uri, String rpcUri, String master, Owner p
     Properties all = new Properties();
     try {
       all.load(new StringReader(new String(Files.readAllBytes(file), StandardCharsets.UTF_8)));
-      Owner process = new Owner(get(all, "host"), Long.parseLong(get(all, "pid")),
-          Instant.ofEpochMilli(Long.parseLong(get(all, "started"))));
+      Owner owner = new Owner(get(all, "host"), new RunningProcess(Long.parseLong(get(all, "pid")),
+          Instant.ofEpochMilli(Long.parseLong(get(all, "started")))));
       List<String> parameters =
           List.of(get(all, "parameters").split(" ")).stream().filter(key -> !key.isEmpty()).toList();
-      return new NodeRecord(get(all, "node"), get(all, "uri"), get(all, "rpc_uri"), get(all, "master"), process,
+      return new NodeRecord(get(all, "node"), get(all, "uri"), get(all, "rpc_uri"), get(all, "master"), owner,
           parameters);
     } catch (IllegalArgumentException e) {
       throw new IOException(e.getMessage(), e);

@@ -3,29 +3,19 @@ package org.robotui.ros.internal.node;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
-import java.time.Instant;
 import java.util.Optional;
+import org.robotui.net.process.RunningProcess;
 
 /**
- * A process, so that it is not mistaken for a later one of the same number.
+ * Whose a node is.
  *
  * @param host the machine it runs on
- * @param pid its number there
- * @param started when it began; the epoch if the system does not tell
+ * @param process its process there
  */
-record Owner(String host, long pid, Instant started) {
-
-  /** Systems derive the start from a clock that is corrected meanwhile. */
-  private static final Duration TOLERANCE = Duration.ofSeconds(10);
+record Owner(String host, RunningProcess process) {
 
   static Owner current() {
-    ProcessHandle self = ProcessHandle.current();
-    return new Owner(thisHost(), self.pid(), started(self));
-  }
-
-  private static Instant started(ProcessHandle process) {
-    return process.info().startInstant().orElse(Instant.EPOCH);
+    return new Owner(thisHost(), RunningProcess.current());
   }
 
   /** Asking the name service could take long: the kernel knows it, elsewhere the environment. */
@@ -40,10 +30,5 @@ record Owner(String host, long pid, Instant started) {
 
   boolean isOnThisHost() {
     return host.equals(thisHost());
-  }
-
-  boolean isAlive() {
-    return ProcessHandle.of(pid).filter(ProcessHandle::isAlive)
-        .map(process -> Duration.between(started(process), started).abs().compareTo(TOLERANCE) < 0).orElse(false);
   }
 }

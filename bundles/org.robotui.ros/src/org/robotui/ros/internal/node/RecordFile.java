@@ -24,7 +24,7 @@ final class RecordFile {
 
   RecordFile(Optional<Path> folder, NodeRecord record, int port) {
     this.record = record;
-    file = folder.map(path -> path.resolve("node-" + record.process().pid() + "-" + port + NodeRecord.SUFFIX));
+    file = folder.map(path -> path.resolve("node-" + record.owner().process().pid() + "-" + port + NodeRecord.SUFFIX));
   }
 
   /** Before the master hears of the node for the first time. */

@@ -19,6 +19,7 @@ import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.std_msgs.StdString;
 import org.robotui.message.ros.std_srvs.EmptyResponse;
 import org.robotui.net.socket.HostPort;
+import org.robotui.net.process.RunningProcess;
 import org.robotui.ros.Eventually;
 import org.robotui.ros.Graph;
 import org.robotui.ros.PublisherOptions;
@@ -53,7 +54,7 @@ class LeftoversTest {
     assertTrue(witness.awaitRegistered(TIME));
     Process ended = new ProcessBuilder("true").start();
     assertEquals(0, ended.waitFor());
-    gone = new Owner(Owner.current().host(), ended.pid(), Instant.now());
+    gone = new Owner(Owner.current().host(), new RunningProcess(ended.pid(), Instant.now()));
   }
 
   @AfterEach
@@ -113,7 +114,7 @@ class LeftoversTest {
   @Test
   void aNodeOfALivingProcessOrOfAnotherMachineIsNotTouched() throws Exception {
     registerAll(DEAD_URI);
-    for (Owner other : List.of(Owner.current(), new Owner("elsewhere", gone.pid(), gone.started()))) {
+    for (Owner other : List.of(Owner.current(), new Owner("elsewhere", gone.process()))) {
       Path file = record(other, master());
       assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
       assertTrue(state().nodes().contains("/dead"));
@@ -125,7 +126,9 @@ class LeftoversTest {
   void aProcessThatGotTheNumberOfTheDeadOneDoesNotProtectIt() throws Exception {
     registerAll(DEAD_URI);
     Owner same = Owner.current();
-    record(new Owner(same.host(), same.pid(), same.started().minusSeconds(3600)), master());
+    record(
+        new Owner(same.host(), new RunningProcess(same.process().pid(), same.process().started().minusSeconds(3600))),
+        master());
     assertEquals(new StaleRegistrations.Cleared(List.of("/dead"), true), StaleRegistrations.clear(folder, TIME));
   }
 
@@ -133,7 +136,8 @@ class LeftoversTest {
   void aNodeThatAnswersIsNotTouchedWhateverTheProcessTableSays() throws Exception {
     Owner same = Owner.current();
     Path file = folder.resolve("node-1-3" + NodeRecord.SUFFIX);
-    new NodeRecord("/witness", witness.uri(), DEAD_RPC, master(), new Owner(same.host(), same.pid(), Instant.EPOCH),
+    new NodeRecord("/witness", witness.uri(), DEAD_RPC, master(),
+        new Owner(same.host(), new RunningProcess(same.process().pid(), Instant.EPOCH)),
         List.of()).write(file);
     assertEquals(new StaleRegistrations.Cleared(List.of(), true), StaleRegistrations.clear(folder, TIME));
     assertEquals(List.of("/witness"), state().publishers().get("/chatter"));
@@ -162,7 +166,7 @@ class LeftoversTest {
     assertEquals("/noted", note.node());
     assertEquals(node.uri(), note.uri());
     assertEquals(List.of("/limits", "/use_sim_time"), note.parameters());
-    assertTrue(note.process().isAlive() && note.process().isOnThisHost());
+    assertTrue(note.owner().process().runs() && note.owner().isOnThisHost());
     assertEquals(new StaleRegistrations.Cleared(List.of(), true),
         StaleRegistrations.clear(folder.resolve("new/state"), TIME));
     node.close();
