@@ -2,11 +2,11 @@ package org.robotui.ui;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.graphics.ImageData;
 import org.eclipse.swt.graphics.ImageLoader;
+import org.robotui.api.config.AtomicFile;
 
 /** Pictures as files. The toolkit, where it writes one itself, says no more of a failure than that there was one. */
 public final class PngFile {
@@ -24,6 +24,6 @@ public final class PngFile {
     loader.data = new ImageData[]{picture};
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     loader.save(bytes, SWT.IMAGE_PNG);
-    Files.write(file, bytes.toByteArray());
+    AtomicFile.write(file, bytes::writeTo);
   }
 }

@@ -1,11 +1,10 @@
 package org.robotui.ui.diagram;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.ui.PngFile;
 import org.robotui.ui.Theme;
@@ -44,7 +43,7 @@ public final class DiagramSaver {
       if (file.toString().toLowerCase(Locale.ROOT).endsWith(PNG)) {
         PngFile.write(canvas.picture(), file);
       } else {
-        Files.writeString(file, DiagramSvg.write(canvas.diagram(), theme.palette()), StandardCharsets.UTF_8);
+        AtomicFile.write(file, DiagramSvg.write(canvas.diagram(), theme.palette()));
       }
       return Optional.empty();
     } catch (IOException e) {

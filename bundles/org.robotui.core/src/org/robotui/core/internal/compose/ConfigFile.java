@@ -5,10 +5,9 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFileAttributeView;
-import java.nio.file.attribute.PosixFileAttributes;
 import java.util.Optional;
+import org.robotui.api.config.AtomicFile;
 
 /**
  * The file into which a RUIC is written.
@@ -66,14 +65,7 @@ record ConfigFile(Path path) {
 
   /** In place of what stands there, with the same rights; where it is a link, behind it. */
   void replace(String text) throws IOException {
-    Path real = path.toRealPath();
-    Path next = new ConfigFile(real).beside(text);
-    try {
-      copyRights(real, next);
-      Files.move(next, real, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-    } finally {
-      Files.deleteIfExists(next);
-    }
+    AtomicFile.write(path.toRealPath(), text);
   }
 
   private Path beside(String text) throws IOException {
@@ -89,13 +81,6 @@ record ConfigFile(Path path) {
       view.get().setPermissions(java.nio.file.attribute.PosixFilePermissions.fromString("rw-r--r--"));
     }
     return next;
-  }
-
-  private static void copyRights(Path from, Path to) throws IOException {
-    Optional<PosixFileAttributeView> view = rights(to);
-    if (view.isPresent()) {
-      view.get().setPermissions(Files.readAttributes(from, PosixFileAttributes.class).permissions());
-    }
   }
 
   private static Optional<PosixFileAttributeView> rights(Path file) {

@@ -1,10 +1,10 @@
 package org.robotui.uic.camera.internal;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.entity.image.Picture;
 import org.robotui.entity.image.PicturePng;
@@ -54,7 +54,7 @@ final class Saver {
       if (bytes.isEmpty()) {
         return "cannot save " + file + ": the picture holds no numbers of 16 bits";
       }
-      Files.write(Path.of(file), bytes.get());
+      AtomicFile.write(Path.of(file), out -> out.write(bytes.get()));
       return "saved " + file;
     } catch (IOException e) {
       return "cannot save " + file + ": " + WriteFailure.reason(e);

@@ -1,7 +1,6 @@
 package org.robotui.workbench.internal.pane;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,6 +18,7 @@ import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.FileDialog;
 import org.eclipse.swt.widgets.Shell;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.api.host.ReuseReport;
 import org.robotui.api.host.ReuseReport.Pair;
@@ -197,7 +197,7 @@ public final class ReuseDialog {
   void save(Path file) {
     Supplier<String> text = file.toString().endsWith(".md") ? report::markdown : report::csv;
     try {
-      Files.writeString(file, text.get());
+      AtomicFile.write(file, text.get());
       said.show(Health.OK, "Saved as " + file);
     } catch (IOException e) {
       said.show(Health.BAD, file + " cannot be written: " + WriteFailure.reason(e));

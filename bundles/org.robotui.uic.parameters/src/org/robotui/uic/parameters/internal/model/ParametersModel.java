@@ -1,7 +1,6 @@
 package org.robotui.uic.parameters.internal.model;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -11,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.robotui.api.UicContext;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.api.port.BrowseInput;
 import org.robotui.api.port.Browser;
@@ -214,7 +214,7 @@ public final class ParametersModel {
       for (Key key : keys) {
         values.read(key).ifPresent(value -> found.put(key.name(), value));
       }
-      Files.writeString(file, YamlFile.of(namespace.name(), found));
+      AtomicFile.write(file, YamlFile.of(namespace.name(), found));
       return new ParameterNotice(Health.OK, found.size() + " parameters written to " + file.getFileName());
     } catch (CallException e) {
       return new ParameterNotice(Health.BAD, "Nothing was written: " + e.getMessage());

@@ -1,14 +1,17 @@
 package org.robotui.uic.plot.internal.view;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicLong;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.uic.plot.internal.model.CsvExport;
 import org.robotui.uic.plot.internal.model.PlotScene;
@@ -48,8 +51,13 @@ public final class Exporter {
   }
 
   private void write(CsvExport export, String file) {
-    try (Writer out = Files.newBufferedWriter(Path.of(file), StandardCharsets.UTF_8)) {
-      long rows = export.write(out);
+    try {
+      AtomicLong rows = new AtomicLong();
+      AtomicFile.write(Path.of(file), out -> {
+        Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+        rows.set(export.write(writer));
+        writer.flush();
+      });
       say("saved " + rows + " rows to " + file, true);
     } catch (IOException e) {
       say("cannot write " + file + ": " + WriteFailure.reason(e), false);

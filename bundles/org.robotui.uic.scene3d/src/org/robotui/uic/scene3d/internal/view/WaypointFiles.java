@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.widgets.FileDialog;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.WriteFailure;
 import org.robotui.ui.Health;
 import org.robotui.ui.control.SaveDialog;
@@ -81,7 +82,7 @@ final class WaypointFiles {
 
   private static CommandNotice write(Path file, Route route) {
     try {
-      Files.writeString(file, RouteText.write(file.getFileName().toString(), route));
+      AtomicFile.write(file, RouteText.write(file.getFileName().toString(), route));
       return new CommandNotice(Health.OK, "Saved " + route.poses().size()
           + (route.poses().size() == 1 ? " waypoint to " : " waypoints to ") + file.getFileName());
     } catch (IOException e) {
