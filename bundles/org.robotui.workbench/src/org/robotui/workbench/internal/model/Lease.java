@@ -8,7 +8,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.ui.Health;
 
 /**
- * Who drives the robot that a window shows, and whether it is stopped.
+ * Who controls the robot that a window shows, or the robots, and whether one is stopped.
  *
  * @param health the dot
  * @param words for example {@code You drive Keira}
@@ -22,7 +22,11 @@ public record Lease(Health health, String words) {
     if (stopped.isPresent()) {
       return new Lease(Health.BAD, "Stopped by " + stopped.get().stoppedBy().map(Principal::label).orElse("somebody"));
     }
-    return authorities.isEmpty() ? new Lease(Health.NONE, "Nothing to drive") : of(authorities.getFirst(), link, user);
+    return switch (authorities.size()) {
+      case 0 -> new Lease(Health.NONE, "Nothing to drive");
+      case 1 -> of(authorities.getFirst(), link, user);
+      default -> ofSeveral(authorities, user);
+    };
   }
 
   private static Lease of(Authority authority, LinkState link, Principal user) {
@@ -30,6 +34,27 @@ public record Lease(Health health, String words) {
         ? yours(authority.robot(), link)
         : new Lease(Health.WARNING, holder.label() + " controls " + authority.robot()))
         .orElse(new Lease(Health.WAITING, "Nobody controls " + authority.robot()));
+  }
+
+  private static Lease ofSeveral(List<Authority> all, Principal user) {
+    List<Authority> yours = all.stream().filter(a -> a.holder().filter(user::equals).isPresent()).toList();
+    if (!yours.isEmpty()) {
+      return new Lease(Health.OK, "You control " + robots(yours, all.size()));
+    }
+    List<Authority> held = all.stream().filter(a -> a.holder().isPresent()).toList();
+    if (held.isEmpty()) {
+      return new Lease(Health.WAITING, "Nobody controls a robot");
+    }
+    List<String> holders = held.stream().map(a -> a.holder().orElseThrow().label()).distinct().toList();
+    return new Lease(Health.WARNING,
+        (holders.size() == 1 ? holders.getFirst() + " controls " : "Others control ") + robots(held, all.size()));
+  }
+
+  private static String robots(List<Authority> held, int all) {
+    if (held.size() == 1) {
+      return held.getFirst().robot();
+    }
+    return held.size() == all ? "all " + all + " robots" : held.size() + " of " + all + " robots";
   }
 
   private static Lease yours(String robot, LinkState link) {

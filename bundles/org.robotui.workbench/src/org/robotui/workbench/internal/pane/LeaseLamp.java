@@ -50,7 +50,7 @@ final class LeaseLamp extends Canvas {
   void show(Lease shown) {
     if (!lease.equals(shown)) {
       lease = shown;
-      setToolTipText(shown.words() + "; press to take the lease or to give it back");
+      setToolTipText(shown.words() + "; press to take or release control");
       redraw();
     }
   }

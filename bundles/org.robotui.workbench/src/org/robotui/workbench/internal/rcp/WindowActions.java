@@ -21,6 +21,7 @@ import org.robotui.workbench.internal.model.NewRobotModel;
 import org.robotui.workbench.internal.model.WindowModel;
 import org.robotui.workbench.internal.pane.ConnectionsDialog;
 import org.robotui.workbench.internal.pane.ExchangeDialog;
+import org.robotui.workbench.internal.pane.LeaseMenu;
 import org.robotui.workbench.internal.pane.Navigator;
 import org.robotui.workbench.internal.pane.NewRobotDialog;
 import org.robotui.workbench.internal.pane.ReuseDialog;
@@ -57,8 +58,12 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
 
   @Override
   public void lease() {
-    selected().map(Ruic::authorities).filter(a -> !a.isEmpty()).map(java.util.List::getFirst).ifPresent(this::lease);
-    session.refresh();
+    List<Authority> all = selected().map(Ruic::authorities).orElse(List.of());
+    if (all.size() > 1) {
+      new LeaseMenu(window.getShell(), session.user(), this::lease).open(all);
+    } else {
+      all.forEach(this::lease);
+    }
   }
 
   @Override
@@ -212,5 +217,6 @@ final class WindowActions implements TopBar.Actions, Navigator.Actions, RobotAre
         authority.take(session.user(), true);
       }
     }
+    session.refresh();
   }
 }

@@ -12,6 +12,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.time.RobotClock;
 import org.robotui.data.ClockKind;
 import org.robotui.data.Stamp;
+import org.robotui.testkit.FakeAuthority;
 import org.robotui.testkit.host.FakeRuic;
 import org.robotui.ui.Health;
 
@@ -46,6 +47,26 @@ class TextsTest {
 
     ruic.linked(new LinkState.Degraded("localhost", "slow"));
     assertEquals(new Lease(Health.WARNING, "You control Keira"), lease());
+  }
+
+  @Test
+  void ofSeveralRobotsTheLeaseCountsThoseThatSomebodyControls() {
+    List<FakeAuthority> all = List.of(new FakeAuthority("r1"), new FakeAuthority("r2"), new FakeAuthority("r3"));
+    assertEquals(new Lease(Health.WAITING, "Nobody controls a robot"), several(all));
+    all.get(1).take(BOB, false);
+    assertEquals(new Lease(Health.WARNING, "Bob controls r2"), several(all));
+    all.get(2).take(YOU, false);
+    assertEquals(new Lease(Health.OK, "You control r3"), several(all));
+    all.get(0).take(YOU, false);
+    assertEquals(new Lease(Health.OK, "You control 2 of 3 robots"), several(all));
+    all.get(1).take(YOU, true);
+    assertEquals(new Lease(Health.OK, "You control all 3 robots"), several(all));
+    all.get(1).stop(BOB);
+    assertEquals(new Lease(Health.BAD, "Stopped by Bob"), several(all));
+  }
+
+  private static Lease several(List<FakeAuthority> all) {
+    return Lease.of(List.copyOf(all), new LinkState.Connected("localhost"), YOU);
   }
 
   @Test
