@@ -87,6 +87,7 @@ test_end_to_end() {
   mkdir -p "$E2E/target"
   [[ $part == all ]] || clear_reports         # else Maven's runner has done so
   start_more_displays
+  export ROBOTUI_VMARGS="-XX:TieredStopAtLevel=1 ${ROBOTUI_VMARGS:-}"
   local rc=0 work
   # A short one: the sockets of what is tested lie in it, whose paths have 107 bytes at most.
   work=$(mktemp -d /tmp/e2e.XXXX)
