@@ -77,7 +77,7 @@ public final class SceneControl {
     this.view = view;
     surface = new PaintedCanvas(parent, context.theme(), this::paint);
     mover = new SceneMover(camera, scene::bounds, following, this::repaint);
-    picture = new ScenePicture(scene, surface, context.theme());
+    picture = new ScenePicture(scene, surface, context.theme(), context::nanos);
     surface.atEnd(() -> {
       view.gone();
       scene.dispose();
@@ -120,15 +120,6 @@ public final class SceneControl {
       refresh();
       surface.requestPaint();
     }
-  }
-
-  /**
-   * Whether what is painted next is what the last ticks prepared.
-   *
-   * @return false while it is being painted still, beside other work
-   */
-  public boolean upToDate() {
-    return picture.upToDate();
   }
 
   /**

@@ -67,11 +67,6 @@ final class MapUic implements SwtUic {
     canvas.ifPresent(MapCanvas::refresh);
   }
 
-  /** Whether what is painted next is what the last tick prepared. Display thread. */
-  boolean upToDate() {
-    return canvas.map(MapCanvas::upToDate).orElse(true);
-  }
-
   @Override
   public void show(String showing, Subject subject) {
     if (subject instanceof Subject.Stream stream) {

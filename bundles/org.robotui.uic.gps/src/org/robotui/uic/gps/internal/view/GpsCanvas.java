@@ -79,13 +79,6 @@ public final class GpsCanvas {
     }
   }
 
-  /**
-   * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
-   */
-  public boolean upToDate() {
-    return scene.upToDate();
-  }
-
   boolean listOpen() {
     return choices.options().list();
   }

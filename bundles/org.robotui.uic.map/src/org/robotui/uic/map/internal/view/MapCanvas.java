@@ -103,13 +103,6 @@ public final class MapCanvas {
     }
   }
 
-  /**
-   * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
-   */
-  public boolean upToDate() {
-    return scene.upToDate();
-  }
-
   /** Paints soon what hands have changed: the camera, or what lies over the scene. */
   void repaint() {
     scene.repaint();
