@@ -45,9 +45,6 @@ public final class SceneControl {
      * @return some words
      */
     String note();
-
-    /** The control is gone. */
-    void gone();
   }
 
   private final UiContext context;
@@ -78,10 +75,7 @@ public final class SceneControl {
     surface = new PaintedCanvas(parent, context.theme(), this::paint);
     mover = new SceneMover(camera, scene::bounds, following, this::repaint);
     picture = new ScenePicture(scene, surface, context.theme(), context::nanos);
-    surface.atEnd(() -> {
-      view.gone();
-      scene.dispose();
-    });
+    surface.atEnd(scene::dispose);
   }
 
   /**
