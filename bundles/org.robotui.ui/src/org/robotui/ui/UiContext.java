@@ -38,4 +38,14 @@ public interface UiContext {
    * @param text the text, empty for none
    */
   void note(String text);
+
+  /**
+   * The time by which the window measures how long its views take to paint. A window of a test may have one of its own,
+   * by which nothing is late.
+   *
+   * @return monotonic nanoseconds, as of {@link System#nanoTime()}
+   */
+  default long nanos() {
+    return System.nanoTime();
+  }
 }

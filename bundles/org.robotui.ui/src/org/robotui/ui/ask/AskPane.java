@@ -5,11 +5,12 @@ import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.ask.AskModel.Shown;
 import org.robotui.ui.control.Boxes;
 
 /** The surface of a view that asks: what there is at the left, form and answer at the right. Display thread only. */
-public final class AskPane {
+public final class AskPane implements ViewSurface {
   private static final int[] SHARES = {34, 66};
 
   private final AskModel model;
@@ -37,18 +38,13 @@ public final class AskPane {
     list = new EntryList(parts, context.theme(), words, model, this::refresh);
     detail = new AskDetail(parts, context.theme(), words, model, this::refresh);
     parts.setWeights(SHARES);
-    refresh();
   }
 
   private boolean setFocus() {
     return list.setFocus();
   }
 
-  /**
-   * What stands in the part.
-   *
-   * @return the control
-   */
+  @Override
   public Control control() {
     return root;
   }

@@ -1,22 +1,18 @@
 package org.robotui.ui.ask;
 
 import java.util.List;
-import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.BrowsePort;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.Icon;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 
 /** A view that asks. What it has asked ends with the robot interface that was asked, not with the view. */
-public final class AskUic implements SwtUic {
+public final class AskUic extends SurfaceUic<AskPane> {
   private final AskModel model;
   private final AskWords words;
-  private final List<ViewAction> actions;
-  private Optional<AskPane> pane = Optional.empty();
 
   /**
    * Makes a view.
@@ -30,8 +26,7 @@ public final class AskUic implements SwtUic {
     this.words = words;
     this.model =
         new AskModel(new Catalogue(context.browse(graph), context.background(), words.kind()), new Questions(asker));
-    this.actions = List.of(
-        new ViewAction("again", "Read the form from the robot again", "restart", Optional.empty(), model::again));
+    offers().add("again", "Read the form from the robot again", Icon.RESTART, model::again);
   }
 
   @Override
@@ -40,29 +35,17 @@ public final class AskUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext context) {
-    AskPane made = new AskPane(parent, context, model, words);
-    pane = Optional.of(made);
-    return made.control();
+  protected AskPane open(Composite parent, UiContext context) {
+    return new AskPane(parent, context, model, words);
   }
 
   @Override
-  public void refresh() {
-    pane.ifPresent(AskPane::refresh);
+  protected void refresh(AskPane shown) {
+    shown.refresh();
   }
 
   @Override
   public List<ViewKey> keys() {
     return List.of(new ViewKey("Ctrl+Enter", words.verb()), new ViewKey("Ctrl+F, /", "Filter"));
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
-  }
-
-  @Override
-  public void close() {
-    // nothing is held but memory
   }
 }

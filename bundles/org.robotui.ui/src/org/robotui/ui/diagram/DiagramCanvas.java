@@ -1,5 +1,6 @@
 package org.robotui.ui.diagram;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -21,6 +22,7 @@ import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
+import org.robotui.ui.ViewKey;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.scene.SceneHands;
 import org.robotui.ui.scene.Viewport;
@@ -117,6 +119,34 @@ public final class DiagramCanvas {
       menu.open(new Point(e.x, e.y));
     }));
     return this;
+  }
+
+  /**
+   * What Ctrl+F does.
+   *
+   * @param find has the user type what is searched for
+   * @return this
+   */
+  public DiagramCanvas onFind(Runnable find) {
+    canvas.addListener(SWT.KeyDown, e -> {
+      if (e.keyCode == 'f' && (e.stateMask & SWT.MOD1) != 0) {
+        find.run();
+      }
+    });
+    return this;
+  }
+
+  /**
+   * The keys of a view that draws a diagram.
+   *
+   * @param whole what is drawn
+   * @param enter what the Enter key does with a selected box
+   * @return the keys of this canvas and that which finds
+   */
+  public static List<ViewKey> keys(String whole, String enter) {
+    return List.of(new ViewKey("0, Home", "Show the whole " + whole), new ViewKey("+, -", "Zoom"),
+        new ViewKey("Arrows", "Move"), new ViewKey("Enter", enter), new ViewKey("Ctrl+F", "Filter"),
+        new ViewKey("Esc", "Clear the selection"));
   }
 
   /** By key the selected box, by mouse the one below the pointer. */

@@ -2,6 +2,7 @@ package org.robotui.ui.diagram;
 
 import java.util.Arrays;
 import org.eclipse.swt.graphics.GC;
+import org.eclipse.swt.widgets.Control;
 import org.robotui.ui.Face;
 import org.robotui.ui.Theme;
 
@@ -34,17 +35,19 @@ public final class TextWidths {
   /**
    * As a theme's letters are. Display thread.
    *
-   * @param gc to measure with; its font is changed
+   * @param control where they are drawn
    * @param theme fonts
    * @return exact for letters of ASCII
    */
-  public static TextWidths of(GC gc, Theme theme) {
+  public static TextWidths of(Control control, Theme theme) {
+    GC gc = new GC(control);
     gc.setFont(theme.font(Face.BODY));
     double[] widths = new double[LAST - FIRST + 1];
     for (int i = 0; i < widths.length; i++) {
       // Ten at once: the extent is in whole points.
       widths[i] = gc.textExtent(Character.toString(FIRST + i).repeat(10)).x / 10.0;
     }
+    gc.dispose();
     return new TextWidths(widths);
   }
 

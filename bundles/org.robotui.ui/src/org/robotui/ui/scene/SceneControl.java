@@ -45,9 +45,6 @@ public final class SceneControl {
      * @return some words
      */
     String note();
-
-    /** The control is gone. */
-    void gone();
   }
 
   private final UiContext context;
@@ -77,11 +74,8 @@ public final class SceneControl {
     this.view = view;
     surface = new PaintedCanvas(parent, context.theme(), this::paint);
     mover = new SceneMover(camera, scene::bounds, following, this::repaint);
-    picture = new ScenePicture(scene, surface, context.theme());
-    surface.atEnd(() -> {
-      view.gone();
-      scene.dispose();
-    });
+    picture = new ScenePicture(scene, surface, context.theme(), context::nanos);
+    surface.atEnd(scene::dispose);
   }
 
   /**
@@ -120,15 +114,6 @@ public final class SceneControl {
       refresh();
       surface.requestPaint();
     }
-  }
-
-  /**
-   * Whether what is painted next is what the last ticks prepared.
-   *
-   * @return false while it is being painted still, beside other work
-   */
-  public boolean upToDate() {
-    return picture.upToDate();
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.robotui.ui.scene;
 
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Theme;
 
@@ -29,6 +30,7 @@ public final class ScenePicture {
   private final Scene scene;
   private final PaintedCanvas canvas;
   private final Theme theme;
+  private final LongSupplier nanos;
   private Optional<SceneSheet> shown = Optional.empty();
   private Optional<SceneSheet> spare = Optional.empty();
   private Optional<SheetWork> work = Optional.empty();
@@ -37,7 +39,7 @@ public final class ScenePicture {
   private boolean inTurns;
   private boolean changed;
   private boolean waiting;
-  private long restUntil = System.nanoTime();
+  private long restUntil;
 
   /**
    * Of a scene.
@@ -45,11 +47,14 @@ public final class ScenePicture {
    * @param scene what is painted
    * @param canvas where; is asked to paint when there is something new
    * @param theme colours and fonts
+   * @param nanos a monotonic clock, by which it is judged how long paintings take
    */
-  public ScenePicture(Scene scene, PaintedCanvas canvas, Theme theme) {
+  public ScenePicture(Scene scene, PaintedCanvas canvas, Theme theme, LongSupplier nanos) {
     this.scene = scene;
     this.canvas = canvas;
     this.theme = theme;
+    this.nanos = nanos;
+    restUntil = nanos.getAsLong();
     canvas.atEnd(this::dispose);
   }
 
@@ -71,7 +76,7 @@ public final class ScenePicture {
   public void paint(Painter painter) {
     if (!painter.viewport().equals(viewport)) {
       viewport = painter.viewport();
-      restUntil = System.nanoTime() + STILL;
+      restUntil = nanos.getAsLong() + STILL;
     }
     shown.filter(this::fits).ifPresentOrElse(sheet -> sheet.paint(painter.gc()), () -> paintNow(painter));
   }
@@ -90,9 +95,9 @@ public final class ScenePicture {
   }
 
   private void paintNow(Painter painter) {
-    long start = System.nanoTime();
+    long start = nanos.getAsLong();
     scene.paint(painter);
-    slow = System.nanoTime() - start > LONG ? slow + 1 : 0;
+    slow = nanos.getAsLong() - start > LONG ? slow + 1 : 0;
     inTurns |= slow >= TIMES;
     if (inTurns) {
       refresh();
@@ -103,7 +108,7 @@ public final class ScenePicture {
     if (!changed || waiting || work.isPresent() || canvas.isDisposed()) {
       return;
     }
-    long rest = restUntil - System.nanoTime();
+    long rest = restUntil - nanos.getAsLong();
     if (rest > 0) {
       waiting = true;
       canvas.getDisplay().timerExec((int) Math.ceilDiv(rest, MILLI), this::rested);
@@ -124,7 +129,7 @@ public final class ScenePicture {
         spare.filter(this::fits).orElseGet(() -> new SceneSheet(canvas.getDisplay(), viewport, canvas.zoom()));
     spare.filter(s -> s != sheet).ifPresent(SceneSheet::dispose);
     spare = Optional.empty();
-    SheetWork begun = new SheetWork(scene, sheet, canvas, theme);
+    SheetWork begun = new SheetWork(scene, sheet, canvas, theme, nanos);
     work = Optional.of(begun);
     canvas.getDisplay().asyncExec(() -> turn(begun));
   }
@@ -149,7 +154,7 @@ public final class ScenePicture {
     spare = shown;
     shown = Optional.of(done.sheet());
     changed |= done.wantsAgain();
-    restUntil = System.nanoTime() + Math.max(done.nanos(), REST);
+    restUntil = nanos.getAsLong() + Math.max(done.nanos(), REST);
     canvas.requestPaint();
     if (done.nanos() < SHORT) {
       inTurns = false;

@@ -7,6 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Function;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
+import org.robotui.api.UicContext;
 import org.robotui.api.host.PortStatus;
 import org.robotui.api.host.RuicView;
 import org.robotui.api.port.Envelope;
@@ -40,12 +41,22 @@ public final class SubjectMenu {
    *
    * @param ruic whose
    * @param theme for the window that describes types
-   * @param background where values are made into text, as {@link org.robotui.api.UicContext#background()}
+   * @param background where values are made into text, as {@link UicContext#background()}
    */
   public SubjectMenu(RuicView ruic, Theme theme, Executor background) {
     this.ruic = ruic;
     this.theme = theme;
     this.background = background;
+  }
+
+  /**
+   * Menus of a view, for the things of its RUIC.
+   *
+   * @param view what core gives to the view
+   * @param theme for the window that describes types
+   */
+  public SubjectMenu(UicContext view, Theme theme) {
+    this(view.ruic(), theme, view.background());
   }
 
   /**

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.osgi.framework.Bundle;
 
 /**
@@ -74,10 +73,9 @@ final class ChildProduct implements AutoCloseable {
     return bundle.getHeaders().get("Fragment-Host") != null;
   }
 
-  /** Waits for some of these words on its standard error. */
-  void awaitError(String... words) {
-    Eventually.await("it says " + String.join(" or ", words), () -> Stream.of(words).anyMatch(text(err)::contains),
-        () -> text(err) + "\n" + tail(out));
+  /** Waits for words on its standard error. */
+  void awaitError(String words) {
+    Eventually.await("it says " + words, () -> text(err).contains(words), () -> text(err) + "\n" + tail(out));
   }
 
   String errors() {
@@ -88,10 +86,6 @@ final class ChildProduct implements AutoCloseable {
   void awaitMore() {
     long before = out.toFile().length();
     Eventually.await("it goes on", () -> out.toFile().length() > before + 500, () -> text(err));
-  }
-
-  boolean isAlive() {
-    return process.isAlive();
   }
 
   static String text(Path file) {

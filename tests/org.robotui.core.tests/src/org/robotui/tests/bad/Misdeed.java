@@ -119,35 +119,21 @@ enum Misdeed {
       }
     }
   },
-  /** All memory there is, and more as soon as there is some again. */
+  /**
+   * So much memory that robots are stopped, held for ever, and more as soon as there is some again. What is left is
+   * enough to stop them: of memory that is used up to the last byte, faster than anybody looks, nothing is promised.
+   */
   HOARD_FOR_EVER {
     @Override
     void commit() {
-      List<byte[]> hoard = new ArrayList<>();
-      while (!isOver()) {
-        try {
-          hoard.add(new byte[CHUNK]);
-        } catch (OutOfMemoryError e) {
-          LockSupport.parkNanos(STEP_NANOS);
-        }
-      }
+      hoard(0.97);
     }
   },
   /** Nearly all memory there is, held for ever. */
   HOARD_MOST {
     @Override
     void commit() {
-      MemoryPoolMXBean old = ManagementFactory.getMemoryPoolMXBeans().stream()
-          .filter(pool -> pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported()).findFirst()
-          .orElseThrow();
-      List<byte[]> hoard = new ArrayList<>();
-      while (!isOver()) {
-        if (old.getUsage().getUsed() < 0.87 * old.getUsage().getMax()) {
-          hoard.add(new byte[CHUNK]);
-        }
-        System.gc();
-        LockSupport.parkNanos(STEP_NANOS);
-      }
+      hoard(0.87);
     }
   };
 
@@ -158,6 +144,21 @@ enum Misdeed {
   private static final int CHUNK = 256 * 1024;
 
   abstract void commit();
+
+  /** Holds a share of the old part of the heap. */
+  private static void hoard(double share) {
+    MemoryPoolMXBean old = ManagementFactory.getMemoryPoolMXBeans().stream()
+        .filter(pool -> pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported()).findFirst()
+        .orElseThrow();
+    List<byte[]> hoard = new ArrayList<>();
+    while (!isOver()) {
+      if (old.getUsage().getUsed() < share * old.getUsage().getMax()) {
+        hoard.add(new byte[CHUNK]);
+      }
+      System.gc();
+      LockSupport.parkNanos(STEP_NANOS);
+    }
+  }
 
   private static boolean isOver() {
     return Boolean.getBoolean(OVER);

@@ -306,6 +306,7 @@ public final class Arbiter implements Authority {
       drives.values().forEach(d -> d.end(clock.nanos()));
       ports.forEach(p -> p.commands().forEach(CommandTarget::clear));
     }
+    wake.run(); // before all that needs memory or time
     stops.stopped(robot, by);
     ports.forEach(RobotPorts::cancelCalls);
     ports.forEach(RobotPorts::callStop);

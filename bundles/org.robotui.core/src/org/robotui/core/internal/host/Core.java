@@ -34,6 +34,7 @@ import org.robotui.api.host.Ruic;
 import org.robotui.api.host.WindowConfig;
 import org.robotui.core.internal.command.Arbiters;
 import org.robotui.core.internal.command.DisplayWatch;
+import org.robotui.core.internal.command.StopWarmUp;
 import org.robotui.core.internal.compose.Composing;
 import org.robotui.core.internal.config.model.CheckedValue;
 import org.robotui.core.internal.config.model.ConfigResult;
@@ -88,6 +89,7 @@ public final class Core implements Host {
     watch.add(new MemoryWatch(MemoryWatch.heap(), () -> arbiters.stopAll(NO_STAGE.principal()),
         message -> events.alert("", message)));
     parts.registry().listen(this::typesChanged);
+    files.execute(StopWarmUp::run);
   }
 
   private void tellOfDisplay(String message) {

@@ -17,19 +17,15 @@ import org.robotui.core.internal.command.Arbiter;
 import org.robotui.core.internal.command.CommandTarget;
 import org.robotui.core.internal.command.Sender;
 import org.robotui.core.internal.config.model.ComponentConfig;
-import org.robotui.core.internal.fence.Thrown;
 import org.robotui.core.internal.port.CallPool;
 import org.robotui.core.internal.port.Link;
 import org.robotui.core.internal.time.StampWatch;
 import org.robotui.core.internal.time.TimeNotices;
 import org.robotui.core.internal.watch.Watch.Watched;
 import org.robotui.data.FrameId;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** One running instance of a robot interface with all that it was given. */
-final class RficInstance implements RficContext, Instance {
-  private static final Logger LOG = LoggerFactory.getLogger(RficInstance.class);
+final class RficInstance extends Instance implements RficContext {
   private static final Duration GRACE = Duration.ofMillis(300);
   private static final Duration FLUSH = Duration.ofMillis(100);
   private static final int ZEROS = 3;
@@ -39,7 +35,6 @@ final class RficInstance implements RficContext, Instance {
   private final RficType type;
   private final Settings settings;
   private final ComponentHome ruic;
-  private final TrackedThreads threads;
   private final Link link;
   private final Arbiter arbiter;
   private final Sender sender;
@@ -55,20 +50,20 @@ final class RficInstance implements RficContext, Instance {
   private volatile boolean ended;
 
   RficInstance(ComponentConfig config, RficType type, Settings settings, ComponentHome ruic) {
+    super(config, ruic);
     Services services = ruic.services();
     this.config = config;
     this.type = type;
     this.settings = settings;
     this.ruic = ruic;
-    String name = ruic.ruicName() + "." + config.id();
-    this.threads = new TrackedThreads(name, (thread, error) -> died(thread, error));
+    ThreadFactory threads = tracked();
     this.link = new Link(services.clock(), ruic.wake()::linkChanged);
     this.arbiter = services.arbiters().of(config.robot());
-    this.sender = new Sender(name, threads, services.clock());
+    this.sender = new Sender(name(), threads, services.clock());
     this.calls = new CallPool(threads);
     this.tasks = new CallPool(threads);
     this.clock = ruic.clock().source(config.id());
-    this.background = new Background(name, threads, what -> alert(config.id() + " " + what));
+    this.background = tasks();
     this.stamps = new StampWatch(services.clock(), new TimeNotices(config.id(), () -> ruic.clock().jumpedBack(clock),
         what -> services.events().alert(ruic.ruicName(), what)));
     this.offers =
@@ -77,50 +72,37 @@ final class RficInstance implements RficContext, Instance {
   }
 
   @Override
-  public void start() throws Guarded.GuardException, InterruptedException {
-    Rfic made = Guarded.call("create", threads, Limits.FIRST, () -> type.create(this, settings));
+  void start() throws Guarded.GuardException, InterruptedException {
+    Rfic made = Guarded.call("create", tracked(), Limits.FIRST, () -> type.create(this, settings));
     rfic = Optional.of(made);
     ruic.services().watch().add(watched);
-    Guarded.run("start", threads, Limits.FIRST, made::start);
-  }
-
-  private void died(Thread thread, Throwable error) {
-    Thrown.log(LOG, thread.getName() + " ended", error);
-    ruic.wake().failed(this,
-        "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
+    Guarded.run("start", tracked(), Limits.FIRST, made::start);
   }
 
   private void check(long now) {
-    sender.check(now).ifPresent(this::alert);
-  }
-
-  private void alert(String what) {
-    ruic.services().events().alert(ruic.ruicName(), what + " (" + origin() + ")");
+    sender.check(now).ifPresent(this::complain);
   }
 
   @Override
-  public String origin() {
-    return ruic.services().registry().origin(type, rfic.<Object>map(r -> r).orElse(type));
+  Optional<Rfic> made() {
+    return rfic;
   }
 
   @Override
-  public Optional<String> close(Duration limit) {
+  Optional<String> end(Duration limit) throws InterruptedException {
     try {
-      return end(limit);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return Optional.of(config.id() + ": closing was interrupted");
+      return endAll(limit);
     } finally {
       ruic.services().watch().remove(watched);
     }
   }
 
-  private Optional<String> end(Duration limit) throws InterruptedException {
+  private Optional<String> endAll(Duration limit) throws InterruptedException {
     stopOurs();
     String hung = "";
     try {
       if (rfic.isPresent()) {
-        Guarded.run("close", threads, limit, rfic.get()::close);
+        Guarded.run("close", tracked(), limit, rfic.get()::close);
       }
     } catch (Guarded.GuardException e) {
       hung = e.getMessage();
@@ -146,14 +128,14 @@ final class RficInstance implements RficContext, Instance {
   }
 
   private Optional<String> leftAfter(String hung) throws InterruptedException {
-    boolean clean = hung.isEmpty() && threads.awaitNone(GRACE);
-    String left = clean ? "" : threads.endAll(GRACE);
+    boolean clean = hung.isEmpty() && tracked().awaitNone(GRACE);
+    String left = clean ? "" : tracked().endAll(GRACE);
     return hung.isEmpty() && left.isEmpty() ? Optional.empty()
         : Optional.of(left(hung.isEmpty() ? "has ended" + left : hung + left));
   }
 
   @Override
-  public RficType type() {
+  RficType type() {
     return type;
   }
 
@@ -171,11 +153,6 @@ final class RficInstance implements RficContext, Instance {
   }
 
   @Override
-  public String instance() {
-    return config.id();
-  }
-
-  @Override
   public Offers offers() {
     return offers;
   }
@@ -187,7 +164,7 @@ final class RficInstance implements RficContext, Instance {
 
   @Override
   public ThreadFactory threads() {
-    return threads;
+    return tracked();
   }
 
   @Override

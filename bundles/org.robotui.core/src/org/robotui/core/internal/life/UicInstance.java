@@ -26,20 +26,15 @@ import org.robotui.api.port.Input;
 import org.robotui.api.port.StreamPort;
 import org.robotui.api.time.RobotClock;
 import org.robotui.core.internal.config.model.ComponentConfig;
-import org.robotui.core.internal.fence.Thrown;
 import org.robotui.data.Data;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** One running instance of a view with all that it was given. */
-final class UicInstance implements UicContext, Instance {
-  private static final Logger LOG = LoggerFactory.getLogger(UicInstance.class);
+final class UicInstance extends Instance implements UicContext {
   private static final Duration GRACE = Duration.ofMillis(200);
 
   private final ComponentConfig config;
   private final UicType type;
   private final RuicParts ruic;
-  private final TrackedThreads threads;
   private final Principal principal;
   private final UicEnds ends;
   private final UicSettings settings;
@@ -52,37 +47,26 @@ final class UicInstance implements UicContext, Instance {
 
   UicInstance(ComponentConfig config, UicType type, Settings written, Supplier<Authority> fallback, RuicParts ruic,
       Optional<Object> retained) {
+    super(config, ruic);
     this.config = config;
     this.type = type;
     this.ruic = ruic;
     this.retained = retained;
     this.principal = ruic.services().stage().get().principal();
-    String name = ruic.config().name() + "." + config.id();
-    this.threads = new TrackedThreads(name, (thread, error) -> died(thread, error));
-    this.background = new Background(name, threads, this::alertOf);
-    this.answers = new Background(name, threads, this::alertOf);
+    this.background = tasks();
+    this.answers = tasks();
     this.ends = new UicEnds(type.ports(), ruic.services(), principal, fallback, answers);
     this.alerts = ruic.alerts().source(config.id());
     this.settings = new UicSettings(written, ruic.overlay().settings(config.id()), ruic.services().check(),
         (key, value) -> ruic.overlay().set(config.id(), key, value));
   }
 
-  private void alertOf(String what) {
-    ruic.services().events().alert(ruic.config().name(), config.id() + " " + what + " (" + origin() + ")");
-  }
-
-  private void died(Thread thread, Throwable error) {
-    Thrown.log(LOG, thread.getName() + " ended", error);
-    ruic.wake().failed(this,
-        "its thread " + thread.getName() + " ended with " + Thrown.text(error) + " (" + origin() + ")");
-  }
-
   /** Creates the instance and gives it its ticker, at rest. */
   @Override
-  public void start() throws Guarded.GuardException, InterruptedException {
+  void start() throws Guarded.GuardException, InterruptedException {
     Services services = ruic.services();
-    Uic made = Guarded.call("create", threads, Limits.FIRST, () -> type.create(this, settings.current()));
-    Ticker ticks = new Ticker(made, type.rateHz(), threads,
+    Uic made = Guarded.call("create", tracked(), Limits.FIRST, () -> type.create(this, settings.current()));
+    Ticker ticks = new Ticker(made, type.rateHz(), tracked(),
         () -> services.events().frameReady(ruic.config().name(), config.id()),
         new Ended(), services.clock());
     uic = Optional.of(made);
@@ -95,7 +79,7 @@ final class UicInstance implements UicContext, Instance {
   private final class Ended implements Ticker.End {
     @Override
     public void threw(String reason) {
-      ruic.wake().failed(UicInstance.this, reason + " (" + origin() + ")");
+      failed(reason);
     }
 
     @Override
@@ -120,16 +104,12 @@ final class UicInstance implements UicContext, Instance {
   }
 
   @Override
-  public String origin() {
-    return ruic.services().registry().origin(type, uic.<Object>map(u -> u).orElse(type));
-  }
-
-  Optional<Uic> uic() {
+  Optional<Uic> made() {
     return uic;
   }
 
   @Override
-  public UicType type() {
+  UicType type() {
     return type;
   }
 
@@ -138,16 +118,7 @@ final class UicInstance implements UicContext, Instance {
   }
 
   @Override
-  public Optional<String> close(Duration limit) {
-    try {
-      return end(limit);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return Optional.of(config.id() + ": closing was interrupted");
-    }
-  }
-
-  private Optional<String> end(Duration limit) throws InterruptedException {
+  Optional<String> end(Duration limit) throws InterruptedException {
     ticker.ifPresent(t -> ruic.services().watch().remove(t));
     ticker.ifPresent(Ticker::close);
     ends.close();
@@ -156,7 +127,7 @@ final class UicInstance implements UicContext, Instance {
     boolean idle = ticker.isEmpty() || ticker.get().awaitEnd(limit.toMillis() / 2);
     Optional<String> problem = idle ? closeInstance(limit.dividedBy(2)) : Optional.of("hangs in tick");
     ruic.alerts().forget(config.id());
-    String left = threads.endAll(GRACE);
+    String left = tracked().endAll(GRACE);
     return problem.isPresent() || !left.isEmpty() ? Optional.of(left(problem.orElse("has ended") + left))
         : Optional.empty();
   }
@@ -164,17 +135,12 @@ final class UicInstance implements UicContext, Instance {
   private Optional<String> closeInstance(Duration limit) throws InterruptedException {
     try {
       if (uic.isPresent()) {
-        Guarded.run("close", threads, limit, uic.get()::close);
+        Guarded.run("close", tracked(), limit, uic.get()::close);
       }
       return Optional.empty();
     } catch (Guarded.GuardException e) {
       return Optional.of(e.getMessage());
     }
-  }
-
-  @Override
-  public String instance() {
-    return config.id();
   }
 
   @Override

@@ -78,7 +78,7 @@ final class UicSlot extends Slot<UicType, UicInstance> {
   }
 
   Optional<Uic> uic() {
-    return instance().flatMap(UicInstance::uic);
+    return instance().flatMap(UicInstance::made);
   }
 
   String title() {

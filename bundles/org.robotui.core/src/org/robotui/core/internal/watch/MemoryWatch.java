@@ -13,7 +13,8 @@ import org.robotui.core.internal.watch.Watch.Watched;
 /**
  * Looks how full the heap is even after a collection. Where it soon will not be enough, that is said. Where it is full,
  * each thread may fail or stand still at any time, also those that stop a robot: so all robots are stopped while that
- * can still be done. Nobody can say who took the memory.
+ * can still be done. Where all is taken to the last byte between two looks, that is tried, but not promised. Nobody can
+ * say who took the memory.
  */
 public final class MemoryWatch implements Watched {
   private static final double FULL = 0.95;
@@ -42,6 +43,7 @@ public final class MemoryWatch implements Watched {
     this.afterCollection = afterCollection;
     this.stopAll = stopAll;
     this.alert = alert;
+    usedUp(afterCollection.get()); // linked now, as there is no memory for that when it is said
   }
 
   /** The old part of this machine's heap. */
@@ -76,10 +78,14 @@ public final class MemoryWatch implements Watched {
     }
     if (!told) {
       // Where there is none it throws, and is tried again.
-      alert.accept("the memory is used up (" + share(FULL, usages) + " MB): all robots are stopped; " + remedy());
+      alert.accept(usedUp(usages));
       told = true;
       warned = true;
     }
+  }
+
+  private static String usedUp(List<MemoryUsage> usages) {
+    return "the memory is used up (" + share(FULL, usages) + " MB): all robots are stopped; " + remedy();
   }
 
   private static boolean holdsMoreThan(double share, List<MemoryUsage> usages) {

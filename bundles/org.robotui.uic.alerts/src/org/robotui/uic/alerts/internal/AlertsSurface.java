@@ -13,12 +13,13 @@ import org.robotui.api.alert.AlertWords;
 import org.robotui.ui.Health;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowTable;
 
 /** What is seen of the view while it is shown: a line of controls, and the list. Display thread. */
-final class AlertsSurface {
+final class AlertsSurface implements ViewSurface {
   private static final long HOUR = 60;
   private static final Optional<Long> ENDLESS = Optional.empty();
   private static final Optional<Long> HEARD = Optional.of(0L);
@@ -52,7 +53,8 @@ final class AlertsSurface {
     table.list().control().addListener(SWT.KeyDown, this::key);
   }
 
-  Control control() {
+  @Override
+  public Control control() {
     return root;
   }
 

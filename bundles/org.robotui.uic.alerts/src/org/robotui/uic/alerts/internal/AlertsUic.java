@@ -6,22 +6,20 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.alert.Alert;
 import org.robotui.api.alert.AlertBoard;
 import org.robotui.api.alert.AlertWords;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewKey;
 
 /** The view: the tick looks, the surface lists. */
-final class AlertsUic implements SwtUic, AlertActions {
+final class AlertsUic extends SurfaceUic<AlertsSurface> implements AlertActions {
   private final UicContext context;
   private final AlertBoard board;
   private final Clock clock;
   private volatile Page page;
-  private Optional<AlertsSurface> surface = Optional.empty();
 
   AlertsUic(UicContext context, Clock clock) {
     this.context = context;
@@ -39,11 +37,13 @@ final class AlertsUic implements SwtUic, AlertActions {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    AlertsSurface made = new AlertsSurface(parent, ui, this, new AlertWords(clock.getZone()));
-    surface = Optional.of(made);
-    made.show(page);
-    return made.control();
+  protected AlertsSurface open(Composite parent, UiContext ui) {
+    return new AlertsSurface(parent, ui, this, new AlertWords(clock.getZone()));
+  }
+
+  @Override
+  protected void refresh(AlertsSurface shown) {
+    shown.show(page);
   }
 
   @Override
@@ -51,11 +51,6 @@ final class AlertsUic implements SwtUic, AlertActions {
     return List.of(
         new ViewKey("A", "Acknowledge the selected alerts"),
         new ViewKey("M", "Mute them, or unmute them"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(page));
   }
 
   @Override
@@ -74,11 +69,6 @@ final class AlertsUic implements SwtUic, AlertActions {
   public void muteAll(Optional<Long> minutes) {
     board.muteAll(until(minutes));
     now();
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
   }
 
   Page page() {

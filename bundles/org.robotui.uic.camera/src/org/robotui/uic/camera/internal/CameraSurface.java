@@ -24,12 +24,13 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.CandidateChooser;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.SaveDialog;
 
 /** What is seen of the view while it is shown. Display thread. */
-final class CameraSurface {
+final class CameraSurface implements ViewSurface {
   private static final double PIXELS_SHOWN_FROM = 3;
   private static final double MARKED_FROM = 6;
   private static final int BANNER = 28;
@@ -78,7 +79,8 @@ final class CameraSurface {
     canvas.atEnd(screen::dispose);
   }
 
-  Control control() {
+  @Override
+  public Control control() {
     return root;
   }
 

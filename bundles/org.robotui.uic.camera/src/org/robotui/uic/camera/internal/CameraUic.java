@@ -1,21 +1,17 @@
 package org.robotui.uic.camera.internal;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Consumer;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.SourceId;
 import org.robotui.ui.Icon;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 
 /** The view: the tick decodes, the surface paints what was decoded last. */
-final class CameraUic implements SwtUic {
+final class CameraUic extends SurfaceUic<CameraSurface> {
   private static final long AGE_NANOS = 200_000_000L;
 
   private final UicContext context;
@@ -24,10 +20,8 @@ final class CameraUic implements SwtUic {
   private final CameraChoices choices;
   private final Saver saver;
   private final AtomicInteger blocks = new AtomicInteger(1);
-  private final List<ViewAction> actions;
   private long told;
   private volatile Shot shot = Shot.NOTHING;
-  private volatile Optional<CameraSurface> surface = Optional.empty();
 
   CameraUic(UicContext context) {
     this.context = context;
@@ -36,11 +30,10 @@ final class CameraUic implements SwtUic {
         context.input(CameraType.IMAGE), context.input(CameraType.CAMERA_INFO), context.ruic(), port);
     this.choices = new CameraChoices(context.settings());
     this.saver = new Saver(context.background());
-    this.actions = List.of(
-        action("fit", "Show all (0)", Icon.FIT, s -> s.see(ZoomMode.FIT)),
-        action("copy", "Copy picture", Icon.COPY, CameraSurface::copy),
-        action("save", "Save picture\u2026", Icon.SAVE, s -> s.save(Saver.Part.COLORS)),
-        action("options", "What is shown", Icon.MORE, CameraSurface::openMenu));
+    offers().action("fit", "Show all (0)", Icon.FIT, s -> s.see(ZoomMode.FIT))
+        .action("copy", "Copy picture", Icon.COPY, CameraSurface::copy)
+        .action("save", "Save picture\u2026", Icon.SAVE, s -> s.save(Saver.Part.COLORS))
+        .action("options", "What is shown", Icon.MORE, CameraSurface::openMenu);
   }
 
   @Override
@@ -51,18 +44,19 @@ final class CameraUic implements SwtUic {
     boolean changed = next.differs(shot) || aged;
     told = changed ? nowNanos : told;
     boolean other = !next.seen().map(Shot.Shown::pixels).equals(shot.seen().map(Shot.Shown::pixels));
-    surface.filter(s -> other).ifPresent(s -> s.prepare(next));
+    surface().filter(s -> other).ifPresent(s -> s.prepare(next));
     shot = next;
     return changed;
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    CameraSurface made = new CameraSurface(
-        parent, ui, choices, saver, peer -> context.ruic().connect(port, peer), blocks::set);
-    surface = Optional.of(made);
-    made.show(shot);
-    return made.control();
+  protected CameraSurface open(Composite parent, UiContext ui) {
+    return new CameraSurface(parent, ui, choices, saver, peer -> context.ruic().connect(port, peer), blocks::set);
+  }
+
+  @Override
+  protected void refresh(CameraSurface shown) {
+    shown.show(shot);
   }
 
   @Override
@@ -76,24 +70,5 @@ final class CameraUic implements SwtUic {
         new ViewKey("I", "Show the pixel under the pointer"),
         new ViewKey("D", "Show details"),
         new ViewKey("L", "Show the legend"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(shot));
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
-  }
-
-  private ViewAction action(String id, String label, Icon icon, Consumer<CameraSurface> run) {
-    return new ViewAction(id, label, icon.id(), Optional.empty(), () -> surface.ifPresent(run));
   }
 }

@@ -3,16 +3,14 @@ package org.robotui.uic.connections.internal;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
 import org.robotui.api.host.RuicView;
 import org.robotui.api.port.SourceId;
 import org.robotui.ui.Icon;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.connections.internal.model.ConnectionsModel;
@@ -20,20 +18,16 @@ import org.robotui.uic.connections.internal.model.Filter;
 import org.robotui.uic.connections.internal.view.ConnectionsSurface;
 
 /** The view: the tick asks all RUICs and makes lines, the surface lists them. */
-final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
+final class ConnectionsUic extends SurfaceUic<ConnectionsSurface> implements ConnectionsSurface.Wishes {
   private final UicContext context;
   private final ConnectionsModel model = new ConnectionsModel();
-  private final List<ViewAction> actions;
-  private volatile Optional<ConnectionsSurface> surface = Optional.empty();
   private String words = "";
 
   ConnectionsUic(UicContext context) {
     this.context = context;
-    this.actions = List.of(
-        new ViewAction("copy", "Copy all of the list as text", Icon.COPY.id(), Optional.empty(),
-            () -> surface.ifPresent(ConnectionsSurface::copy)),
-        new ViewAction("fold", "Collapse all robots", Icon.CLOSED.id(), Optional.empty(), () -> foldAll(true)),
-        new ViewAction("unfold", "Expand all", Icon.OPEN.id(), Optional.empty(), () -> foldAll(false)));
+    offers().action("copy", "Copy all of the list as text", Icon.COPY, ConnectionsSurface::copy)
+        .add("fold", "Collapse all robots", Icon.CLOSED, () -> foldAll(true))
+        .add("unfold", "Expand all", Icon.OPEN, () -> foldAll(false));
     model.filter(wanted());
   }
 
@@ -43,12 +37,14 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    ConnectionsSurface made = new ConnectionsSurface(parent, ui, this, ruic -> subjects(ruic, ui.theme()));
-    surface = Optional.of(made);
+  protected ConnectionsSurface open(Composite parent, UiContext ui) {
     search("");
-    made.show(model.shown());
-    return made.control();
+    return new ConnectionsSurface(parent, ui, this, ruic -> subjects(ruic, ui.theme()));
+  }
+
+  @Override
+  protected void refresh(ConnectionsSurface shown) {
+    shown.show(model.shown());
   }
 
   @Override
@@ -59,19 +55,9 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
         new ViewKey("Ctrl+C", "Copy the selected line"));
   }
 
-  @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(model.shown()));
-  }
-
   /** Selects a line by its key. Display thread. */
   void select(String key) {
-    surface.ifPresent(s -> s.select(key));
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
+    surface().ifPresent(s -> s.select(key));
   }
 
   @Override
@@ -113,11 +99,6 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
         .map(own -> new SubjectMenu(own, theme, context.background()));
   }
 
-  @Override
-  public void close() {
-    // Nothing is held but memory.
-  }
-
   private Filter wanted() {
     Settings settings = context.settings().current();
     return Filter.of(settings.flag(ConnectionsType.PROBLEMS), settings.text(ConnectionsType.ROBOT), words);
@@ -130,10 +111,9 @@ final class ConnectionsUic implements SwtUic, ConnectionsSurface.Wishes {
 
   /** Off the display thread, since the lines may be very many. */
   private void update(Runnable change) {
-    Optional<ConnectionsSurface> shown = surface;
     context.background().execute(() -> {
       change.run();
-      shown.ifPresent(s -> s.showSoon(model::shown));
+      surface().ifPresent(s -> s.showSoon(model::shown));
     });
   }
 }

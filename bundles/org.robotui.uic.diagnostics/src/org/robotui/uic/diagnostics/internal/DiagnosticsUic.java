@@ -1,15 +1,13 @@
 package org.robotui.uic.diagnostics.internal;
 
 import java.util.List;
-import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Input;
 import org.robotui.data.status.Diagnostics;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.Icon;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.uic.diagnostics.internal.model.Ask;
 import org.robotui.uic.diagnostics.internal.model.DiagnosticsModel;
@@ -18,14 +16,12 @@ import org.robotui.uic.diagnostics.internal.view.DiagnosticsSurface;
 import org.robotui.uic.diagnostics.internal.view.Frame;
 
 /** The view: the tick takes and remembers, the surface shows the tree. */
-final class DiagnosticsUic implements SwtUic {
+final class DiagnosticsUic extends SurfaceUic<DiagnosticsSurface> {
   private final UicContext context;
   private final Input<Diagnostics> input;
   private final DiagnosticsModel model;
   private final Hands hands = new Hands();
-  private final List<ViewAction> actions;
   private volatile Frame frame;
-  private Optional<DiagnosticsSurface> surface = Optional.empty();
 
   DiagnosticsUic(UicContext context) {
     this.context = context;
@@ -33,8 +29,7 @@ final class DiagnosticsUic implements SwtUic {
     this.model = new DiagnosticsModel(input, context.settings().current().integer(DiagnosticsType.HISTORY));
     model.ask(DiagnosticsPreferences.read(context.settings().current()));
     this.frame = frame();
-    this.actions = List.of(new ViewAction("forget", "Forget parts that do not report any more", "minus",
-        Optional.empty(), hands::forgetSilent));
+    offers().add("forget", "Forget parts that do not report any more", Icon.MINUS, hands::forgetSilent);
   }
 
   @Override
@@ -47,11 +42,13 @@ final class DiagnosticsUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    DiagnosticsSurface made = new DiagnosticsSurface(parent, ui, hands);
-    surface = Optional.of(made);
-    made.show(frame);
-    return made.control();
+  protected DiagnosticsSurface open(Composite parent, UiContext ui) {
+    return new DiagnosticsSurface(parent, ui, hands);
+  }
+
+  @Override
+  protected void refresh(DiagnosticsSurface shown) {
+    shown.show(frame);
   }
 
   @Override
@@ -61,21 +58,6 @@ final class DiagnosticsUic implements SwtUic {
         new ViewKey("Ctrl+F, /", "Search"),
         new ViewKey("Left, right", "Step through the history, on its strip"),
         new ViewKey("Esc", "Return to now, close the details"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(frame));
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
   }
 
   private Frame frame() {

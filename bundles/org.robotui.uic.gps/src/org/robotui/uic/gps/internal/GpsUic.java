@@ -1,14 +1,11 @@
 package org.robotui.uic.gps.internal;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Supplier;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.layer.LayerType;
 import org.robotui.uic.gps.internal.model.GpsModel;
@@ -17,15 +14,14 @@ import org.robotui.uic.gps.internal.view.GpsCanvas;
 import org.robotui.uic.gps.internal.view.GpsChoices;
 
 /** Satellite positions: the model is prepared by ticks, the canvas paints it. */
-final class GpsUic implements SwtUic {
+final class GpsUic extends SurfaceUic<GpsCanvas> {
   private final GpsModel model;
   private final GpsChoices choices;
-  private final GpsActions actions = new GpsActions();
-  private Optional<GpsCanvas> canvas = Optional.empty();
 
   GpsUic(UicContext context, Supplier<List<LayerType>> kinds) {
     model = new GpsModel(context, kinds);
     choices = new GpsChoices(context.settings());
+    GpsActions.offer(offers());
   }
 
   @Override
@@ -34,10 +30,13 @@ final class GpsUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext context) {
-    GpsCanvas made = new GpsCanvas(parent, context, model, choices, actions);
-    canvas = Optional.of(made);
-    return made.control();
+  protected GpsCanvas open(Composite parent, UiContext ui) {
+    return new GpsCanvas(parent, ui, model, choices);
+  }
+
+  @Override
+  protected void refresh(GpsCanvas shown) {
+    shown.refresh();
   }
 
   @Override
@@ -52,20 +51,5 @@ final class GpsUic implements SwtUic {
         new ViewKey("+, -", "Zoom"),
         new ViewKey("Arrows", "Move"),
         new ViewKey("Esc", "End measuring"));
-  }
-
-  @Override
-  public void refresh() {
-    canvas.ifPresent(GpsCanvas::refresh);
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions.all();
-  }
-
-  @Override
-  public void close() {
-    // What belongs to the display went with the control; there is nothing else.
   }
 }

@@ -1,15 +1,12 @@
 package org.robotui.uic.jointcontrol.internal;
 
 import java.util.List;
-import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.ui.Icon;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.uic.jointcontrol.internal.model.ControlModel;
 import org.robotui.uic.jointcontrol.internal.model.JointDriver;
@@ -17,38 +14,36 @@ import org.robotui.uic.jointcontrol.internal.view.JointsSurface;
 import org.robotui.uic.jointcontrol.internal.view.Wishes;
 
 /** The view: the tick takes what came and sends what is due, the surface lists. */
-final class JointControlUic implements SwtUic, Wishes {
+final class JointControlUic extends SurfaceUic<JointsSurface> implements Wishes {
   private static final double HUNDREDTHS = 100;
 
   private final SettingsStore settings;
   private final JointDriver driver;
   private final ControlModel model;
-  private final List<ViewAction> actions;
-  private volatile Optional<JointsSurface> surface = Optional.empty();
 
   JointControlUic(UicContext context) {
     settings = context.settings();
     driver = new JointDriver(context.output(JointControlPorts.COMMAND), context.principal(), this::speed);
     model = new ControlModel(context.input(JointControlPorts.CONTROL), context.input(JointControlPorts.MODEL), driver,
         this::degrees);
-    actions = List.of(
-        new ViewAction("drive", "Drive joints", Icon.STEER.id(), Optional.of(() -> model.look().drive().driving()),
-            this::drive));
+    offers().add("drive", "Drive joints", Icon.STEER, () -> model.look().drive().driving(), this::drive);
   }
 
   @Override
   public boolean tick(long nowNanos) {
     boolean changed = model.tick(nowNanos);
-    surface.ifPresent(JointsSurface::prepare);
+    surface().ifPresent(JointsSurface::prepare);
     return changed;
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    JointsSurface made = new JointsSurface(parent, ui, model, driver, this);
-    surface = Optional.of(made);
-    made.show();
-    return made.control();
+  protected JointsSurface open(Composite parent, UiContext ui) {
+    return new JointsSurface(parent, ui, model, driver, this);
+  }
+
+  @Override
+  protected void refresh(JointsSurface shown) {
+    shown.refresh();
   }
 
   @Override
@@ -60,16 +55,6 @@ final class JointControlUic implements SwtUic, Wishes {
         new ViewKey("Space", "Stop the robot"),
         new ViewKey("Esc", "End driving, and release control"),
         new ViewKey("Ctrl+F, /", "Filter"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(JointsSurface::refresh);
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
   }
 
   @Override
@@ -85,7 +70,7 @@ final class JointControlUic implements SwtUic, Wishes {
   @Override
   public void degrees(boolean wanted) {
     settings.set(JointControlType.DEGREES, wanted);
-    surface.ifPresent(JointsSurface::again);
+    surface().ifPresent(JointsSurface::again);
   }
 
   @Override
@@ -96,7 +81,7 @@ final class JointControlUic implements SwtUic, Wishes {
   @Override
   public void speed(double share) {
     settings.set(JointControlType.SPEED, Math.max(1, Math.round(share * HUNDREDTHS)) / HUNDREDTHS);
-    surface.ifPresent(JointsSurface::again);
+    surface().ifPresent(JointsSurface::again);
   }
 
   JointDriver driver() {
@@ -105,11 +90,11 @@ final class JointControlUic implements SwtUic, Wishes {
 
   /** Selects a line of the table by its key. */
   void select(String key) {
-    surface.ifPresent(made -> made.select(key));
+    surface().ifPresent(made -> made.select(key));
   }
 
   private void drive() {
     driver.toggle();
-    surface.ifPresent(JointsSurface::again);
+    surface().ifPresent(JointsSurface::again);
   }
 }

@@ -4,13 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.SettingsStore;
 import org.robotui.api.port.Input;
 import org.robotui.data.joint.JointState;
 import org.robotui.ui.Icon;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
@@ -20,16 +19,14 @@ import org.robotui.uic.joints.internal.model.JointsLook;
 import org.robotui.uic.joints.internal.view.JointsSurface;
 
 /** The view: the tick takes what came and sorts, the surface lists. */
-final class JointsUic implements SwtUic {
+final class JointsUic extends SurfaceUic<JointsSurface> {
   private final UicContext context;
   private final Input<JointState> input;
   private final Input<JointState> messages;
   private final SettingsStore settings;
   private final JointTracks tracks = new JointTracks();
   private final AtomicBoolean forget = new AtomicBoolean();
-  private final List<ViewAction> actions;
   private volatile JointsLook look;
-  private volatile Optional<JointsSurface> surface = Optional.empty();
 
   JointsUic(Input<JointState> input, Input<JointState> messages, UicContext context) {
     this.context = context;
@@ -37,14 +34,11 @@ final class JointsUic implements SwtUic {
     this.messages = messages;
     this.settings = context.settings();
     this.look = look(System.nanoTime());
-    this.actions = List.of(
-        new ViewAction("degrees", "Angles in degrees", "", Optional.of(this::degrees), () -> degrees(!degrees())),
-        new ViewAction("forget", "Forget ranges and silent joints", Icon.RESTART.id(), Optional.empty(),
-            () -> forget.set(true)),
-        new ViewAction("yaml", "Copy as YAML", Icon.COPY.id(), Optional.empty(),
-            () -> surface.ifPresent(JointsSurface::copyYaml)),
-        new ViewAction("csv", "Copy as CSV", Icon.TEXT.id(), Optional.empty(),
-            () -> surface.ifPresent(JointsSurface::copyCsv)));
+    offers()
+        .add(new ViewAction("degrees", "Angles in degrees", "", Optional.of(this::degrees), () -> degrees(!degrees())))
+        .add("forget", "Forget ranges and silent joints", Icon.RESTART, () -> forget.set(true))
+        .action("yaml", "Copy as YAML", Icon.COPY, JointsSurface::copyYaml)
+        .action("csv", "Copy as CSV", Icon.TEXT, JointsSurface::copyCsv);
   }
 
   @Override
@@ -56,7 +50,7 @@ final class JointsUic implements SwtUic {
     JointsLook next = look(nowNanos);
     boolean changed = !next.equals(look);
     look = next;
-    surface.ifPresent(s -> s.prepare(next));
+    surface().ifPresent(s -> s.prepare(next));
     return changed;
   }
 
@@ -65,13 +59,16 @@ final class JointsUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
+  protected JointsSurface open(Composite parent, UiContext ui) {
     JointsSurface made = new JointsSurface(parent, ui, context.ruic().name(),
-        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
-    surface = Optional.of(made);
+        new SubjectMenu(context, ui.theme()));
     made.prepare(look);
-    made.refresh();
-    return made.control();
+    return made;
+  }
+
+  @Override
+  protected void refresh(JointsSurface shown) {
+    shown.refresh();
   }
 
   @Override
@@ -80,21 +77,6 @@ final class JointsUic implements SwtUic {
         new ViewKey("Ctrl+1 \u2026 Ctrl+7", "Sort by a column"),
         new ViewKey("Ctrl+F, /", "Filter"),
         new ViewKey("Ctrl+C", "Copy the selected rows"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(JointsSurface::refresh);
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
   }
 
   private boolean degrees() {
@@ -106,7 +88,7 @@ final class JointsUic implements SwtUic {
     settings.set(JointsType.DEGREES, wanted);
     JointsLook next = look.inDegrees(wanted);
     look = next;
-    surface.ifPresent(s -> s.prepare(next));
+    surface().ifPresent(s -> s.prepare(next));
     refresh();
   }
 }

@@ -6,16 +6,15 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
 import org.robotui.api.show.Subject;
 import org.robotui.data.status.LogEntry;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.Icon;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.log.internal.model.LogFile;
@@ -28,7 +27,7 @@ import org.robotui.uic.log.internal.view.LogHands;
 import org.robotui.uic.log.internal.view.LogSurface;
 
 /** The view: the tick takes and filters, the surface lists. */
-final class LogUic implements SwtUic {
+final class LogUic extends SurfaceUic<LogSurface> {
   private static final long TOLD_NANOS = 6_000_000_000L;
 
   private final UicContext context;
@@ -36,10 +35,8 @@ final class LogUic implements SwtUic {
   private final LogModel model;
   private final Wording wording = new Wording(ZoneId.systemDefault());
   private final Hands hands = new Hands();
-  private final List<ViewAction> actions;
   private volatile Optional<Told> told = Optional.empty();
   private volatile Frame frame;
-  private Optional<LogSurface> surface = Optional.empty();
 
   LogUic(UicContext context) {
     this.context = context;
@@ -47,16 +44,12 @@ final class LogUic implements SwtUic {
     this.model = new LogModel(input, Clock.systemUTC(), System::nanoTime);
     model.filter(LogPreferences.read(context.settings().current()));
     this.frame = frame();
-    this.actions = List.of(
-        new ViewAction("pause", "Pause", "pause", Optional.of(model::paused), () -> hands.pause(!model.paused())),
-        new ViewAction("collapse", "Collapse equal entries in a row", "layers",
-            Optional.of(() -> model.filter().collapse()),
-            () -> hands.filter(model.filter().collapse(!model.filter().collapse()))),
-        new ViewAction("show_all", "Show all levels and nodes, and end the search", "eye", Optional.empty(),
-            hands::showAll),
-        new ViewAction("save", "Save what is shown as text\u2026", "save", Optional.empty(),
-            () -> surface.ifPresent(LogSurface::save)),
-        new ViewAction("clear", "Clear", "restart", Optional.empty(), hands::clear));
+    offers().add("pause", "Pause", Icon.PAUSE, model::paused, () -> hands.pause(!model.paused()))
+        .add("collapse", "Collapse equal entries in a row", Icon.LAYERS, () -> model.filter().collapse(),
+            () -> hands.filter(model.filter().collapse(!model.filter().collapse())))
+        .add("show_all", "Show all levels and nodes, and end the search", Icon.EYE, hands::showAll)
+        .action("save", "Save what is shown as text\u2026", Icon.SAVE, LogSurface::save)
+        .add("clear", "Clear", Icon.RESTART, hands::clear);
   }
 
   @Override
@@ -71,12 +64,14 @@ final class LogUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    LogSurface made = new LogSurface(parent, ui, wording, hands,
-        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
-    surface = Optional.of(made);
-    made.show(frame);
-    return made.control();
+  protected LogSurface open(Composite parent, UiContext ui) {
+    return new LogSurface(parent, ui, wording, hands,
+        new SubjectMenu(context, ui.theme()));
+  }
+
+  @Override
+  protected void refresh(LogSurface shown) {
+    shown.show(frame);
   }
 
   @Override
@@ -89,25 +84,10 @@ final class LogUic implements SwtUic {
   }
 
   @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(frame));
-  }
-
-  @Override
   public void show(String showing, Subject subject) {
     if (subject instanceof Subject.Node node) {
       hands.filter(model.filter().cleared().onlyOrigin(node.name()));
     }
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
   }
 
   private Frame frame() {

@@ -1,15 +1,12 @@
 package org.robotui.uic.map.internal;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Supplier;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.show.Subject;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.layer.LayerType;
 import org.robotui.ui.scene.Commander;
@@ -20,17 +17,15 @@ import org.robotui.uic.map.internal.view.MapChoices;
 import org.robotui.uic.map.internal.view.TeamGoals;
 
 /** A map: the model is prepared by ticks, the canvas paints it. */
-final class MapUic implements SwtUic {
+final class MapUic extends SurfaceUic<MapCanvas> {
   private final MapModel model;
   private final MapChoices choices;
   private final Commander commander;
   private final TeamGoals goals;
-  private final MapActions actions;
-  private Optional<MapCanvas> canvas = Optional.empty();
 
   MapUic(UicContext context, Supplier<List<LayerType>> kinds) {
     model = new MapModel(context, kinds);
-    actions = new MapActions(context.ruic()::reset);
+    MapActions.offer(offers(), context.ruic()::reset);
     choices = new MapChoices(context.settings());
     goals = new TeamGoals(context);
     commander = new Commander(context, MapPorts.GOAL, MapPorts.INITIAL_POSE);
@@ -42,10 +37,13 @@ final class MapUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext context) {
-    MapCanvas made = new MapCanvas(parent, context, model, choices, commander, goals, actions);
-    canvas = Optional.of(made);
-    return made.control();
+  protected MapCanvas open(Composite parent, UiContext ui) {
+    return new MapCanvas(parent, ui, model, choices, commander, goals);
+  }
+
+  @Override
+  protected void refresh(MapCanvas shown) {
+    shown.refresh();
   }
 
   @Override
@@ -63,29 +61,9 @@ final class MapUic implements SwtUic {
   }
 
   @Override
-  public void refresh() {
-    canvas.ifPresent(MapCanvas::refresh);
-  }
-
-  /** Whether what is painted next is what the last tick prepared. Display thread. */
-  boolean upToDate() {
-    return canvas.map(MapCanvas::upToDate).orElse(true);
-  }
-
-  @Override
   public void show(String showing, Subject subject) {
     if (subject instanceof Subject.Stream stream) {
-      canvas.ifPresent(c -> c.show(stream.port()));
+      surface().ifPresent(c -> c.show(stream.port()));
     }
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions.all();
-  }
-
-  @Override
-  public void close() {
-    // What belongs to the display went with the control; there is nothing else.
   }
 }

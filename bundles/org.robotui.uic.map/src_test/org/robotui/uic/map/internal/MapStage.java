@@ -53,7 +53,7 @@ final class MapStage {
   }
 
   void open() {
-    control = Optional.of(uic.createControl(shell, UiContext.of(theme, text -> note = text)));
+    control = Optional.of(uic.createControl(shell, new TimelessWindow()));
     shell.open();
     settle();
   }
@@ -96,11 +96,8 @@ final class MapStage {
     hands().key(character);
   }
 
-  /** On a slow machine a map is painted in turns, and shown when it is complete. */
   void settle() {
-    boolean newest = false;
-    while (!newest && control.isPresent() && !control.get().isDisposed() && shell.isVisible()) {
-      newest = uic.upToDate();
+    if (control.isPresent() && !control.get().isDisposed() && shell.isVisible()) {
       hands().settle();
     }
   }
@@ -117,6 +114,27 @@ final class MapStage {
   void close() {
     shell.dispose();
     uic.close();
+  }
+
+  /**
+   * A window whose clock stands still: however slow the machine is, no map is so late that it would be painted in
+   * turns.
+   */
+  private final class TimelessWindow implements UiContext {
+    @Override
+    public Theme theme() {
+      return theme;
+    }
+
+    @Override
+    public void note(String text) {
+      note = text;
+    }
+
+    @Override
+    public long nanos() {
+      return 0;
+    }
   }
 
   /** The map itself, beside the list of layers. */

@@ -1,29 +1,25 @@
 package org.robotui.uic.parameters.internal;
 
 import java.util.List;
-import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.Icon;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.uic.parameters.internal.model.ParametersModel;
-import org.robotui.uic.parameters.internal.view.ParametersActions;
 import org.robotui.uic.parameters.internal.view.ParametersSurface;
 
 /** The view: the model is prepared by ticks, the surface shows it. */
-final class ParametersUic implements SwtUic {
+final class ParametersUic extends SurfaceUic<ParametersSurface> {
   private final UicContext context;
   private final ParametersModel model;
-  private final ParametersActions actions;
-  private Optional<ParametersSurface> surface = Optional.empty();
 
   ParametersUic(UicContext context) {
     this.context = context;
     this.model = new ParametersModel(context);
-    this.actions = new ParametersActions(model);
+    offers().add("undo", "Undo the last change (Ctrl+Z)", Icon.UNDO, model::undo)
+        .add("refresh", "Read all again (F5)", Icon.RESTART, model::refresh);
   }
 
   @Override
@@ -32,10 +28,13 @@ final class ParametersUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    ParametersSurface made = new ParametersSurface(parent, ui, model);
-    surface = Optional.of(made);
-    return made.control();
+  protected ParametersSurface open(Composite parent, UiContext ui) {
+    return new ParametersSurface(parent, ui, model);
+  }
+
+  @Override
+  protected void refresh(ParametersSurface shown) {
+    shown.refresh();
   }
 
   @Override
@@ -45,20 +44,5 @@ final class ParametersUic implements SwtUic {
         new ViewKey("Ctrl+Z", "Undo the last change"),
         new ViewKey("F5", "Read all again"),
         new ViewKey("Ctrl+F, /", "Filter"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(ParametersSurface::refresh);
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions.all();
-  }
-
-  @Override
-  public void close() {
-    // What runs in the background is ended by core; there is nothing else.
   }
 }

@@ -3,9 +3,7 @@ package org.robotui.uic.plot.internal;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
@@ -14,10 +12,9 @@ import org.robotui.data.Data;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.ui.Icon;
 import org.robotui.ui.StateView;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.show.NumberPaths;
 import org.robotui.ui.show.SubjectMenu;
@@ -33,7 +30,7 @@ import org.robotui.uic.plot.internal.view.PlotState;
 import org.robotui.uic.plot.internal.view.PlotSurface;
 
 /** The view: the tick records, the surface draws what is recorded. */
-final class PlotUic implements SwtUic {
+final class PlotUic extends SurfaceUic<PlotSurface> {
   private static final double STEPS = 1000;
   private static final double ALL_WINDOW = 60;
 
@@ -43,9 +40,7 @@ final class PlotUic implements SwtUic {
   private final Exporter exporter;
   private final Edits edits;
   private final PlotState state = new PlotState();
-  private final List<ViewAction> actions;
   private volatile PlotScene scene;
-  private volatile Optional<PlotSurface> surface = Optional.empty();
   private long shownNow;
   private boolean noticing;
 
@@ -58,21 +53,18 @@ final class PlotUic implements SwtUic {
     this.exporter = new Exporter(context.background());
     this.edits = new Edits(context.settings());
     this.scene = engine.begin(System.nanoTime());
-    this.actions = List.of(
-        action("add", "Add a trace", Icon.PLUS, PlotSurface::toggleChooser),
-        new ViewAction("pause", "Pause", Icon.PAUSE.id(), Optional.of(() -> !state.isLive()),
-            () -> surface.ifPresent(PlotSurface::pause)),
-        new ViewAction("cursors", "Cursors", Icon.RULER.id(), Optional.of(() -> state.cursors().isPresent()),
-            () -> surface.ifPresent(PlotSurface::cursors)),
-        action("live", "Back to live", Icon.FIT, PlotSurface::live),
-        action("export", "Export what is seen\u2026", Icon.SAVE, s -> s.export(false)));
+    offers().action("add", "Add a trace", Icon.PLUS, PlotSurface::toggleChooser)
+        .switched("pause", "Pause", Icon.PAUSE, s -> !state.isLive(), PlotSurface::pause)
+        .switched("cursors", "Cursors", Icon.RULER, s -> state.cursors().isPresent(), PlotSurface::cursors)
+        .action("live", "Back to live", Icon.FIT, PlotSurface::live)
+        .action("export", "Export what is seen\u2026", Icon.SAVE, s -> s.export(false));
   }
 
   @Override
   public boolean tick(long nowNanos) {
     PlotScene next = engine.tick(nowNanos);
     boolean news = engine.tookValues() || !next.spec().equals(scene.spec()) || !looks(next).equals(looks(scene))
-        || moved(next) || noticed(nowNanos) || surface.filter(PlotSurface::isChoosing).isPresent();
+        || moved(next) || noticed(nowNanos) || surface().filter(PlotSurface::isChoosing).isPresent();
     scene = next;
     shownNow = news ? next.now() : shownNow;
     return news;
@@ -98,10 +90,13 @@ final class PlotUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    PlotSurface made = new PlotSurface(parent, ui, scene, state, edits, exporter, new Robot());
-    surface = Optional.of(made);
-    return made.control();
+  protected PlotSurface open(Composite parent, UiContext ui) {
+    return new PlotSurface(parent, ui, scene, state, edits, exporter, new Robot());
+  }
+
+  @Override
+  protected void refresh(PlotSurface shown) {
+    shown.show(scene);
   }
 
   @Override
@@ -117,34 +112,15 @@ final class PlotUic implements SwtUic {
   }
 
   @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(scene));
-  }
-
-  @Override
   public void show(String showing, Subject subject) {
     if (subject instanceof Subject.Stream stream) {
-      surface.ifPresent(s -> s.plot(stream));
+      surface().ifPresent(s -> s.plot(stream));
     }
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
   }
 
   @Override
   public Optional<Object> retain() {
     return Optional.of(engine);
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
-  }
-
-  private ViewAction action(String id, String label, Icon icon, Consumer<PlotSurface> run) {
-    return new ViewAction(id, label, icon.id(), Optional.empty(), () -> surface.ifPresent(run));
   }
 
   private final class Robot implements ChooserPanel.Robot {
@@ -174,7 +150,7 @@ final class PlotUic implements SwtUic {
 
     @Override
     public SubjectMenu ports(Theme colours) {
-      return new SubjectMenu(context.ruic(), colours, context.background());
+      return new SubjectMenu(context, colours);
     }
 
     @Override

@@ -4,15 +4,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.config.Settings;
 import org.robotui.api.show.Subject;
 import org.robotui.gl.display.DisplayType;
 import org.robotui.gl.render.Gl;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
 import org.robotui.ui.scene.CommandNotice;
 import org.robotui.ui.scene.Commander;
@@ -34,7 +32,7 @@ import org.robotui.uic.scene3d.internal.waypoint.Waypoints;
  * A scene: ticks prepare it, the studio has it drawn, the surface paints pictures. While nobody sees it, it asks for
  * nothing.
  */
-final class Scene3dUic implements SwtUic {
+final class Scene3dUic extends SurfaceUic<SceneSurface> {
   private static final long PROBE_NANOS = 500_000_000L;
   private static final long LONG_NANOS = 30_000_000L;
   /** A tick during which the whole process was halted did not take that long itself. */
@@ -46,8 +44,6 @@ final class Scene3dUic implements SwtUic {
   private final SceneParts parts;
   private final Followed followed;
   private final Driver driver;
-  private final SceneActions actions;
-  private volatile Optional<SceneSurface> surface = Optional.empty();
   private long preparing;
   private long preparedNanos;
   private long probedNanos;
@@ -61,14 +57,14 @@ final class Scene3dUic implements SwtUic {
     Waypoints waypoints = new Waypoints(context.settings(),
         new Tour(commander, context.output(ScenePorts.GOAL), context.principal(), told -> tell(context, told)));
     model = new SceneModel(context, kinds, new SceneDisplays(context), waypoints);
-    actions = new SceneActions(context.ruic()::reset);
+    SceneActions.offer(offers(), context.ruic()::reset);
     driver = new Driver(context, waypoints);
     Edits edits = new Edits(context.settings(), model::specs);
     CameraMotion rig = new CameraMotion(edits.start().orElse(CameraPose.START));
     fits = edits.start().isPresent() ? 2 : 0;
     FrameScheduler studio = new FrameScheduler(graphics, rig, System::nanoTime,
-        (picture, from) -> surface.ifPresent(s -> s.take(picture, from)),
-        () -> surface.ifPresent(SceneSurface::paintSoon));
+        (picture, from) -> surface().ifPresent(s -> s.take(picture, from)),
+        () -> surface().ifPresent(SceneSurface::paintSoon));
     followed = new Followed(context.frames(), rig);
     parts = new SceneParts(model, studio, rig, new Picks(), edits, commander, waypoints,
         new WaypointSender(commander, context.output(ScenePorts.PATH), context.output(ScenePorts.POSES)),
@@ -79,7 +75,7 @@ final class Scene3dUic implements SwtUic {
   @Override
   public boolean tick(long nowNanos) {
     driver.tick(nowNanos);
-    if (surface.isEmpty() || !seen(surface.get(), nowNanos)) {
+    if (surface().isEmpty() || !seen(surface().get(), nowNanos)) {
       return false;
     }
     if (leavesRoom(nowNanos)) {
@@ -112,7 +108,7 @@ final class Scene3dUic implements SwtUic {
 
   /** In the scene where it is seen, else wherever the workbench says such things. */
   private void tell(UicContext context, CommandNotice told) {
-    surface.filter(SceneSurface::seen).ifPresentOrElse(shown -> shown.say(told), () -> context.alert(told.text()));
+    surface().filter(SceneSurface::seen).ifPresentOrElse(shown -> shown.say(told), () -> context.alert(told.text()));
   }
 
   /** Whether somebody looks; after a while without, all is given up. */
@@ -135,20 +131,23 @@ final class Scene3dUic implements SwtUic {
   /** Looks at what came first, and again when the rest has come, unless hands have taken the camera. */
   private void first(Stage stage, long nowNanos) {
     boolean due = fits == 0 || fits == 1 && nowNanos - fittedNanos > SETTLED_NANOS;
-    if (due && !surface.get().touched()) {
+    if (due && !surface().get().touched()) {
       stage.fed().ifPresent(box -> {
         fits++;
         fittedNanos = nowNanos;
-        parts.rig().go(parts.rig().aim().fit(box, surface.get().aspect()), nowNanos);
+        parts.rig().go(parts.rig().aim().fit(box, surface().get().aspect()), nowNanos);
       });
     }
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext context) {
-    SceneSurface made = new SceneSurface(parent, context, parts, actions);
-    surface = Optional.of(made);
-    return made.control();
+  protected SceneSurface open(Composite parent, UiContext ui) {
+    return new SceneSurface(parent, ui, parts);
+  }
+
+  @Override
+  protected void refresh(SceneSurface shown) {
+    shown.refresh();
   }
 
   @Override
@@ -169,24 +168,14 @@ final class Scene3dUic implements SwtUic {
   }
 
   @Override
-  public void refresh() {
-    surface.ifPresent(SceneSurface::refresh);
-  }
-
-  @Override
   public void show(String showing, Subject subject) {
     switch (subject) {
-      case Subject.Stream stream -> surface.ifPresent(s -> s.show(stream.port()));
+      case Subject.Stream stream -> surface().ifPresent(s -> s.show(stream.port()));
       case Subject.Frame frame -> followed
           .where(frame.frame(), parts.settings().current(), parts.model().stage().fixed())
-          .ifPresent(place -> surface.ifPresent(s -> s.look(place.translation())));
+          .ifPresent(place -> surface().ifPresent(s -> s.look(place.translation())));
       case Subject.Node node -> {}
     }
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions.all();
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.robotui.api.show.Subject;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
@@ -21,7 +22,7 @@ import org.robotui.ui.show.PortDrag;
 import org.robotui.ui.show.SubjectMenu;
 
 /** What is seen of the view while it is shown: a line of controls, and the list. Display thread. */
-final class StatusSurface {
+final class StatusSurface implements ViewSurface {
   private static final int WIDEST_FILTER = 180;
   private static final int LEAST_FILTER = 120;
 
@@ -71,7 +72,8 @@ final class StatusSurface {
         : Optional.empty();
   }
 
-  Control control() {
+  @Override
+  public Control control() {
     return root;
   }
 

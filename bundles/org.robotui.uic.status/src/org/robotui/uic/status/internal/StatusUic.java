@@ -3,7 +3,6 @@ package org.robotui.uic.status.internal;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.command.Authority;
 import org.robotui.api.command.Principal;
@@ -11,19 +10,18 @@ import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.sensor.Battery;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.show.SubjectMenu;
 
 /** The view: the tick looks and makes the lines, the surface shows them. */
-final class StatusUic implements SwtUic {
+final class StatusUic extends SurfaceUic<StatusSurface> {
   private final UicContext context;
   private final Input<Battery> batteries;
   private volatile String filter = "";
   private volatile Page page;
   private StatusViewState seen; // only on the tick's thread
   private String filtered = ""; // only on the tick's thread
-  private Optional<StatusSurface> surface = Optional.empty();
 
   StatusUic(UicContext context) {
     this.context = context;
@@ -48,22 +46,14 @@ final class StatusUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    StatusSurface made = new StatusSurface(parent, ui, new Actions(), context.ruic().name(),
-        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
-    surface = Optional.of(made);
-    made.show(page);
-    return made.control();
+  protected StatusSurface open(Composite parent, UiContext ui) {
+    return new StatusSurface(parent, ui, new Actions(), context.ruic().name(),
+        new SubjectMenu(context, ui.theme()));
   }
 
   @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(page));
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
+  protected void refresh(StatusSurface shown) {
+    shown.show(page);
   }
 
   Page page() {

@@ -13,11 +13,12 @@ import org.robotui.ui.PaintedCanvas;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.LimitBar;
 import org.robotui.uic.teleop.internal.TeleopFooter.Button;
 
 /** What is seen of the view while it is shown. Display thread. */
-final class TeleopSurface {
+final class TeleopSurface implements ViewSurface {
   private static final double ROUNDING = 100;
 
   private final UiContext context;
@@ -47,10 +48,10 @@ final class TeleopSurface {
     canvas.moveBelow(null);
     root.setTabList(tabs());
     root.addDisposeListener(e -> leave());
-    refresh();
   }
 
-  Control control() {
+  @Override
+  public Control control() {
     return root;
   }
 

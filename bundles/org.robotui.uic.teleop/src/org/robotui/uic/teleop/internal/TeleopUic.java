@@ -3,17 +3,15 @@ package org.robotui.uic.teleop.internal;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.config.SettingsStore;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewKey;
 
 /** The view: a driver that the tick lets send, and a surface while it is shown. */
-final class TeleopUic implements SwtUic {
+final class TeleopUic extends SurfaceUic<TeleopSurface> {
   private final Driver driver;
   private final SettingsStore settings;
-  private Optional<TeleopSurface> surface = Optional.empty();
   private Optional<TeleopViewState> shown = Optional.empty();
 
   TeleopUic(Driver driver, SettingsStore settings) {
@@ -31,10 +29,13 @@ final class TeleopUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext context) {
-    TeleopSurface made = new TeleopSurface(parent, context, driver, settings);
-    surface = Optional.of(made);
-    return made.control();
+  protected TeleopSurface open(Composite parent, UiContext ui) {
+    return new TeleopSurface(parent, ui, driver, settings);
+  }
+
+  @Override
+  protected void refresh(TeleopSurface shown) {
+    shown.refresh();
   }
 
   @Override
@@ -46,11 +47,6 @@ final class TeleopUic implements SwtUic {
         new ViewKey("Shift", "Halve the speed"),
         new ViewKey("Space", "Stop"),
         new ViewKey("Esc", "Let go"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(TeleopSurface::refresh);
   }
 
   @Override

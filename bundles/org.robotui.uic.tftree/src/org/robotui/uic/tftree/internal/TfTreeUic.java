@@ -3,14 +3,14 @@ package org.robotui.uic.tftree.internal;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.show.Subject;
 import org.robotui.ui.Icon;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewKey;
+import org.robotui.ui.diagram.DiagramCanvas;
+import org.robotui.ui.diagram.DiagramWishes;
 import org.robotui.ui.diagram.TextWidths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.tftree.internal.model.Ask;
@@ -18,24 +18,18 @@ import org.robotui.uic.tftree.internal.model.TfTreeModel;
 import org.robotui.uic.tftree.internal.view.TfTreeSurface;
 
 /** The view: the tick takes the frames and draws the tree, the surface shows it. */
-final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
+final class TfTreeUic extends SurfaceUic<TfTreeSurface> implements DiagramWishes<Ask> {
   private final UicContext context;
   private final TfTreeModel model;
-  private final List<ViewAction> actions;
-  private Optional<TfTreeSurface> surface = Optional.empty();
 
   TfTreeUic(UicContext context) {
     this.context = context;
     this.model = new TfTreeModel(context);
     model.ask(FramePreferences.read(context.settings().current()));
-    this.actions = List.of(
-        new ViewAction("fit", "Show the whole tree", Icon.FIT.id(), Optional.empty(),
-            () -> surface.ifPresent(TfTreeSurface::fit)),
-        new ViewAction("open", "Expand all", Icon.OPEN.id(), Optional.empty(), () -> ask(model.ask().opened())),
-        new ViewAction("reset", "Reset: forget transforms that are not fixed", Icon.RESTART.id(), Optional.empty(),
-            context.ruic()::reset),
-        new ViewAction("save", "Save the drawing as PNG or SVG", Icon.SAVE.id(), Optional.empty(),
-            () -> surface.ifPresent(TfTreeSurface::save)));
+    offers().action("fit", "Show the whole tree", Icon.FIT, TfTreeSurface::fit)
+        .add("open", "Expand all", Icon.OPEN, () -> ask(model.ask().opened()))
+        .add("reset", "Reset: forget transforms that are not fixed", Icon.RESTART, context.ruic()::reset)
+        .action("save", "Save the drawing as PNG or SVG", Icon.SAVE, TfTreeSurface::save);
   }
 
   @Override
@@ -44,28 +38,18 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    TfTreeSurface made = new TfTreeSurface(parent, ui, this,
-        new SubjectMenu(context.ruic(), ui.theme(), context.background()));
-    surface = Optional.of(made);
-    made.show(model.look(), model.ask());
-    return made.control();
+  protected TfTreeSurface open(Composite parent, UiContext ui) {
+    return new TfTreeSurface(parent, ui, this, new SubjectMenu(context, ui.theme()));
+  }
+
+  @Override
+  protected void refresh(TfTreeSurface shown) {
+    shown.show(model.look(), model.ask());
   }
 
   @Override
   public List<ViewKey> keys() {
-    return List.of(
-        new ViewKey("0, Home", "Show the whole tree"),
-        new ViewKey("+, -", "Zoom"),
-        new ViewKey("Arrows", "Move"),
-        new ViewKey("Enter", "Expand or collapse a frame"),
-        new ViewKey("Ctrl+F", "Filter"),
-        new ViewKey("Esc", "Clear the selection"));
-  }
-
-  @Override
-  public void refresh() {
-    surface.ifPresent(s -> s.show(model.look(), model.ask()));
+    return DiagramCanvas.keys("tree", "Expand or collapse a frame");
   }
 
   @Override
@@ -73,11 +57,6 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
     if (subject instanceof Subject.Frame frame) {
       ask(model.ask().search("").problems(false).opened().select(Optional.of(frame.frame())));
     }
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
   }
 
   @Override
@@ -95,10 +74,5 @@ final class TfTreeUic implements SwtUic, TfTreeSurface.Wishes {
   @Override
   public void widths(TextWidths exact) {
     model.widths(exact);
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
   }
 }

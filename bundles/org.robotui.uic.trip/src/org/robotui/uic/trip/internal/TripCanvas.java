@@ -12,9 +12,10 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
+import org.robotui.ui.ViewSurface;
 
 /** Paints one line for each trip, and what the state of the port is where there is none. Display thread. */
-final class TripCanvas {
+final class TripCanvas implements ViewSurface {
 
   private static final int LINE = 28;
 
@@ -30,7 +31,8 @@ final class TripCanvas {
     this.canvas = new PaintedCanvas(parent, theme, this::paint);
   }
 
-  Control control() {
+  @Override
+  public Control control() {
     return canvas;
   }
 

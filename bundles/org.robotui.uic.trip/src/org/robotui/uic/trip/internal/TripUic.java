@@ -1,34 +1,27 @@
 package org.robotui.uic.trip.internal;
 
-import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.eclipse.swt.widgets.Composite;
-import org.eclipse.swt.widgets.Control;
 import org.robotui.api.UicContext;
 import org.robotui.api.port.Input;
 import org.robotui.data.navigation.Odometry;
 import org.robotui.ui.Icon;
-import org.robotui.ui.SwtUic;
+import org.robotui.ui.SurfaceUic;
 import org.robotui.ui.UiContext;
-import org.robotui.ui.ViewAction;
 
 /** The view. The tick runs on a worker and prepares what the canvas paints on the display thread. */
-final class TripUic implements SwtUic {
+final class TripUic extends SurfaceUic<TripCanvas> {
 
   private final UicContext context;
   private final Input<Odometry> odometry;
   private final TripMeter meter = new TripMeter(); // only on the thread of the tick
   private final AtomicBoolean resetWanted = new AtomicBoolean();
-  private final List<ViewAction> actions;
   private volatile TripViewState state;
-  private Optional<TripCanvas> canvas = Optional.empty(); // only on the display thread
 
   TripUic(UicContext context) {
     this.context = context;
     this.odometry = context.input(TripType.ODOMETRY);
-    this.actions = List.of(
-        new ViewAction("reset", "Begin a new trip", Icon.RESTART.id(), Optional.empty(), () -> resetWanted.set(true)));
+    offers().add("reset", "Begin a new trip", Icon.RESTART, () -> resetWanted.set(true));
     this.state = look();
   }
 
@@ -52,24 +45,12 @@ final class TripUic implements SwtUic {
   }
 
   @Override
-  public Control createControl(Composite parent, UiContext ui) {
-    TripCanvas made = new TripCanvas(parent, ui.theme(), this::state);
-    canvas = Optional.of(made);
-    return made.control();
+  protected TripCanvas open(Composite parent, UiContext ui) {
+    return new TripCanvas(parent, ui.theme(), this::state);
   }
 
   @Override
-  public void refresh() {
-    canvas.ifPresent(TripCanvas::refresh);
-  }
-
-  @Override
-  public List<ViewAction> actions() {
-    return actions;
-  }
-
-  @Override
-  public void close() {
-    // Nothing is held but memory.
+  protected void refresh(TripCanvas shown) {
+    shown.refresh();
   }
 }

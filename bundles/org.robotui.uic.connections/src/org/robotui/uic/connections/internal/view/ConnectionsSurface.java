@@ -15,6 +15,7 @@ import org.robotui.api.show.Subject;
 import org.robotui.ui.Health;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
@@ -32,7 +33,7 @@ import org.robotui.uic.connections.internal.model.Transcript;
  * What is seen of the view while it is shown: a line of controls, the list, and all of the selected line. Display
  * thread.
  */
-public final class ConnectionsSurface {
+public final class ConnectionsSurface implements ViewSurface {
   /** What the user can wish for. */
   public interface Wishes {
     /** Lists what contains some words. */
@@ -113,7 +114,7 @@ public final class ConnectionsSurface {
     return list.control().setFocus();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -10,13 +10,14 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.uic.diagnostics.internal.model.Ask;
 
 /** What is seen of the view while it is shown. Display thread. */
-public final class DiagnosticsSurface {
+public final class DiagnosticsSurface implements ViewSurface {
   private static final int BESIDE_FROM = 780;
   private static final int TREE_SHARE = 60;
   private static final int DETAIL_SHARE = 40;
@@ -71,7 +72,7 @@ public final class DiagnosticsSurface {
     halves.addListener(SWT.Resize, e -> orient());
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

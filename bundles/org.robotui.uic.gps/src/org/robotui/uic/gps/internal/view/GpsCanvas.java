@@ -16,6 +16,7 @@ import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.display.ListedView;
 import org.robotui.ui.layer.LayerListHost;
@@ -30,7 +31,7 @@ import org.robotui.uic.gps.internal.model.GpsSnapshot;
 import org.robotui.uic.gps.internal.model.Receiver;
 
 /** The control of the GPS view. Display thread only. */
-public final class GpsCanvas {
+public final class GpsCanvas implements ViewSurface {
   private static final double LARGEST_FIT = 20;
   private static final int MARGIN = 108;
   private static final double TOUCH_PIXELS = 9;
@@ -45,7 +46,7 @@ public final class GpsCanvas {
   private Optional<Ruler> ruler = Optional.empty();
   private Optional<Point> pointer = Optional.empty();
 
-  public GpsCanvas(Composite parent, UiContext context, GpsModel model, GpsChoices choices, GpsActions actions) {
+  public GpsCanvas(Composite parent, UiContext context, GpsModel model, GpsChoices choices) {
     this.model = model;
     this.choices = choices;
     theme = context.theme();
@@ -55,15 +56,14 @@ public final class GpsCanvas {
     view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
         this::listOpen, box -> {
           made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
-              SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
+              SceneMover.Following.of(this::following, choices::follow), new Shown());
           return made[0].surface();
         });
     scene = made[0];
-    actions.connect(this);
     new GpsInput(this, scene.surface()).listen();
-    refresh();
   }
 
+  @Override
   public Control control() {
     return view.control();
   }
@@ -77,13 +77,6 @@ public final class GpsCanvas {
       }
       scene.refresh();
     }
-  }
-
-  /**
-   * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
-   */
-  public boolean upToDate() {
-    return scene.upToDate();
   }
 
   boolean listOpen() {
@@ -238,12 +231,6 @@ public final class GpsCanvas {
 
   /** What is special to this view. */
   private final class Shown implements SceneControl.View {
-    private final GpsActions actions;
-
-    Shown(GpsActions actions) {
-      this.actions = actions;
-    }
-
     @Override
     public boolean shows() {
       return GpsCanvas.shows(model.snapshot());
@@ -262,11 +249,6 @@ public final class GpsCanvas {
     @Override
     public String note() {
       return GpsCanvas.this.note();
-    }
-
-    @Override
-    public void gone() {
-      actions.disconnect(GpsCanvas.this);
     }
   }
 }

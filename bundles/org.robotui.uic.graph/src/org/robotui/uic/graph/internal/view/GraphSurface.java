@@ -2,8 +2,6 @@ package org.robotui.uic.graph.internal.view;
 
 import java.util.Optional;
 import java.util.function.Function;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.robotui.api.show.Subject;
@@ -12,6 +10,7 @@ import org.robotui.ui.Health;
 import org.robotui.ui.Icon;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
@@ -21,6 +20,7 @@ import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.diagram.Box;
 import org.robotui.ui.diagram.DiagramCanvas;
 import org.robotui.ui.diagram.DiagramSaver;
+import org.robotui.ui.diagram.DiagramWishes;
 import org.robotui.ui.diagram.TextWidths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.graph.internal.model.Ask;
@@ -28,18 +28,9 @@ import org.robotui.uic.graph.internal.model.GraphViewState;
 import org.robotui.uic.graph.internal.model.Vertex;
 
 /** What is seen of the view. Display thread. */
-public final class GraphSurface {
+public final class GraphSurface implements ViewSurface {
   /** What the user wants. Display thread. */
-  public interface Wishes {
-    /** What is asked for now. */
-    Ask asked();
-
-    /** Asks for something else. */
-    void ask(Ask next);
-
-    /** How wide letters are here. */
-    void widths(TextWidths exact);
-
+  public interface Wishes extends DiagramWishes<Ask> {
     /** The view is seen now. */
     void seen();
   }
@@ -84,14 +75,8 @@ public final class GraphSurface {
     canvas.fit();
     selected = new NoticeLine(root, theme, Face.BODY);
     filter.onDown(this::focus);
-    canvas.control().addListener(SWT.KeyDown, e -> {
-      if (e.keyCode == 'f' && (e.stateMask & SWT.MOD1) != 0) {
-        filter.focus();
-      }
-    });
-    GC gc = new GC(root);
-    wishes.widths(TextWidths.of(gc, theme));
-    gc.dispose();
+    canvas.onFind(filter::focus);
+    wishes.widths(TextWidths.of(root, theme));
   }
 
   /** Of a topic that no stream carries, no more than its name is known. */
@@ -101,7 +86,7 @@ public final class GraphSurface {
         () -> menu.push("Copy name", () -> Clipboards.copy(vertex.name())));
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -14,6 +14,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.StateView;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.RowList;
@@ -33,7 +34,7 @@ import org.robotui.uic.jointcontrol.internal.model.Sorting;
  * What is seen of the view while it is shown: switch, table, the selected joint, and who drives. Display thread, but
  * for {@link #prepare}.
  */
-public final class JointsSurface implements TableHands.Deeds {
+public final class JointsSurface implements ViewSurface, TableHands.Deeds {
   private static final int ROOM_FOR_DETAIL = 240;
 
   /** What is to be painted. */
@@ -53,6 +54,7 @@ public final class JointsSurface implements TableHands.Deeds {
   private volatile String words = "";
   private volatile Set<String> closed = Set.of();
   private volatile Sorting sorting = Sorting.CHAIN;
+  private boolean begun;
   private volatile Shown shown;
 
   /** Makes the controls. */
@@ -84,7 +86,7 @@ public final class JointsSurface implements TableHands.Deeds {
     return list.control().forceFocus();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }
@@ -95,9 +97,11 @@ public final class JointsSurface implements TableHands.Deeds {
     shown = new Shown(now, Lines.of(now, words, closed, sorting));
   }
 
-  /** Shows what was prepared, and ends driving where the hands are elsewhere. */
+  /** Shows what was prepared, and ends driving where the hands are elsewhere. What was just made has no focus yet. */
   public void refresh() {
-    watch();
+    if (begun) {
+      watch();
+    }
     show();
   }
 
@@ -113,6 +117,7 @@ public final class JointsSurface implements TableHands.Deeds {
     if (root.isDisposed()) {
       return;
     }
+    begun = true;
     Shown now = shown;
     context.note(now.look().note());
     bar.show(now.look());

@@ -12,6 +12,7 @@ import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.FilterField;
@@ -24,7 +25,7 @@ import org.robotui.uic.joints.internal.model.JointsLook;
  * What is seen of the view while it is shown: a line of controls and the table. Display thread, but for
  * {@link #prepare}.
  */
-public final class JointsSurface {
+public final class JointsSurface implements ViewSurface {
   private static final int WIDEST_FILTER = 160;
   private static final int STRIP_HEIGHT = 26;
 
@@ -67,7 +68,7 @@ public final class JointsSurface {
     return table.list().control().setFocus();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -17,6 +17,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NoticeLine;
@@ -32,7 +33,7 @@ import org.robotui.uic.log.internal.model.Search;
 import org.robotui.uic.log.internal.model.Wording;
 
 /** What is seen of the view while it is shown. Display thread. */
-public final class LogSurface {
+public final class LogSurface implements ViewSurface {
   private static final int NODES_WIDTH = 220;
   private static final int LIST_SHARE = 70;
   private static final int DETAIL_SHARE = 30;
@@ -84,7 +85,7 @@ public final class LogSurface {
     lines.list().control().addListener(SWT.KeyDown, this::key);
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -24,6 +24,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.display.ListedView;
 import org.robotui.ui.layer.LayerListHost;
 import org.robotui.ui.layer.LayerNote;
@@ -41,7 +42,7 @@ import org.robotui.uic.map.internal.model.MapModel;
 import org.robotui.uic.map.internal.model.MapSnapshot;
 
 /** The control of a map. Display thread only. */
-public final class MapCanvas {
+public final class MapCanvas implements ViewSurface {
   private static final double TOUCH_PIXELS = 7;
   private static final int MOST_HITS = 3;
   private static final double LARGEST_FIT = 200;
@@ -64,8 +65,7 @@ public final class MapCanvas {
   private Optional<Tool> tool = Optional.empty();
 
   public MapCanvas(
-      Composite parent, UiContext context, MapModel model, MapChoices choices, Commander commander, TeamGoals goals,
-      MapActions actions) {
+      Composite parent, UiContext context, MapModel model, MapChoices choices, Commander commander, TeamGoals goals) {
     this.model = model;
     this.choices = choices;
     this.commander = commander;
@@ -79,15 +79,14 @@ public final class MapCanvas {
     view = new ListedView(parent, theme, new LayerListHost(model.layers(), model.scene(), this::refresh, this::mover),
         () -> choices.options().list(), box -> {
           made[0] = new SceneControl(box, context, model.scene(), new Camera(LARGEST_FIT, MARGIN),
-              SceneMover.Following.of(this::following, choices::follow), new Shown(actions));
+              SceneMover.Following.of(this::following, choices::follow), new Shown());
           return made[0].surface();
         });
     scene = made[0];
-    actions.connect(this);
     new MapInput(this, scene.surface()).listen();
-    refresh();
   }
 
+  @Override
   public Control control() {
     return view.control();
   }
@@ -101,13 +100,6 @@ public final class MapCanvas {
       }
       scene.refresh();
     }
-  }
-
-  /**
-   * Whether what is painted next is what the last ticks prepared; else it is being painted still, beside other work.
-   */
-  public boolean upToDate() {
-    return scene.upToDate();
   }
 
   /** Paints soon what hands have changed: the camera, or what lies over the scene. */
@@ -363,12 +355,6 @@ public final class MapCanvas {
 
   /** What is special to a map. */
   private final class Shown implements SceneControl.View {
-    private final MapActions actions;
-
-    Shown(MapActions actions) {
-      this.actions = actions;
-    }
-
     @Override
     public boolean shows() {
       return !isBare();
@@ -387,11 +373,6 @@ public final class MapCanvas {
     @Override
     public String note() {
       return MapCanvas.this.note();
-    }
-
-    @Override
-    public void gone() {
-      actions.disconnect(MapCanvas.this);
     }
   }
 }

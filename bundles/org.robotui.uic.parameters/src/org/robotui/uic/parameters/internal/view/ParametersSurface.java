@@ -12,6 +12,7 @@ import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
@@ -22,7 +23,7 @@ import org.robotui.uic.parameters.internal.model.ParametersViewState;
 import org.robotui.uic.parameters.internal.model.Tuner;
 
 /** What is seen of the view: two leaves and a filter above, what became of the last change below. Display thread. */
-public final class ParametersSurface {
+public final class ParametersSurface implements ViewSurface {
   private static final int FILTER_WIDTH = 180;
   private static final int WIDE_FROM = 520;
 
@@ -63,10 +64,9 @@ public final class ParametersSurface {
     filter.words(model.look().filter());
     root.addListener(SWT.Resize, e -> arrange());
     root.addListener(SWT.Dispose, e -> model.gone());
-    refresh();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -21,13 +21,14 @@ import org.robotui.ui.StateView;
 import org.robotui.ui.TextFit;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.SaveDialog;
 import org.robotui.uic.plot.internal.model.PlotScene;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
 /** What is seen of the view while it is shown. Display thread. */
-public final class PlotSurface {
+public final class PlotSurface implements ViewSurface {
   private static final int PANEL = 300;
   private static final int LEAST_PLOT = 200;
   private static final int EMPTY_HEIGHT = 60;
@@ -77,9 +78,9 @@ public final class PlotSurface {
     this.choose = new QuietButton(canvas, context.theme(), () -> choose("")).icon(Icon.PLUS).text("Choose a field")
         .fill(Role.ACCENT);
     listen();
-    show(scene);
   }
 
+  @Override
   public Control control() {
     return root;
   }

@@ -15,6 +15,7 @@ import org.robotui.ui.Icon;
 import org.robotui.ui.StateView;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
 import org.robotui.ui.control.NoticeLine;
@@ -30,7 +31,7 @@ import org.robotui.uic.plugins.internal.model.PluginsModel;
  * What is seen of the view while it is shown: threads with their plugins, and beside them what is selected. Display
  * thread.
  */
-public final class PluginsSurface {
+public final class PluginsSurface implements ViewSurface {
   private static final int BESIDE_FROM = 900;
   private static final int LEAST_HEIGHT = 300;
   private static final int[] WIDE = {58, 42};
@@ -75,7 +76,7 @@ public final class PluginsSurface {
     return list.control().setFocus();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -10,6 +10,7 @@ import org.robotui.api.port.SourceId;
 import org.robotui.geometry.Vector3;
 import org.robotui.gl.render.Rendered;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.display.DisplayKind;
 import org.robotui.ui.display.DisplayList;
 import org.robotui.ui.display.DisplayPane;
@@ -24,7 +25,7 @@ import org.robotui.uic.scene3d.internal.camera.Lens;
 import org.robotui.uic.scene3d.internal.model.Kinds;
 
 /** The control of a scene: the list of displays, and the picture. Display thread, where nothing else is said. */
-public final class SceneSurface {
+public final class SceneSurface implements ViewSurface {
   private final UiContext context;
   private final SceneParts parts;
   private final ListedView view;
@@ -37,7 +38,7 @@ public final class SceneSurface {
   private String note = "";
 
   /** Makes it. */
-  public SceneSurface(Composite parent, UiContext context, SceneParts parts, SceneActions actions) {
+  public SceneSurface(Composite parent, UiContext context, SceneParts parts) {
     this.context = context;
     this.parts = parts;
     display = parent.getDisplay();
@@ -50,16 +51,11 @@ public final class SceneSurface {
     });
     canvas = made[0];
     new SceneInput(this, parts).listen();
-    actions.connect(this);
-    view.control().addListener(SWT.Dispose, e -> {
-      seen = false;
-      actions.disconnect(this);
-    });
+    view.control().addListener(SWT.Dispose, e -> seen = false);
     parts.studio().again();
-    refresh();
   }
 
-  /** The control. */
+  @Override
   public Control control() {
     return view.control();
   }

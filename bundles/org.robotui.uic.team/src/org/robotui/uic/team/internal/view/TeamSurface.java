@@ -15,6 +15,7 @@ import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewAction;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.RowTable;
@@ -23,7 +24,7 @@ import org.robotui.uic.team.internal.model.TeamLook;
 import org.robotui.uic.team.internal.model.TeamRow;
 
 /** What is seen of the view: buttons, a filter, and the table of robots. Display thread, but for {@link #prepare}. */
-public final class TeamSurface {
+public final class TeamSurface implements ViewSurface {
   private static final int BUTTONS = 5;
   private static final int LEAST_FILTER = 90;
 
@@ -85,7 +86,7 @@ public final class TeamSurface {
     return table.list().control().setFocus();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }

@@ -23,6 +23,8 @@ import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.control.RowTable;
+import org.robotui.ui.diagram.DiagramWishes;
+import org.robotui.uic.tftree.internal.model.Ask;
 import org.robotui.uic.tftree.internal.model.Ask.Reference;
 import org.robotui.uic.tftree.internal.model.FrameDetail;
 
@@ -33,7 +35,7 @@ final class FrameDetailPane {
   private static final double VALUE_SHARE = 5;
 
   private final Theme theme;
-  private final TfTreeSurface.Wishes wishes;
+  private final DiagramWishes<Ask> wishes;
   private final Composite root;
   private final PaintedCanvas head;
   private final Composite line;
@@ -42,7 +44,7 @@ final class FrameDetailPane {
   private final RowTable<FrameDetail.Value> values;
   private Optional<FrameDetail> detail = Optional.empty();
 
-  FrameDetailPane(Composite parent, Theme theme, TfTreeSurface.Wishes wishes, Runnable close) {
+  FrameDetailPane(Composite parent, Theme theme, DiagramWishes<Ask> wishes, Runnable close) {
     this.theme = theme;
     this.wishes = wishes;
     root = Boxes.panel(parent, theme, 1);

@@ -5,22 +5,22 @@ import java.util.stream.Collectors;
 import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.custom.StackLayout;
-import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
-import org.eclipse.swt.widgets.Event;
 import org.robotui.api.show.Subject;
 import org.robotui.data.FrameId;
 import org.robotui.ui.Face;
 import org.robotui.ui.Health;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.ui.diagram.DiagramCanvas;
 import org.robotui.ui.diagram.DiagramSaver;
+import org.robotui.ui.diagram.DiagramWishes;
 import org.robotui.ui.diagram.TextWidths;
 import org.robotui.ui.show.SubjectMenu;
 import org.robotui.uic.tftree.internal.model.Ask;
@@ -29,26 +29,14 @@ import org.robotui.uic.tftree.internal.model.Notice;
 import org.robotui.uic.tftree.internal.model.TfTreeViewState;
 
 /** What is seen of the view. Display thread. */
-public final class TfTreeSurface {
-  /** What the user wants. Display thread. */
-  public interface Wishes {
-    /** What is asked for now. */
-    Ask asked();
-
-    /** Asks for something else. */
-    void ask(Ask next);
-
-    /** How wide letters are here. */
-    void widths(TextWidths exact);
-  }
-
+public final class TfTreeSurface implements ViewSurface {
   private static final int WIDEST_FILTER = 180;
   private static final int BESIDE_FROM = 760;
   private static final int TREE_SHARE = 66;
   private static final int DETAIL_SHARE = 34;
 
   private final UiContext context;
-  private final Wishes wishes;
+  private final DiagramWishes<Ask> wishes;
   private final Composite root;
   private final QuietButton drawn;
   private final QuietButton listed;
@@ -64,7 +52,7 @@ public final class TfTreeSurface {
   private Optional<TfTreeViewState> shown = Optional.empty();
 
   /** In a part of a window. */
-  public TfTreeSurface(Composite parent, UiContext context, Wishes wishes, SubjectMenu subjects) {
+  public TfTreeSurface(Composite parent, UiContext context, DiagramWishes<Ask> wishes, SubjectMenu subjects) {
     this.context = context;
     this.wishes = wishes;
     Theme theme = context.theme();
@@ -101,13 +89,11 @@ public final class TfTreeSurface {
     table.list().onFind(filter::focus);
     filter.onDown(this::focus);
     halves.addListener(SWT.Resize, e -> orient());
-    canvas.control().addListener(SWT.KeyDown, this::key);
-    GC gc = new GC(root);
-    wishes.widths(TextWidths.of(gc, theme));
-    gc.dispose();
+    canvas.onFind(filter::focus);
+    wishes.widths(TextWidths.of(root, theme));
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }
@@ -200,12 +186,6 @@ public final class TfTreeSurface {
     String fold =
         row.below() == 0 ? "" : "\ndouble click: " + (row.open() ? "hide" : "show") + " the " + row.below() + " below";
     return row.id() + "\n" + row.note() + sender + fold;
-  }
-
-  private void key(Event event) {
-    if (event.keyCode == 'f' && (event.stateMask & SWT.MOD1) != 0) {
-      filter.focus();
-    }
   }
 
   FilterField filterField() {

@@ -16,6 +16,7 @@ import org.robotui.ui.Health;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
+import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
@@ -32,7 +33,7 @@ import org.robotui.uic.topics.internal.model.Wishes;
  * What is seen of the view: kinds and filter above, the list at the left, all about the selected thing at the right.
  * Display thread.
  */
-public final class TopicsSurface {
+public final class TopicsSurface implements ViewSurface {
   private static final int FILTER_WIDTH = 180;
   private static final int SIDE_BY_SIDE_FROM = 640;
   private static final int[] WIDE = {58, 42};
@@ -82,14 +83,13 @@ public final class TopicsSurface {
     split.setWeights(WIDE);
     listen();
     resume(model.look().wishes());
-    refresh();
   }
 
   private boolean focus() {
     return shelf.table().list().control().setFocus();
   }
 
-  /** What stands in the part. */
+  @Override
   public Control control() {
     return root;
   }
