@@ -54,7 +54,8 @@ final class OptionParser {
           "--speak lcm needs --lcm-types, the folder with the .lcm files of the package robotui");
     }
     RosOptions ros = new RosOptions(port, namespace, name, realMaster, simTime, rosArguments);
-    return new Options(robot, speaks, ros, new DomainOptions(domain, subnet), playerPort, lcmUrl, lcmTypes, seed, speedFactor, parent, swarm);
+    return new Options(robot, speaks, ros, new DomainOptions(domain, subnet), playerPort, lcmUrl, lcmTypes, seed,
+        speedFactor, parent, swarm);
   }
 
   private void take(String option) {

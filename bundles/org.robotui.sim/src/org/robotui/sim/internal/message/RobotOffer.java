@@ -11,8 +11,8 @@ import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.sensor.Lidar;
 
 /**
- * What the simulated robot offers in both generations of ROS: all but goals, tuning and its log. {@link #publish} is for
- * one thread; close it when that thread has ended.
+ * What the simulated robot offers in both generations of ROS: all but goals, tuning and its log. {@link #publish} is
+ * for one thread; close it when that thread has ended.
  */
 public final class RobotOffer implements AutoCloseable {
   private final Simulation simulation;

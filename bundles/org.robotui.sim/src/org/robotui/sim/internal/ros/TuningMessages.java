@@ -46,7 +46,8 @@ final class TuningMessages {
         .map(style -> "{'name': '" + title(style) + "', 'type': 'int', 'value': " + style.ordinal()
             + ", 'description': '"
             + style.description() + "', 'ctype': 'int', 'cconsttype': 'const int', 'srcline': 0, 'srcfile': ''}")
-        .collect(Collectors.joining(", ", "{'enum': [", "], 'enum_description': '" + DriveLimit.STYLE_DESCRIPTION + "'}"));
+        .collect(
+            Collectors.joining(", ", "{'enum': [", "], 'enum_description': '" + DriveLimit.STYLE_DESCRIPTION + "'}"));
   }
 
   private static String title(Style style) {
@@ -65,7 +66,8 @@ final class TuningMessages {
   /** The tuning with what a request names, kept within the bounds; what it does not name stays. */
   static Tuning merge(Tuning now, Config wish) {
     DriveLimits merged = DriveLimit.limits(limit -> number(wish, limit, limit.of(now.limits())));
-    int style = wish.ints().stream().filter(each -> each.name().equals(DriveLimit.STYLE)).mapToInt(IntParameter::value).findFirst()
+    int style = wish.ints().stream().filter(each -> each.name().equals(DriveLimit.STYLE)).mapToInt(IntParameter::value)
+        .findFirst()
         .orElse(now.style().ordinal());
     boolean walks =
         wish.bools().stream().filter(each -> each.name().equals(DriveLimit.WALKS)).map(BoolParameter::value).findFirst()
