@@ -85,6 +85,13 @@ def test_its_parameters_are_described_set_within_their_ranges_and_told(visit):
     assert abs(found["after"] - 0.2) < 1e-6
 
 
+def test_it_describes_the_types_of_its_messages(visit):
+    told = visit("describe")
+    assert told["found"] and told["type"] == "visualization_msgs/msg/MarkerArray" and told["fields"] == ["markers"]
+    assert "visualization_msgs/msg/Marker" in told["referenced"] and "std_msgs/msg/Header" in told["referenced"]
+    assert not told["other"], "another sum is another type"
+
+
 def test_time_is_the_robots_own_where_it_is_asked_for(processes, environment):
     assert start(processes, environment, "--sim-time", "--speed-factor", "5")("clock")["seconds"] < 3600
 

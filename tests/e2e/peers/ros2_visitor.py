@@ -148,6 +148,19 @@ class Visitor:
         self.until(told, "a steady speed")
         return speeds[-1]
 
+    def describe(self):
+        """Asks for a type that PyPI does not have, by the sum that the robot announces."""
+        from type_description_interfaces.srv import GetTypeDescription
+        self.until(lambda: self.node.get_publishers_info_by_topic("/objects"), "the topic")
+        announced = str(self.node.get_publishers_info_by_topic("/objects")[0].topic_type_hash)
+        ask = GetTypeDescription.Request(type_name="visualization_msgs/msg/MarkerArray", type_hash=announced)
+        answer = self.call(GetTypeDescription, "robot/get_type_description", ask)
+        wrong = GetTypeDescription.Request(type_name="visualization_msgs/msg/MarkerArray", type_hash=announced[:-1] + "x")
+        return {"found": answer.successful, "type": answer.type_description.type_description.type_name,
+                "fields": [field.name for field in answer.type_description.type_description.fields],
+                "referenced": sorted(part.type_name for part in answer.type_description.referenced_type_descriptions),
+                "other": self.call(GetTypeDescription, "robot/get_type_description", wrong).successful}
+
     def clock(self):
         self.hear(Clock, "/clock", QoSProfile(depth=1, reliability=qos_profile_sensor_data.reliability))
         self.until(lambda: self.heard.get("/clock", {"count": 0})["count"] > 10, "the time")

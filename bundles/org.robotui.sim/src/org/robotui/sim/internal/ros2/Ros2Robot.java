@@ -3,6 +3,7 @@ package org.robotui.sim.internal.ros2;
 import java.util.concurrent.ThreadFactory;
 import org.robotui.message.ros.geometry_msgs.PoseStamped;
 import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.ros2.Ros2Descriptions;
 import org.robotui.ros2.Ros2Log;
 import org.robotui.ros2.Ros2LogLevel;
 import org.robotui.ros2.Ros2Node;
@@ -31,6 +32,7 @@ final class Ros2Robot implements AutoCloseable {
   Ros2Robot(Ros2Node node, SimulatedRobot robot, boolean simTime, long stamp, ThreadFactory threads) {
     simulation = robot.simulation();
     RobotClock clock = new RobotClock(stamp);
+    Ros2Descriptions.offer(node);
     Ros2Log log = Ros2Log.open(node);
     robot.events()
         .listen(event -> log.write(level(event.severity()), event.source(), event.text(), clock.nanos()));
