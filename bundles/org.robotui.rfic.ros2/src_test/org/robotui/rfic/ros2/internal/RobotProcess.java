@@ -107,7 +107,8 @@ final class RobotProcess {
       ends.addAll(topic.subscribers());
       ends.forEach(end -> all.add(end.guid() + " of " + topic.name()));
     });
-    state.services().forEach(service -> service.clients().forEach(end -> all.add(end.guid() + " of " + service.name())));
+    state.services()
+        .forEach(service -> service.clients().forEach(end -> all.add(end.guid() + " of " + service.name())));
     return all;
   }
 }

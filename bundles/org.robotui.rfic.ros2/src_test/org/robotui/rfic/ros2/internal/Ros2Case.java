@@ -11,13 +11,17 @@ import java.util.Map;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.robotui.api.Rfic;
 import org.robotui.api.config.Settings;
+import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
 import org.robotui.api.port.CommandSink;
 import org.robotui.api.port.CommandSink.Sent;
 import org.robotui.data.Data;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.rfic.ros2.internal.graph.SharedDomains;
 import org.robotui.ros2.Ros2Context;
 import org.robotui.ros2.Ros2Environment;
@@ -28,6 +32,7 @@ import org.robotui.testkit.FakeRficContext;
 /** A node of a robot, and an interface to it. */
 abstract class Ros2Case {
   static final ThreadFactory DAEMONS = Thread.ofPlatform().daemon().factory();
+  private static final Duration CALL = Duration.ofSeconds(3);
   static final Duration PATIENCE = Duration.ofSeconds(60);
 
   final FakeRficContext context = new FakeRficContext();
@@ -79,6 +84,31 @@ abstract class Ros2Case {
   @SuppressWarnings("unchecked")
   Sent send(String port, Data command) {
     return ((CommandSink<Data>) context.sinks.get(port)).send(command);
+  }
+
+  <Q, R> R call(String port, Q request) throws CallException, InterruptedException {
+    return call(port, request, feedback -> {});
+  }
+
+  @SuppressWarnings("unchecked")
+  <Q, R> R call(String port, Q request, Consumer<DynamicRecord> told) throws CallException, InterruptedException {
+    await(() -> context.handlers.containsKey(port));
+    return ((CallHandler<Q, R>) context.handlers.get(port)).handle(new Asked<>(request, told,
+        System.nanoTime() + CALL.toNanos()));
+  }
+
+  /** A call that may take three seconds. */
+  private record Asked<Q>(Q request, Consumer<DynamicRecord> told, long deadlineNanos)
+      implements CallHandler.Invocation<Q> {
+    @Override
+    public void progress(double fraction, String message) {
+      // what matters is how it ends
+    }
+
+    @Override
+    public void feedback(DynamicRecord record) {
+      told.accept(record);
+    }
   }
 
   static void await(BooleanSupplier condition) {

@@ -122,7 +122,8 @@ final class NodeSettings {
     Object value = PlainValues.of(known.value());
     int dot = name.lastIndexOf('.');
     String group = dot < 0 ? "" : name.substring(0, dot).replace('.', '/');
-    String help = d.constraints().isBlank() ? d.description() : (d.description() + " (" + d.constraints() + ")").strip();
+    String help =
+        d.constraints().isBlank() ? d.description() : (d.description() + " (" + d.constraints() + ")").strip();
     Optional<Object> least = value instanceof Long ? d.integers().map(r -> r.from()) : d.doubles().map(r -> r.from());
     Optional<Object> most = value instanceof Long ? d.integers().map(r -> r.to()) : d.doubles().map(r -> r.to());
     boolean number = value instanceof Number;

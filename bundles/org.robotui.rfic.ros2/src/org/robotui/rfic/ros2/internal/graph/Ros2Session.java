@@ -34,7 +34,6 @@ public final class Ros2Session implements RobotSession {
   private static final Duration CLOCK = Duration.ofMillis(50);
   private static final String TIME = "/clock";
 
-  private final RficContext context;
   private final Ros2Settings settings;
   private final Ros2Context ros;
   private final SharedDomain domain;
@@ -59,7 +58,6 @@ public final class Ros2Session implements RobotSession {
    * @param domain what interfaces of this process share there
    */
   public Ros2Session(RficContext context, Ros2Settings settings, Ros2Context ros, SharedDomain domain) {
-    this.context = context;
     this.settings = settings;
     this.ros = ros;
     this.domain = domain;
