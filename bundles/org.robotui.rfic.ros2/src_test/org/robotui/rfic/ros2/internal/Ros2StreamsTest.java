@@ -28,6 +28,7 @@ import org.robotui.message.ros.rosgraph_msgs.Clock;
 import org.robotui.message.ros.std_msgs.Header;
 import org.robotui.message.ros.std_msgs.StdFloat64;
 import org.robotui.message.ros.std_msgs.StdString;
+import org.robotui.message.ros.tf2_msgs.TFMessage;
 import org.robotui.ros2.QosProfiles;
 import org.robotui.ros2.Ros2Codec;
 import org.robotui.ros2.Ros2Node;
@@ -142,6 +143,20 @@ class Ros2StreamsTest extends Ros2Case {
       return context.transforms.stream().map(t -> t.child()).toList()
           .containsAll(List.of(new FrameId("robby", "laser"), new FrameId("robby", "base_link")));
     });
+  }
+
+  @Test
+  void bringsTransformsThatARobotSaysInItsNamespace() {
+    Ros2Publisher<TFMessage> transforms = robot.publisher("/r1/tf", Ros2Codec.of(TFMessage.class), QosProfiles.TF);
+    Transform shift = new Transform(new Vector3(1, 2, 3), new Quaternion(0, 0, 0, 1));
+    rfic(context, Map.of("namespace", "r1")).start();
+    await(() -> {
+      transforms
+          .publish(new TFMessage(List.of(new TransformStamped(new Header(0, 1_000, "odom"), "base_link", shift))));
+      return context.transforms.stream().anyMatch(t -> t.child().equals(new FrameId("robby", "base_link")));
+    });
+    transforms.close();
+    await(() -> transforms.numSubscribers() == 0);
   }
 
   @Test
