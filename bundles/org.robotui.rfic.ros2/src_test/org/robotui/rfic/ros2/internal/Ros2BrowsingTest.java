@@ -18,7 +18,6 @@ import org.robotui.api.port.Browser.Tunable;
 import org.robotui.api.port.CallException;
 import org.robotui.data.record.FieldValue;
 import org.robotui.message.DynamicMessage;
-import org.robotui.message.Definitions;
 import org.robotui.message.Generation;
 import org.robotui.message.LocalDefinitions;
 import org.robotui.message.SchemaLookup;
