@@ -52,8 +52,8 @@ public final class DescriptionServer {
           Map.of("type_description", struct(known.schema().main()),
               "referenced_type_descriptions",
               known.schema().referenced().stream().map(DescriptionServer::struct).toList()));
-      case SchemaLookup.Missing<TypeDescription> missing ->
-        Map.of("successful", false, "failure_reason", missing.reason());
+      case SchemaLookup.Missing<TypeDescription> missing -> Map.of("successful", false, "failure_reason",
+          missing.reason());
     };
     try {
       return new DynamicCodec(SCHEMA.response()).build(values);
@@ -71,8 +71,8 @@ public final class DescriptionServer {
               + " of a type");
     }
     return switch (registry.message(name.get(), hash)) {
-      case SchemaLookup.Found<MessageSchema> found ->
-        new SchemaLookup.Found<>(TypeDescription.of(name.get(), found.schema()));
+      case SchemaLookup.Found<MessageSchema> found -> new SchemaLookup.Found<>(
+          TypeDescription.of(name.get(), found.schema()));
       case SchemaLookup.Missing<MessageSchema> missing -> new SchemaLookup.Missing<>(missing.reason());
     };
   }

@@ -125,10 +125,9 @@ final class Publications {
     }
   }
 
+  /** Also without a path, so that who comes late and is not sent the last one knows that there is none. */
   private void publishPlan(long step, RobotState state, long nanos) {
-    boolean changed = !state.path().equals(lastPath);
-    boolean driving = !state.path().isEmpty() && Rate.PLAN.isDue(step);
-    if (changed || driving) {
+    if (Rate.PLAN.isDue(step) || !state.path().equals(lastPath)) {
       lastPath = state.path();
       plan.publish(nanos, stamp -> base.path(state.path(), stamp));
     }
