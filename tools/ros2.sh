@@ -10,6 +10,7 @@ ros2_peer() { [[ -e $ROS2_PEERS/$1/ready ]] && printf '%s' "$ROS2_PEERS/$1/bin/p
 make_ros2_peers() {
   make_ros2_peer rclpy --no-binary empy "${RCLPY_PACKAGES[@]}" & make_ros2_peer cyclone "${CYCLONE_PACKAGES[@]}"
   wait $!
+  ros2_peer rclpy >/dev/null && make_ros2_interfaces
   ros2_peer rclpy >/dev/null && ros2_peer cyclone >/dev/null
 }
 
@@ -34,4 +35,11 @@ ros2_python() {
     "$python" -c 'import venv, ensurepip' 2>/dev/null && { command -v "$python"; return; }
   done
   return 1
+}
+
+# Actions and markers, which are not on PyPI: about 35 s and a compiler. Tests that need them say that they were skipped without.
+make_ros2_interfaces() {
+  mkdir -p "$LOGS"
+  "$ROOT/tools/ros2-interfaces.sh" "$ROS2_PEERS/rclpy" "$ROOT/bundles/org.robotui.message/src/org/robotui/message/definitions" >"$LOGS/ros2-interfaces.log" 2>&1 \
+    || say "  Interfaces of actions and markers could not be made for rclpy (see $LOGS/ros2-interfaces.log)."
 }

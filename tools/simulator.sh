@@ -4,7 +4,7 @@
 readonly SIMULATOR_JVM=(-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xmx128m)
 
 declare -rA SIMULATOR_FEATURES=(
-  [org.robotui.sim]='RobotUI demo' [org.robotui.ros]='RobotUI for ROS 1' [org.robotui.player]='RobotUI for Player' [org.robotui.lcm]='RobotUI for LCM'
+  [org.robotui.sim]='RobotUI demo' [org.robotui.ros]='RobotUI for ROS 1' [org.robotui.ros2]='RobotUI for ROS 2' [org.robotui.player]='RobotUI for Player' [org.robotui.lcm]='RobotUI for LCM'
 )
 
 simulators=() simulator_dirs=() simulator_stays=
@@ -15,23 +15,25 @@ declare -A simulator_variables=()
 simulators_wanted() {
   awk -v config="$1" '
     function fail() {
-      print "robotui: " config ": \047simulator\047 has " word "; write mobile-base, {robot: natalie or keira, speaks: ros, player or lcm}," > "/dev/stderr"
-      print "  {swarm: 50}, or a list of these" > "/dev/stderr"
+      print "robotui: " config ": \047simulator\047 has " word "; write mobile-base, {robot: natalie or keira, speaks: ros, ros2, player or lcm}," > "/dev/stderr"
+      print "  {robot: natalie, speaks: ros2, domain: 42}, {swarm: 50}, or a list of these" > "/dev/stderr"
       failed = 1
       exit 2
     }
-    function options(map,   robot, speaks, part) {
-      robot = "natalie"; speaks = "ros"
+    function options(map,   robot, speaks, domain, part) {
+      robot = "natalie"; speaks = "ros"; domain = ""
       gsub(/[ \t]+/, "", map)
       if (map ~ /^swarm:[0-9]+$/) return "--swarm " substr(map, 7)
       while (map != "") {
-        if (!match(map, /^(robot:[a-z]+|speaks:[a-z]+|speaks:\[[a-z,]+\])(,|$)/)) fail()
+        if (!match(map, /^(robot:[a-z]+|speaks:[a-z0-9]+|speaks:\[[a-z0-9,]+\]|domain:[0-9]+)(,|$)/)) fail()
         part = substr(map, 1, RLENGTH); map = substr(map, RLENGTH + 1)
         sub(/,$/, "", part); gsub(/[][]/, "", part)
-        if (part ~ /^robot:/) robot = substr(part, 7); else speaks = substr(part, 8)
+        if (part ~ /^robot:/) robot = substr(part, 7)
+        else if (part ~ /^domain:/) domain = " --domain " substr(part, 8)
+        else speaks = substr(part, 8)
       }
-      if (robot !~ /^(natalie|keira)$/ || speaks !~ /^((ros|player|lcm)(,|$))+$/) fail()
-      return "--robot " robot " --speak " speaks
+      if (robot !~ /^(natalie|keira)$/ || speaks !~ /^((ros2?|player|lcm)(,|$))+$/ || (domain != "" && speaks !~ /ros2/)) fail()
+      return "--robot " robot " --speak " speaks domain
     }
     /^simulator:/ { on = 1; sub(/^simulator:/, "") }
     on && /^[^ \t#-]/ { on = 0 }
@@ -51,7 +53,7 @@ simulators_wanted() {
 }
 
 # Starts what the configurations ask for together. The first robot that speaks a framework is where the framework's own variables say
-# (ROS_MASTER_URI; PLAYER_HOST and PLAYER_PORT; LCM_DEFAULT_URL), the second where ROS_MASTER_URI_2 and so on say.
+# (ROS_MASTER_URI; ROS_DOMAIN_ID; PLAYER_HOST and PLAYER_PORT; LCM_DEFAULT_URL), the second where ROS_MASTER_URI_2 and so on say.
 start_simulators() {
   local stay=$1 config wanted line number options=()
   shift
@@ -96,10 +98,14 @@ start_simulator() {
 
 # What a robot with these options consists of may have been taken out of a product.
 need_simulator() {
-  local bundle wanted=(org.robotui.sim)
-  [[ $1 != *ros* && $1 != *--swarm* ]] || wanted+=(org.robotui.ros)
-  [[ $1 != *player* ]] || wanted+=(org.robotui.player)
-  [[ $1 != *lcm* ]] || wanted+=(org.robotui.lcm)
+  local bundle word wanted=(org.robotui.sim) words=()
+  [[ $1 != *--swarm* ]] || wanted+=(org.robotui.ros)
+  read -ra words <<<"${1//,/ }"
+  for word in "${words[@]}"; do
+    case $word in
+      ros | ros2 | player | lcm) wanted+=("org.robotui.$word") ;;
+    esac
+  done
   for bundle in "${wanted[@]}"; do
     [[ -n $(jar_of "$bundle") ]] || fail "the simulated robot needs the feature '${SIMULATOR_FEATURES[$bundle]}', which is not installed"
   done
@@ -108,7 +114,8 @@ need_simulator() {
 # The simulator needs no OSGi: the same bundles are plain jars.
 simulator_classpath() {
   local bundle jars=()
-  for bundle in org.robotui.sim org.robotui.ros org.robotui.message org.robotui.player org.robotui.lcm org.robotui.net org.robotui.geometry slf4j.api; do
+  for bundle in org.robotui.sim org.robotui.ros org.robotui.ros2 org.robotui.rtps org.robotui.message org.robotui.player org.robotui.lcm org.robotui.net org.robotui.geometry \
+    slf4j.api; do
     jars+=("$(jar_of "$bundle")")
   done
   (IFS=:; printf '%s' "${jars[*]}")
@@ -150,6 +157,11 @@ tell_simulator() {
       export ROS_IP=127.0.0.1
       say_simulator "$number" "$count" ROS rostopic "$variable"
       say "  export ROS_MASTER_URI=$value ROS_IP=127.0.0.1"
+      ;;
+    ROS_DOMAIN_ID)
+      export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST
+      say_simulator "$number" "$count" "ROS 2" "ros2 topic" "$variable"
+      say "  export ROS_DOMAIN_ID=$value ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"
       ;;
     PLAYER_PORT)
       say_simulator "$number" "$count" Player playerv "$variable"

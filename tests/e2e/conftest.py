@@ -207,10 +207,7 @@ def simulator(processes, environment, ros_tools):
 
 
 def start_simulator(processes, environment, port, name, *options):
-    plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
-    bundles = ("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
-    jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in bundles]
-    process = processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", "--port", port, *options], name, environment)
+    process = start_sim_program(processes, environment, name, ["org.robotui.ros"], "--port", port, *options)
 
     def uri():
         for line in process.out.read_text().splitlines():
@@ -222,6 +219,14 @@ def start_simulator(processes, environment, port, name, *options):
     robot.core = process
     robot.port = int(robot.uri.rstrip("/").rsplit(":", 1)[1])
     return robot
+
+
+def start_sim_program(processes, environment, name, bundles, *options):
+    """The simulator with the bundles of the frameworks that it is to speak."""
+    plugins = ROOT / "product/target/products/org.robotui.headless.product/linux/gtk/x86_64/plugins"
+    all_bundles = ("org.robotui.sim", *bundles, "org.robotui.message", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
+    jars = [str(next(plugins.glob(f"{bundle}_*.jar"))) for bundle in all_bundles]
+    return processes.start([java(), "-cp", ":".join(jars), "org.robotui.sim.Main", *options], name, environment)
 
 
 def java():

@@ -22,14 +22,15 @@ def live(process, ruic, port, least):
     return lines[-1] if lines and lines[-1]["rate_hz"] >= least and lines[-1]["link"] == "connected" else None
 
 
-def test_two_robots_of_different_frameworks_are_live_in_one_workbench(processes, environment):
+def test_three_robots_of_different_frameworks_are_live_in_one_workbench(processes, environment):
     robotui = start(processes, environment, "run", "--json", "natalie-keira")
 
-    for ruic, ports in (("Natalie", NATALIE), ("Keira", KEIRA)):
+    for ruic, ports in (("Natalie", NATALIE), ("Keira", KEIRA), ("Nora", NATALIE)):
         for port, least in ports.items():
             line = wait_for(lambda: live(robotui, ruic, port, least), seconds=90, what=f"{port} of {ruic} at {least} Hz")
             assert line["dropped"] == 0
     said = robotui.err.read_text()
+    assert re.search(r"export ROS_DOMAIN_ID=\d+ ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST", said)
     assert re.search(r"export ROS_MASTER_URI=http://127\.0\.0\.1:\d+ ROS_IP=127\.0\.0\.1", said)
     assert re.search(r"export PLAYER_HOST=127\.0\.0\.1 PLAYER_PORT=\d+", said)
 
@@ -55,10 +56,10 @@ def recorded(log, channels):
     return data if all(channel in data for channel in channels) else None
 
 
-@pytest.mark.parametrize("wrong", ["roomba", "{robot: otto}", "{robot: keira, speaks: yarp}", "[mobile-base, {robot keira}]"])
+@pytest.mark.parametrize("wrong", ["roomba", "{robot: otto}", "{robot: keira, speaks: yarp}", "{robot: keira, speaks: player, domain: 3}", "[mobile-base, {robot keira}]"])
 def test_a_wrong_simulator_is_named(environment, tmp_path, wrong):
     config = tmp_path / "wrong.yaml"
     config.write_text(f"simulator: {wrong}\nruics: {{}}\n")
     result = subprocess.run([ROOT / "robotui", "run", "--json", str(config)], env=environment, capture_output=True, text=True, timeout=60, check=False)
     assert result.returncode == 2
-    assert "wrong.yaml: 'simulator' has" in result.stderr and "{robot: natalie or keira, speaks: ros, player or lcm}" in result.stderr
+    assert "wrong.yaml: 'simulator' has" in result.stderr and "{robot: natalie or keira, speaks: ros, ros2, player or lcm}" in result.stderr

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
@@ -125,6 +126,11 @@ final class FakeParticipant implements Participant, Discovery {
   @Override
   public Optional<ParticipantInfo> participant(GuidPrefix prefix) {
     return participants().stream().filter(other -> other.guid().prefix().equals(prefix)).findFirst();
+  }
+
+  @Override
+  public OptionalLong heardNanos(GuidPrefix prefix) {
+    return participant(prefix).isPresent() ? OptionalLong.of(System.nanoTime()) : OptionalLong.empty();
   }
 
   @Override

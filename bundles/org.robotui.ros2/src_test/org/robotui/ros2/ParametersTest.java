@@ -61,9 +61,12 @@ class ParametersTest {
   void aValueIsSetAndAllHearOfIt() throws Exception {
     BlockingQueue<Ros2ParameterEvent> events = new LinkedBlockingQueue<>();
     Ros2Parameters.follow(here, events::add);
+    BlockingQueue<Map<String, Ros2ParameterValue>> set = new LinkedBlockingQueue<>();
+    server.onSet(set::add);
     assertEquals(new Outcome.Done<>(true), parameters.set("speed.max", new OfDouble(1.5)));
     assertEquals(new OfDouble(1.5), server.value("speed.max"));
     assertEquals(Map.of("speed.max", new OfDouble(1.5)), events.poll(5, TimeUnit.SECONDS).values());
+    assertEquals(List.of(Map.of("speed.max", new OfDouble(1.5))), List.copyOf(set));
   }
 
   @Test

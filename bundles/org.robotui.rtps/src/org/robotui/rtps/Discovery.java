@@ -2,6 +2,7 @@ package org.robotui.rtps;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 
 /** Who else is in the domain. Safe for all threads. */
 public interface Discovery {
@@ -20,6 +21,14 @@ public interface Discovery {
    * @return it, if it is there
    */
   Optional<ParticipantInfo> participant(GuidPrefix prefix);
+
+  /**
+   * When anything came from one of them last: data, acknowledgements, or that it is there.
+   *
+   * @param prefix whose
+   * @return {@link System#nanoTime()} of that moment; empty if it is not there
+   */
+  OptionalLong heardNanos(GuidPrefix prefix);
 
   /**
    * The readers and writers of the other participants, without the built-in ones.

@@ -16,6 +16,15 @@ public record GuidPrefix(long high, int low) implements Comparable<GuidPrefix> {
   /** No participant, or every one. */
   public static final GuidPrefix UNKNOWN = new GuidPrefix(0, 0);
 
+  /**
+   * Who made the participant's library.
+   *
+   * @return by its first two bytes
+   */
+  public VendorId vendor() {
+    return new VendorId((int) (high >>> Long.SIZE - Short.SIZE));
+  }
+
   @Override
   public int compareTo(GuidPrefix other) {
     int first = Long.compareUnsigned(high, other.high);

@@ -58,4 +58,10 @@ class GuidTest {
     assertEquals(Optional.empty(), new Locator(Locator.UDP_V4, 0, 0, 1).socketAddress());
     assertThrows(IllegalArgumentException.class, () -> Locator.udp(InetAddress.getByName("::1"), 7400));
   }
+
+  @Test
+  void aPrefixNamesTheVendorOfItsLibrary() {
+    assertEquals(VendorId.FAST_DDS, new GuidPrefix(0x010f_dead_beef_0001L, 7).vendor());
+    assertEquals("vendor 0xffff", new GuidPrefix(-1, 0).vendor().toString());
+  }
 }

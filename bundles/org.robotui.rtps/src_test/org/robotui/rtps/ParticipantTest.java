@@ -177,7 +177,7 @@ class ParticipantTest {
     Heard heard = new Heard();
     Reader reader = reader(one, RELIABLE, heard);
     List<String> reasons = new CopyOnWriteArrayList<>();
-    awaitMatched(writer(other, RELIABLE));
+    awaitMatched(writer(other, RELIABLE), reader);
     reader.addListener(new MatchListener() {
       @Override
       public void unmatched(EndpointInfo remote, String reason) {

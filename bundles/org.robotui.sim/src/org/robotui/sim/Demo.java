@@ -19,6 +19,7 @@ import org.robotui.sim.internal.Simulation;
 import org.robotui.sim.internal.lcm.LcmFace;
 import org.robotui.sim.internal.player.PlayerFace;
 import org.robotui.sim.internal.ros.RosFace;
+import org.robotui.sim.internal.ros2.Ros2Face;
 import org.robotui.sim.internal.world.GridMap;
 import org.robotui.sim.internal.world.MapRasterizer;
 import org.robotui.sim.internal.world.World;
@@ -57,6 +58,9 @@ final class Demo implements AutoCloseable {
   private void show() throws IOException {
     if (options.speaks().contains(Speech.ROS)) {
       faces.add(RosFace.open(options.ros(), Demo::thread, this::end));
+    }
+    if (options.speaks().contains(Speech.ROS2)) {
+      faces.add(Ros2Face.open(options.ros(), options.domain(), Demo::thread));
     }
     if (options.speaks().contains(Speech.PLAYER)) {
       faces.add(new PlayerFace(options.playerPort(), Demo::thread));

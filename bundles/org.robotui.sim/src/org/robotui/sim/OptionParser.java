@@ -7,12 +7,14 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.robotui.sim.Options.Speech;
 import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.model.Robots;
 import org.robotui.sim.internal.ros.RosOptions;
+import org.robotui.sim.internal.ros2.DomainOptions;
 import org.robotui.sim.internal.swarm.Swarm;
 
 /** Takes the arguments of a command line from left to right. */
@@ -29,6 +31,8 @@ final class OptionParser {
   private String name = "robot";
   private Optional<URI> realMaster = Optional.empty();
   private boolean simTime;
+  private OptionalInt domain = OptionalInt.empty();
+  private boolean subnet;
   private int playerPort;
   private Optional<URI> lcmUrl = Optional.empty();
   private Optional<Path> lcmTypes = Optional.empty();
@@ -50,7 +54,8 @@ final class OptionParser {
           "--speak lcm needs --lcm-types, the folder with the .lcm files of the package robotui");
     }
     RosOptions ros = new RosOptions(port, namespace, name, realMaster, simTime, rosArguments);
-    return new Options(robot, speaks, ros, playerPort, lcmUrl, lcmTypes, seed, speedFactor, parent, swarm);
+    return new Options(robot, speaks, ros, new DomainOptions(domain, subnet), playerPort, lcmUrl, lcmTypes, seed,
+        speedFactor, parent, swarm);
   }
 
   private void take(String option) {
@@ -62,6 +67,8 @@ final class OptionParser {
       case "--namespace" -> namespace = value(option).replaceAll("^/+|/+$", "");
       case "--name" -> name = value(option);
       case "--sim-time" -> simTime = true;
+      case "--domain" -> domain = OptionalInt.of((int) whole(option, 0, DomainOptions.MOST));
+      case "--subnet" -> subnet = true;
       case "--player-port" -> playerPort = (int) whole(option, 0, PORTS);
       case "--lcm-url" -> lcmUrl = Optional.of(URI.create(value(option)));
       case "--lcm-types" -> lcmTypes = Optional.of(Path.of(value(option)));
@@ -106,7 +113,7 @@ final class OptionParser {
     try {
       return Speech.valueOf(word.toUpperCase(Locale.ROOT));
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException(option + " knows ros, player and lcm, not '" + word + "'", e);
+      throw new IllegalArgumentException(option + " knows ros, ros2, player and lcm, not '" + word + "'", e);
     }
   }
 

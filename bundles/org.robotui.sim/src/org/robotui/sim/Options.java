@@ -9,13 +9,15 @@ import java.util.OptionalLong;
 import java.util.Set;
 import org.robotui.sim.internal.model.RobotModel;
 import org.robotui.sim.internal.ros.RosOptions;
+import org.robotui.sim.internal.ros2.DomainOptions;
 
 /**
  * What the demo robot is started with.
  *
  * @param robot which robot
  * @param speaks the frameworks in which it appears, at least one
- * @param ros for ROS
+ * @param ros names, time and the master of ROS; ROS 2 has all of it but the master
+ * @param domain for ROS 2
  * @param playerPort of the Player server; 0 for a free one
  * @param lcmUrl where LCM's messages go; empty for multicast on a free port of this machine
  * @param lcmTypes the folder with the types of LCM's messages
@@ -28,6 +30,7 @@ record Options(
     RobotModel robot,
     Set<Speech> speaks,
     RosOptions ros,
+    DomainOptions domain,
     int playerPort,
     Optional<URI> lcmUrl,
     Optional<Path> lcmTypes,
@@ -39,18 +42,22 @@ record Options(
       """
       Usage: org.robotui.sim.Main [OPTION]... [FROM:=TO]... [_PARAMETER:=VALUE]...
         --robot NAME        natalie, the default, or keira
-        --speak LIST        ros, the default, player, lcm, or several with commas between
+        --speak LIST        ros, the default, ros2, player, lcm, or several with commas between
         --seed N            seed of all noise (1)
         --speed-factor X    run X times faster than real (1)
         --parent PID        end when that process has gone
         --help              show this text
-      For ROS:
+      For ROS 1:
         --port N            port of the embedded ROS master on loopback; 0, the default, takes a free one
         --real-master URI   use this master instead of an embedded one
+        --swarm N           N cheap robots in namespaces r1, r2 and so on, in place of the one
+      For ROS 2:
+        --domain N          the domain, 0 to 232; without it one in which nobody else is on this machine
+        --subnet            let other machines reach it
+      For both:
         --namespace NS      put the robot's names and frames into a namespace
         --name NAME         name of the node (robot)
-        --sim-time          publish /clock and set /use_sim_time
-        --swarm N           N cheap robots in namespaces r1, r2 and so on, in place of the one
+        --sim-time          publish /clock, and set /use_sim_time of ROS 1
       For Player:
         --player-port N     port of the server on loopback; 0, the default, takes a free one
       For LCM:
@@ -62,6 +69,7 @@ record Options(
   /** A framework in which the robot can appear. */
   enum Speech {
     ROS,
+    ROS2,
     PLAYER,
     LCM
   }

@@ -8,11 +8,13 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.robotui.sim.internal.model.Robots;
 import org.robotui.sim.internal.ros.RosOptions;
+import org.robotui.sim.internal.ros2.DomainOptions;
 
 class OptionsTest {
   @Test
@@ -33,13 +35,14 @@ class OptionsTest {
         "--real-master", "http://localhost:11311", "--sim-time", "--parent", "4711", "--swarm", "12",
         "plan:=/move_base/plan",
         "--robot", "Keira", "--speak", "player,lcm", "--player-port", "6665", "--lcm-url", "udpm://239.1.1.1:7000",
-        "--lcm-types", "types"));
+        "--lcm-types", "types", "--domain", "42", "--subnet"));
     RosOptions ros = new RosOptions(
         11311, "keira", "base", Optional.of(URI.create("http://localhost:11311")), true,
         List.of("plan:=/move_base/plan"));
     assertEquals(
         new Options(
-            Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros, 6665,
+            Robots.KEIRA, Set.of(Options.Speech.PLAYER, Options.Speech.LCM), ros,
+            new DomainOptions(OptionalInt.of(42), true), 6665,
             Optional.of(URI.create("udpm://239.1.1.1:7000")),
             Optional.of(Path.of("types")), -7, 2.5, OptionalLong.of(4711), 12),
         options);
@@ -49,6 +52,7 @@ class OptionsTest {
   void mistakesAreNamed() {
     assertMistake("--port", "--port");
     assertMistake("0 to 65535", "--port", "70000");
+    assertMistake("0 to 232", "--domain", "233");
     assertMistake("'fast'", "--speed-factor", "fast");
     assertMistake("0.01 to 50", "--speed-factor", "0");
     assertMistake("http", "--real-master", "localhost:11311");

@@ -57,6 +57,7 @@ public final class RobotTopics implements AutoCloseable {
   public void follow(TopicGraph graph) {
     offers.follow(graph);
     messages.follow(graph);
+    transforms.follow(graph);
   }
 
   /** Acts on what is wanted now. To be called about twenty times a second. */

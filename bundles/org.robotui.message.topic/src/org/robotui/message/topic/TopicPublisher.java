@@ -1,6 +1,7 @@
 package org.robotui.message.topic;
 
 import java.time.Duration;
+import java.util.Optional;
 
 /**
  * Says messages on a topic. Any thread may use it.
@@ -15,6 +16,15 @@ public interface TopicPublisher<M> extends AutoCloseable {
    * @return the number of those that are connected now
    */
   int subscribers();
+
+  /**
+   * Why subscribers of the topic do not hear it.
+   *
+   * @return a sentence, or none where nothing is known to be wrong
+   */
+  default Optional<String> obstacle() {
+    return Optional.empty();
+  }
 
   /**
    * Says a message; never waits for a subscriber.

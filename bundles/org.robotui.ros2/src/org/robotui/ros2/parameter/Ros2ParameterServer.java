@@ -1,6 +1,8 @@
 package org.robotui.ros2.parameter;
 
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.robotui.ros2.Ros2Node;
 import org.robotui.ros2.internal.parameter.ParameterHost;
@@ -46,6 +48,14 @@ public interface Ros2ParameterServer extends AutoCloseable {
    * @throws IllegalArgumentException if there is none of that name, or it may not have that value
    */
   void set(String name, Ros2ParameterValue value);
+
+  /**
+   * Listens to what is set, from either side.
+   *
+   * @param listener hears of the new values by name, all that were set at once together; called when they are there,
+   * under a lock of the server, so that it must not block
+   */
+  void onSet(Consumer<Map<String, Ros2ParameterValue>> listener);
 
   /** Takes the services back from the network. */
   @Override

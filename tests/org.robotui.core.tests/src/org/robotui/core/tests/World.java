@@ -40,7 +40,8 @@ final class World implements AutoCloseable {
 
   private static final List<String> PARTS = List.of("org.apache.felix.scr", CORE, TEXT, SINGLE, "org.robotui.message",
       "org.robotui.message.data", "org.robotui.message.topic", "org.robotui.ros",
-      "org.robotui.rfic.ros", "org.robotui.player", "org.robotui.rfic.player", "org.robotui.lcm",
+      "org.robotui.rfic.ros", "org.robotui.rtps", "org.robotui.ros2", "org.robotui.rfic.ros2", "org.robotui.player",
+      "org.robotui.rfic.player", "org.robotui.lcm",
       "org.robotui.rfic.lcm");
   private static final long SERVICE_MILLIS = 10_000;
 

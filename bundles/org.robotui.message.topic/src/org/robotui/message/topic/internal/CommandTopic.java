@@ -75,7 +75,7 @@ final class CommandTopic implements AutoCloseable {
     @Override
     public Sent send(D value) {
       if (publisher.subscribers() == 0) {
-        return new Sent.Refused("nobody subscribes to " + topic + " now");
+        return new Sent.Refused(publisher.obstacle().orElse("nobody subscribes to " + topic + " now"));
       }
       boolean stops = value instanceof Motion<?> motion && motion.equals(motion.stopped());
       long silence = stops ? 0 : pulse.silentFor(System.nanoTime());

@@ -16,7 +16,7 @@ import org.robotui.message.topic.TopicPorts;
 
 /** Keeps the offered ports equal to the graph. Used by the one thread that follows the graph, but for closing. */
 public final class TopicOffers implements AutoCloseable {
-  private static final Set<String> TRANSFORMS = Set.of("/tf", "/tf_static");
+  private static final Set<String> TRANSFORMS = Set.of("tf", "tf_static");
   private static final Set<String> OWN = Set.of(TopicPorts.PUBLISH.name(), TopicPorts.MARKER_FEEDBACK.name());
 
   private final TopicScope scope;
@@ -104,7 +104,8 @@ public final class TopicOffers implements AutoCloseable {
       }
     }
     published.forEach((topic, type) -> {
-      if (scope.settings().offers(topic) && !TRANSFORMS.contains(topic) && !streams.containsKey(topic)) {
+      boolean moves = TRANSFORMS.contains(scope.settings().portName(topic));
+      if (scope.settings().offers(topic) && !moves && !streams.containsKey(topic)) {
         streams.put(topic, stream(topic, type));
       }
     });

@@ -1,8 +1,11 @@
 package org.robotui.message.topic.internal;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import org.robotui.api.port.Arity;
 import org.robotui.api.port.Demand;
 import org.robotui.api.port.Publication;
@@ -13,14 +16,16 @@ import org.robotui.message.data.MessageForm;
 import org.robotui.message.data.StateAdapters;
 import org.robotui.message.ros.geometry_msgs.TransformStamped;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
+import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.SharedTransforms;
+import org.robotui.message.topic.TopicGraph;
 import org.robotui.message.topic.TopicSubscription;
 
 /**
  * Transforms, moving and static. Of all interfaces that see the same topics one listens, and gives to each what
  * concerns its robot: an interface in a namespace is spared frames that begin with the name of another one. When the
- * one that listens ends, the next one does. The old type {@code tf/tfMessage} has the same definition, and so the same
- * sum, as the present one.
+ * one that listens ends, the next one does. A robot in a namespace may say transforms there, too: those are its own.
+ * The old type {@code tf/tfMessage} has the same definition, and so the same sum, as the present one.
  */
 public final class TransformFeed implements AutoCloseable {
   private static final String TYPE = "tf2_msgs/TFMessage";
@@ -30,6 +35,7 @@ public final class TransformFeed implements AutoCloseable {
   private final String namespace;
   private final Publication<TransformSet> publication;
   private final List<TopicSubscription> subscriptions = new ArrayList<>();
+  private final Map<Boolean, TopicSubscription> own = new HashMap<>();
   private boolean closed;
 
   /**
@@ -61,9 +67,33 @@ public final class TransformFeed implements AutoCloseable {
   }
 
   private void subscribe(boolean fixed) {
-    subscriptions.add(scope.client().subscribe(topic(fixed), TYPE, new MessageForm.Bound<>(TFMessage.class, false),
-        new TopicIntake<>(topic(fixed), publication,
-            (message, arrival) -> shared.heard(message, arrival.sender(), fixed))));
+    subscriptions.add(subscribe(topic(fixed), (message, arrival) -> shared.heard(message, arrival.sender(), fixed)));
+  }
+
+  private TopicSubscription subscribe(String topic, BiConsumer<TFMessage, Arrival> taking) {
+    return scope.client().subscribe(topic, TYPE, new MessageForm.Bound<>(TFMessage.class, false),
+        new TopicIntake<>(topic, publication, taking));
+  }
+
+  /**
+   * Listens to the transforms in the robot's namespace while somebody says them.
+   *
+   * @param graph who publishes what
+   */
+  public synchronized void follow(TopicGraph graph) {
+    if (!closed && !namespace.isEmpty()) {
+      follow(graph, false);
+      follow(graph, true);
+    }
+  }
+
+  private void follow(TopicGraph graph, boolean fixed) {
+    String topic = "/" + namespace + topic(fixed);
+    if (!TYPE.equals(graph.published().get(topic))) {
+      Optional.ofNullable(own.remove(fixed)).ifPresent(TopicSubscription::close);
+    } else if (!own.containsKey(fixed)) {
+      own.put(fixed, subscribe(topic, (message, arrival) -> received(message, arrival.sender(), fixed)));
+    }
   }
 
   private static String topic(boolean fixed) {
@@ -122,6 +152,8 @@ public final class TransformFeed implements AutoCloseable {
   public synchronized void close() {
     closed = true;
     subscriptions.forEach(TopicSubscription::close);
+    own.values().forEach(TopicSubscription::close);
+    own.clear();
     shared.remove(this);
     publication.close();
   }

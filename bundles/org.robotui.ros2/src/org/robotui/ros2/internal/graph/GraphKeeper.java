@@ -63,7 +63,8 @@ public final class GraphKeeper implements Ros2Graph, DiscoveryListener, AutoClos
   }
 
   private void received(Sample sample) {
-    if (sample.kind() != Sample.Kind.ALIVE) {
+    boolean ours = sample.writer().prefix().equals(participant.info().guid().prefix());
+    if (ours || sample.kind() != Sample.Kind.ALIVE) {
       return;
     }
     try {

@@ -25,6 +25,7 @@ public final class PublisherLink<T> implements Ros2Publisher<T> {
   private final Ros2Codec<T> codec;
   private final Qos qos;
   private final Writer writer;
+  private volatile boolean closed;
 
   /**
    * Announces it.
@@ -71,7 +72,7 @@ public final class PublisherLink<T> implements Ros2Publisher<T> {
 
   @Override
   public int numSubscribers() {
-    return writer.matched().size();
+    return closed ? 0 : writer.matched().size();
   }
 
   @Override
@@ -86,6 +87,7 @@ public final class PublisherLink<T> implements Ros2Publisher<T> {
 
   @Override
   public void close() {
+    closed = true;
     ends.close(this, writer);
   }
 }

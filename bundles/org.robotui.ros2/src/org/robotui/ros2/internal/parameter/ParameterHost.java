@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.robotui.ros2.QosProfiles;
 import org.robotui.ros2.Ros2Codec;
@@ -42,6 +44,7 @@ public final class ParameterHost implements Ros2ParameterServer {
   private final Ros2Node node;
   private final Map<String, Held> held = new LinkedHashMap<>();
   private final Ros2Publisher<WireEvent> events;
+  private final List<Consumer<Map<String, Ros2ParameterValue>>> listeners = new CopyOnWriteArrayList<>();
   private final List<Ros2ServiceServer> services = new ArrayList<>();
 
   /**
@@ -104,7 +107,15 @@ public final class ParameterHost implements Ros2ParameterServer {
     wanted.forEach(each -> held.computeIfPresent(each.name(),
         (name, known) -> new Held(known.descriptor(), WireValues.read(each.value()), known.judge())));
     events.publish(new WireEvent(node.clock().nowNanos(), node.name().text(), List.of(), wanted, List.of()));
+    Map<String, Ros2ParameterValue> values = new LinkedHashMap<>();
+    wanted.forEach(each -> values.put(each.name(), WireValues.read(each.value())));
+    listeners.forEach(listener -> listener.accept(values));
     return new WireSetResult(true, "");
+  }
+
+  @Override
+  public void onSet(Consumer<Map<String, Ros2ParameterValue>> listener) {
+    listeners.add(listener);
   }
 
   private synchronized ListParametersReply list(ListParametersAsk ask) {

@@ -28,7 +28,7 @@ import org.robotui.ros2.name.Ros2Name;
 /** Asks nodes to describe the types that they announce. */
 final class DescriptionClient {
 
-  private static final TypeName SERVICE =
+  static final TypeName SERVICE =
       new TypeName("type_description_interfaces", TypeName.Kind.SRV, "GetTypeDescription");
   private static final int MOST_NODES = 3;
   /** Which part of the time is left for asking, when it took long to learn whom. */

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -118,6 +119,17 @@ public final class DiscoveredParticipants {
     if (participant != null) {
       participant.heard(now);
     }
+  }
+
+  /**
+   * When something came from a participant last.
+   *
+   * @param source which one
+   * @return when; empty if it is not known
+   */
+  public OptionalLong heardNanos(GuidPrefix source) {
+    RemoteParticipant participant = known.get(source);
+    return participant == null ? OptionalLong.empty() : OptionalLong.of(participant.heardNanos());
   }
 
   /**

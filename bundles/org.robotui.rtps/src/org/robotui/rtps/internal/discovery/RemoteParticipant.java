@@ -43,6 +43,10 @@ final class RemoteParticipant {
     info = said;
   }
 
+  long heardNanos() {
+    return heard;
+  }
+
   void heard(long now) {
     heard = now;
   }

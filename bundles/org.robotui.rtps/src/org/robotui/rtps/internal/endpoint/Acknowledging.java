@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.rtps.EntityId;
+import org.robotui.rtps.VendorId;
 import org.robotui.rtps.internal.wire.SequenceSet;
 
 /** Says to writers what a reader has of them and lacks. Its reader's lock guards it. */
@@ -29,13 +30,21 @@ final class Acknowledging {
     EntityId to = writer.info().guid().entity();
     try (EndpointOutlet.Batch batch = outlet.to(writer.destination())) {
       if (!received.begun()) {
-        batch.acknowledge(reader, to, SequenceSet.none(1), counts.incrementAndGet(), true);
+        batch.acknowledge(reader, to, SequenceSet.none(first(writer)), counts.incrementAndGet(), true);
       } else {
         batch.acknowledge(reader, to, missing(writer), counts.incrementAndGet(), writer.asking().unanswered());
         fragments(writer, to, batch, now);
       }
     }
     writer.asking().said(now, received.missing(), writer.marker());
+  }
+
+  /**
+   * The number that a reader begins with which knows of none. By the specification that is the first one there is; Fast
+   * DDS answers at once only to the one before it, and else with its next heartbeat, 3 s later.
+   */
+  private static long first(RemoteWriter writer) {
+    return writer.info().guid().prefix().vendor().equals(VendorId.FAST_DDS) ? 0 : 1;
   }
 
   private static SequenceSet missing(RemoteWriter writer) {

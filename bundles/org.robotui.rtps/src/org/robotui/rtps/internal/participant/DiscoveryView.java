@@ -2,6 +2,7 @@ package org.robotui.rtps.internal.participant;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.robotui.rtps.Discovery;
 import org.robotui.rtps.DiscoveryListener;
 import org.robotui.rtps.EndpointInfo;
@@ -20,6 +21,11 @@ record DiscoveryView(DiscoveredParticipants discovered) implements Discovery {
   @Override
   public Optional<ParticipantInfo> participant(GuidPrefix prefix) {
     return discovered.participant(prefix);
+  }
+
+  @Override
+  public OptionalLong heardNanos(GuidPrefix prefix) {
+    return discovered.heardNanos(prefix);
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.robotui.sim.internal.ros;
 import org.robotui.net.call.Outcome;
 import org.robotui.ros.Parameters;
 import org.robotui.ros.XmlRpcValue;
+import org.robotui.sim.internal.message.DriveLimit;
 import org.robotui.sim.internal.robot.DriveLimits;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,11 +19,7 @@ final class LimitParameters {
   }
 
   DriveLimits read(DriveLimits defaults) {
-    return new DriveLimits(
-        number("~max_linear_speed", defaults.linear()),
-        number("~max_angular_speed", defaults.angular()),
-        number("~max_linear_acceleration", defaults.linearAcceleration()),
-        number("~max_angular_acceleration", defaults.angularAcceleration()));
+    return DriveLimit.limits(limit -> number("~" + limit.name(), limit.of(defaults)));
   }
 
   private double number(String name, double otherwise) {

@@ -1,7 +1,6 @@
 package org.robotui.sim.internal.ros;
 
 import java.util.function.Consumer;
-import org.robotui.message.RecordCodec;
 import org.robotui.message.ros.actionlib_msgs.GoalID;
 import org.robotui.message.ros.actionlib_msgs.GoalStatusArray;
 import org.robotui.message.ros.geometry_msgs.PoseStamped;
@@ -10,13 +9,18 @@ import org.robotui.message.ros.move_base_msgs.MoveBaseActionGoal;
 import org.robotui.message.ros.move_base_msgs.MoveBaseActionResult;
 import org.robotui.message.ros.move_base_msgs.MoveBaseFeedback;
 import org.robotui.message.ros.move_base_msgs.MoveBaseResult;
-import org.robotui.ros.RosNode;
-import org.robotui.ros.SubscriberOptions;
 import org.robotui.sim.internal.Command;
 import org.robotui.sim.internal.Event;
 import org.robotui.sim.internal.Rate;
 import org.robotui.sim.internal.RobotState;
 import org.robotui.sim.internal.Simulation;
+import org.robotui.sim.internal.message.Frames;
+import org.robotui.sim.internal.message.Places;
+import org.robotui.sim.internal.message.Poses;
+import org.robotui.sim.internal.message.RobotClock;
+import org.robotui.sim.internal.message.Stamp;
+import org.robotui.sim.internal.message.Topic;
+import org.robotui.sim.internal.message.TopicKind;
 
 /**
  * Serves the action {@code move_base}, and takes simple goals as goals of it. Locked, as goals come on threads of their
@@ -34,20 +38,18 @@ final class MoveBase {
   private final Topic<MoveBaseActionResult> result;
   private long simpleGoals;
 
-  MoveBase(RosNode node, Simulation simulation, Places places, RobotClock clock, Consumer<Event> events) {
+  MoveBase(RosMessageNode node, Simulation simulation, Places places, RobotClock clock, Consumer<Event> events) {
     this.simulation = simulation;
     this.places = places;
     this.clock = clock;
     this.events = events;
-    name = node.names().resolve("move_base").text();
-    status = Topic.plain(node, "move_base/status", RecordCodec.of(GoalStatusArray.class));
-    feedback = Topic.plain(node, "move_base/feedback", RecordCodec.of(MoveBaseActionFeedback.class));
-    result = Topic.plain(node, "move_base/result", RecordCodec.of(MoveBaseActionResult.class));
-    SubscriberOptions options = SubscriberOptions.standard();
-    node.subscriber("move_base/goal", RecordCodec.of(MoveBaseActionGoal.class), options,
-        (goal, from) -> take(named(goal), goal.goal().targetPose()));
-    node.subscriber("move_base/cancel", RecordCodec.of(GoalID.class), options, (id, from) -> cancel(id));
-    node.subscriber("move_base_simple/goal", RecordCodec.of(PoseStamped.class), options, (goal, from) -> drive(goal));
+    name = node.resolved("move_base");
+    status = Topic.of(node, "move_base/status", GoalStatusArray.class, TopicKind.STATE);
+    feedback = Topic.of(node, "move_base/feedback", MoveBaseActionFeedback.class, TopicKind.STATE);
+    result = Topic.of(node, "move_base/result", MoveBaseActionResult.class, TopicKind.STATE);
+    node.listen("move_base/goal", MoveBaseActionGoal.class, goal -> take(named(goal), goal.goal().targetPose()));
+    node.listen("move_base/cancel", GoalID.class, this::cancel);
+    node.listen("move_base_simple/goal", PoseStamped.class, this::drive);
   }
 
   /** Drives to a place, as with a simple goal. */

@@ -8,6 +8,8 @@ import java.util.stream.Stream;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
 import org.robotui.message.MessageRegistry;
+import org.robotui.message.topic.CallOutcomes;
+import org.robotui.message.topic.ItemFacts;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.SystemState;
 import org.robotui.ros.TopicInfo;
@@ -39,23 +41,23 @@ public final class RosBrowser implements Browser {
       case TOPIC -> topics(state()).entrySet().stream().map(e -> new Item(kind, e.getKey(), e.getValue())).toList();
       case SERVICE -> named(kind, state().services().keySet().stream());
       case NODE -> named(kind, state().nodes().stream());
-      case PARAMETER -> named(kind, Outcomes.value(node.parameters().names()).stream());
+      case PARAMETER -> named(kind, CallOutcomes.value(node.parameters().names()).stream());
       case ACTION -> actions();
-      case TUNABLE -> named(kind, Outcomes.value(ReconfigureServers.list(node.master())).stream());
+      case TUNABLE -> named(kind, CallOutcomes.value(ReconfigureServers.list(node.master())).stream());
     };
   }
 
   private Map<String, String> topics(SystemState state) throws CallException {
     Map<String, String> types = new TreeMap<>();
     Stream.of(state.publishers(), state.subscribers()).forEach(m -> m.keySet().forEach(t -> types.put(t, "")));
-    for (TopicInfo t : Outcomes.value(node.master().topicTypes())) {
+    for (TopicInfo t : CallOutcomes.value(node.master().topicTypes())) {
       types.computeIfPresent(t.name(), (name, old) -> t.type());
     }
     return types;
   }
 
   private List<Item> actions() throws CallException {
-    return Outcomes.value(Actions.list(node.master())).stream()
+    return CallOutcomes.value(Actions.list(node.master())).stream()
         .map(a -> new Item(Kind.ACTION, a.name().text(), a.type())).toList();
   }
 
@@ -70,22 +72,22 @@ public final class RosBrowser implements Browser {
       case SERVICE -> describer.service(item);
       case NODE -> describer.robotNode(item, state());
       case ACTION -> describer.action(item, state());
-      case TUNABLE -> RosDescriber.plain(item, Map.of("service", item.name() + "/set_parameters"));
-      case PARAMETER -> RosDescriber.plain(
-          item, Map.of("value", parameter(item.name()).map(Object::toString).orElse("not set")));
+      case TUNABLE -> new ItemFacts().with("service", item.name() + "/set_parameters").plain(item);
+      case PARAMETER -> new ItemFacts()
+          .with("value", parameter(item.name()).map(Object::toString).orElse("not set")).plain(item);
     };
   }
 
   @Override
   public Optional<Object> parameter(String name) throws CallException {
-    return Outcomes.value(node.parameters().has(name))
-        ? Optional.of(ParameterValues.plain(Outcomes.value(node.parameters().get(name))))
+    return CallOutcomes.value(node.parameters().has(name))
+        ? Optional.of(ParameterValues.plain(CallOutcomes.value(node.parameters().get(name))))
         : Optional.empty();
   }
 
   @Override
   public void setParameter(String name, Object value) throws CallException {
-    Outcomes.value(node.parameters().set(name, ParameterValues.ros(value)));
+    CallOutcomes.value(node.parameters().set(name, ParameterValues.ros(value)));
   }
 
   @Override
@@ -110,6 +112,6 @@ public final class RosBrowser implements Browser {
   }
 
   private SystemState state() throws CallException {
-    return Outcomes.value(node.master().systemState());
+    return CallOutcomes.value(node.master().systemState());
   }
 }

@@ -9,10 +9,10 @@ import org.robotui.message.DynamicCodec;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageException;
 import org.robotui.message.MessageRegistry;
-import org.robotui.message.SchemaLookup;
 import org.robotui.message.ServiceCodec;
 import org.robotui.message.ServiceSchema;
 import org.robotui.message.data.MessageRecord;
+import org.robotui.message.topic.CallOutcomes;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.ServiceClient;
 import org.robotui.ros.ServiceIdentity;
@@ -36,7 +36,7 @@ public final class RosServices implements CallHandler<ServiceRequest, ServiceRep
   @Override
   public ServiceReply handle(Invocation<ServiceRequest> invocation) throws CallException {
     ServiceRequest request = invocation.request();
-    ServiceIdentity identity = Outcomes.value(node.probeService(request.service(), left(invocation)));
+    ServiceIdentity identity = CallOutcomes.value(node.probeService(request.service(), left(invocation)));
     ServiceSchema schema = schema(identity);
     DynamicCodec requests = new DynamicCodec(schema.request());
     DynamicCodec replies = new DynamicCodec(schema.response());
@@ -44,17 +44,14 @@ public final class RosServices implements CallHandler<ServiceRequest, ServiceRep
         new ServiceCodec<>(identity.type(), schema.md5(), requests, replies);
     try (ServiceClient<DynamicMessage, DynamicMessage> client = node.serviceClient(request.service(), codec, false)) {
       return new ServiceReply(
-          new MessageRecord(Outcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
+          new MessageRecord(CallOutcomes.value(client.call(requests.build(request.arguments()), left(invocation)))));
     } catch (MessageException e) {
       throw new CallException(request.service() + " is not asked like this: " + e.getMessage(), e);
     }
   }
 
   private ServiceSchema schema(ServiceIdentity identity) throws CallException {
-    return switch (registry.service(identity.type(), identity.md5())) {
-      case SchemaLookup.Found<ServiceSchema> f -> f.schema();
-      case SchemaLookup.Missing<ServiceSchema> m -> throw new CallException(m.reason());
-    };
+    return CallOutcomes.found(registry.service(identity.type(), identity.md5()));
   }
 
   private static Duration left(Invocation<ServiceRequest> invocation) {

@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import org.robotui.api.port.Browser.Choice;
 import org.robotui.api.port.Browser.Tunable;
 import org.robotui.api.port.CallException;
+import org.robotui.message.topic.CallOutcomes;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.reconfigure.ConfigGroup;
@@ -58,7 +59,7 @@ public final class RosTunables implements AutoCloseable {
   List<Tunable> change(String server, Map<String, Object> values) throws CallException {
     ReconfigureClient client = client(server);
     client.await(PATIENCE);
-    ConfigValues now = Outcomes.value(client.set(values, PATIENCE));
+    ConfigValues now = CallOutcomes.value(client.set(values, PATIENCE));
     return tunables(server, client, Optional.of(now));
   }
 

@@ -4,80 +4,29 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.robotui.api.RficContext;
-import org.robotui.api.port.Arity;
-import org.robotui.api.port.Demand;
-import org.robotui.api.port.Publication;
-import org.robotui.api.port.StreamPort;
-import org.robotui.data.joint.RobotDescription;
-import org.robotui.rfic.ros.internal.RosSettings;
+import org.robotui.message.topic.DescriptionPort;
+import org.robotui.message.topic.TopicSettings;
 import org.robotui.ros.Parameters;
 import org.robotui.ros.XmlRpcValue;
 
 /**
  * What the robot is made of, by its parameters {@code robot_description} and {@code robot_description_semantic}: the
- * master says when they change. A robot without them offers nothing. The thread that follows the graph offers and
- * publishes; others only note what came.
+ * master says when they change. A robot without them offers nothing. The subscriptions of the parameters end with the
+ * node.
  */
-final class DescriptionFeed implements AutoCloseable {
-  static final String NAME = "robot_description";
+final class DescriptionFeed {
+  private DescriptionFeed() {}
 
-  private final RficContext context;
-  private final String topic;
-  private final String port;
-  private final List<String> roots;
-  private volatile String urdf = "";
-  private volatile String srdf = "";
-  private Optional<Publication<RobotDescription>> publication = Optional.empty();
-  private Optional<RobotDescription> told = Optional.empty();
-  private boolean closed;
-
-  DescriptionFeed(RficContext context, Parameters parameters, RosSettings settings, String packagePath) {
-    this.context = context;
-    this.topic = settings.topics().topic(NAME);
-    this.port = settings.topics().portName(topic);
-    this.roots = Stream.of(packagePath.split(":")).filter(folder -> folder.startsWith("/")).toList();
-    parameters.subscribe(topic, (key, value) -> urdf = text(value));
-    parameters.subscribe(topic + "_semantic", (key, value) -> srdf = text(value));
-  }
-
-  /** Offers and publishes what came since. */
-  synchronized void tick() {
-    Optional<RobotDescription> now = now();
-    if (closed || now.equals(told)) {
-      return;
-    }
-    told = now;
-    if (now.isEmpty()) {
-      withdraw();
-      return;
-    }
-    if (publication.isEmpty()) {
-      publication = Optional.of(context.offers().stream(
-          new StreamPort<>(port, RobotDescription.class, Arity.MANY, "the parameter " + topic), Demand.IGNORED));
-    }
-    publication.get().publish(now.get(), Optional.empty());
-  }
-
-  private Optional<RobotDescription> now() {
-    String model = urdf;
-    return model.isEmpty() ? Optional.empty()
-        : Optional.of(new RobotDescription(context.robot(), topic, model, srdf, roots));
+  /** Follows the parameters. */
+  static DescriptionPort open(RficContext context, Parameters parameters, TopicSettings settings, String packagePath) {
+    List<String> roots = Stream.of(packagePath.split(":")).filter(folder -> folder.startsWith("/")).toList();
+    DescriptionPort port = new DescriptionPort(context, settings, "the parameter", roots);
+    parameters.subscribe(port.source(), (key, value) -> port.model(text(value)));
+    parameters.subscribe(port.source() + DescriptionPort.SEMANTIC, (key, value) -> port.semantics(text(value)));
+    return port;
   }
 
   private static String text(Optional<XmlRpcValue> value) {
-    return value.filter(XmlRpcValue.Text.class::isInstance).map(v -> ((XmlRpcValue.Text) v).value())
-        .filter(t -> !t.isBlank() && t.length() <= RobotDescription.LONGEST).orElse("");
-  }
-
-  private void withdraw() {
-    publication.ifPresent(Publication::close);
-    publication = Optional.empty();
-  }
-
-  /** Withdraws the offer; the subscriptions of the parameters end with the node. */
-  @Override
-  public synchronized void close() {
-    closed = true;
-    withdraw();
+    return value.filter(XmlRpcValue.Text.class::isInstance).map(v -> ((XmlRpcValue.Text) v).value()).orElse("");
   }
 }

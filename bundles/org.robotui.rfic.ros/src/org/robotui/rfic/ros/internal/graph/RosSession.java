@@ -14,13 +14,15 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Offer;
 import org.robotui.api.session.RobotSession;
 import org.robotui.message.MessageRegistry;
+import org.robotui.message.topic.ActionCalls;
+import org.robotui.message.topic.DescriptionPort;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicGraph;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.ros.internal.RosSettings;
-import org.robotui.rfic.ros.internal.call.RosActions;
+import org.robotui.rfic.ros.internal.call.RosActionRoute;
 import org.robotui.rfic.ros.internal.call.RosBrowser;
 import org.robotui.rfic.ros.internal.call.RosServices;
 import org.robotui.rfic.ros.internal.call.RosTunables;
@@ -41,9 +43,9 @@ public final class RosSession implements RobotSession {
   private final SharedMaster master;
   private final RosNode node;
   private final RobotTopics topics;
-  private final DescriptionFeed description;
+  private final DescriptionPort description;
   private final Offer services;
-  private final RosActions actions;
+  private final ActionCalls actions;
   private final Offer goals;
   private final RosTunables tunables;
   private final Offer graph;
@@ -70,10 +72,10 @@ public final class RosSession implements RobotSession {
     this.node = RosNode.open(settings.environment(), GraphName.anonymous(settings.node()), care.apply(options));
     TopicClient client = new RosTopicClient(node, new RecordDecoder(registry), watch);
     this.topics = new RobotTopics(context, settings.topics(), client, master.transforms());
-    this.description = new DescriptionFeed(context, node.parameters(), settings,
+    this.description = DescriptionFeed.open(context, node.parameters(), settings.topics(),
         Optional.ofNullable(System.getenv("ROS_PACKAGE_PATH")).orElse(""));
     this.services = context.offers().call(TopicPorts.SERVICES, new RosServices(node, registry));
-    this.actions = new RosActions(node, registry, context.threads());
+    this.actions = new ActionCalls(action -> RosActionRoute.open(node, action, registry, context.threads()));
     this.goals = context.offers().call(TopicPorts.ACTIONS, actions);
     this.tunables = new RosTunables(node);
     this.graph = context.offers().browse(TopicPorts.GRAPH, new RosBrowser(node, registry, tunables));
