@@ -53,6 +53,8 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
   public final Map<String, Deque<String>> complaints = new ConcurrentHashMap<>();
   /** Whether the values of a stream hold until the next one, by stream. */
   public final Map<String, Boolean> kept = new ConcurrentHashMap<>();
+  /** What is promised of the delivery of a stream, by stream. */
+  public final Map<String, String> deliveries = new ConcurrentHashMap<>();
   /** The command ports that are offered now, by name. */
   public final Map<String, CommandPort<?>> commands = new ConcurrentHashMap<>();
   /** Who takes commands, by port. */
@@ -234,6 +236,11 @@ public final class FakeRficContext implements RficContext, Offers, ClockSource {
     @Override
     public void kept(boolean forLateComers) {
       kept.put(port, forLateComers);
+    }
+
+    @Override
+    public void delivery(String promise) {
+      deliveries.put(port, promise);
     }
 
     @Override

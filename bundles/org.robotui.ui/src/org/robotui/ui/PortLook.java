@@ -89,6 +89,7 @@ public final class PortLook {
       text.append("\n").append(port.count()).append(" values, ").append(Figures.rate(port.rateHz())).append(", newest ")
           .append(Figures.ageOfValue(port.ageSeconds())).append(" old, ").append(port.dropped()).append(" dropped");
     }
+    text.append(port.delivery().isEmpty() ? "" : "\n" + port.delivery());
     text.append(port.wanted() ? "" : "\nno view uses it");
     return text + (port.problem().isEmpty() ? "" : "\n" + port.problem())
         + (port.value().isEmpty() ? "" : "\n" + port.value());

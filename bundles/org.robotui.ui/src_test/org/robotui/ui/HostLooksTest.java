@@ -53,6 +53,9 @@ class HostLooksTest {
     assertEquals("event", PortLook.word(port(true, 1, 0, false, "")));
     assertEquals("wrong type", PortLook.text(port(true, 0, 0, false, "wrong type")));
     assertTrue(PortLook.details(port(false, 0, 0, false, "")).endsWith("no view uses it"));
+    PortStatus promised =
+        new PortStatus(PORT, PortKind.STREAM, "LaserScan", true, 0, 0, 0, false, 0, "", "", "reliable");
+    assertTrue(PortLook.details(promised).endsWith("\nreliable"), PortLook.details(promised));
   }
 
   @Test

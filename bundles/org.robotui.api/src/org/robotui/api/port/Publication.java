@@ -48,6 +48,14 @@ public interface Publication<T extends Data> extends Offer {
   default void kept(boolean forLateComers) {}
 
   /**
+   * Says what the robot's software promises of the delivery of this stream, such as the quality of service of its
+   * publishers. Called on any thread, as often as it is looked at.
+   *
+   * @param promise a sentence for users; empty where nothing is said
+   */
+  default void delivery(String promise) {}
+
+  /**
    * Says that the source as such does not work although the link may; cleared by the next value, or by an empty reason.
    *
    * @param reason a sentence for users; empty where it works again

@@ -64,6 +64,16 @@ public interface TopicClient {
   Optional<String> failure(String topic);
 
   /**
+   * What those who publish a topic promise of its delivery, such as their quality of service.
+   *
+   * @param topic its name
+   * @return a sentence, empty where the framework knows no such thing
+   */
+  default String delivery(String topic) {
+    return "";
+  }
+
+  /**
    * Whether time is simulated: the robot then says what time it is.
    *
    * @return true while it does

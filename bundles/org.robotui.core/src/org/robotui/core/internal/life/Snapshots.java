@@ -46,7 +46,7 @@ final class Snapshots {
     boolean connected = !p.wanted() && wired.contains(new Wired(p.kind(), p.port()));
     return !connected ? p
         : new PortStatus(p.port(), p.kind(), p.typeName(), true, p.count(),
-            p.rateHz(), p.ageSeconds(), p.stale(), p.dropped(), p.problem(), p.value());
+            p.rateHz(), p.ageSeconds(), p.stale(), p.dropped(), p.problem(), p.value(), p.delivery());
   }
 
   private static LinkState link(Components components) {

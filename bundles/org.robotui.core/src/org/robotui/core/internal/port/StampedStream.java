@@ -27,6 +27,11 @@ public record StampedStream<T extends Data>(StreamSource<T> source, StampWatch w
   }
 
   @Override
+  public void delivery(String promise) {
+    source.delivery(promise);
+  }
+
+  @Override
   public void failed(String reason) {
     source.failed(reason);
   }

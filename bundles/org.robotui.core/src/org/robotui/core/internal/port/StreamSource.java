@@ -41,6 +41,7 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   private volatile Optional<Loss> newestLoss = Optional.empty();
   private volatile Failure failure = Failure.NONE;
   private volatile boolean kept;
+  private volatile String delivery = "";
 
   private record Loss(String reason, long nanos, boolean healed) {}
 
@@ -86,6 +87,11 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
   @Override
   public void kept(boolean forLateComers) {
     kept = forLateComers;
+  }
+
+  @Override
+  public void delivery(String promise) {
+    delivery = promise;
   }
 
   @Override
@@ -192,6 +198,6 @@ public final class StreamSource<T extends Data> implements Publication<T>, Offer
     return new PortStatus(id, port.kind(), type.name(), demand.wanted(), fan.rate().count(), fan.rate().rateHz(now),
         age,
         stale.isPresent() && refused().isEmpty() || !why.isNone() && last.isPresent(), lost.get() + fan.dropped(),
-        problem, value);
+        problem, value, delivery);
   }
 }

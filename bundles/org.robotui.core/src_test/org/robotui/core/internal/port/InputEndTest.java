@@ -173,7 +173,9 @@ class InputEndTest {
     connected();
     input.connect(List.of(front), "");
     front.kept(true);
+    front.delivery("best effort");
     publish(front, Samples.scan(0));
+    assertEquals("best effort", front.status(clock).delivery());
     clock.advanceMillis(3_600_000);
     assertInstanceOf(InputState.Live.class, input.state());
     for (int i = 0; i < 20; i++) {

@@ -106,7 +106,9 @@ public final class TopicOffers implements AutoCloseable {
     published.forEach((topic, type) -> {
       boolean moves = TRANSFORMS.contains(scope.settings().portName(topic));
       if (scope.settings().offers(topic) && !moves && !streams.containsKey(topic)) {
-        streams.put(topic, stream(topic, type));
+        Followed made = stream(topic, type);
+        streams.put(topic, made);
+        made.published(true);
       }
     });
   }

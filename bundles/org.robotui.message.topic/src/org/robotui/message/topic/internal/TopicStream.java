@@ -79,6 +79,7 @@ final class TopicStream implements Followed {
   @Override
   public void published(boolean now) {
     published = now;
+    entry.publication.delivery(scope.client().delivery(topic));
     String problem = problem();
     if (!problem.isEmpty() || !told.isEmpty()) {
       entry.publication.failed(problem); // empty takes it back: rare messages may be long in coming

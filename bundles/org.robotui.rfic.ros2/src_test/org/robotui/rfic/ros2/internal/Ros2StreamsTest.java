@@ -68,6 +68,7 @@ class Ros2StreamsTest extends Ros2Case {
     assertEquals("cdr", got.raw().orElseThrow().encoding());
     DynamicRecord message = got.raw().orElseThrow().record().orElseThrow();
     assertEquals(Optional.of(new FieldValue.Text("laser")), message.at(FieldPath.parse("header.frame_id")));
+    assertEquals("best effort, volatile, keeps the last 5", context.deliveries.get("scan"));
     context.demand("scan", false);
     await(() -> scans.numSubscribers() == 0);
     scans.close();

@@ -2,9 +2,7 @@ package org.robotui.rfic.ros.internal.call;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +12,7 @@ import org.robotui.api.port.Browser.Choice;
 import org.robotui.api.port.Browser.Tunable;
 import org.robotui.api.port.CallException;
 import org.robotui.message.topic.CallOutcomes;
+import org.robotui.message.topic.KeptWhileAsked;
 import org.robotui.ros.GraphName;
 import org.robotui.ros.RosNode;
 import org.robotui.ros.reconfigure.ConfigGroup;
@@ -27,20 +26,8 @@ import org.robotui.ros.reconfigure.ServerDescription;
 /** Settings of running nodes. A node is listened to from the first question until nobody has asked for a while. */
 public final class RosTunables implements AutoCloseable {
   private static final Duration PATIENCE = Duration.ofSeconds(3);
-  private static final Duration IDLE = Duration.ofSeconds(20);
 
-  private final RosNode node;
-  private final Map<String, Server> servers = new HashMap<>();
-
-  /** A server that is listened to. */
-  private static final class Server {
-    private final ReconfigureClient client;
-    private long askedAt = System.nanoTime();
-
-    Server(ReconfigureClient client) {
-      this.client = client;
-    }
-  }
+  private final KeptWhileAsked<String, ReconfigureClient> servers;
 
   /**
    * Creates a reader.
@@ -48,28 +35,20 @@ public final class RosTunables implements AutoCloseable {
    * @param node asks
    */
   public RosTunables(RosNode node) {
-    this.node = node;
+    this.servers = new KeptWhileAsked<>(
+        name -> ReconfigureClient.open(node, GraphName.of(name), ReconfigureListener.none()), ReconfigureClient::close);
   }
 
   List<Tunable> read(String server) throws CallException {
-    ReconfigureClient client = client(server);
+    ReconfigureClient client = servers.of(server);
     return tunables(server, client, client.values());
   }
 
   List<Tunable> change(String server, Map<String, Object> values) throws CallException {
-    ReconfigureClient client = client(server);
+    ReconfigureClient client = servers.of(server);
     client.await(PATIENCE);
     ConfigValues now = CallOutcomes.value(client.set(values, PATIENCE));
     return tunables(server, client, Optional.of(now));
-  }
-
-  private ReconfigureClient client(String name) {
-    synchronized (servers) {
-      Server server = servers.computeIfAbsent(name,
-          n -> new Server(ReconfigureClient.open(node, GraphName.of(n), ReconfigureListener.none())));
-      server.askedAt = System.nanoTime();
-      return server.client;
-    }
   }
 
   private static List<Tunable> tunables(String server, ReconfigureClient client, Optional<ConfigValues> values)
@@ -115,22 +94,11 @@ public final class RosTunables implements AutoCloseable {
 
   /** Listens no more to those of whom nobody has asked for a while. */
   public void tick() {
-    synchronized (servers) {
-      for (Iterator<Server> all = servers.values().iterator(); all.hasNext();) {
-        Server server = all.next();
-        if (System.nanoTime() - server.askedAt > IDLE.toNanos()) {
-          all.remove();
-          server.client.close();
-        }
-      }
-    }
+    servers.tick();
   }
 
   @Override
   public void close() {
-    synchronized (servers) {
-      servers.values().forEach(s -> s.client.close());
-      servers.clear();
-    }
+    servers.close();
   }
 }

@@ -2,14 +2,13 @@ package org.robotui.rfic.ros2.internal.call;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.robotui.api.port.CallException;
 import org.robotui.message.description.TypeName;
 import org.robotui.message.topic.CallOutcomes;
+import org.robotui.message.topic.KeptWhileAsked;
 import org.robotui.ros2.Ros2Node;
 import org.robotui.ros2.graph.GraphService;
 import org.robotui.ros2.name.Ros2Name;
@@ -23,21 +22,10 @@ import org.robotui.ros2.parameter.Ros2Parameters;
  */
 public final class NodeParameters implements AutoCloseable {
   private static final Duration PATIENCE = Duration.ofSeconds(3);
-  private static final Duration IDLE = Duration.ofSeconds(20);
   private static final TypeName ASKED = new TypeName("rcl_interfaces", TypeName.Kind.SRV, "ListParameters");
 
   private final Ros2Node asking;
-  private final Map<Ros2Name, Clients> clients = new HashMap<>();
-
-  /** The ends of one node's services. */
-  private static final class Clients {
-    private final Ros2Parameters parameters;
-    private long askedAt = System.nanoTime();
-
-    Clients(Ros2Parameters parameters) {
-      this.parameters = parameters;
-    }
-  }
+  private final KeptWhileAsked<Ros2Name, Ros2Parameters> clients;
 
   /**
    * A parameter with all that its node says of it.
@@ -54,6 +42,7 @@ public final class NodeParameters implements AutoCloseable {
    */
   public NodeParameters(Ros2Node asking) {
     this.asking = asking;
+    this.clients = new KeptWhileAsked<>(node -> Ros2Parameters.open(asking, node, PATIENCE), Ros2Parameters::close);
   }
 
   /** The nodes that have parameters. */
@@ -66,12 +55,12 @@ public final class NodeParameters implements AutoCloseable {
 
   /** The names of a node's parameters. */
   List<String> names(Ros2Name node) throws CallException {
-    return CallOutcomes.value(of(node).names());
+    return CallOutcomes.value(clients.of(node).names());
   }
 
   /** Some parameters of a node, in the order of their names; those that it does not have are left out. */
   Map<String, Known> read(Ros2Name node, List<String> names) throws CallException {
-    Ros2Parameters parameters = of(node);
+    Ros2Parameters parameters = clients.of(node);
     Map<String, Ros2ParameterValue> values = CallOutcomes.value(parameters.get(names));
     List<String> there = new ArrayList<>(names);
     there.removeIf(name -> values.getOrDefault(name, new Ros2ParameterValue.Unset()).type() == 0);
@@ -89,37 +78,17 @@ public final class NodeParameters implements AutoCloseable {
   /** Sets parameters of a node, all or none. */
   void set(Ros2Name node, Map<String, Ros2ParameterValue> values) throws CallException {
     CallOutcomes.value(values.size() == 1
-        ? of(node).set(values.keySet().iterator().next(), values.values().iterator().next())
-        : of(node).setAll(values));
-  }
-
-  private Ros2Parameters of(Ros2Name node) {
-    synchronized (clients) {
-      Clients its = clients.computeIfAbsent(node,
-          name -> new Clients(Ros2Parameters.open(asking, name, PATIENCE)));
-      its.askedAt = System.nanoTime();
-      return its.parameters;
-    }
+        ? clients.of(node).set(values.keySet().iterator().next(), values.values().iterator().next())
+        : clients.of(node).setAll(values));
   }
 
   /** Gives up the ends of those of whom nobody has asked for a while. */
   public void tick() {
-    synchronized (clients) {
-      for (Iterator<Clients> all = clients.values().iterator(); all.hasNext();) {
-        Clients its = all.next();
-        if (System.nanoTime() - its.askedAt > IDLE.toNanos()) {
-          all.remove();
-          its.parameters.close();
-        }
-      }
-    }
+    clients.tick();
   }
 
   @Override
   public void close() {
-    synchronized (clients) {
-      clients.values().forEach(its -> its.parameters.close());
-      clients.clear();
-    }
+    clients.close();
   }
 }

@@ -5,6 +5,8 @@ import java.nio.ByteOrder;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.DynamicMessage;
@@ -71,9 +73,13 @@ final class Ros2TopicClient implements TopicClient {
 
   /** The version that a publisher of a topic announces; none where nobody is there that announces one. */
   private Optional<TypeHash> announced(String topic, TypeName type) {
-    return graph.flatMap(state -> Ros2Name.parse(topic).flatMap(state::topic)).stream()
-        .flatMap(seen -> seen.publishers().stream()).filter(end -> end.type().filter(type::equals).isPresent())
+    return publishers(topic).filter(end -> end.type().filter(type::equals).isPresent())
         .map(GraphEnd::hash).flatMap(Optional::stream).findFirst();
+  }
+
+  private Stream<GraphEnd> publishers(String topic) {
+    return graph.flatMap(state -> Ros2Name.parse(topic).flatMap(state::topic)).stream()
+        .flatMap(seen -> seen.publishers().stream());
   }
 
   private <M> void received(ByteBuffer bytes, Ros2Reception reception, VersionedReading<M> reading,
@@ -122,6 +128,11 @@ final class Ros2TopicClient implements TopicClient {
   @Override
   public Optional<String> failure(String topic) {
     return Optional.ofNullable(subscribed.get(topic)).flatMap(TopicIn::failure);
+  }
+
+  @Override
+  public String delivery(String topic) {
+    return publishers(topic).map(end -> QosProfiles.sentence(end.qos())).distinct().collect(Collectors.joining("; "));
   }
 
   /** A clock that nobody has set yet is none. */
