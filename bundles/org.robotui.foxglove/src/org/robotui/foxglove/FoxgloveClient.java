@@ -5,6 +5,7 @@ import java.net.URI;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,6 +32,7 @@ import org.robotui.web.tree.JsonText;
 public final class FoxgloveClient implements AutoCloseable {
 
   private static final String NEW = "foxglove.sdk.v1";
+  private static final long MOST_BYTES = 1 << 25;
   private static final String OLD = "foxglove.websocket.v1";
 
   private final WebLink link;
@@ -103,14 +105,16 @@ public final class FoxgloveClient implements AutoCloseable {
    * Receives a channel from now on.
    *
    * @param channel one of {@link #channels}
-   * @param most how many messages are kept until they are taken; 1 where only the newest counts
+   * @param most how many messages are kept until they are taken; 1 where only the newest counts. No more than 32 MiB
+   * are kept, but for one message
    * @param receiver takes them, on a thread that all subscriptions share
    * @return the subscription; closing it ends it
    */
   public ChannelSubscription subscribe(ServerChannel channel, int most, MessageReceiver receiver) {
     int id = ids.incrementAndGet();
     Arrivals.Source<Binary.Data> source =
-        arrivals.source(most, data -> receiver.received(data.payload(), data.nanos()));
+        arrivals.source(most, MOST_BYTES, data -> data.payload().remaining(),
+            data -> receiver.received(data.payload(), data.nanos(), data.receivedNanos()));
     ear.subscribed(id, source);
     say(Graph.message("subscribe", "subscriptions", List.of(Map.of("id", id, "channelId", channel.id()))));
     return new ChannelSubscription(source, () -> {
@@ -192,11 +196,24 @@ public final class FoxgloveClient implements AutoCloseable {
    */
   public Outcome<List<Parameter>> set(Parameter parameter, Duration patience) throws InterruptedException {
     return ear.parameters().ask(parameter.name(), patience, id -> {
-      Map<String, Object> message = Graph.message("setParameters", "parameters",
-          List.of(Map.of("name", parameter.name(), "value", parameter.value())));
+      Map<String, Object> set = new LinkedHashMap<>(Map.of("name", parameter.name(), "value", parameter.value()));
+      if (!parameter.type().isEmpty()) {
+        set.put("type", parameter.type());
+      }
+      Map<String, Object> message = Graph.message("setParameters", "parameters", List.of(set));
       message.put("id", String.valueOf(id));
       return say(message);
     });
+  }
+
+  /**
+   * Asks to be told when parameters change, or to be told no more.
+   *
+   * @param names which
+   * @param follow whether to be told
+   */
+  public void followParameters(List<String> names, boolean follow) {
+    say(Graph.message(follow ? "subscribeParameterUpdates" : "unsubscribeParameterUpdates", "parameterNames", names));
   }
 
   /** Asks to be told who publishes and subscribes what. Only where the server can say so. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robotui.foxglove.ServerChannel;
 import org.robotui.foxglove.FoxgloveListener;
@@ -23,6 +24,8 @@ import org.robotui.web.tree.Trees;
 public final class ServerState implements WebListener {
 
   private static final int MOST = 20_000;
+  private static final Set<String> OFFERS =
+      Set.of("serverInfo", "advertise", "unadvertise", "advertiseServices", "unadvertiseServices");
 
   private final String server;
   private final FoxgloveListener listener;
@@ -114,6 +117,16 @@ public final class ServerState implements WebListener {
   }
 
   private void said(String op, Map<String, Object> message) throws TreeException {
+    try {
+      take(op, message);
+    } finally {
+      if (OFFERS.contains(op)) {
+        listener.onOffers();
+      }
+    }
+  }
+
+  private void take(String op, Map<String, Object> message) throws TreeException {
     switch (op) {
       case "serverInfo" -> introduced(Advertised.info(message));
       case "advertise" -> {
@@ -130,8 +143,7 @@ public final class ServerState implements WebListener {
         }
       }
       case "unadvertiseServices" -> Trees.list(message, "serviceIds").forEach(services::remove);
-      case "parameterValues" -> parameters.answered(Trees.optionalText(message, "id").orElse(""),
-          new Outcome.Done<>(values(message)));
+      case "parameterValues" -> told(Trees.optionalText(message, "id").orElse(""), values(message));
       case "serviceCallFailure" -> calls.answered(String.valueOf(Trees.whole(message, "callId")),
           new Outcome.Refused<>(PeerText.brief(Trees.optionalText(message, "message").orElse("no reason given"))));
       case "connectionGraphUpdate" -> {
@@ -143,6 +155,15 @@ public final class ServerState implements WebListener {
       default -> {
         // of a newer protocol
       }
+    }
+  }
+
+  /** Values that nobody has asked for are those of parameters that are followed. */
+  private void told(String id, List<Parameter> values) {
+    if (id.isEmpty()) {
+      listener.onParameters(values);
+    } else {
+      parameters.answered(id, new Outcome.Done<>(values));
     }
   }
 
@@ -167,7 +188,8 @@ public final class ServerState implements WebListener {
     for (Object each : Trees.list(message, "parameters")) {
       Map<String, Object> parameter = Trees.object(each);
       if (parameter.containsKey("value")) {
-        values.add(new Parameter(Trees.text(parameter, "name"), parameter.get("value")));
+        values.add(new Parameter(Trees.text(parameter, "name"), parameter.get("value"),
+            Trees.optionalText(parameter, "type").orElse("")));
       }
     }
     return values;

@@ -3,9 +3,13 @@ package org.robotui.message.data;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.robotui.data.record.DynamicRecord;
 
-/** All conversions by ROS type. A type that has none becomes a dynamic record. */
+/**
+ * All conversions by type: types of ROS, and the schemas of Foxglove, which are also a package of ROS. A type that has
+ * none becomes a dynamic record.
+ */
 public final class Adapters {
   private final Map<String, Adapter<?, ?>> byType;
 
@@ -16,6 +20,8 @@ public final class Adapters {
         StateAdapters.all(),
         MarkerAdapters.all(), PlanAdapters.all())
         .forEach(group -> group.forEach(a -> all.put(a.type(), a)));
+    FoxgloveAdapters.all().forEach(a -> List.of(FoxgloveAdapters.NAMES, FoxgloveAdapters.ROS_PACKAGE)
+        .forEach(prefix -> all.put(prefix + a.type(), a.named(prefix + a.type()))));
     this.byType = Map.copyOf(all);
   }
 
@@ -28,5 +34,17 @@ public final class Adapters {
   public Adapter<?, ?> of(String type) {
     Adapter<?, ?> known = byType.get(type);
     return known != null ? known : Adapter.ofDynamic(type, DynamicRecord.class, (m, names) -> new MessageRecord(m));
+  }
+
+  /**
+   * The conversion of a type that no definition of ROS defines.
+   *
+   * @param type the robot's name of the type, such as {@code foxglove.LaserScan}
+   * @return its own, where its messages are read by the names of their fields, or that into dynamic records
+   */
+  public Adapter<?, ?> ofFields(String type) {
+    Adapter<?, ?> known = byType.get(type);
+    return known != null && known.form() instanceof MessageForm.ByFields ? known
+        : new Adapter<>(type, new MessageForm.ByFields(), DynamicRecord.class, (m, names) -> Optional.of(m), m -> 0);
   }
 }
