@@ -11,11 +11,13 @@ import org.robotui.data.image.CompressedImage;
 import org.robotui.data.image.RawImage;
 import org.robotui.data.joint.JointState;
 import org.robotui.data.navigation.GridMap;
+import org.robotui.data.navigation.Odometry;
 import org.robotui.data.sensor.GpsFix;
 import org.robotui.data.sensor.LaserScan;
 import org.robotui.data.sensor.PointCloud;
 import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
+import org.robotui.geometry.Vector3;
 import org.robotui.message.ros.sensor_msgs.Image;
 import org.robotui.message.ros.sensor_msgs.NavSatFix;
 import org.robotui.message.ros.sensor_msgs.NavSatStatus;
@@ -40,6 +42,7 @@ final class FoxgloveAdapters {
         Adapter.ofFields("LaserScan", LaserScan.class, FoxgloveSpace::scan),
         Adapter.ofFields("PointCloud", PointCloud.class, FoxgloveSpace::cloud),
         Adapter.ofFields("Grid", GridMap.class, FoxgloveSpace::grid),
+        Adapter.ofFields("Odometry", Odometry.class, FoxgloveAdapters::odometry),
         Adapter.ofFields("PoseInFrame", StampedPose.class,
             (m, names) -> new StampedPose(names.frame(m.text("frame_id")), FoxgloveSpace.pose(m.inner("pose")))),
         Adapter.ofFields("PosesInFrame", PoseArray.class, (m, names) -> new PoseArray(names.frame(m.text("frame_id")),
@@ -62,6 +65,16 @@ final class FoxgloveAdapters {
 
   private static Header header(NamedFields m) {
     return new Header(0, m.nanos("timestamp"), m.text("frame_id"));
+  }
+
+  private static Odometry odometry(NamedFields m, FrameNames names) {
+    return new Odometry(names.frame(m.text("frame_id")), names.frame(m.text("body_frame_id")),
+        FoxgloveSpace.pose(m.inner("pose")), m.numbers("pose_covariance"), velocity(m, "linear_velocity"),
+        velocity(m, "angular_velocity"), m.numbers("velocity_covariance"));
+  }
+
+  private static Vector3 velocity(NamedFields m, String name) {
+    return Geometry.vector(FoxgloveTransforms.vector(m.inner(name)));
   }
 
   private static RawImage image(NamedFields m, FrameNames names) {

@@ -93,8 +93,18 @@ public final class DescriptorSet {
         needed.add(file(each));
       }
     }
-    FileDescriptor made = FileDescriptor.buildFrom(file, needed.toArray(FileDescriptor[]::new), true);
+    FileDescriptor made = built(file, needed.toArray(FileDescriptor[]::new));
     built.put(name, made);
     return made;
+  }
+
+  /** Of files that are wrong in a way which it does not check for, the library throws what it happens to meet. */
+  private static FileDescriptor built(FileDescriptorProto file, FileDescriptor... needed)
+      throws DescriptorValidationException {
+    try {
+      return FileDescriptor.buildFrom(file, needed, true);
+    } catch (RuntimeException e) {
+      throw new IllegalArgumentException("its descriptors cannot be used: " + e.getMessage(), e);
+    }
   }
 }
