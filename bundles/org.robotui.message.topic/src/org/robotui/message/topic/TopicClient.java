@@ -15,7 +15,7 @@ public interface TopicClient {
 
   /**
    * Whether the messages of a topic have a definition of ROS. Others are read by the names of their fields alone
-   * ({@link MessageForm.ByFields}).
+   * ({@code MessageForm.ByFields}).
    *
    * @param topic its name
    * @return true unless something else defines them
