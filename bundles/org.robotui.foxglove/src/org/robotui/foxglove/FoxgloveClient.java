@@ -14,6 +14,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.foxglove.internal.Binary;
+import org.robotui.foxglove.internal.ChannelFeeds;
 import org.robotui.foxglove.internal.Graph;
 import org.robotui.foxglove.internal.OpenQuestions;
 import org.robotui.foxglove.internal.ServerState;
@@ -38,6 +39,7 @@ public final class FoxgloveClient implements AutoCloseable {
   private final WebLink link;
   private final ServerState ear;
   private final Arrivals arrivals;
+  private final ChannelFeeds feeds;
   private final AtomicInteger ids = new AtomicInteger();
   private final Map<Integer, ClientChannel> advertised = new ConcurrentHashMap<>();
 
@@ -45,6 +47,7 @@ public final class FoxgloveClient implements AutoCloseable {
     this.link = link;
     this.ear = ear;
     this.arrivals = arrivals;
+    this.feeds = new ChannelFeeds(ear, this::say);
   }
 
   /**
@@ -111,16 +114,10 @@ public final class FoxgloveClient implements AutoCloseable {
    * @return the subscription; closing it ends it
    */
   public ChannelSubscription subscribe(ServerChannel channel, int most, MessageReceiver receiver) {
-    int id = ids.incrementAndGet();
-    Arrivals.Source<Binary.Data> source =
-        arrivals.source(most, MOST_BYTES, data -> data.payload().remaining(),
-            data -> receiver.received(data.payload(), data.nanos(), data.receivedNanos()));
-    ear.subscribed(id, source);
-    say(Graph.message("subscribe", "subscriptions", List.of(Map.of("id", id, "channelId", channel.id()))));
-    return new ChannelSubscription(source, () -> {
-      ear.unsubscribed(id);
-      say(Graph.message("unsubscribe", "subscriptionIds", List.of(id)));
-    });
+    Arrivals.Source<Binary.Data> source = arrivals.source(most, MOST_BYTES, data -> data.payload().remaining(),
+        data -> receiver.received(data.payload(), data.nanos(), data.receivedNanos()));
+    feeds.add(channel.id(), source);
+    return new ChannelSubscription(source, () -> feeds.remove(channel.id(), source));
   }
 
   /**

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
 import org.robotui.foxglove.ServerChannel;
 import org.robotui.foxglove.FoxgloveListener;
 import org.robotui.foxglove.Parameter;
@@ -14,7 +15,6 @@ import org.robotui.foxglove.ServerInfo;
 import org.robotui.foxglove.Service;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.log.PeerText;
-import org.robotui.web.Arrivals;
 import org.robotui.web.WebListener;
 import org.robotui.web.tree.JsonText;
 import org.robotui.web.tree.TreeException;
@@ -31,7 +31,7 @@ public final class ServerState implements WebListener {
   private final FoxgloveListener listener;
   private final Map<Long, ServerChannel> channels = new ConcurrentHashMap<>();
   private final Map<Long, Service> services = new ConcurrentHashMap<>();
-  private final Map<Long, Arrivals.Source<Binary.Data>> subscriptions = new ConcurrentHashMap<>();
+  private final Map<Long, Consumer<Binary.Data>> subscriptions = new ConcurrentHashMap<>();
   private final OpenQuestions<ByteBuffer> calls = new OpenQuestions<>();
   private final OpenQuestions<List<Parameter>> parameters = new OpenQuestions<>();
   private final Graph graph = new Graph();
@@ -69,8 +69,8 @@ public final class ServerState implements WebListener {
   }
 
   /** Messages of a subscription go there from now on. */
-  public void subscribed(long id, Arrivals.Source<Binary.Data> source) {
-    subscriptions.put(id, source);
+  public void subscribed(long id, Consumer<Binary.Data> taker) {
+    subscriptions.put(id, taker);
   }
 
   /** Nothing more of a subscription is taken. */
@@ -94,7 +94,7 @@ public final class ServerState implements WebListener {
     try {
       switch (Binary.read(bytes)) {
         case Binary.Data data -> Optional.ofNullable(subscriptions.get(data.subscription()))
-            .ifPresent(source -> source.arrived(data));
+            .ifPresent(taker -> taker.accept(data));
         case Binary.Time time -> listener.onTime(time.nanos());
         case Binary.Reply reply -> calls.answered(String.valueOf(reply.call()), new Outcome.Done<>(reply.payload()));
         case Binary.Other other -> {

@@ -123,10 +123,11 @@ class FoxgloveRficTest {
     FoxgloveServer server = serve();
     server.channel(1, "moving frames", "json", "foxglove.FrameTransform", "", "");
     begin(Map.of());
+    want("moving frames");
     await(() -> server.listeners(1) == 1);
     server.publish(1, json("{\"timestamp\":{\"sec\":5,\"nsec\":0},\"parent_frame_id\":\"map\",\"child_frame_id\":"
         + "\"base\",\"translation\":{\"x\":1},\"rotation\":{\"w\":1}}"));
-    await(() -> !context.transforms.isEmpty());
+    await(() -> !context.transforms.isEmpty() && !context.published.get("moving frames").isEmpty());
     assertEquals(1, context.transforms.getFirst().parentFromChild().translation().x());
   }
 

@@ -122,7 +122,7 @@ final class FoxgloveServer implements WebCaller, AutoCloseable {
       case "subscribe" -> {
         for (Object each : Trees.list(message, "subscriptions")) {
           Map<String, Object> item = Trees.object(each);
-          subscriptions.add(new Subscription(link, Trees.whole(item, "id"), Trees.whole(item, "channelId")));
+          subscribe(new Subscription(link, Trees.whole(item, "id"), Trees.whole(item, "channelId")));
         }
       }
       case "unsubscribe" -> Trees.list(message, "subscriptionIds")
@@ -149,6 +149,13 @@ final class FoxgloveServer implements WebCaller, AutoCloseable {
       default -> {
         // nothing to answer
       }
+    }
+  }
+
+  /** Real servers refuse a second subscription of a client to a channel. */
+  private void subscribe(Subscription wanted) {
+    if (subscriptions.stream().noneMatch(s -> s.link() == wanted.link() && s.channel() == wanted.channel())) {
+      subscriptions.add(wanted);
     }
   }
 

@@ -38,15 +38,19 @@ public final class ServerParameters implements AutoCloseable {
 
   /** All that are set, by name. */
   synchronized Map<String, Object> all() throws CallException {
-    if (!client.info().map(info -> info.can(ServerInfo.PARAMETERS)).orElse(false)) {
-      throw new CallException("this server offers no parameters");
-    }
+    check();
     Map<String, Object> values = new TreeMap<>();
     for (Parameter each : Answers.of(() -> client.parameters(List.of(), Answers.PATIENCE))) {
       values.put(each.name(), JsonValues.listed(each.value()));
     }
     follow(values);
     return values;
+  }
+
+  private void check() throws CallException {
+    if (!client.info().map(info -> info.can(ServerInfo.PARAMETERS)).orElse(false)) {
+      throw new CallException("this server offers no parameters");
+    }
   }
 
   private void follow(Map<String, Object> values) {
@@ -72,6 +76,7 @@ public final class ServerParameters implements AutoCloseable {
   }
 
   synchronized void set(String name, Object value) throws CallException {
+    check();
     Map<String, Object> now = new HashMap<>();
     Answers.of(() -> client.set(Parameter.of(name, value), Answers.PATIENCE))
         .forEach(each -> now.put(each.name(), each.value()));
