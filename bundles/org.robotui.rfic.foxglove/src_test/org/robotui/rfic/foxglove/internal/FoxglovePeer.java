@@ -16,7 +16,6 @@ import org.robotui.data.Data;
 import org.robotui.data.command.Motion;
 import org.robotui.data.command.VelocityCommand;
 import org.robotui.geometry.Vector3;
-import org.robotui.testkit.FakeSettings;
 import org.robotui.testkit.rfic.Capability;
 import org.robotui.testkit.rfic.Gate;
 import org.robotui.testkit.rfic.Peer;
