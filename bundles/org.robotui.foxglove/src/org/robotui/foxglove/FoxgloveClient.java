@@ -16,10 +16,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.foxglove.internal.Binary;
 import org.robotui.foxglove.internal.ChannelFeeds;
 import org.robotui.foxglove.internal.Graph;
-import org.robotui.foxglove.internal.OpenQuestions;
 import org.robotui.foxglove.internal.ServerState;
 import org.robotui.net.call.Outcome;
 import org.robotui.web.Arrivals;
+import org.robotui.web.OpenQuestions;
 import org.robotui.web.WebLink;
 import org.robotui.web.WebOptions;
 import org.robotui.web.WebPayload;
@@ -246,12 +246,12 @@ public final class FoxgloveClient implements AutoCloseable {
   }
 
   /**
-   * How long an answer takes, which is how old messages are when they come.
+   * What is wrong with the link.
    *
-   * @return nanoseconds
+   * @return a sentence for users; empty where all is well
    */
-  public long roundTripNanos() {
-    return link.roundTripNanos();
+  public String trouble() {
+    return link.trouble();
   }
 
   /** Takes back what was announced, and ends the link. */

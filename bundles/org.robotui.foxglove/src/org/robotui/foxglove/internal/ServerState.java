@@ -15,6 +15,7 @@ import org.robotui.foxglove.ServerInfo;
 import org.robotui.foxglove.Service;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.log.PeerText;
+import org.robotui.web.OpenQuestions;
 import org.robotui.web.WebListener;
 import org.robotui.web.tree.JsonText;
 import org.robotui.web.tree.TreeException;

@@ -4,6 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.data.Conflation;
+import org.robotui.data.DataType;
 import org.robotui.data.record.DynamicRecord;
 
 /**
@@ -11,6 +13,8 @@ import org.robotui.data.record.DynamicRecord;
  * none becomes a dynamic record.
  */
 public final class Adapters {
+  private static final int MOST_EVENTS = 500;
+
   private final Map<String, Adapter<?, ?>> byType;
 
   /** The standard types. */
@@ -46,5 +50,18 @@ public final class Adapters {
     Adapter<?, ?> known = byType.get(type);
     return known != null && known.form() instanceof MessageForm.ByFields ? known
         : new Adapter<>(type, new MessageForm.ByFields(), DynamicRecord.class, (m, names) -> Optional.of(m), m -> 0);
+  }
+
+  /**
+   * How many messages of a type are worth keeping until they are taken.
+   *
+   * @param type the robot's name of the type
+   * @param form what its messages are read as
+   * @return 1 where only the newest counts, so that nothing grows old; else so many that no short delay loses one
+   */
+  public int mostWaiting(String type, MessageForm<?> form) {
+    Adapter<?, ?> adapter = form instanceof MessageForm.ByFields ? ofFields(type) : of(type);
+    boolean sample = adapter.form().equals(form) && DataType.of(adapter.data()).conflation() == Conflation.SAMPLE;
+    return sample ? 1 : MOST_EVENTS;
   }
 }

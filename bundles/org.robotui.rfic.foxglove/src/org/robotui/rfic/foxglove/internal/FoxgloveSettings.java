@@ -3,13 +3,13 @@ package org.robotui.rfic.foxglove.internal;
 import java.net.URI;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.robotui.api.config.Schema;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.Settings;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.message.topic.TopicSettings;
+import org.robotui.web.WebAddress;
 
 /**
  * How a server is reached, and what of its robot is offered.
@@ -26,7 +26,7 @@ public record FoxgloveSettings(URI url, TopicSettings topics) {
   private static Schema schema() {
     List<Setting> all = new ArrayList<>();
     all.add(Setting.of("url",
-        new ValueType.Text(new TextRule("the address of a server, such as ws://robot:8765", FoxgloveSettings::noUrl)),
+        new ValueType.Text(new TextRule("the address of a server, such as ws://robot:8765", WebAddress::fault)),
         ADDRESS, "address of the server; wss:// for one with TLS"));
     all.addAll(TopicSettings.settings(FoxgloveSettings::checkName));
     return new Schema(all);
@@ -34,16 +34,6 @@ public record FoxgloveSettings(URI url, TopicSettings topics) {
 
   static FoxgloveSettings of(Settings settings) {
     return new FoxgloveSettings(URI.create(settings.text("url")), TopicSettings.of(settings));
-  }
-
-  private static Optional<String> noUrl(String text) {
-    try {
-      URI url = URI.create(text);
-      boolean good = List.of("ws", "wss").contains(String.valueOf(url.getScheme())) && url.getHost() != null;
-      return good ? Optional.empty() : Optional.of("");
-    } catch (IllegalArgumentException e) {
-      return Optional.of("");
-    }
   }
 
   /** Servers that are no bridge to ROS name their topics as they like. */

@@ -13,7 +13,7 @@ import org.robotui.api.port.CallException;
 import org.robotui.data.record.RecordShape;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Service;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormat;
+import org.robotui.message.payload.PayloadFormat;
 import org.robotui.rfic.foxglove.internal.session.ChannelTable;
 import org.robotui.rfic.foxglove.internal.session.FoxgloveTopics;
 import org.robotui.rfic.foxglove.internal.session.ServerNews;

@@ -9,7 +9,7 @@ import org.robotui.api.port.ServiceReply;
 import org.robotui.api.port.ServiceRequest;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Service;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormat;
+import org.robotui.message.payload.PayloadFormat;
 import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
 import org.robotui.rfic.foxglove.internal.payload.PayloadSource;
 

@@ -10,7 +10,7 @@ import org.robotui.api.port.CallException;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Parameter;
 import org.robotui.foxglove.ServerInfo;
-import org.robotui.rfic.foxglove.internal.payload.JsonValues;
+import org.robotui.message.payload.JsonValues;
 import org.robotui.rfic.foxglove.internal.session.ServerNews;
 
 /**

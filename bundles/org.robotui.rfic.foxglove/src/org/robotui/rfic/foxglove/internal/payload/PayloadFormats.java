@@ -1,15 +1,15 @@
 package org.robotui.rfic.foxglove.internal.payload;
 
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import org.robotui.message.DefinitionException;
 import org.robotui.message.Encoding;
 import org.robotui.message.Generation;
-import org.robotui.message.LocalDefinitions;
-import org.robotui.message.MessageRegistry;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
+import org.robotui.message.payload.JsonFormat;
+import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.payload.RosFormat;
+import org.robotui.message.payload.UnknownFormat;
 import org.robotui.rfic.foxglove.internal.protobuf.DescriptorSet;
 
 /**
@@ -20,17 +20,24 @@ public final class PayloadFormats {
   private static final String IDL = "ros2idl";
   private static final String JSON_SCHEMA = "jsonschema";
 
-  private final Map<Generation, MessageRegistry> registries;
+  private final RosDefinitions definitions;
 
   /**
-   * Knows the types that are shipped and those of this machine.
+   * Finds out.
    *
-   * @param environment the environment variables
+   * @param definitions knows types of ROS
    */
-  public PayloadFormats(Map<String, String> environment) {
-    this.registries = Map.of(
-        Generation.ROS1, new MessageRegistry(LocalDefinitions.fromEnvironment(environment), Generation.ROS1),
-        Generation.ROS2, new MessageRegistry(LocalDefinitions.ofRos2(List.of(), environment), Generation.ROS2));
+  public PayloadFormats(RosDefinitions definitions) {
+    this.definitions = definitions;
+  }
+
+  /**
+   * What is known of types of ROS.
+   *
+   * @return knows their definitions
+   */
+  public RosDefinitions definitions() {
+    return definitions;
   }
 
   /**
@@ -62,7 +69,7 @@ public final class PayloadFormats {
       throws DefinitionException {
     if (source.schema().isBlank()) {
       // also the text of a type without fields is empty
-      return switch (definition(source.type(), generation)) {
+      return switch (definitions.of(source.type(), generation)) {
         case SchemaLookup.Found<MessageSchema> found -> new RosFormat(found.schema(), encoding);
         case SchemaLookup.Missing<MessageSchema> missing -> source.schemaEncoding().isEmpty()
             ? unknown(source, missing.reason())
@@ -74,31 +81,7 @@ public final class PayloadFormats {
   }
 
   private PayloadFormat json(PayloadSource source) {
-    boolean three = source.type().indexOf('/') != source.type().lastIndexOf('/');
-    Generation first = three ? Generation.ROS2 : Generation.ROS1;
-    Optional<MessageSchema> known = source.type().contains("/")
-        ? found(source.type(), first).or(() -> found(source.type(), three ? Generation.ROS1 : Generation.ROS2))
-        : Optional.empty();
-    String type = known.map(schema -> schema.definition().type())
-        .orElse(source.type().isEmpty() ? source.encoding() : source.type());
     boolean described = source.schemaEncoding().isEmpty() || source.schemaEncoding().equals(JSON_SCHEMA);
-    return new JsonFormat(type, known, described ? JsonShapes.of(type, source.schema()) : Optional.empty());
-  }
-
-  private Optional<MessageSchema> found(String type, Generation generation) {
-    return definition(type, generation) instanceof SchemaLookup.Found<MessageSchema> found
-        ? Optional.of(found.schema())
-        : Optional.empty();
-  }
-
-  /**
-   * A definition that is known here.
-   *
-   * @param type a type of ROS
-   * @param generation whose version of it
-   * @return the definition, or why there is none
-   */
-  public SchemaLookup<MessageSchema> definition(String type, Generation generation) {
-    return registries.get(generation).message(type);
+    return JsonFormat.of(source.type(), definitions, described ? source.schema() : "");
   }
 }

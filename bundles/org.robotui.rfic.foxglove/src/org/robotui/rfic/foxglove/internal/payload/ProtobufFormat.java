@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.robotui.data.record.RecordShape;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.payload.PayloadFormat;
 import org.robotui.rfic.foxglove.internal.protobuf.ProtobufMessages;
 import org.robotui.rfic.foxglove.internal.protobuf.ProtobufShapes;
 

@@ -10,7 +10,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robotui.foxglove.ServerChannel;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormat;
+import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.payload.PayloadFormat;
 import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
 import org.robotui.rfic.foxglove.internal.payload.PayloadSource;
 
@@ -94,6 +95,6 @@ public final class ChannelTable {
 
   /** Whether types of ROS have names of three parts here, as in ROS 2. */
   boolean threeParts() {
-    return all().map(each -> each.channel().type()).anyMatch(type -> type.indexOf('/') != type.lastIndexOf('/'));
+    return all().map(each -> each.channel().type()).anyMatch(RosDefinitions::isOfThreeParts);
   }
 }

@@ -3,7 +3,6 @@ package org.robotui.rfic.foxglove.internal.session;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -26,6 +25,7 @@ import org.robotui.api.session.SessionScope;
 import org.robotui.data.status.LogEntry;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerInfo;
+import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.foxglove.internal.FoxgloveSettings;
@@ -39,8 +39,6 @@ public final class FoxgloveSession implements RobotSession {
   private static final Duration TURN = Duration.ofMillis(50);
   private static final Duration LOOK = Duration.ofMillis(500);
   private static final Duration INTRODUCTION = Duration.ofSeconds(5);
-  /** Later than this, what comes is called late, and a server that says nothing is called silent. */
-  private static final Duration LATE = Duration.ofSeconds(1);
   private static final Duration GIVEN_UP = Duration.ofSeconds(10);
   private static final long ALIVE_NANOS = Duration.ofMillis(200).toNanos();
   private static final StreamPort<LogEntry> STATUS = new StreamPort<>("server_status", LogEntry.class, Arity.MANY,
@@ -69,7 +67,7 @@ public final class FoxgloveSession implements RobotSession {
     this.news = news;
     this.shared = shared;
     this.link = new LinkChanges(context.link());
-    PayloadFormats formats = new PayloadFormats(System.getenv());
+    PayloadFormats formats = new PayloadFormats(new RosDefinitions(System.getenv()));
     this.channels = new FoxgloveTopics(client, news, formats, server);
     this.topics = new RobotTopics(context, settings.topics(), channels, shared.transforms());
     this.parameters = new ServerParameters(client, news);
@@ -139,7 +137,7 @@ public final class FoxgloveSession implements RobotSession {
       status.publish(said.get(), Optional.empty());
     }
     if (met) {
-      link.report(state(silent));
+      link.report(state());
     }
     return Optional.empty();
   }
@@ -157,21 +155,10 @@ public final class FoxgloveSession implements RobotSession {
     }
   }
 
-  private LinkState state(long silentNanos) {
-    String problem = Stream.of(silence(silentNanos), mute(), topics.problem()).filter(part -> !part.isEmpty())
+  private LinkState state() {
+    String problem = Stream.of(client.trouble(), mute(), topics.problem()).filter(part -> !part.isEmpty())
         .collect(Collectors.joining("; "));
     return problem.isEmpty() ? new LinkState.Connected(server) : new LinkState.Degraded(server, problem);
-  }
-
-  private String silence(long silentNanos) {
-    if (silentNanos > LATE.toNanos()) {
-      return String.format(Locale.ROOT, "the server has said nothing for %d s", silentNanos / 1_000_000_000L);
-    }
-    long late = client.roundTripNanos();
-    return late > LATE.toNanos()
-        ? String.format(Locale.ROOT, "the server's answers take %d s: more is asked of it than the network carries",
-            late / 1_000_000_000L)
-        : "";
   }
 
   /** Commands that were configured and cannot be given. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
+import org.robotui.foxglove.ClientChannel;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerInfo;
 import org.robotui.message.DynamicMessage;
@@ -13,11 +14,12 @@ import org.robotui.message.Generation;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.topic.PromptPublisher;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicPublisher;
 import org.robotui.message.topic.TopicSubscription;
-import org.robotui.rfic.foxglove.internal.payload.CommandFormat;
+import org.robotui.message.payload.CommandFormat;
 import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
 
 /** The topics behind a server. Channels are followed by {@link #tick}, which one thread calls. */
@@ -86,17 +88,20 @@ public final class FoxgloveTopics implements TopicClient {
       Function<CommandFormat, CommandFormat.Writing<M>> writing) {
     Optional<CommandFormat> format = commandFormat();
     if (format.isEmpty()) {
-      return new CommandChannel.Closed<>();
+      return PromptPublisher.unheard();
     }
     CommandFormat chosen = format.get();
-    return new CommandChannel<>(client.advertise(original(topic), chosen.encoding(), chosen.typeName(type),
-        chosen.schemaEncoding(), chosen.schema(type)), writing.apply(chosen), () -> listening(topic));
+    CommandFormat.Writing<M> written = writing.apply(chosen);
+    ClientChannel channel = client.advertise(original(topic), chosen.encoding(), chosen.typeName(type),
+        chosen.schemaEncoding(), chosen.schema(type));
+    return new PromptPublisher<>((message, patience) -> channel.publish(written.write(message), patience),
+        () -> listening(topic), channel::close);
   }
 
   /** How messages to the server are written; none where it takes none. */
   Optional<CommandFormat> commandFormat() {
     return client.info().filter(info -> info.can(ServerInfo.CLIENT_PUBLISH))
-        .flatMap(info -> CommandFormat.of(info.encodings(), table.threeParts(), formats));
+        .flatMap(info -> CommandFormat.of(info.encodings(), table.threeParts(), formats.definitions()));
   }
 
   /** As the server writes it. */
@@ -125,7 +130,7 @@ public final class FoxgloveTopics implements TopicClient {
         .filter(each -> each.definition().type().equals(type)).findFirst();
     Generation generation = commandFormat().map(CommandFormat::generation).orElse(Generation.ROS1);
     return sent.<SchemaLookup<MessageSchema>>map(SchemaLookup.Found::new)
-        .orElseGet(() -> formats.definition(type, generation));
+        .orElseGet(() -> formats.definitions().of(type, generation));
   }
 
   @Override

@@ -3,14 +3,11 @@ package org.robotui.rfic.foxglove.internal.session;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.robotui.data.Conflation;
-import org.robotui.data.DataType;
-import org.robotui.message.data.Adapter;
 import org.robotui.message.data.Adapters;
 import org.robotui.message.data.FoxgloveTransforms;
 import org.robotui.message.data.MessageForm;
 import org.robotui.message.ros.tf2_msgs.TFMessage;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormat.Reading;
+import org.robotui.message.payload.PayloadFormat.Reading;
 import org.robotui.rfic.foxglove.internal.session.ChannelTable.Offered;
 
 /**
@@ -26,7 +23,6 @@ record ReceptionRule<M>(String topic, String type, MessageForm<M> form) {
   private static final String MOVING = "/tf";
   private static final String FIXED = "/tf_static";
   private static final Set<String> TYPES = Set.of("tf2_msgs/TFMessage", "tf/tfMessage");
-  private static final int MOST_EVENTS = 500;
 
   List<Offered> channels(ChannelTable table) {
     Stream<Offered> own = table.of(topic).stream();
@@ -52,11 +48,7 @@ record ReceptionRule<M>(String topic, String type, MessageForm<M> form) {
     return offered.format().reading(form);
   }
 
-  /** Where each message counts, many wait; where only the newest does, it is one, so that nothing grows old. */
   int mostWaiting() {
-    Adapters adapters = new Adapters();
-    Adapter<?, ?> adapter = form instanceof MessageForm.ByFields ? adapters.ofFields(type) : adapters.of(type);
-    boolean sample = adapter.form().equals(form) && DataType.of(adapter.data()).conflation() == Conflation.SAMPLE;
-    return sample ? 1 : MOST_EVENTS;
+    return new Adapters().mostWaiting(type, form);
   }
 }

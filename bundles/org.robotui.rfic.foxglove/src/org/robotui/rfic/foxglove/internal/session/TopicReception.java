@@ -16,7 +16,7 @@ import org.robotui.foxglove.ServerChannel;
 import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
-import org.robotui.rfic.foxglove.internal.payload.PayloadFormat;
+import org.robotui.message.payload.PayloadFormat;
 import org.robotui.rfic.foxglove.internal.session.ChannelTable.Offered;
 
 /**

@@ -16,6 +16,9 @@ import org.robotui.data.record.FieldShape;
 import org.robotui.data.record.FieldValue;
 import org.robotui.message.Generation;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.payload.CommandFormat;
+import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.ros.geometry_msgs.Twist;
 import org.robotui.message.ros.geometry_msgs.Vector3;
 import org.robotui.message.ros.sensor_msgs.LaserScan;
@@ -25,7 +28,8 @@ class PayloadFormatsTest {
   private static final String IDL = "=".repeat(80) + "\nIDL: odd_msgs/msg/Part\n"
       + "module odd_msgs { module msg { struct Part { float size; sequence<octet> raw; }; }; };\n";
 
-  private final PayloadFormats formats = new PayloadFormats(Map.of());
+  private final RosDefinitions definitions = new RosDefinitions(Map.of());
+  private final PayloadFormats formats = new PayloadFormats(definitions);
 
   private PayloadFormat format(String encoding, String type, String schemaEncoding, String schema) {
     return formats.of(new PayloadSource(encoding, type, schemaEncoding, schema));
@@ -129,14 +133,14 @@ class PayloadFormatsTest {
   @Test
   void commandsAreWrittenInWhatTheServerTakes() {
     Twist twist = new Twist(new Vector3(0.5, 0, 0), new Vector3(0, 0, -1));
-    CommandFormat cdr = CommandFormat.of(List.of("json", "cdr"), false, formats).orElseThrow();
+    CommandFormat cdr = CommandFormat.of(List.of("json", "cdr"), false, definitions).orElseThrow();
     assertEquals("geometry_msgs/msg/Twist", cdr.typeName("geometry_msgs/Twist"));
     assertTrue(cdr.schema("geometry_msgs/Twist").contains("linear") && cdr.schemaEncoding().equals("ros2msg"));
     assertEquals(52, cdr.writing(Twist.class, "geometry_msgs/Twist").write(twist).remaining());
-    CommandFormat json = CommandFormat.of(List.of("json"), true, formats).orElseThrow();
+    CommandFormat json = CommandFormat.of(List.of("json"), true, definitions).orElseThrow();
     assertEquals(Generation.ROS2, json.generation());
     assertEquals("{\"linear\":{\"x\":0.5,\"y\":0.0,\"z\":0.0},\"angular\":{\"x\":0.0,\"y\":0.0,\"z\":-1.0}}",
         StandardCharsets.UTF_8.decode(json.writing(Twist.class, "geometry_msgs/Twist").write(twist)).toString());
-    assertTrue(CommandFormat.of(List.of("protobuf"), false, formats).isEmpty());
+    assertTrue(CommandFormat.of(List.of("protobuf"), false, definitions).isEmpty());
   }
 }

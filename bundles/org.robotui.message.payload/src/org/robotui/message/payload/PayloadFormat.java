@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.nio.ByteBuffer;
 import java.util.Map;
@@ -9,7 +9,7 @@ import org.robotui.message.MessageSchema;
 import org.robotui.message.data.MessageForm;
 
 /** How messages of one schema are read and written. Safe for all threads. */
-public sealed interface PayloadFormat permits RosFormat, JsonFormat, ProtobufFormat, UnknownFormat {
+public interface PayloadFormat {
 
   /**
    * The name of the type as all robot interfaces with topics know it: of two parts where it is one of ROS.

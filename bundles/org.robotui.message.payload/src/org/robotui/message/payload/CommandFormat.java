@@ -1,8 +1,10 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.Encoding;
 import org.robotui.message.Generation;
@@ -17,9 +19,9 @@ import org.robotui.message.data.MessageRecord;
  *
  * @param encoding the name by which the server knows it
  * @param generation whose definitions its messages have
- * @param formats knows the definitions
+ * @param definitions knows the definitions
  */
-public record CommandFormat(String encoding, Generation generation, PayloadFormats formats) {
+public record CommandFormat(String encoding, Generation generation, RosDefinitions definitions) {
   private static final String JSON = "json";
 
   /**
@@ -27,13 +29,14 @@ public record CommandFormat(String encoding, Generation generation, PayloadForma
    *
    * @param encodings those that the server takes
    * @param threeParts whether its types of ROS have names of three parts, as in ROS 2
-   * @param formats knows definitions
+   * @param definitions knows definitions
    * @return none where the server takes none of them
    */
-  public static Optional<CommandFormat> of(List<String> encodings, boolean threeParts, PayloadFormats formats) {
+  public static Optional<CommandFormat> of(List<String> encodings, boolean threeParts,
+      RosDefinitions definitions) {
     Generation json = threeParts ? Generation.ROS2 : Generation.ROS1;
-    return List.of(new CommandFormat("cdr", Generation.ROS2, formats),
-        new CommandFormat("ros1", Generation.ROS1, formats), new CommandFormat(JSON, json, formats)).stream()
+    return List.of(new CommandFormat("cdr", Generation.ROS2, definitions),
+        new CommandFormat("ros1", Generation.ROS1, definitions), new CommandFormat(JSON, json, definitions)).stream()
         .filter(each -> encodings.contains(each.encoding())).findFirst();
   }
 
@@ -75,7 +78,7 @@ public record CommandFormat(String encoding, Generation generation, PayloadForma
    * @return the definition, or why there is none
    */
   public SchemaLookup<MessageSchema> definition(String type) {
-    return formats.definition(type, generation);
+    return definitions.of(type, generation);
   }
 
   /**
@@ -92,10 +95,35 @@ public record CommandFormat(String encoding, Generation generation, PayloadForma
     if (!encoding.equals(JSON)) {
       return binding::encode;
     }
+    Function<M, Map<String, Object>> trees = trees(form, type);
+    return message -> JsonFormat.text(trees.apply(message));
+  }
+
+  /**
+   * What makes trees of JSON of the messages that a record holds.
+   *
+   * @param form the record
+   * @param type its type
+   * @param <M> the record
+   * @return makes them
+   * @throws IllegalArgumentException where the type is not known here
+   */
+  public <M extends Record> Function<M, Map<String, Object>> trees(Class<M> form, String type) {
+    RecordBinding<M> binding = RecordBinding.shipped(form, generation);
     if (definition(type) instanceof SchemaLookup.Found<MessageSchema> found) {
-      return message -> json(read(found.schema(), binding.encode(message)));
+      return message -> tree(read(found.schema(), binding.encode(message)));
     }
     throw new IllegalArgumentException("the definition of " + type + " is not known here");
+  }
+
+  /**
+   * A message of any type as a tree of JSON.
+   *
+   * @param message the message
+   * @return the tree, with times as the generation writes them
+   */
+  public Map<String, Object> tree(DynamicMessage message) {
+    return JsonValues.tree(new MessageRecord(message), generation == Generation.ROS2 ? "nanosec" : "nsec");
   }
 
   private DynamicMessage read(MessageSchema schema, ByteBuffer bytes) {
@@ -113,13 +141,8 @@ public record CommandFormat(String encoding, Generation generation, PayloadForma
    * @return its bytes
    */
   public ByteBuffer write(DynamicMessage message) {
-    return encoding.equals(JSON) ? json(message)
+    return encoding.equals(JSON) ? JsonFormat.text(tree(message))
         : RosFormat.write(message, generation == Generation.ROS2 ? Encoding.CDR : Encoding.ROS1);
-  }
-
-  private ByteBuffer json(DynamicMessage message) {
-    boolean second = generation == Generation.ROS2;
-    return JsonFormat.text(JsonValues.tree(new MessageRecord(message), second ? "nanosec" : "nsec"));
   }
 
   /**

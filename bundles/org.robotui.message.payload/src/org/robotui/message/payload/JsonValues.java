@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -63,8 +63,9 @@ public final class JsonValues {
    *
    * @param record what is written
    * @param rest how the part of a time below a second is called; seconds are {@code sec}
+   * @return the tree
    */
-  static Map<String, Object> tree(DynamicRecord record, String rest) {
+  public static Map<String, Object> tree(DynamicRecord record, String rest) {
     Map<String, Object> members = new LinkedHashMap<>();
     for (String name : record.fields()) {
       record.field(name).ifPresent(value -> members.put(name, tree(value, rest)));

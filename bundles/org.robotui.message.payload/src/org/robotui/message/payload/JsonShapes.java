@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.nio.ByteBuffer;
 import java.util.Map;
@@ -21,7 +21,7 @@ import org.robotui.message.data.MessageShapes;
  * @param schema their definition
  * @param encoding how their fields become bytes
  */
-record RosFormat(MessageSchema schema, Encoding encoding) implements PayloadFormat {
+public record RosFormat(MessageSchema schema, Encoding encoding) implements PayloadFormat {
   @Override
   public String type() {
     return schema.definition().type();
@@ -59,6 +59,7 @@ record RosFormat(MessageSchema schema, Encoding encoding) implements PayloadForm
     };
   }
 
+  /** Reads a message of any type. */
   private DynamicMessage message(ByteBuffer payload) {
     try {
       return DynamicMessage.read(schema, encoding.reader(payload));

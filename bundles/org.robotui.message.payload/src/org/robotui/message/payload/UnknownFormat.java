@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.nio.ByteBuffer;
 import java.util.Map;
@@ -12,7 +12,7 @@ import org.robotui.message.data.MessageForm;
  * @param type the name of their type
  * @param reason why
  */
-record UnknownFormat(String type, String reason) implements PayloadFormat {
+public record UnknownFormat(String type, String reason) implements PayloadFormat {
   @Override
   public Optional<String> obstacle() {
     return Optional.of(reason);

@@ -1,4 +1,4 @@
-package org.robotui.rfic.foxglove.internal.payload;
+package org.robotui.message.payload;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -22,9 +22,23 @@ import org.robotui.web.tree.Trees;
  * @param definition of ROS, where the type is one of ROS
  * @param schema the form of the records, where it is known
  */
-record JsonFormat(String type, Optional<MessageSchema> definition, Optional<RecordShape> schema)
+public record JsonFormat(String type, Optional<MessageSchema> definition, Optional<RecordShape> schema)
     implements PayloadFormat {
   private static final String WHOLE = "value";
+
+  /**
+   * Of a type as a server names it.
+   *
+   * @param type its name, may be empty
+   * @param definitions knows the types of ROS
+   * @param schema in JSON Schema, or empty
+   * @return the format; by the definition of ROS where the type is one that is known here
+   */
+  public static JsonFormat of(String type, RosDefinitions definitions, String schema) {
+    Optional<MessageSchema> known = type.contains("/") ? definitions.find(type) : Optional.empty();
+    String name = known.map(ros -> ros.definition().type()).orElse(type.isEmpty() ? "json" : type);
+    return new JsonFormat(name, known, JsonShapes.of(name, schema));
+  }
 
   @Override
   public Optional<RecordShape> shape() {
@@ -51,7 +65,19 @@ record JsonFormat(String type, Optional<MessageSchema> definition, Optional<Reco
   }
 
   private static DynamicMessage message(MessageSchema ros, ByteBuffer payload) {
-    return RosFormat.built(ros, JsonValues.plain(members(payload)));
+    return message(ros, members(payload));
+  }
+
+  /**
+   * A tree as a message of ROS.
+   *
+   * @param ros the definition of its type
+   * @param members the tree
+   * @return the message
+   * @throws IllegalArgumentException where the tree is no such message
+   */
+  public static DynamicMessage message(MessageSchema ros, Map<String, Object> members) {
+    return RosFormat.built(ros, JsonValues.plain(members));
   }
 
   @SuppressWarnings("unchecked") // likewise
