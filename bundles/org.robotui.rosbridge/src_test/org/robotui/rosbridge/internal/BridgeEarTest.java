@@ -27,8 +27,9 @@ import org.robotui.web.tree.TreeException;
 class BridgeEarTest {
   private static final String PUBLISH = "{\"op\":\"publish\",\"topic\":\"/a\",\"msg\":{\"x\":[1,2],\"y\":\"z\"}}";
   /** {op: publish, topic: /a, msg: {secs: 1, nsecs: 2, bytes: h'010203'}}. */
-  private static final byte[] RAW = HexFormat.of().parseHex("a3626f70677075626c69736865746f706963622f61636d7367a36473656373"
-      + "01656e736563730265627974657343010203");
+  private static final byte[] RAW =
+      HexFormat.of().parseHex("a3626f70677075626c69736865746f706963622f61636d7367a36473656373"
+          + "01656e736563730265627974657343010203");
 
   private final List<String> complaints = new ArrayList<>();
   private final BlockingQueue<Parcel> parcels = new LinkedBlockingQueue<>();
@@ -67,8 +68,7 @@ class BridgeEarTest {
   @Test
   void damagedMessagesAreRefusedAndNothingElse() {
     Random random = new Random(7);
-    ear.topics().put("/a", List.of(arrivals.source(1, parcel -> {
-    })));
+    ear.topics().put("/a", List.of(arrivals.source(1, parcel -> {})));
     for (int i = 0; i < 20_000; i++) {
       ear.onText(new String(damaged(PUBLISH.getBytes(StandardCharsets.UTF_8), random), StandardCharsets.UTF_8));
       ear.onBinary(ByteBuffer.wrap(damaged(RAW, random)));
