@@ -125,9 +125,12 @@ class FoxgloveRficTest {
     begin(Map.of());
     want("moving frames");
     await(() -> server.listeners(1) == 1);
-    server.publish(1, json("{\"timestamp\":{\"sec\":5,\"nsec\":0},\"parent_frame_id\":\"map\",\"child_frame_id\":"
-        + "\"base\",\"translation\":{\"x\":1},\"rotation\":{\"w\":1}}"));
-    await(() -> !context.transforms.isEmpty() && !context.published.get("moving frames").isEmpty());
+    String transform = "{\"timestamp\":{\"sec\":5,\"nsec\":0},\"parent_frame_id\":\"map\",\"child_frame_id\":"
+        + "\"base\",\"translation\":{\"x\":1},\"rotation\":{\"w\":1}}";
+    await(() -> {
+      server.publish(1, json(transform)); // the two who want it do not begin at once
+      return !context.transforms.isEmpty() && !context.published.get("moving frames").isEmpty();
+    });
     assertEquals(1, context.transforms.getFirst().parentFromChild().translation().x());
   }
 
