@@ -36,7 +36,7 @@ prepare_tests() {
   need_packages "Tests against real ROS tools" "${PEER_PACKAGES[@]}" \
     || say "  Tests that need them will say that they were skipped."
   [[ -n ${ROBOTUI_ROS2_PEERS:-} ]] || make_ros2_peers \
-    || say "  Peers of ROS 2 could not be fetched: tests against them will say that they were skipped."
+    || say "  Peers of ROS 2 and Foxglove could not be fetched: tests against them will say that they were skipped."
   export ROBOTUI_ROS2_PEERS=${ROBOTUI_ROS2_PEERS:-$ROS2_PEERS}
   [[ $1 == unit ]] && return 0
   need_packages "Tests with a window" "${WINDOW_PACKAGES[@]}" "${DISPLAY_PACKAGES[@]}" || exit 1

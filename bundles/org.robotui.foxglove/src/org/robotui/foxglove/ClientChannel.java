@@ -12,6 +12,7 @@ public final class ClientChannel implements AutoCloseable {
   private final WebLink link;
   private final int id;
   private final Runnable end;
+  private volatile boolean closed;
 
   ClientChannel(WebLink link, int id, Runnable end) {
     this.link = link;
@@ -28,12 +29,13 @@ public final class ClientChannel implements AutoCloseable {
    * @throws InterruptedException if the thread was interrupted
    */
   public boolean publish(ByteBuffer payload, Duration patience) throws InterruptedException {
-    return link.command(new WebPayload.Binary(Binary.publish(id, payload)), patience);
+    return !closed && link.command(new WebPayload.Binary(Binary.publish(id, payload)), patience);
   }
 
   /** Takes it back. */
   @Override
   public void close() {
+    closed = true;
     end.run();
   }
 }

@@ -5,6 +5,7 @@ import java.net.URI;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,11 +14,12 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.foxglove.internal.Binary;
+import org.robotui.foxglove.internal.ChannelFeeds;
 import org.robotui.foxglove.internal.Graph;
-import org.robotui.foxglove.internal.OpenQuestions;
 import org.robotui.foxglove.internal.ServerState;
 import org.robotui.net.call.Outcome;
 import org.robotui.web.Arrivals;
+import org.robotui.web.OpenQuestions;
 import org.robotui.web.WebLink;
 import org.robotui.web.WebOptions;
 import org.robotui.web.WebPayload;
@@ -31,11 +33,13 @@ import org.robotui.web.tree.JsonText;
 public final class FoxgloveClient implements AutoCloseable {
 
   private static final String NEW = "foxglove.sdk.v1";
+  private static final long MOST_BYTES = 1 << 25;
   private static final String OLD = "foxglove.websocket.v1";
 
   private final WebLink link;
   private final ServerState ear;
   private final Arrivals arrivals;
+  private final ChannelFeeds feeds;
   private final AtomicInteger ids = new AtomicInteger();
   private final Map<Integer, ClientChannel> advertised = new ConcurrentHashMap<>();
 
@@ -43,6 +47,7 @@ public final class FoxgloveClient implements AutoCloseable {
     this.link = link;
     this.ear = ear;
     this.arrivals = arrivals;
+    this.feeds = new ChannelFeeds(ear, this::say);
   }
 
   /**
@@ -103,20 +108,16 @@ public final class FoxgloveClient implements AutoCloseable {
    * Receives a channel from now on.
    *
    * @param channel one of {@link #channels}
-   * @param most how many messages are kept until they are taken; 1 where only the newest counts
+   * @param most how many messages are kept until they are taken; 1 where only the newest counts. No more than 32 MiB
+   * are kept, but for one message
    * @param receiver takes them, on a thread that all subscriptions share
    * @return the subscription; closing it ends it
    */
   public ChannelSubscription subscribe(ServerChannel channel, int most, MessageReceiver receiver) {
-    int id = ids.incrementAndGet();
-    Arrivals.Source<Binary.Data> source =
-        arrivals.source(most, data -> receiver.received(data.payload(), data.nanos()));
-    ear.subscribed(id, source);
-    say(Graph.message("subscribe", "subscriptions", List.of(Map.of("id", id, "channelId", channel.id()))));
-    return new ChannelSubscription(source, () -> {
-      ear.unsubscribed(id);
-      say(Graph.message("unsubscribe", "subscriptionIds", List.of(id)));
-    });
+    Arrivals.Source<Binary.Data> source = arrivals.source(most, MOST_BYTES, data -> data.payload().remaining(),
+        data -> receiver.received(data.payload(), data.nanos(), data.receivedNanos()));
+    feeds.add(channel.id(), source);
+    return new ChannelSubscription(source, () -> feeds.remove(channel.id(), source));
   }
 
   /**
@@ -192,11 +193,24 @@ public final class FoxgloveClient implements AutoCloseable {
    */
   public Outcome<List<Parameter>> set(Parameter parameter, Duration patience) throws InterruptedException {
     return ear.parameters().ask(parameter.name(), patience, id -> {
-      Map<String, Object> message = Graph.message("setParameters", "parameters",
-          List.of(Map.of("name", parameter.name(), "value", parameter.value())));
+      Map<String, Object> set = new LinkedHashMap<>(Map.of("name", parameter.name(), "value", parameter.value()));
+      if (!parameter.type().isEmpty()) {
+        set.put("type", parameter.type());
+      }
+      Map<String, Object> message = Graph.message("setParameters", "parameters", List.of(set));
       message.put("id", String.valueOf(id));
       return say(message);
     });
+  }
+
+  /**
+   * Asks to be told when parameters change, or to be told no more.
+   *
+   * @param names which
+   * @param follow whether to be told
+   */
+  public void followParameters(List<String> names, boolean follow) {
+    say(Graph.message(follow ? "subscribeParameterUpdates" : "unsubscribeParameterUpdates", "parameterNames", names));
   }
 
   /** Asks to be told who publishes and subscribes what. Only where the server can say so. */
@@ -232,12 +246,12 @@ public final class FoxgloveClient implements AutoCloseable {
   }
 
   /**
-   * How long an answer takes, which is how old messages are when they come.
+   * What is wrong with the link.
    *
-   * @return nanoseconds
+   * @return a sentence for users; empty where all is well
    */
-  public long roundTripNanos() {
-    return link.roundTripNanos();
+  public String trouble() {
+    return link.trouble();
   }
 
   /** Takes back what was announced, and ends the link. */

@@ -1,5 +1,6 @@
 package org.robotui.foxglove;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -27,6 +28,16 @@ public interface FoxgloveListener {
    * @param message what it tells
    */
   default void onStatus(int level, String message) {}
+
+  /** The server has other channels or services than before. */
+  default void onOffers() {}
+
+  /**
+   * Parameters have changed that are followed.
+   *
+   * @param values those that have changed
+   */
+  default void onParameters(List<Parameter> values) {}
 
   /**
    * The whole graph as far as it is known.

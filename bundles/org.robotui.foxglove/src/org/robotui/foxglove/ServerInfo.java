@@ -17,6 +17,8 @@ public record ServerInfo(String name, Set<String> capabilities, List<String> enc
   public static final String CLIENT_PUBLISH = "clientPublish";
   /** Has parameters. */
   public static final String PARAMETERS = "parameters";
+  /** Says when parameters change. */
+  public static final String PARAMETERS_SUBSCRIBE = "parametersSubscribe";
   /** Says its time. */
   public static final String TIME = "time";
   /** Can be asked. */

@@ -45,8 +45,9 @@ public final class DynamicCodec implements MessageCodec<DynamicMessage> {
    * Makes a message from Java values, as a form or a script gives them.
    *
    * @param values by field name: {@link Boolean}, {@link Number}, {@link String} (also for numbers), nanoseconds or a
-   * map of {@code secs} and {@code nsecs} for times, maps or {@link DynamicMessage} for messages, lists or primitive
-   * arrays or {@link PrimitiveArray} for arrays, {@link RosValue} for any. Fields without a value become zero or empty
+   * map of {@code secs} and {@code nsecs} (or as ROS 2 and Foxglove write them) for times, a text in Base64 for bytes,
+   * maps or {@link DynamicMessage} for messages, lists or primitive arrays or {@link PrimitiveArray} for arrays,
+   * {@link RosValue} for any. Fields without a value become zero or empty
    * @return the message
    * @throws MessageException if a value does not fit its field or there is no such field
    */

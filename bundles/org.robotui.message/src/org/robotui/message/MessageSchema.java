@@ -85,6 +85,22 @@ public final class MessageSchema {
     return new MessageSchema(root, found, fullText);
   }
 
+  /**
+   * Reads the full text of a type in IDL: the files of the type and of those it refers to, each after a line of equals
+   * signs and a line {@code IDL: package/msg/Type}.
+   *
+   * @param type the type's full name
+   * @param fullText the text
+   * @return the complete type
+   * @throws DefinitionException if a type is missing, broken, recursive, or nested too deeply
+   */
+  public static MessageSchema parseIdl(String type, String fullText) throws DefinitionException {
+    if (fullText.length() > DefinitionParser.MAX_TEXT) {
+      throw new DefinitionException(type, "the text of " + fullText.length() + " characters is too long");
+    }
+    return IdlFiles.of(Generation.plainName(type), fullText).schema();
+  }
+
   private static Map<String, String> split(String type, String fullText) throws DefinitionException {
     Map<String, List<String>> parts = new LinkedHashMap<>();
     List<String> current = new ArrayList<>();
@@ -106,7 +122,7 @@ public final class MessageSchema {
     return texts;
   }
 
-  private static boolean isSeparator(String line) {
+  static boolean isSeparator(String line) {
     String stripped = line.strip();
     return stripped.length() >= 3 && stripped.chars().allMatch(c -> c == '=');
   }

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** Writes single values of built-in types from Java values, checking their range. */
 final class ScalarEncoder {
@@ -131,8 +132,8 @@ final class ScalarEncoder {
   private void time(Primitive type, Object value) throws MessageException {
     if (value instanceof Map<?, ?> parts) {
       Primitive part = type == Primitive.TIME ? Primitive.UINT32 : Primitive.INT32;
-      write(part, parts.get(parts.containsKey("sec") ? "sec" : "secs"));
-      write(part, parts.get(parts.containsKey("nanosec") ? "nanosec" : "nsecs"));
+      write(part, first(parts, "sec", "secs"));
+      write(part, first(parts, "nanosec", "nsecs", "nsec"));
       return;
     }
     long nanos = signed(Primitive.INT64, value, 64);
@@ -142,6 +143,10 @@ final class ScalarEncoder {
       throw mismatch(type, value);
     }
     Stamps.write(nanos, out);
+  }
+
+  private static Object first(Map<?, ?> parts, String... names) {
+    return Stream.of(names).filter(parts::containsKey).findFirst().map(name -> (Object) parts.get(name)).orElse(null);
   }
 
   private MessageException mismatch(Primitive type, Object value) {

@@ -2,6 +2,7 @@ package org.robotui.message;
 
 import java.lang.reflect.Array;
 import java.math.BigInteger;
+import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,12 +27,25 @@ final class TreeEncoder {
     }
     for (Layout.Field each : layout.fields()) {
       try {
-        Object value = unwrap(values.get(each.name()));
+        Object value = bytes(each, unwrap(values.get(each.name())));
         field(each,
             value == null && each.initial().isPresent() ? Literals.value(each.type(), each.initial().get()) : value);
       } catch (MessageException e) {
         throw e.within(each.name());
       }
+    }
+  }
+
+  /** Bytes may come as a text in Base64, as JSON has no bytes. */
+  private Object bytes(Layout.Field field, Object value) throws MessageException {
+    Primitive type = field.primitive();
+    if (!(value instanceof String text) || !field.type().isArray() || type == null || type.size() != 1) {
+      return value;
+    }
+    try {
+      return Base64.getDecoder().decode(text);
+    } catch (IllegalArgumentException e) {
+      throw problem("a text that is no Base64 stands for bytes: " + e.getMessage());
     }
   }
 

@@ -131,4 +131,14 @@ class DynamicMessageTest {
         assertThrows(MessageException.class, () -> codec.decode(ByteBuffer.wrap(new byte[64])));
     assertEquals("many", e.path());
   }
+
+  @Test
+  void bytesAndTimesAreTakenAsJsonHasThem() throws DefinitionException, MessageException {
+    DynamicCodec codec = new DynamicCodec(MessageSchema.parse("a/B", "uint8[] data\ntime stamp\n"));
+    Map<String, Object> values = Map.of("data", "AQL/", "stamp", Map.of("sec", 3, "nsec", 4));
+    DynamicMessage message = codec.build(values);
+    assertEquals(255, message.number("data[2]").orElseThrow());
+    assertEquals(codec.build(Map.of("data", new byte[]{1, 2, -1}, "stamp", 3_000_000_004L)), message);
+    assertThrows(MessageException.class, () -> codec.build(Map.of("data", "no Base64!")));
+  }
 }

@@ -111,4 +111,17 @@ class IdlTest {
     }
     assertTrue(refused > 500, refused + " were refused");
   }
+
+  @Test
+  void filesThatComeInOneTextAreOneType() throws DefinitionException {
+    String line = "=".repeat(80) + "\n";
+    String part = "module odd_msgs { module msg { struct Part { float size; }; }; };\n";
+    String text = line + "IDL: odd_msgs/msg/Pair\nmodule odd_msgs { module msg { struct Pair {\n"
+        + "odd_msgs::msg::Part first; builtin_interfaces::msg::Time stamp; }; }; };\n" + line
+        + "IDL: odd_msgs/msg/Part\n" + part;
+    MessageSchema schema = MessageSchema.parseIdl("odd_msgs/msg/Pair", text);
+    assertEquals("odd_msgs/Pair", schema.definition().type());
+    assertEquals("float32 size\n", schema.nested().get("odd_msgs/Part").text());
+    assertThrows(DefinitionException.class, () -> MessageSchema.parseIdl("odd_msgs/msg/Other", text));
+  }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.ThreadFactory;
 import java.util.function.Consumer;
+import java.util.function.ToLongFunction;
 import org.robotui.net.log.LogThrottle;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -41,7 +42,21 @@ public final class Arrivals implements AutoCloseable {
    * @return the source
    */
   public <T> Source<T> source(int most, Consumer<? super T> taken) {
-    return new Source<>(this, most, taken);
+    return source(most, Long.MAX_VALUE, value -> 0, taken);
+  }
+
+  /**
+   * A source of its own, which keeps no more than fits.
+   *
+   * @param most how many are kept; 1 where only the newest counts
+   * @param mostBytes how many bytes are kept, but for one that is longer
+   * @param size how long each is, in bytes
+   * @param taken is given each, on the thread that takes
+   * @param <T> what arrives
+   * @return the source
+   */
+  public <T> Source<T> source(int most, long mostBytes, ToLongFunction<? super T> size, Consumer<? super T> taken) {
+    return new Source<>(this, most, mostBytes, size, taken);
   }
 
   /**
@@ -52,15 +67,21 @@ public final class Arrivals implements AutoCloseable {
   public static final class Source<T> implements AutoCloseable {
     private final Arrivals all;
     private final int most;
+    private final long mostBytes;
+    private final ToLongFunction<? super T> size;
     private final Consumer<? super T> taken;
     private final Deque<T> kept = new ArrayDeque<>();
+    private long bytes;
     private long dropped;
     private boolean queued;
     private boolean closed;
 
-    private Source(Arrivals all, int most, Consumer<? super T> taken) {
+    private Source(Arrivals all, int most, long mostBytes, ToLongFunction<? super T> size,
+        Consumer<? super T> taken) {
       this.all = all;
       this.most = most;
+      this.mostBytes = mostBytes;
+      this.size = size;
       this.taken = taken;
     }
 
@@ -74,8 +95,9 @@ public final class Arrivals implements AutoCloseable {
         if (closed || all.closed) {
           return;
         }
-        if (kept.size() >= most) {
-          kept.poll();
+        bytes += size.applyAsLong(value);
+        while (!kept.isEmpty() && (kept.size() >= most || bytes > mostBytes)) {
+          poll();
           dropped++;
         }
         kept.add(value);
@@ -85,6 +107,13 @@ public final class Arrivals implements AutoCloseable {
           all.notifyAll();
         }
       }
+    }
+
+    /** The oldest; under the lock of all. */
+    private T poll() {
+      T oldest = kept.poll();
+      bytes -= size.applyAsLong(oldest);
+      return oldest;
     }
 
     /**
@@ -106,6 +135,7 @@ public final class Arrivals implements AutoCloseable {
       synchronized (all) {
         closed = true;
         kept.clear();
+        bytes = 0;
         all.ready.remove(this);
       }
     }
@@ -140,7 +170,7 @@ public final class Arrivals implements AutoCloseable {
       if (source.closed) {
         return;
       }
-      value = source.kept.poll();
+      value = source.poll();
       source.queued = !source.kept.isEmpty();
       if (source.queued) {
         ready.add(source);

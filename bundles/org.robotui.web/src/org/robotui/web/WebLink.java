@@ -21,6 +21,8 @@ import java.util.concurrent.TimeoutException;
 public final class WebLink implements AutoCloseable {
 
   private static final Duration FAREWELL = Duration.ofMillis(300);
+  private static final Duration LATE = Duration.ofSeconds(1);
+  private static final long SECOND = 1_000_000_000L;
   private static final Duration END = Duration.ofMillis(700);
 
   private final URI address;
@@ -157,6 +159,22 @@ public final class WebLink implements AutoCloseable {
    */
   public long roundTripNanos() {
     return heartbeat.roundTripNanos(System.nanoTime());
+  }
+
+  /**
+   * What is wrong with the link.
+   *
+   * @return a sentence for users; empty where all is well
+   */
+  public String trouble() {
+    long silent = silentNanos();
+    if (silent > LATE.toNanos()) {
+      return "nothing has come for " + silent / SECOND + " s, although an answer is awaited";
+    }
+    long late = roundTripNanos();
+    return late > LATE.toNanos()
+        ? "answers take " + late / SECOND + " s: more is asked for than the network carries"
+        : "";
   }
 
   /** Says what waits, for a moment, takes leave, and ends the link with all its threads. */

@@ -37,6 +37,28 @@ class ArrivalsTest {
     }
   }
 
+  @Test
+  void aSourceKeepsNoMoreBytesThanFitButOneThatIsLonger() throws InterruptedException {
+    CountDownLatch busy = new CountDownLatch(1);
+    CountDownLatch goOn = new CountDownLatch(1);
+    BlockingQueue<Long> taken = new LinkedBlockingQueue<>();
+    try (Arrivals arrivals = new Arrivals(Thread.ofPlatform().daemon().factory())) {
+      arrivals.source(1, value -> {
+        busy.countDown();
+        await(goOn);
+      }).arrived(0);
+      assertTrue(busy.await(10, TimeUnit.SECONDS));
+      Arrivals.Source<Long> some = arrivals.source(100, 10, Long::longValue, taken::add);
+      List.of(50L, 4L, 5L, 3L).forEach(some::arrived);
+      goOn.countDown();
+      assertEquals(5, taken.poll(10, TimeUnit.SECONDS));
+      assertEquals(3, taken.poll(10, TimeUnit.SECONDS));
+      assertEquals(2, some.dropped());
+      some.arrived(60L);
+      assertEquals(60, taken.poll(10, TimeUnit.SECONDS));
+    }
+  }
+
   private static void await(CountDownLatch latch) {
     try {
       latch.await(10, TimeUnit.SECONDS);

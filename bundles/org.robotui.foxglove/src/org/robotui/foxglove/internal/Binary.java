@@ -9,7 +9,7 @@ import org.robotui.web.tree.TreeException;
 public sealed interface Binary {
 
   /** A message of a subscription. */
-  record Data(long subscription, long nanos, ByteBuffer payload) implements Binary {}
+  record Data(long subscription, long nanos, ByteBuffer payload, long receivedNanos) implements Binary {}
 
   /** The server's time. */
   record Time(long nanos) implements Binary {}
@@ -26,7 +26,7 @@ public sealed interface Binary {
     return switch (need(in, 1).get()) {
       case 1 -> {
         need(in, 12);
-        yield new Data(unsigned(in), in.getLong(), in.slice());
+        yield new Data(unsigned(in), in.getLong(), in.slice(), System.nanoTime());
       }
       case 2 -> new Time(need(in, 8).getLong());
       case 3 -> {

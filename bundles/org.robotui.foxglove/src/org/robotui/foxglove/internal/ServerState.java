@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
 import org.robotui.foxglove.ServerChannel;
 import org.robotui.foxglove.FoxgloveListener;
 import org.robotui.foxglove.Parameter;
@@ -13,7 +15,7 @@ import org.robotui.foxglove.ServerInfo;
 import org.robotui.foxglove.Service;
 import org.robotui.net.call.Outcome;
 import org.robotui.net.log.PeerText;
-import org.robotui.web.Arrivals;
+import org.robotui.web.OpenQuestions;
 import org.robotui.web.WebListener;
 import org.robotui.web.tree.JsonText;
 import org.robotui.web.tree.TreeException;
@@ -23,12 +25,14 @@ import org.robotui.web.tree.Trees;
 public final class ServerState implements WebListener {
 
   private static final int MOST = 20_000;
+  private static final Set<String> OFFERS =
+      Set.of("serverInfo", "advertise", "unadvertise", "advertiseServices", "unadvertiseServices");
 
   private final String server;
   private final FoxgloveListener listener;
   private final Map<Long, ServerChannel> channels = new ConcurrentHashMap<>();
   private final Map<Long, Service> services = new ConcurrentHashMap<>();
-  private final Map<Long, Arrivals.Source<Binary.Data>> subscriptions = new ConcurrentHashMap<>();
+  private final Map<Long, Consumer<Binary.Data>> subscriptions = new ConcurrentHashMap<>();
   private final OpenQuestions<ByteBuffer> calls = new OpenQuestions<>();
   private final OpenQuestions<List<Parameter>> parameters = new OpenQuestions<>();
   private final Graph graph = new Graph();
@@ -66,8 +70,8 @@ public final class ServerState implements WebListener {
   }
 
   /** Messages of a subscription go there from now on. */
-  public void subscribed(long id, Arrivals.Source<Binary.Data> source) {
-    subscriptions.put(id, source);
+  public void subscribed(long id, Consumer<Binary.Data> taker) {
+    subscriptions.put(id, taker);
   }
 
   /** Nothing more of a subscription is taken. */
@@ -91,7 +95,7 @@ public final class ServerState implements WebListener {
     try {
       switch (Binary.read(bytes)) {
         case Binary.Data data -> Optional.ofNullable(subscriptions.get(data.subscription()))
-            .ifPresent(source -> source.arrived(data));
+            .ifPresent(taker -> taker.accept(data));
         case Binary.Time time -> listener.onTime(time.nanos());
         case Binary.Reply reply -> calls.answered(String.valueOf(reply.call()), new Outcome.Done<>(reply.payload()));
         case Binary.Other other -> {
@@ -114,6 +118,16 @@ public final class ServerState implements WebListener {
   }
 
   private void said(String op, Map<String, Object> message) throws TreeException {
+    try {
+      take(op, message);
+    } finally {
+      if (OFFERS.contains(op)) {
+        listener.onOffers();
+      }
+    }
+  }
+
+  private void take(String op, Map<String, Object> message) throws TreeException {
     switch (op) {
       case "serverInfo" -> introduced(Advertised.info(message));
       case "advertise" -> {
@@ -130,8 +144,7 @@ public final class ServerState implements WebListener {
         }
       }
       case "unadvertiseServices" -> Trees.list(message, "serviceIds").forEach(services::remove);
-      case "parameterValues" -> parameters.answered(Trees.optionalText(message, "id").orElse(""),
-          new Outcome.Done<>(values(message)));
+      case "parameterValues" -> told(Trees.optionalText(message, "id").orElse(""), values(message));
       case "serviceCallFailure" -> calls.answered(String.valueOf(Trees.whole(message, "callId")),
           new Outcome.Refused<>(PeerText.brief(Trees.optionalText(message, "message").orElse("no reason given"))));
       case "connectionGraphUpdate" -> {
@@ -143,6 +156,15 @@ public final class ServerState implements WebListener {
       default -> {
         // of a newer protocol
       }
+    }
+  }
+
+  /** Values that nobody has asked for are those of parameters that are followed. */
+  private void told(String id, List<Parameter> values) {
+    if (id.isEmpty()) {
+      listener.onParameters(values);
+    } else {
+      parameters.answered(id, new Outcome.Done<>(values));
     }
   }
 
@@ -167,7 +189,8 @@ public final class ServerState implements WebListener {
     for (Object each : Trees.list(message, "parameters")) {
       Map<String, Object> parameter = Trees.object(each);
       if (parameter.containsKey("value")) {
-        values.add(new Parameter(Trees.text(parameter, "name"), parameter.get("value")));
+        values.add(new Parameter(Trees.text(parameter, "name"), parameter.get("value"),
+            Trees.optionalText(parameter, "type").orElse("")));
       }
     }
     return values;

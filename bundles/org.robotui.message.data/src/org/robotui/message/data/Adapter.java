@@ -3,6 +3,7 @@ package org.robotui.message.data;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import org.robotui.data.Data;
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.RecordCodec;
 
@@ -38,6 +39,11 @@ public record Adapter<M, D extends Data>(
     Optional<D> apply(M message, FrameNames frames);
   }
 
+  /** The same under another name. */
+  Adapter<M, D> named(String other) {
+    return new Adapter<>(other, form, data, convert, stamp);
+  }
+
   /** Of messages that a record holds, which is bound to their definition. */
   static <M extends Record, D extends Data> Adapter<M, D> of(
       Class<M> message, Class<D> data, Simple<M, D> convert, ToLongFunction<M> stamp) {
@@ -54,6 +60,13 @@ public record Adapter<M, D extends Data>(
   static <D extends Data> Adapter<DynamicMessage, D> ofDynamic(String type, Class<D> data,
       Simple<DynamicMessage, D> convert) {
     return of(type, new MessageForm.Dynamic(), data, convert, m -> 0);
+  }
+
+  /** Of messages that are read by the names of their fields, whatever defines them. */
+  static <D extends Data> Adapter<DynamicRecord, D> ofFields(String type, Class<D> data,
+      Simple<NamedFields, D> convert) {
+    return of(type, new MessageForm.ByFields(), data, (m, names) -> convert.apply(new NamedFields(m), names),
+        m -> new NamedFields(m).nanos("timestamp"));
   }
 
   private static <M, D extends Data> Adapter<M, D> of(

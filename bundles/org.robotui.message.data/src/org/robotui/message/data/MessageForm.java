@@ -1,5 +1,6 @@
 package org.robotui.message.data;
 
+import org.robotui.data.record.DynamicRecord;
 import org.robotui.message.DynamicMessage;
 
 /**
@@ -21,4 +22,7 @@ public sealed interface MessageForm<M> {
 
   /** Any message, read by the definition that the robot sends or that is known here. */
   record Dynamic() implements MessageForm<DynamicMessage> {}
+
+  /** Any message whose fields have names, whatever defines them: also one of JSON or of Protocol Buffers. */
+  record ByFields() implements MessageForm<DynamicRecord> {}
 }

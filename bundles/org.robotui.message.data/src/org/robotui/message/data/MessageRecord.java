@@ -2,8 +2,8 @@ package org.robotui.message.data;
 
 import java.util.List;
 import java.util.Optional;
+import org.robotui.data.array.Bytes;
 import org.robotui.data.array.Doubles;
-import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.FieldDefinition;
@@ -14,7 +14,7 @@ import org.robotui.message.RosValue;
  *
  * @param message the message, decoded when asked
  */
-public record MessageRecord(DynamicMessage message) implements DynamicRecord {
+public record MessageRecord(DynamicMessage message) implements ByteFields {
   @Override
   public String schema() {
     return message.type();
@@ -28,6 +28,12 @@ public record MessageRecord(DynamicMessage message) implements DynamicRecord {
   @Override
   public Optional<FieldValue> field(String name) {
     return message.field(name).map(MessageRecord::value);
+  }
+
+  @Override
+  public Optional<Bytes> bytes(String name) {
+    return message.field(name).filter(RosValue.Numbers.class::isInstance).map(v -> ((RosValue.Numbers) v).values())
+        .filter(numbers -> numbers.type().size() == 1).map(numbers -> Bytes.wrap(numbers.bytes()));
   }
 
   private static FieldValue value(RosValue value) {

@@ -53,7 +53,7 @@ final class SensorAdapters {
         names.frame(m.header().frameId()), kind, m.fieldOfView(), m.minRange(), m.maxRange(), m.range())));
   }
 
-  private static RawImage image(Image m, FrameNames names) {
+  static RawImage image(Image m, FrameNames names) {
     PixelEncoding encoding = PixelEncoding.fromRos(m.encoding()).orElseThrow(
         () -> new IllegalArgumentException("encoding: '" + m.encoding() + "' is none that can be shown"));
     return new RawImage(names.frame(m.header().frameId()), Sizes.of("width", m.width()), Sizes.of("height", m.height()),
@@ -82,7 +82,7 @@ final class SensorAdapters {
     return covariance[0] == NO_MEASUREMENT ? Optional.empty() : Optional.of(covariance);
   }
 
-  private static GpsFix fix(NavSatFix m, FrameNames names) {
+  static GpsFix fix(NavSatFix m, FrameNames names) {
     GpsFix.Quality quality = switch (m.status().status()) {
       case NavSatStatus.STATUS_FIX -> GpsFix.Quality.FIX;
       case NavSatStatus.STATUS_SBAS_FIX -> GpsFix.Quality.SATELLITE_AUGMENTED;

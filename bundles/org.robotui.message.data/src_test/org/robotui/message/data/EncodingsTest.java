@@ -91,6 +91,7 @@ class EncodingsTest {
       case MessageForm.Bound<?> bound -> (M) RecordBinding.shipped(bound.type(), generation).decode(bytes);
       case MessageForm.Dynamic any -> (M) DynamicMessage.read(schema(adapter.type(), generation),
           generation == Generation.ROS1 ? new MessageReader(bytes) : new CdrReader(bytes));
+      case MessageForm.ByFields any -> throw new AssertionError(adapter.type() + " is recorded nowhere");
     };
   }
 

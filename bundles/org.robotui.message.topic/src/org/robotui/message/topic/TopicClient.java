@@ -14,6 +14,17 @@ import org.robotui.message.data.MessageForm;
 public interface TopicClient {
 
   /**
+   * Whether the messages of a topic have a definition of ROS. Others are read by the names of their fields alone
+   * ({@code MessageForm.ByFields}).
+   *
+   * @param topic its name
+   * @return true unless something else defines them
+   */
+  default boolean isDefined(String topic) {
+    return true;
+  }
+
+  /**
    * Receives the messages of a topic, from now on and from all who publish it.
    *
    * @param <M> the Java value of a message

@@ -116,7 +116,7 @@ public final class TopicOffers implements AutoCloseable {
   private Followed stream(String topic, String type) {
     return MarkerStream.serves(topic, type)
         ? new MarkerStream(topic, scope, feedbacks)
-        : new TopicStream(topic, adapters.of(type), scope);
+        : new TopicStream(topic, scope.client().isDefined(topic) ? adapters.of(type) : adapters.ofFields(type), scope);
   }
 
   private Map<String, String> commandTopics(Map<String, String> subscribed) {

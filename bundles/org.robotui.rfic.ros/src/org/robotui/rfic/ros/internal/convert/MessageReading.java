@@ -10,6 +10,7 @@ import org.robotui.message.RawCodec;
 import org.robotui.message.RecordCodec;
 import org.robotui.message.VersionTolerantCodec;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.data.MessageRecord;
 
 /**
  * How messages of ROS 1 are received and read. One that no definition fits is the matter of its message, not of the
@@ -34,6 +35,8 @@ public record MessageReading<R, M>(MessageCodec<R> codec, Function<R, M> message
     return switch (form) {
       case MessageForm.Bound<?> bound -> (MessageReading<?, M>) bound(bound, records.registry());
       case MessageForm.Dynamic any -> (MessageReading<?, M>) new MessageReading<>(new RawCodec(), records::decode);
+      case MessageForm.ByFields any -> (MessageReading<?, M>) new MessageReading<>(new RawCodec(),
+          raw -> new MessageRecord(records.decode(raw)));
     };
   }
 

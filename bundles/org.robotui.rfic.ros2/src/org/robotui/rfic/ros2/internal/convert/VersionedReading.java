@@ -4,10 +4,12 @@ import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageException;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.data.MessageRecord;
 import org.robotui.message.description.TypeHash;
 import org.robotui.message.description.TypeName;
 import org.robotui.ros2.Ros2Codec;
@@ -24,8 +26,8 @@ public final class VersionedReading<M> {
   private final TypeName name;
   private final MessageForm<M> form;
   private final TypeLookups lookups;
-  private final Optional<Ros2Codec<M>> shipped;
-  private final Map<Optional<TypeHash>, Ros2Codec<M>> codecs = new ConcurrentHashMap<>();
+  private final Optional<Ros2Codec<?>> shipped;
+  private final Map<Optional<TypeHash>, Ros2Codec<?>> codecs = new ConcurrentHashMap<>();
 
   /**
    * Has met no publisher yet.
@@ -41,13 +43,12 @@ public final class VersionedReading<M> {
     this.shipped = shipped(form);
   }
 
-  @SuppressWarnings("unchecked") // the messages of each form are of its own type
-  private static <M> Optional<Ros2Codec<M>> shipped(MessageForm<M> form) {
+  private static Optional<Ros2Codec<?>> shipped(MessageForm<?> form) {
     if (!(form instanceof MessageForm.Bound<?> bound)) {
       return Optional.empty();
     }
     try {
-      return Optional.of((Ros2Codec<M>) Ros2Codec.of(bound.type()));
+      return Optional.of(Ros2Codec.of(bound.type()));
     } catch (IllegalArgumentException e) {
       return Optional.empty(); // a type that only ROS 1 has here: the robot's definition decides
     }
@@ -59,8 +60,8 @@ public final class VersionedReading<M> {
    * @param hash the sum that a publisher announced
    * @return the codec, or why there is none; empty while the version is looked for
    */
-  public Optional<SchemaLookup<Ros2Codec<M>>> codec(Optional<TypeHash> hash) {
-    Ros2Codec<M> known = codecs.get(hash);
+  public Optional<SchemaLookup<Ros2Codec<?>>> codec(Optional<TypeHash> hash) {
+    Ros2Codec<?> known = codecs.get(hash);
     if (known != null) {
       return Optional.of(new SchemaLookup.Found<>(known));
     }
@@ -77,9 +78,9 @@ public final class VersionedReading<M> {
     });
   }
 
-  private SchemaLookup<Ros2Codec<M>> bind(Optional<TypeHash> hash, MessageSchema version) {
+  private SchemaLookup<Ros2Codec<?>> bind(Optional<TypeHash> hash, MessageSchema version) {
     try {
-      Ros2Codec<M> codec = made(version);
+      Ros2Codec<?> codec = made(version);
       codecs.put(hash, codec);
       return new SchemaLookup.Found<>(codec);
     } catch (IllegalArgumentException e) {
@@ -87,11 +88,11 @@ public final class VersionedReading<M> {
     }
   }
 
-  @SuppressWarnings("unchecked") // the messages of each form are of its own type
-  private Ros2Codec<M> made(MessageSchema version) {
+  private Ros2Codec<?> made(MessageSchema version) {
     return switch (form) {
-      case MessageForm.Bound<?> bound -> (Ros2Codec<M>) Ros2Codec.of(bound.type(), name, version);
-      case MessageForm.Dynamic any -> (Ros2Codec<M>) Ros2Codec.of(name, version);
+      case MessageForm.Bound<?> bound -> Ros2Codec.of(bound.type(), name, version);
+      case MessageForm.Dynamic any -> Ros2Codec.of(name, version);
+      case MessageForm.ByFields any -> Ros2Codec.of(name, version);
     };
   }
 
@@ -104,11 +105,16 @@ public final class VersionedReading<M> {
    * @throws MessageException where it cannot be read, or its version is not known yet
    */
   public M read(ByteBuffer bytes, Optional<TypeHash> hash) throws MessageException {
-    SchemaLookup<Ros2Codec<M>> codec = codec(hash)
+    SchemaLookup<Ros2Codec<?>> codec = codec(hash)
         .orElseGet(() -> new SchemaLookup.Missing<>("the definition of " + name + " is being looked for"));
     return switch (codec) {
-      case SchemaLookup.Found<Ros2Codec<M>> found -> found.schema().decode(bytes);
-      case SchemaLookup.Missing<Ros2Codec<M>> missing -> throw new MessageException(missing.reason(), "", 0);
+      case SchemaLookup.Found<Ros2Codec<?>> found -> value(found.schema().decode(bytes));
+      case SchemaLookup.Missing<Ros2Codec<?>> missing -> throw new MessageException(missing.reason(), "", 0);
     };
+  }
+
+  @SuppressWarnings("unchecked") // the messages of each form are of its own type
+  private M value(Object message) {
+    return (M) (form instanceof MessageForm.ByFields ? new MessageRecord((DynamicMessage) message) : message);
   }
 }

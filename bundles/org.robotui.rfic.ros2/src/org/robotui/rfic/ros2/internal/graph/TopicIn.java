@@ -48,8 +48,8 @@ final class TopicIn<M> implements TopicSubscription {
     if (closed || subscriber.isPresent()) {
       return;
     }
-    Optional<SchemaLookup<Ros2Codec<M>>> known = reading.codec(announced.get());
-    obstacle = known.orElse(null) instanceof SchemaLookup.Missing<Ros2Codec<M>> missing ? missing.reason() : "";
+    Optional<SchemaLookup<Ros2Codec<?>>> known = reading.codec(announced.get());
+    obstacle = known.orElse(null) instanceof SchemaLookup.Missing<Ros2Codec<?>> missing ? missing.reason() : "";
     if (known.orElse(null) instanceof SchemaLookup.Found) {
       subscriber = Optional.of(node.subscriber(topic, codec, Ros2SubscriberOptions.observing(), listener));
     }

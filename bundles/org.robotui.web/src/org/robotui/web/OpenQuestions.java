@@ -1,4 +1,4 @@
-package org.robotui.foxglove.internal;
+package org.robotui.web;
 
 import java.time.Duration;
 import java.util.Map;
@@ -22,14 +22,32 @@ public final class OpenQuestions<T> {
   private final AtomicInteger count = new AtomicInteger();
   private volatile Optional<String> over = Optional.empty();
 
+  /** Nobody has asked yet. */
+  public OpenQuestions() {
+    // questions come with those who ask
+  }
+
   /** Says a question. */
   @FunctionalInterface
   public interface Asking {
-    /** Whether the question is on its way. */
+    /**
+     * Says it.
+     *
+     * @param id by which it is answered
+     * @return whether it is on its way
+     */
     boolean ask(int id);
   }
 
-  /** Asks and blocks for the answer. */
+  /**
+   * Asks and blocks for the answer.
+   *
+   * @param of who is asked, or for what; for users
+   * @param patience how long to wait
+   * @param asking says the question
+   * @return the answer, or why there is none
+   * @throws InterruptedException if the thread was interrupted
+   */
   public Outcome<T> ask(String of, Duration patience, Asking asking) throws InterruptedException {
     int id = count.incrementAndGet();
     CompletableFuture<Outcome<T>> answer = new CompletableFuture<>();
@@ -49,12 +67,21 @@ public final class OpenQuestions<T> {
     }
   }
 
-  /** An answer has come; one that nobody awaits is ignored. */
+  /**
+   * An answer has come; one that nobody awaits is ignored.
+   *
+   * @param id of the question
+   * @param outcome the answer
+   */
   public void answered(String id, Outcome<T> outcome) {
     Optional.ofNullable(open.get(id)).ifPresent(answer -> answer.complete(outcome));
   }
 
-  /** No answer comes any more. */
+  /**
+   * No answer comes any more.
+   *
+   * @param reason for users
+   */
   public void end(String reason) {
     over = Optional.of(reason);
     open.values().forEach(answer -> answer.complete(new Outcome.Failed<>(reason)));

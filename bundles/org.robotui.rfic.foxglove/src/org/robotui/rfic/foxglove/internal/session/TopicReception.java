@@ -1,0 +1,135 @@
+package org.robotui.rfic.foxglove.internal.session;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.robotui.data.array.Bytes;
+import org.robotui.data.record.DynamicRecord;
+import org.robotui.foxglove.ChannelSubscription;
+import org.robotui.foxglove.FoxgloveClient;
+import org.robotui.foxglove.ServerChannel;
+import org.robotui.message.topic.Arrival;
+import org.robotui.message.topic.TopicListener;
+import org.robotui.message.topic.TopicSubscription;
+import org.robotui.message.payload.PayloadFormat;
+import org.robotui.rfic.foxglove.internal.session.ChannelTable.Offered;
+
+/**
+ * A topic that is received, from all channels that carry it, as they come and go.
+ *
+ * @param <M> the Java value of a message
+ */
+final class TopicReception<M> implements TopicSubscription {
+  private final FoxgloveClient client;
+  private final Wanted<M> wanted;
+  private final Consumer<TopicReception<M>> end;
+  private final Map<ServerChannel, ChannelSubscription> channels = new HashMap<>();
+  private String failure = "";
+  private long dropped;
+
+  /**
+   * What is received.
+   *
+   * @param topic its name
+   * @param choice the channels that carry it
+   * @param reading reads what one of them brings; throws IllegalArgumentException where nothing does
+   * @param most how many messages wait of each
+   * @param sender who is said to have published what comes
+   * @param listener is told
+   * @param <M> the Java value of a message
+   */
+  record Wanted<M>(String topic, Function<ChannelTable, List<Offered>> choice,
+      Function<Offered, PayloadFormat.Reading<M>> reading, int most, String sender, TopicListener<M> listener) {}
+
+  TopicReception(FoxgloveClient client, Wanted<M> wanted, Consumer<TopicReception<M>> end) {
+    this.client = client;
+    this.wanted = wanted;
+    this.end = end;
+  }
+
+  String topic() {
+    return wanted.topic();
+  }
+
+  /** Receives from those channels that there are now. */
+  synchronized void follow(ChannelTable table) {
+    List<Offered> now = wanted.choice().apply(table);
+    List<ServerChannel> present = now.stream().map(Offered::channel).toList();
+    List.copyOf(channels.keySet()).stream().filter(each -> !present.contains(each))
+        .forEach(each -> leave(channels.remove(each)));
+    failure = "";
+    for (Offered each : now) {
+      try {
+        if (!channels.containsKey(each.channel())) {
+          channels.put(each.channel(), subscribe(each));
+        }
+      } catch (IllegalArgumentException e) {
+        failure = wanted.topic() + ": " + e.getMessage();
+      }
+    }
+  }
+
+  private ChannelSubscription subscribe(Offered offered) {
+    PayloadFormat.Reading<M> reading = wanted.reading().apply(offered);
+    return client.subscribe(offered.channel(), wanted.most(),
+        (payload, nanos, receivedNanos) -> received(offered, reading, payload, receivedNanos));
+  }
+
+  private void received(Offered offered, PayloadFormat.Reading<M> reading, ByteBuffer payload, long receivedNanos) {
+    Arrival arrival = new Arrival(wanted.sender(), receivedNanos, false, offered.channel().encoding(),
+        payload.asReadOnlyBuffer(), bytes -> record(offered, bytes));
+    M message;
+    try {
+      message = reading.read(payload);
+    } catch (IllegalArgumentException e) {
+      wanted.listener().unreadable(String.valueOf(e.getMessage()), arrival);
+      return;
+    }
+    wanted.listener().received(message, arrival);
+  }
+
+  private static Optional<DynamicRecord> record(Offered offered, Bytes bytes) {
+    try {
+      return Optional.of(offered.format().read(bytes.buffer(ByteOrder.LITTLE_ENDIAN)));
+    } catch (IllegalArgumentException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Why nothing comes, empty where nothing is known to be wrong. */
+  synchronized String failure() {
+    return failure;
+  }
+
+  @Override
+  public synchronized int publishers() {
+    return channels.size();
+  }
+
+  /** Of what only the newest counts, nothing is lost where it gives way to a newer one. */
+  @Override
+  public synchronized Lost lost() {
+    channels.values().forEach(each -> dropped += each.dropped());
+    return wanted.most() == 1 || dropped == 0 ? Lost.NONE
+        : new Lost(dropped, wanted.topic() + ": more came than could be taken");
+  }
+
+  private void leave(ChannelSubscription channel) {
+    dropped += channel.dropped();
+    channel.close();
+  }
+
+  @Override
+  public void close() {
+    synchronized (this) {
+      channels.values().forEach(this::leave);
+      channels.clear();
+    }
+    end.accept(this);
+  }
+}

@@ -1,0 +1,63 @@
+package org.robotui.rfic.rosbridge.internal.call;
+
+import java.time.Duration;
+import java.util.Map;
+import org.robotui.api.port.CallException;
+import org.robotui.api.port.CallHandler;
+import org.robotui.api.port.ServiceReply;
+import org.robotui.api.port.ServiceRequest;
+import org.robotui.message.DefinitionException;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.payload.JsonFormat;
+import org.robotui.message.payload.JsonRecord;
+import org.robotui.net.call.Outcome;
+import org.robotui.rfic.rosbridge.internal.session.BridgeTopics;
+import org.robotui.rosbridge.RosApi;
+import org.robotui.rosbridge.RosbridgeClient;
+
+/** Calls services. Where the robot tells what a request looks like, it is checked before it is sent. */
+public final class BridgeServices implements CallHandler<ServiceRequest, ServiceReply> {
+  private final RosbridgeClient client;
+  private final RosApi api;
+  private final BridgeTopics topics;
+
+  /**
+   * Creates a caller.
+   *
+   * @param client calls
+   * @param api knows types
+   * @param topics knows how the robot writes messages
+   */
+  public BridgeServices(RosbridgeClient client, RosApi api, BridgeTopics topics) {
+    this.client = client;
+    this.api = api;
+    this.topics = topics;
+  }
+
+  @Override
+  public ServiceReply handle(Invocation<ServiceRequest> invocation) throws CallException, InterruptedException {
+    ServiceRequest request = invocation.request();
+    String type = BridgeAnswers.of(() -> api.serviceType(request.service()));
+    Map<String, Object> arguments = arguments(type, request);
+    Duration left = Duration.ofNanos(Math.max(1_000_000, invocation.deadlineNanos() - System.nanoTime()));
+    return new ServiceReply(new JsonRecord(type + "Response",
+        BridgeAnswers.of(() -> client.call(request.service(), arguments, left))));
+  }
+
+  private Map<String, Object> arguments(String type, ServiceRequest request)
+      throws CallException, InterruptedException {
+    Outcome<String> text = api.request(type);
+    if (!(text instanceof Outcome.Done<String> done)) {
+      return request.arguments();
+    }
+    try {
+      MessageSchema schema =
+          MessageSchema.parse(type + "Request", done.value(), topics.commandFormat().generation());
+      return topics.commandFormat().tree(JsonFormat.message(schema, request.arguments()));
+    } catch (DefinitionException e) {
+      return request.arguments();
+    } catch (IllegalArgumentException e) {
+      throw new CallException(request.service() + " is not asked like this: " + e.getMessage(), e);
+    }
+  }
+}

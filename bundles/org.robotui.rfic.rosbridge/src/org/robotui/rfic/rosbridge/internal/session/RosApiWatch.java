@@ -1,0 +1,134 @@
+package org.robotui.rfic.rosbridge.internal.session;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ThreadFactory;
+import org.robotui.message.DefinitionException;
+import org.robotui.message.MessageSchema;
+import org.robotui.message.SchemaLookup;
+import org.robotui.message.payload.RosDefinitions;
+import org.robotui.net.call.Outcome;
+import org.robotui.rosbridge.RosApi;
+import org.robotui.rosbridge.RosApi.NodeDetails;
+
+/**
+ * Asks rosapi again and again what there is, and once for each definition that is needed, on a thread of its own, as
+ * answers may be long in coming.
+ */
+public final class RosApiWatch implements AutoCloseable {
+  private static final Duration PERIOD = Duration.ofMillis(500);
+  private static final int MOST_NODES = 500;
+
+  private final RosApi api;
+  private final RosDefinitions definitions;
+  private final Thread thread;
+  private final Queue<String> wanted = new ConcurrentLinkedQueue<>();
+  private final Map<String, SchemaLookup<MessageSchema>> schemas = new ConcurrentHashMap<>();
+  private volatile RosGraph graph = RosGraph.EMPTY;
+  private volatile Optional<String> problem = Optional.empty();
+  private volatile boolean answered;
+
+  RosApiWatch(RosApi api, RosDefinitions definitions, ThreadFactory threads) {
+    this.api = api;
+    this.definitions = definitions;
+    this.thread = threads.newThread(this::run);
+    thread.start();
+  }
+
+  private void run() {
+    try {
+      while (true) {
+        look();
+        for (int i = 0; i < PERIOD.toMillis(); i += 20) {
+          learn();
+          Thread.sleep(20);
+        }
+      }
+    } catch (InterruptedException e) {
+      // closed
+    }
+  }
+
+  private void look() throws InterruptedException {
+    Outcome<Map<String, String>> topics = api.topics();
+    Outcome<List<String>> names = api.nodes();
+    if (topics.toOptional().isEmpty() || names.toOptional().isEmpty()) {
+      problem = Optional.of(topics.toOptional().isEmpty() ? topics.reason() : names.reason());
+      return;
+    }
+    Map<String, NodeDetails> nodes = new TreeMap<>();
+    for (String name : names.toOptional().get().stream().limit(MOST_NODES).toList()) {
+      api.node(name).toOptional().ifPresent(details -> nodes.put(name, details));
+    }
+    graph = new RosGraph(topics.toOptional().get(), nodes);
+    problem = Optional.empty();
+    answered = true;
+  }
+
+  private void learn() throws InterruptedException {
+    for (String type = wanted.poll(); type != null; type = wanted.poll()) {
+      if (!schemas.containsKey(type)) {
+        schemas.put(type, learned(type));
+      }
+    }
+  }
+
+  /** What the robot says; where it says nothing, what is known here. */
+  private SchemaLookup<MessageSchema> learned(String type) throws InterruptedException {
+    String written = graph.written(type);
+    Outcome<String> text = api.message(written);
+    if (text instanceof Outcome.Done<String> done) {
+      try {
+        return new SchemaLookup.Found<>(MessageSchema.parse(written, done.value(), graph.generation()));
+      } catch (DefinitionException e) {
+        return new SchemaLookup.Missing<>(e.getMessage());
+      }
+    }
+    return definitions.find(written).<SchemaLookup<MessageSchema>>map(SchemaLookup.Found::new)
+        .orElseGet(() -> new SchemaLookup.Missing<>(text.reason()));
+  }
+
+  /**
+   * The definition of a type.
+   *
+   * @param type a name of two parts
+   * @return none until it was asked for, which this begins
+   */
+  Optional<SchemaLookup<MessageSchema>> schema(String type) {
+    Optional<SchemaLookup<MessageSchema>> known = Optional.ofNullable(schemas.get(type));
+    if (known.isEmpty() && !wanted.contains(type)) {
+      wanted.add(type);
+    }
+    return known;
+  }
+
+  /**
+   * What there was when rosapi answered last.
+   *
+   * @return the graph
+   */
+  public RosGraph graph() {
+    return graph;
+  }
+
+  /** Why nothing new is known. */
+  Optional<String> problem() {
+    return problem;
+  }
+
+  /** Whether it has answered at all. */
+  boolean answered() {
+    return answered;
+  }
+
+  @Override
+  public void close() {
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,142 @@
+package org.robotui.rfic.rosbridge.internal.session;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robotui.api.RficContext;
+import org.robotui.api.link.LinkState;
+import org.robotui.api.port.Arity;
+import org.robotui.api.port.Demand;
+import org.robotui.api.port.Offer;
+import org.robotui.api.port.Publication;
+import org.robotui.api.port.StreamPort;
+import org.robotui.api.session.LinkChanges;
+import org.robotui.api.session.RobotSession;
+import org.robotui.api.session.SessionScope;
+import org.robotui.data.status.LogEntry;
+import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.SharedTransforms;
+import org.robotui.message.topic.TopicPorts;
+import org.robotui.rfic.rosbridge.internal.RosbridgeSettings;
+import org.robotui.rfic.rosbridge.internal.call.BridgeBrowser;
+import org.robotui.rfic.rosbridge.internal.call.BridgeServices;
+import org.robotui.rosbridge.RosApi;
+import org.robotui.rosbridge.RosbridgeClient;
+
+/** One connection to a bridge, and all that is offered through it. */
+public final class RosbridgeSession implements RobotSession {
+  private static final Duration TURN = Duration.ofMillis(50);
+  private static final Duration ANSWER = Duration.ofSeconds(3);
+  private static final Duration GIVEN_UP = Duration.ofSeconds(10);
+  private static final long ALIVE_NANOS = Duration.ofMillis(200).toNanos();
+  private static final StreamPort<LogEntry> STATUS = new StreamPort<>("bridge_status", LogEntry.class, Arity.MANY,
+      "What the bridge tells its users.");
+
+  private final String server;
+  private final RosbridgeClient client;
+  private final BridgeNews news;
+  private final LinkChanges link;
+  private final RosApiWatch watch;
+  private final BridgeTopics channels;
+  private final RobotTopics topics;
+  private final Publication<LogEntry> status;
+  private final List<Offer> offers;
+  private RosGraph seen = RosGraph.EMPTY;
+
+  private RosbridgeSession(RficContext context, RosbridgeSettings settings, RosbridgeClient client, BridgeNews news) {
+    this.server = settings.url().toString();
+    this.client = client;
+    this.news = news;
+    this.link = new LinkChanges(context.link());
+    RosDefinitions definitions = new RosDefinitions(System.getenv());
+    RosApi api = new RosApi(client, ANSWER);
+    this.watch = new RosApiWatch(api, definitions, context.threads());
+    this.channels = new BridgeTopics(client, watch, definitions, settings);
+    this.topics = new RobotTopics(context, settings.topics(), channels,
+        new SharedTransforms(name -> watch.graph().types().keySet().stream()
+            .anyMatch(topic -> topic.startsWith("/" + name + "/"))));
+    this.status = context.offers().stream(STATUS, Demand.IGNORED);
+    this.offers = List.of(status,
+        context.offers().call(TopicPorts.SERVICES, new BridgeServices(client, api, channels)),
+        context.offers().browse(TopicPorts.GRAPH, new BridgeBrowser(api, watch)));
+  }
+
+  /**
+   * Connects.
+   *
+   * @param context what core gives
+   * @param settings how the bridge is reached
+   * @param scope keeps the connection until the session has been closed
+   * @return the session
+   * @throws IOException where there is no such bridge
+   */
+  public static RobotSession open(RficContext context, RosbridgeSettings settings, SessionScope scope)
+      throws IOException {
+    BridgeNews news = new BridgeNews(settings.url().toString());
+    try {
+      RosbridgeClient client =
+          scope.closing(RosbridgeClient.open(settings.url(), context.threads(), news), RosbridgeClient::close);
+      return new RosbridgeSession(context, settings, client, news);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("was closed while connecting", e);
+    }
+  }
+
+  @Override
+  public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
+    CompletableFuture<String> ended = client.whenEnded();
+    while (!over.getAsBoolean()) {
+      if (client.silentNanos() > GIVEN_UP.toNanos()) {
+        return Optional.of(server + " is connected but says nothing");
+      }
+      turn();
+      try {
+        return Optional.of(ended.get(TURN.toMillis(), TimeUnit.MILLISECONDS));
+      } catch (TimeoutException e) {
+        // the usual case: it goes on
+      } catch (ExecutionException e) {
+        throw new IllegalStateException(e);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private void turn() {
+    client.beat();
+    if (client.silentNanos() < ALIVE_NANOS) {
+      topics.pulse().heard(System.nanoTime());
+    }
+    if (watch.graph() != seen) {
+      seen = watch.graph();
+      topics.follow(seen.topics());
+    }
+    channels.tick();
+    topics.tick();
+    for (Optional<LogEntry> said = news.take(); said.isPresent(); said = news.take()) {
+      status.publish(said.get(), Optional.empty());
+    }
+    String problem = Stream.of(client.trouble(), watch.problem().orElse(""), topics.problem())
+        .filter(part -> !part.isEmpty()).collect(Collectors.joining("; "));
+    if (watch.answered() || !problem.isEmpty()) {
+      link.report(problem.isEmpty() ? new LinkState.Connected(server) : new LinkState.Degraded(server, problem));
+    }
+  }
+
+  @Override
+  public void close() {
+    topics.stop();
+    watch.close();
+    offers.forEach(Offer::close);
+    topics.close();
+  }
+}
