@@ -1,10 +1,12 @@
 package org.robotui.message.topic;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.robotui.message.DynamicMessage;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.ros.visualization_msgs.GetInteractiveMarkersResponse;
 
 /**
  * What a robotics framework gives of its own: topics that carry messages. Topics have global names that begin with a
@@ -82,6 +84,18 @@ public interface TopicClient {
    */
   default String delivery(String topic) {
     return "";
+  }
+
+  /**
+   * Asks a server of interactive markers for all that it has, where the framework gives them by a service. Elsewhere
+   * they are published on a topic beside the updates.
+   *
+   * @param server its name, to which {@code /update} and the like are appended
+   * @param answer hears the answer on a thread of the framework, or nothing where none comes: ask again then
+   * @return whether servers are asked
+   */
+  default boolean requestMarkers(String server, Consumer<GetInteractiveMarkersResponse> answer) {
+    return false;
   }
 
   /**

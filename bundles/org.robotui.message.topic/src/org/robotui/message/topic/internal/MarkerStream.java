@@ -13,6 +13,7 @@ import org.robotui.api.port.StreamPort;
 import org.robotui.data.marker.InteractiveMarkerSet;
 import org.robotui.message.data.FrameNames;
 import org.robotui.message.data.MessageForm;
+import org.robotui.message.ros.visualization_msgs.GetInteractiveMarkersResponse;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerInit;
 import org.robotui.message.ros.visualization_msgs.InteractiveMarkerUpdate;
 import org.robotui.message.topic.Arrival;
@@ -26,7 +27,9 @@ final class MarkerStream implements Followed {
   private static final String FULL = "visualization_msgs/InteractiveMarkerInit";
   private static final String UPDATE = "/update";
   private static final long SILENCE_NANOS = Duration.ofSeconds(10).toNanos();
+  private static final long ASK_AGAIN_NANOS = Duration.ofSeconds(1).toNanos();
   private static final int MOST_SERVERS = 16;
+  private static final String ONLY_SERVER = "";
 
   private final String topic;
   private final TopicScope scope;
@@ -37,6 +40,8 @@ final class MarkerStream implements Followed {
   private boolean published = true;
   private boolean begun; // guarded by this
   private String told = "";
+  private volatile boolean asksServer;
+  private long askedAt;
   private volatile long heardAt;
   private volatile boolean wanted;
 
@@ -87,10 +92,35 @@ final class MarkerStream implements Followed {
       heardAt = System.nanoTime();
       feedbacks.open(feedback());
       subscriptions.add(subscribe(topic, TYPE, InteractiveMarkerUpdate.class, this::updated));
-      subscriptions.add(subscribe(base() + "/update_full", FULL, InteractiveMarkerInit.class, this::begun));
+      ask();
+      if (!asksServer) {
+        subscriptions.add(subscribe(base() + "/update_full", FULL, InteractiveMarkerInit.class, this::begun));
+      }
     } else if (!wanted) {
       end();
+    } else if (asksServer && System.nanoTime() - askedAt > ASK_AGAIN_NANOS && !synchronised()) {
+      ask();
     }
+  }
+
+  /** A server that is not there yet, or has lost one of its updates on the way to us, is asked again. */
+  private void ask() {
+    askedAt = System.nanoTime();
+    asksServer = scope.client().requestMarkers(base(), this::answered);
+  }
+
+  private synchronized boolean synchronised() {
+    return servers.containsKey(ONLY_SERVER) && servers.get(ONLY_SERVER).synchronised();
+  }
+
+  private synchronized void answered(GetInteractiveMarkersResponse all) {
+    if (!wanted) {
+      return;
+    }
+    heardAt = System.nanoTime();
+    InteractiveMarkerInit init = new InteractiveMarkerInit(ONLY_SERVER, all.sequenceNumber(), all.markers());
+    FrameNames names = scope.clock().names();
+    server(ONLY_SERVER).ifPresent(server -> say(server.answered(init, names), heardAt));
   }
 
   private <M extends Record> TopicSubscription subscribe(String from, String type, Class<M> form,
@@ -103,12 +133,13 @@ final class MarkerStream implements Followed {
     heardAt = arrival.receiveNanos();
     scope.pulse().heard(heardAt);
     FrameNames names = scope.clock().names();
-    server(message.serverId()).ifPresent(server -> say(server.take(message, names), arrival));
+    server(asksServer ? ONLY_SERVER : message.serverId())
+        .ifPresent(server -> say(server.take(message, names), arrival.receiveNanos()));
   }
 
   private synchronized void begun(InteractiveMarkerInit message, Arrival arrival) {
     FrameNames names = scope.clock().names();
-    server(message.serverId()).ifPresent(server -> say(server.take(message, names), arrival));
+    server(message.serverId()).ifPresent(server -> say(server.take(message, names), arrival.receiveNanos()));
   }
 
   private Optional<MarkerSync> server(String id) {
@@ -121,11 +152,11 @@ final class MarkerStream implements Followed {
   }
 
   /** The first that is said counts as all there is: what was known from before may be gone. */
-  private void say(List<InteractiveMarkerSet.Entry> changed, Arrival arrival) {
+  private void say(List<InteractiveMarkerSet.Entry> changed, long receiveNanos) {
     boolean first = !begun && servers.values().stream().anyMatch(MarkerSync::synchronised);
     if (first || !changed.isEmpty()) {
       begun = true;
-      publication.publish(new InteractiveMarkerSet(first, changed), Optional.empty(), arrival.receiveNanos(),
+      publication.publish(new InteractiveMarkerSet(first, changed), Optional.empty(), receiveNanos,
           Optional.empty());
     }
   }
@@ -148,7 +179,7 @@ final class MarkerStream implements Followed {
     if (!published) {
       return "nobody publishes " + topic + " any more";
     }
-    boolean silent = !subscriptions.isEmpty() && System.nanoTime() - heardAt > SILENCE_NANOS;
+    boolean silent = !asksServer && !subscriptions.isEmpty() && System.nanoTime() - heardAt > SILENCE_NANOS;
     return scope.client().failure(topic).orElse(silent ? "no sign of life on " + topic + " for 10 s" : "");
   }
 

@@ -48,6 +48,12 @@ final class MarkerSync {
     return synchronised ? List.of() : begin(names);
   }
 
+  /** Takes the list of all markers as a server answered it, which counts at once; answers what changed with it. */
+  List<Entry> answered(InteractiveMarkerInit init, FrameNames names) {
+    newest = Optional.of(init);
+    return synchronised ? List.of() : restart(init, names);
+  }
+
   /** Takes an update or a sign of life; answers what changed with it. */
   List<Entry> take(InteractiveMarkerUpdate update, FrameNames names) {
     boolean changes = update.type() == InteractiveMarkerUpdate.UPDATE;
@@ -72,12 +78,16 @@ final class MarkerSync {
     if (newest.isEmpty() || waiting.stream().noneMatch(u -> follows(u, newest.get().seqNum()))) {
       return List.of();
     }
+    return restart(newest.get(), names);
+  }
+
+  private List<Entry> restart(InteractiveMarkerInit all, FrameNames names) {
     Map<String, Entry> changed = new LinkedHashMap<>();
     markers.keySet().forEach(name -> changed.put(name, new Entry(name, Optional.empty())));
     markers.clear();
-    last = newest.get().seqNum();
+    last = all.seqNum();
     synchronised = true;
-    newest.get().markers().forEach(m -> add(m, names).ifPresent(e -> changed.put(e.name(), e)));
+    all.markers().forEach(m -> add(m, names).ifPresent(e -> changed.put(e.name(), e)));
     List<InteractiveMarkerUpdate> later = waiting.stream().filter(u -> u.seqNum() > last).toList();
     waiting.clear();
     later.forEach(u -> take(u, names).forEach(e -> changed.put(e.name(), e)));

@@ -104,4 +104,15 @@ class MarkerSyncTest {
     assertEquals(List.of("a at 9999.0"), said(sync.take(all(9_950, "a"), NAMES)));
     assertFalse(new MarkerSync("", complaints::add).synchronised());
   }
+
+  @Test
+  void whatAServerAnswersCountsAtOnceAndIsAskedForAgainWhereAnUpdateIsMissing() {
+    sync.take(moved(6, "a", 60), NAMES);
+    sync.take(moved(8, "a", 80), NAMES);
+    assertEquals(List.of("a at 80.0", "b at 7.0"), said(sync.answered(all(7, "a", "b"), NAMES)));
+    assertTrue(sync.synchronised());
+    assertEquals(List.of(), sync.take(moved(10, "a", 100), NAMES));
+    assertFalse(sync.synchronised());
+    assertEquals(List.of("a at 10.0", "b gone"), said(sync.answered(all(10, "a"), NAMES)).stream().sorted().toList());
+  }
 }

@@ -5,6 +5,7 @@ import java.nio.ByteOrder;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robotui.data.array.Bytes;
@@ -17,6 +18,7 @@ import org.robotui.message.data.MessageForm;
 import org.robotui.message.data.MessageRecord;
 import org.robotui.message.description.TypeHash;
 import org.robotui.message.description.TypeName;
+import org.robotui.message.ros.visualization_msgs.GetInteractiveMarkersResponse;
 import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.TopicClient;
 import org.robotui.message.topic.TopicListener;
@@ -40,12 +42,14 @@ final class Ros2TopicClient implements TopicClient {
 
   private final Ros2Node node;
   private final TypeLookups lookups;
+  private final MarkerRequests markers;
   private final Map<String, TopicIn<?>> subscribed = new ConcurrentHashMap<>();
   private volatile Optional<GraphState> graph = Optional.empty();
 
   Ros2TopicClient(Ros2Node node, TypeLookups lookups) {
     this.node = node;
     this.lookups = lookups;
+    this.markers = new MarkerRequests(node);
   }
 
   @Override
@@ -133,6 +137,12 @@ final class Ros2TopicClient implements TopicClient {
   @Override
   public String delivery(String topic) {
     return publishers(topic).map(end -> QosProfiles.sentence(end.qos())).distinct().collect(Collectors.joining("; "));
+  }
+
+  @Override
+  public boolean requestMarkers(String server, Consumer<GetInteractiveMarkersResponse> answer) {
+    markers.ask(server, answer);
+    return true;
   }
 
   /** A clock that nobody has set yet is none. */
