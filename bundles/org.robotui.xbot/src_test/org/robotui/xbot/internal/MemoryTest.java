@@ -9,12 +9,14 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 
 class MemoryTest {
   private static final VarHandle LONGS = MethodHandles.byteBufferViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
   private static final int WORDS = 64;
   private static final int READS = 20_000;
+  private static final int PAUSE_EVERY = 64;
 
   private final ByteBuffer bytes = ByteBuffer.allocateDirect((WORDS + 1) * Long.BYTES).order(ByteOrder.LITTLE_ENDIAN);
 
@@ -32,6 +34,9 @@ class MemoryTest {
     Thread writer = Thread.ofPlatform().daemon().start(() -> {
       for (long i = 0; !over.get(); i++) {
         write(2 * i, i);
+        if (i % PAUSE_EVERY == 0) {
+          LockSupport.parkNanos(1); // a writer that never pauses lets nobody read
+        }
       }
     });
     Memory memory = new Memory(bytes);

@@ -28,8 +28,7 @@ final class Simulator implements AutoCloseable {
   Simulator(String... options) throws IOException {
     String classes = Stream
         .of("org.robotui.sim", "org.robotui.ros", "org.robotui.message", "org.robotui.player", "org.robotui.lcm",
-            "org.robotui.net",
-            "org.robotui.geometry", "slf4j.api")
+            "org.robotui.ros2", "org.robotui.rtps", "org.robotui.net", "org.robotui.geometry", "slf4j.api")
         .map(Bundles::file).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-XX:TieredStopAtLevel=1", "-Xmx128m", "-cp", classes, "org.robotui.sim.Main",
