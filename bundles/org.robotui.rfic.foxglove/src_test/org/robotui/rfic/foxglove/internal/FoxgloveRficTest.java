@@ -21,6 +21,7 @@ import org.robotui.api.link.LinkState;
 import org.robotui.api.port.Browser;
 import org.robotui.api.port.CallException;
 import org.robotui.data.ClockKind;
+import org.robotui.data.joint.RobotDescription;
 import org.robotui.data.record.DynamicRecord;
 import org.robotui.data.record.FieldValue;
 import org.robotui.data.status.LogEntry;
@@ -86,6 +87,21 @@ class FoxgloveRficTest {
     Browser.Item odd = browser.list(Browser.Kind.TOPIC).stream().filter(i -> i.name().equals("/odd")).findFirst()
         .orElseThrow();
     assertTrue(browser.describe(odd).facts().get("definition").contains("msgpack"));
+  }
+
+  @Test
+  void whatTheRobotIsMadeOfComesByItsTopic() throws IOException {
+    FoxgloveServer server = serve();
+    server.channel(3, "/robot_description", "json", "std_msgs/String", "", "");
+    begin(Map.of());
+    await(() -> server.listeners(3) == 1);
+    server.publish(3, json("{\"data\":\"<robot name='keira'/>\"}"));
+    await(() -> context.published.containsKey("robot_description")
+        && !context.published.get("robot_description").isEmpty());
+    RobotDescription made = (RobotDescription) context.published.get("robot_description").getLast().value();
+    assertEquals("<robot name='keira'/>", made.urdf());
+    server.withdraw(3);
+    await(() -> !context.streams.containsKey("robot_description"));
   }
 
   @Test

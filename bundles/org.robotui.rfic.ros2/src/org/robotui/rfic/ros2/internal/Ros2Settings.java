@@ -12,6 +12,7 @@ import org.robotui.api.config.Settings;
 import org.robotui.api.config.TextRule;
 import org.robotui.api.config.ValueType;
 import org.robotui.message.LocalDefinitions;
+import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.TopicSettings;
 import org.robotui.ros2.Ros2Environment;
 import org.robotui.ros2.Ros2Environment.Range;
@@ -86,11 +87,7 @@ public record Ros2Settings(Ros2Environment environment, TopicSettings topics, Lo
 
   private static List<String> packages(Settings settings, Map<String, String> variables) {
     List<String> folders = new ArrayList<>(texts(settings, "types"));
-    for (String prefix : variables.getOrDefault("AMENT_PREFIX_PATH", "").split(":")) {
-      if (!prefix.isBlank()) {
-        folders.add(Path.of(prefix, "share").toString());
-      }
-    }
+    folders.addAll(DescriptionTopics.packages(variables));
     return folders;
   }
 

@@ -26,6 +26,7 @@ import org.robotui.data.status.LogEntry;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerInfo;
 import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.foxglove.internal.FoxgloveSettings;
@@ -52,6 +53,7 @@ public final class FoxgloveSession implements RobotSession {
   private final LinkChanges link;
   private final FoxgloveTopics channels;
   private final RobotTopics topics;
+  private final DescriptionTopics description;
   private final ServerParameters parameters;
   private final Publication<LogEntry> status;
   private final List<Offer> offers;
@@ -70,6 +72,8 @@ public final class FoxgloveSession implements RobotSession {
     PayloadFormats formats = new PayloadFormats(new RosDefinitions(System.getenv()));
     this.channels = new FoxgloveTopics(client, news, formats, server);
     this.topics = new RobotTopics(context, settings.topics(), channels, shared.transforms());
+    this.description = new DescriptionTopics(context, settings.topics(),
+        DescriptionTopics.packages(System.getenv()), channels);
     this.parameters = new ServerParameters(client, news);
     this.status = context.offers().stream(STATUS, Demand.IGNORED);
     FoxgloveServices services = new FoxgloveServices(client, formats);
@@ -132,6 +136,7 @@ public final class FoxgloveSession implements RobotSession {
     }
     client.info().ifPresent(info -> look(info, now));
     topics.tick();
+    description.tick();
     parameters.tick();
     for (Optional<LogEntry> said = news.takeSaid(); said.isPresent(); said = news.takeSaid()) {
       status.publish(said.get(), Optional.empty());
@@ -150,8 +155,8 @@ public final class FoxgloveSession implements RobotSession {
     if (channels.tick() || now - nextLook >= 0) {
       nextLook = now + LOOK.toNanos();
       shared.seen(channels.table().topics());
-      topics.follow(ServerGraph.of(channels.table(), channels.subscribers(), settings.topics(),
-          Set.of(settings.topics().topic(STATUS.name()))));
+      topics.follow(description.follow(ServerGraph.of(channels.table(), channels.subscribers(), settings.topics(),
+          Set.of(settings.topics().topic(STATUS.name())))));
     }
   }
 
@@ -177,6 +182,7 @@ public final class FoxgloveSession implements RobotSession {
     topics.stop();
     offers.forEach(Offer::close);
     parameters.close();
+    description.close();
     topics.close();
   }
 }

@@ -14,6 +14,7 @@ import org.robotui.api.port.Offer;
 import org.robotui.api.session.LinkChanges;
 import org.robotui.api.session.RobotSession;
 import org.robotui.message.topic.ActionCalls;
+import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.ros2.internal.Ros2Settings;
@@ -68,7 +69,7 @@ public final class Ros2Session implements RobotSession {
     this.lookups = new TypeLookups(ros.types(), context.threads());
     this.client = new Ros2TopicClient(node, lookups);
     this.topics = new RobotTopics(context, settings.topics(), client, domain.transforms());
-    this.description = new DescriptionTopics(context, settings, client);
+    this.description = new DescriptionTopics(context, settings.topics(), settings.packages(), client);
     this.actions = new ActionCalls(action -> Ros2ActionRoute.open(node, action, context.threads()));
     this.parameters = new NodeParameters(node);
     offers.add(context.offers().call(TopicPorts.SERVICES, new Ros2Services(node)));

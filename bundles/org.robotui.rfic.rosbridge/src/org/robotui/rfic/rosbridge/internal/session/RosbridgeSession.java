@@ -23,6 +23,7 @@ import org.robotui.api.session.RobotSession;
 import org.robotui.api.session.SessionScope;
 import org.robotui.data.status.LogEntry;
 import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.SharedTransforms;
 import org.robotui.message.topic.TopicPorts;
@@ -48,6 +49,7 @@ public final class RosbridgeSession implements RobotSession {
   private final RosApiWatch watch;
   private final BridgeTopics channels;
   private final RobotTopics topics;
+  private final DescriptionTopics description;
   private final Publication<LogEntry> status;
   private final List<Offer> offers;
   private RosGraph seen = RosGraph.EMPTY;
@@ -64,6 +66,8 @@ public final class RosbridgeSession implements RobotSession {
     this.topics = new RobotTopics(context, settings.topics(), channels,
         new SharedTransforms(name -> watch.graph().types().keySet().stream()
             .anyMatch(topic -> topic.startsWith("/" + name + "/"))));
+    this.description = new DescriptionTopics(context, settings.topics(),
+        DescriptionTopics.packages(System.getenv()), channels);
     this.status = context.offers().stream(STATUS, Demand.IGNORED);
     this.offers = List.of(status,
         context.offers().call(TopicPorts.SERVICES, new BridgeServices(client, api, channels)),
@@ -118,10 +122,11 @@ public final class RosbridgeSession implements RobotSession {
     }
     if (watch.graph() != seen) {
       seen = watch.graph();
-      topics.follow(seen.topics());
+      topics.follow(description.follow(seen.topics()));
     }
     channels.tick();
     topics.tick();
+    description.tick();
     for (Optional<LogEntry> said = news.take(); said.isPresent(); said = news.take()) {
       status.publish(said.get(), Optional.empty());
     }
@@ -137,6 +142,7 @@ public final class RosbridgeSession implements RobotSession {
     topics.stop();
     watch.close();
     offers.forEach(Offer::close);
+    description.close();
     topics.close();
   }
 }

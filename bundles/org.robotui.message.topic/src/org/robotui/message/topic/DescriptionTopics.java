@@ -1,26 +1,21 @@
-package org.robotui.rfic.ros2.internal.graph;
+package org.robotui.message.topic;
 
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.robotui.api.RficContext;
 import org.robotui.message.data.MessageForm;
 import org.robotui.message.ros.std_msgs.StdString;
-import org.robotui.message.topic.Arrival;
-import org.robotui.message.topic.DescriptionPort;
-import org.robotui.message.topic.TopicClient;
-import org.robotui.message.topic.TopicGraph;
-import org.robotui.message.topic.TopicListener;
-import org.robotui.message.topic.TopicSubscription;
-import org.robotui.rfic.ros2.internal.Ros2Settings;
 
 /**
  * What the robot is made of, by the topics {@code robot_description} and {@code robot_description_semantic}, which keep
  * the last text for those who come late. For the thread that follows the graph, but for closing.
  */
-final class DescriptionTopics implements AutoCloseable {
+public final class DescriptionTopics implements AutoCloseable {
   private static final String TYPE = "std_msgs/String";
 
   private final TopicClient client;
@@ -29,14 +24,43 @@ final class DescriptionTopics implements AutoCloseable {
   private final Map<String, TopicSubscription> subscriptions = new HashMap<>();
   private boolean closed;
 
-  DescriptionTopics(RficContext context, Ros2Settings settings, TopicClient client) {
+  /**
+   * Knows nothing yet.
+   *
+   * @param context what core gives
+   * @param settings names the topics
+   * @param packages folders in which packages are looked for that a description names
+   * @param client subscribes
+   */
+  public DescriptionTopics(RficContext context, TopicSettings settings, List<String> packages, TopicClient client) {
     this.client = client;
-    this.port = new DescriptionPort(context, settings.topics(), "the topic", settings.packages());
+    this.port = new DescriptionPort(context, settings, "the topic", packages);
     this.takers = Map.of(port.source(), port::model, port.source() + DescriptionPort.SEMANTIC, port::semantics);
   }
 
-  /** Listens to those that are published; answers what is left to others. */
-  synchronized TopicGraph follow(TopicGraph graph) {
+  /**
+   * Where packages of ROS are on this machine.
+   *
+   * @param variables those of the environment: {@code AMENT_PREFIX_PATH} and {@code ROS_PACKAGE_PATH}
+   * @return folders that contain packages
+   */
+  public static List<String> packages(Map<String, String> variables) {
+    Stream<String> shares =
+        paths(variables, "AMENT_PREFIX_PATH").map(prefix -> Path.of(prefix, "share").toString());
+    return Stream.concat(shares, paths(variables, "ROS_PACKAGE_PATH")).toList();
+  }
+
+  private static Stream<String> paths(Map<String, String> variables, String name) {
+    return Stream.of(variables.getOrDefault(name, "").split(":")).filter(folder -> folder.startsWith("/"));
+  }
+
+  /**
+   * Listens to those that are published.
+   *
+   * @param graph what there is now
+   * @return what is left to others
+   */
+  public synchronized TopicGraph follow(TopicGraph graph) {
     Map<String, String> left = new HashMap<>(graph.published());
     takers.forEach((topic, taker) -> {
       boolean published = left.remove(topic, TYPE);
@@ -68,10 +92,12 @@ final class DescriptionTopics implements AutoCloseable {
     Optional.ofNullable(subscriptions.remove(topic)).ifPresent(TopicSubscription::close);
   }
 
-  void tick() {
+  /** Offers and publishes what came since. */
+  public void tick() {
     port.tick();
   }
 
+  /** Withdraws the offer. */
   @Override
   public synchronized void close() {
     closed = true;
