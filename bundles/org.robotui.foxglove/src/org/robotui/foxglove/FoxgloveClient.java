@@ -18,6 +18,7 @@ import org.robotui.foxglove.internal.ChannelFeeds;
 import org.robotui.foxglove.internal.Graph;
 import org.robotui.foxglove.internal.ServerState;
 import org.robotui.net.call.Outcome;
+import org.robotui.web.ArrivalSubscription;
 import org.robotui.web.Arrivals;
 import org.robotui.web.OpenQuestions;
 import org.robotui.web.WebLink;
@@ -113,11 +114,11 @@ public final class FoxgloveClient implements AutoCloseable {
    * @param receiver takes them, on a thread that all subscriptions share
    * @return the subscription; closing it ends it
    */
-  public ChannelSubscription subscribe(ServerChannel channel, int most, MessageReceiver receiver) {
+  public ArrivalSubscription subscribe(ServerChannel channel, int most, MessageReceiver receiver) {
     Arrivals.Source<Binary.Data> source = arrivals.source(most, MOST_BYTES, data -> data.payload().remaining(),
         data -> receiver.received(data.payload(), data.nanos(), data.receivedNanos()));
     feeds.add(channel.id(), source);
-    return new ChannelSubscription(source, () -> feeds.remove(channel.id(), source));
+    return new ArrivalSubscription(source, () -> feeds.remove(channel.id(), source));
   }
 
   /**

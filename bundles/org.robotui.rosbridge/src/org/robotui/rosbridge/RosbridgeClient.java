@@ -14,6 +14,7 @@ import org.robotui.net.call.Outcome;
 import org.robotui.rosbridge.internal.BridgeEar;
 import org.robotui.rosbridge.internal.Parcel;
 import org.robotui.rosbridge.internal.Words;
+import org.robotui.web.ArrivalSubscription;
 import org.robotui.web.Arrivals;
 import org.robotui.web.WebLink;
 import org.robotui.web.WebOptions;
@@ -67,7 +68,8 @@ public final class RosbridgeClient implements AutoCloseable {
    * @param receiver takes the messages, on a thread that all subscriptions share
    * @return the subscription; closing it ends it
    */
-  public BridgeSubscription subscribe(String topic, String type, SubscriptionOptions options, BridgeReceiver receiver) {
+  public ArrivalSubscription subscribe(String topic, String type, SubscriptionOptions options,
+      BridgeReceiver receiver) {
     Arrivals.Source<Parcel> source =
         arrivals.source(options.most(), MOST_BYTES, Parcel::size, parcel -> taken(parcel, receiver));
     synchronized (ear) {
@@ -81,7 +83,7 @@ public final class RosbridgeClient implements AutoCloseable {
                 options.throttleMillis(), "queue_length", options.most(), "compression", options.compression()));
       }
     }
-    return new BridgeSubscription(source, () -> unsubscribe(topic, source));
+    return new ArrivalSubscription(source, () -> unsubscribe(topic, source));
   }
 
   private static void taken(Parcel parcel, BridgeReceiver receiver) {

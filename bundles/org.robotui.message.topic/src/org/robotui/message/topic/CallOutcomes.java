@@ -34,4 +34,34 @@ public final class CallOutcomes {
       case SchemaLookup.Missing<S> missing -> throw new CallException(missing.reason());
     };
   }
+
+  /** Asks a robot, and waits for its answer. */
+  @FunctionalInterface
+  public interface Question<T> {
+
+    /**
+     * Asks.
+     *
+     * @return how the call ended
+     * @throws InterruptedException where the thread shall end meanwhile
+     */
+    Outcome<T> ask() throws InterruptedException;
+  }
+
+  /**
+   * The answer of a robot to a question that blocks.
+   *
+   * @param question is asked
+   * @param <T> the type of the answer
+   * @return the answer
+   * @throws CallException where there is none, with the reason, and where the thread is interrupted
+   */
+  public static <T> T asked(Question<T> question) throws CallException {
+    try {
+      return value(question.ask());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CallException("was cancelled", e);
+    }
+  }
 }

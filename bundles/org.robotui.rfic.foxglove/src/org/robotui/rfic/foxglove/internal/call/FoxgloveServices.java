@@ -10,6 +10,7 @@ import org.robotui.api.port.ServiceRequest;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Service;
 import org.robotui.message.payload.PayloadFormat;
+import org.robotui.message.topic.CallOutcomes;
 import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
 import org.robotui.rfic.foxglove.internal.payload.PayloadSource;
 
@@ -38,7 +39,8 @@ public final class FoxgloveServices implements CallHandler<ServiceRequest, Servi
     Forms forms = forms(service);
     try {
       ByteBuffer request = forms.request().write(invocation.request().arguments());
-      ByteBuffer reply = Answers.of(() -> client.call(service, forms.source().encoding(), request, left(invocation)));
+      ByteBuffer reply =
+          CallOutcomes.asked(() -> client.call(service, forms.source().encoding(), request, left(invocation)));
       return new ServiceReply(forms.response().read(reply));
     } catch (IllegalArgumentException e) {
       throw new CallException(service.name() + ": " + e.getMessage(), e);

@@ -11,6 +11,7 @@ import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.Parameter;
 import org.robotui.foxglove.ServerInfo;
 import org.robotui.message.payload.JsonValues;
+import org.robotui.message.topic.CallOutcomes;
 import org.robotui.rfic.foxglove.internal.session.ServerNews;
 
 /**
@@ -19,6 +20,7 @@ import org.robotui.rfic.foxglove.internal.session.ServerNews;
  */
 public final class ServerParameters implements AutoCloseable {
   private static final Duration IDLE = Duration.ofSeconds(20);
+  private static final Duration PATIENCE = Duration.ofSeconds(3);
 
   private final FoxgloveClient client;
   private final ServerNews news;
@@ -40,7 +42,7 @@ public final class ServerParameters implements AutoCloseable {
   synchronized Map<String, Object> all() throws CallException {
     check();
     Map<String, Object> values = new TreeMap<>();
-    for (Parameter each : Answers.of(() -> client.parameters(List.of(), Answers.PATIENCE))) {
+    for (Parameter each : CallOutcomes.asked(() -> client.parameters(List.of(), PATIENCE))) {
       values.put(each.name(), JsonValues.listed(each.value()));
     }
     follow(values);
@@ -78,7 +80,7 @@ public final class ServerParameters implements AutoCloseable {
   synchronized void set(String name, Object value) throws CallException {
     check();
     Map<String, Object> now = new HashMap<>();
-    Answers.of(() -> client.set(Parameter.of(name, value), Answers.PATIENCE))
+    CallOutcomes.asked(() -> client.set(Parameter.of(name, value), PATIENCE))
         .forEach(each -> now.put(each.name(), each.value()));
     news.parameters().putAll(now);
     if (now.containsKey(name) && !same(JsonValues.listed(now.get(name)), value)) {

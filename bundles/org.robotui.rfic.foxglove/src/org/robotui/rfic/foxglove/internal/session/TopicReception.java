@@ -10,14 +10,14 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.robotui.data.array.Bytes;
 import org.robotui.data.record.DynamicRecord;
-import org.robotui.foxglove.ChannelSubscription;
 import org.robotui.foxglove.FoxgloveClient;
 import org.robotui.foxglove.ServerChannel;
+import org.robotui.message.payload.PayloadFormat;
 import org.robotui.message.topic.Arrival;
 import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
-import org.robotui.message.payload.PayloadFormat;
 import org.robotui.rfic.foxglove.internal.session.ChannelTable.Offered;
+import org.robotui.web.ArrivalSubscription;
 
 /**
  * A topic that is received, from all channels that carry it, as they come and go.
@@ -28,7 +28,7 @@ final class TopicReception<M> implements TopicSubscription {
   private final FoxgloveClient client;
   private final Wanted<M> wanted;
   private final Consumer<TopicReception<M>> end;
-  private final Map<ServerChannel, ChannelSubscription> channels = new HashMap<>();
+  private final Map<ServerChannel, ArrivalSubscription> channels = new HashMap<>();
   private String failure = "";
   private long dropped;
 
@@ -74,7 +74,7 @@ final class TopicReception<M> implements TopicSubscription {
     }
   }
 
-  private ChannelSubscription subscribe(Offered offered) {
+  private ArrivalSubscription subscribe(Offered offered) {
     PayloadFormat.Reading<M> reading = wanted.reading().apply(offered);
     return client.subscribe(offered.channel(), wanted.most(),
         (payload, nanos, receivedNanos) -> received(offered, reading, payload, receivedNanos));
@@ -119,7 +119,7 @@ final class TopicReception<M> implements TopicSubscription {
         : new Lost(dropped, wanted.topic() + ": more came than could be taken");
   }
 
-  private void leave(ChannelSubscription channel) {
+  private void leave(ArrivalSubscription channel) {
     dropped += channel.dropped();
     channel.close();
   }

@@ -16,9 +16,10 @@ import org.robotui.message.MessageSchema;
 import org.robotui.message.data.MessageShapes;
 import org.robotui.message.payload.JsonValues;
 import org.robotui.message.payload.RosDefinitions;
+import org.robotui.message.topic.CallOutcomes;
 import org.robotui.rfic.rosbridge.internal.session.RosApiWatch;
-import org.robotui.rosbridge.RosApi;
 import org.robotui.rosbridge.RosApi.NodeDetails;
+import org.robotui.rosbridge.RosApi;
 
 /** What a robot behind a bridge has, as rosapi says. */
 public final class BridgeBrowser implements Browser {
@@ -41,9 +42,9 @@ public final class BridgeBrowser implements Browser {
     return switch (kind) {
       case TOPIC -> new TreeMap<>(watch.graph().types()).entrySet().stream()
           .map(e -> new Item(kind, e.getKey(), Generation.plainName(e.getValue()))).toList();
-      case SERVICE -> named(kind, BridgeAnswers.of(api::services));
+      case SERVICE -> named(kind, CallOutcomes.asked(api::services));
       case NODE -> named(kind, List.copyOf(watch.graph().nodes().keySet()));
-      case PARAMETER -> named(kind, BridgeAnswers.of(api::parameters));
+      case PARAMETER -> named(kind, CallOutcomes.asked(api::parameters));
       case ACTION, TUNABLE -> List.of();
     };
   }
@@ -69,21 +70,21 @@ public final class BridgeBrowser implements Browser {
     facts.put("type", type);
     facts.put("publishers", joined(watch.graph().ends(true).getOrDefault(item.name(), Set.of())));
     facts.put("subscribers", joined(watch.graph().ends(false).getOrDefault(item.name(), Set.of())));
-    String text = BridgeAnswers.of(() -> api.message(type));
+    String text = CallOutcomes.asked(() -> api.message(type));
     return new Description(item, facts, Optional.of(text), shape(type, text), Optional.empty());
   }
 
   private Description service(Item item) throws CallException {
-    String type = BridgeAnswers.of(() -> api.serviceType(item.name()));
-    String request = BridgeAnswers.of(() -> api.request(type));
-    String response = BridgeAnswers.of(() -> api.response(type));
+    String type = CallOutcomes.asked(() -> api.serviceType(item.name()));
+    String request = CallOutcomes.asked(() -> api.request(type));
+    String response = CallOutcomes.asked(() -> api.response(type));
     return new Description(new Item(item.kind(), item.name(), type), Map.of("type", type),
         Optional.of(request + "\n---\n" + response), shape(type + "Request", request),
         shape(type + "Response", response));
   }
 
   private Description node(Item item) throws CallException {
-    NodeDetails details = BridgeAnswers.of(() -> api.node(item.name()));
+    NodeDetails details = CallOutcomes.asked(() -> api.node(item.name()));
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("publishes", joined(details.publishing()));
     facts.put("subscribes", joined(details.subscribing()));
@@ -111,12 +112,12 @@ public final class BridgeBrowser implements Browser {
 
   @Override
   public Optional<Object> parameter(String name) throws CallException {
-    return BridgeAnswers.of(() -> api.parameter(name)).map(JsonValues::listed);
+    return CallOutcomes.asked(() -> api.parameter(name)).map(JsonValues::listed);
   }
 
   @Override
   public void setParameter(String name, Object value) throws CallException {
-    if (!BridgeAnswers.of(() -> api.set(name, value))) {
+    if (!CallOutcomes.asked(() -> api.set(name, value))) {
       throw new CallException(name + " was not set");
     }
   }

@@ -10,6 +10,7 @@ import org.robotui.message.DefinitionException;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.payload.JsonFormat;
 import org.robotui.message.payload.JsonRecord;
+import org.robotui.message.topic.CallOutcomes;
 import org.robotui.net.call.Outcome;
 import org.robotui.rfic.rosbridge.internal.session.BridgeTopics;
 import org.robotui.rosbridge.RosApi;
@@ -37,11 +38,11 @@ public final class BridgeServices implements CallHandler<ServiceRequest, Service
   @Override
   public ServiceReply handle(Invocation<ServiceRequest> invocation) throws CallException, InterruptedException {
     ServiceRequest request = invocation.request();
-    String type = BridgeAnswers.of(() -> api.serviceType(request.service()));
+    String type = CallOutcomes.asked(() -> api.serviceType(request.service()));
     Map<String, Object> arguments = arguments(type, request);
     Duration left = Duration.ofNanos(Math.max(1_000_000, invocation.deadlineNanos() - System.nanoTime()));
     return new ServiceReply(new JsonRecord(type + "Response",
-        BridgeAnswers.of(() -> client.call(request.service(), arguments, left))));
+        CallOutcomes.asked(() -> client.call(request.service(), arguments, left))));
   }
 
   private Map<String, Object> arguments(String type, ServiceRequest request)

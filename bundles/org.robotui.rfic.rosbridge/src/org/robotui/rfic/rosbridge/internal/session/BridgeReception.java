@@ -17,7 +17,7 @@ import org.robotui.message.topic.TopicListener;
 import org.robotui.message.topic.TopicSubscription;
 import org.robotui.rosbridge.BridgeMessage;
 import org.robotui.rosbridge.BridgeReceiver;
-import org.robotui.rosbridge.BridgeSubscription;
+import org.robotui.web.ArrivalSubscription;
 
 /**
  * A topic that is received, from when the definition of its type is known.
@@ -28,7 +28,7 @@ final class BridgeReception<M> implements TopicSubscription {
   private final Asked<M> asked;
   private final BridgeTopics topics;
   private final Consumer<BridgeReception<M>> end;
-  private Optional<BridgeSubscription> subscription = Optional.empty();
+  private Optional<ArrivalSubscription> subscription = Optional.empty();
   private String failure = "";
   private long dropped;
   private boolean closed;
@@ -141,7 +141,7 @@ final class BridgeReception<M> implements TopicSubscription {
 
   @Override
   public synchronized Lost lost() {
-    dropped += subscription.map(BridgeSubscription::dropped).orElse(0L);
+    dropped += subscription.map(ArrivalSubscription::dropped).orElse(0L);
     return asked.most() == 1 || dropped == 0 ? Lost.NONE
         : new Lost(dropped, asked.topic() + ": more came than could be taken");
   }
@@ -150,7 +150,7 @@ final class BridgeReception<M> implements TopicSubscription {
   public void close() {
     synchronized (this) {
       closed = true;
-      subscription.ifPresent(BridgeSubscription::close);
+      subscription.ifPresent(ArrivalSubscription::close);
       subscription = Optional.empty();
     }
     end.accept(this);

@@ -22,9 +22,9 @@ import org.robotui.message.topic.TopicSubscription;
 import org.robotui.rfic.rosbridge.internal.RosbridgeSettings;
 import org.robotui.rosbridge.BridgePublisher;
 import org.robotui.rosbridge.BridgeReceiver;
-import org.robotui.rosbridge.BridgeSubscription;
 import org.robotui.rosbridge.RosbridgeClient;
 import org.robotui.rosbridge.SubscriptionOptions;
+import org.robotui.web.ArrivalSubscription;
 
 /** The topics behind a bridge. Those that wait for their definition are followed by {@link #tick}. */
 public final class BridgeTopics implements TopicClient {
@@ -57,7 +57,7 @@ public final class BridgeTopics implements TopicClient {
     return settings.url().toString();
   }
 
-  BridgeSubscription receive(String topic, String type, int most, BridgeReceiver receiver) {
+  ArrivalSubscription receive(String topic, String type, int most, BridgeReceiver receiver) {
     return client.subscribe(topic, watch.graph().written(type),
         new SubscriptionOptions(most, settings.throttleMillis(), settings.compression()), receiver);
   }

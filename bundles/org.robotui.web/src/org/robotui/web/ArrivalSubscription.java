@@ -1,14 +1,18 @@
-package org.robotui.foxglove;
+package org.robotui.web;
 
-import org.robotui.web.Arrivals;
-
-/** A channel that is received. Safe for all threads. */
-public final class ChannelSubscription implements AutoCloseable {
+/** Something that a peer was asked to send, and sends until this is closed. Safe for all threads. */
+public final class ArrivalSubscription implements AutoCloseable {
 
   private final Arrivals.Source<?> source;
   private final Runnable end;
 
-  ChannelSubscription(Arrivals.Source<?> source, Runnable end) {
+  /**
+   * Has been asked for.
+   *
+   * @param source where its messages arrive
+   * @param end asks the peer to stop
+   */
+  public ArrivalSubscription(Arrivals.Source<?> source, Runnable end) {
     this.source = source;
     this.end = end;
   }
