@@ -3,6 +3,7 @@
 readonly NATIVE=$ROOT/rt-native
 readonly NATIVE_BUILD=$NATIVE/target/release
 readonly NATIVE_STAMP=$NATIVE/target/release.stamp
+readonly RELEASE_READY=$NATIVE/target/release.ready     # beside a test that needs it while the rest is compiled
 readonly NATIVE_PACKAGES=(
   cmake make g++ pkg-config libeigen3-dev libyaml-cpp-dev liburdfdom-dev liborocos-kdl-dev libtinyxml2-dev libgtest-dev
 )
@@ -95,20 +96,30 @@ test_native() {
   native_suite release ''
 }
 
-# Compiles with what the tests before leave of the processors: most of their time they wait. A process group of its own, so that it can be ended whole.
+# Compiles with what the other tests leave of the processors: most of their time they wait. What they need of it comes first. A process group of its own, so that
+# it can be ended whole.
 begin_native() {
+  mkdir -p "$NATIVE/target"
+  rm -f "$RELEASE_READY"
   set -m
   (
     renice -n 19 "$BASHPID" >/dev/null
     targets=()
+    native_cmake release -DBUILD_TESTING=ON
+    touch "$RELEASE_READY"
     native_cmake asan -DBUILD_TESTING=ON
     targets=(--target rt_thread_tests)
     native_cmake tsan -DBUILD_TESTING=ON
-    targets=()
-    native_cmake release -DBUILD_TESTING=ON
   ) </dev/null 2>/dev/null &
   native_builder=$!
   set +m
+}
+
+# Until what is shipped is built, or cannot be: then its tests say so.
+await_release() {
+  while [[ ! -e $RELEASE_READY ]] && kill -0 "$native_builder" 2>/dev/null; do
+    sleep 0.5
+  done
 }
 
 end_native() { [[ -z ${native_builder:-} ]] || kill -- "-$native_builder" 2>/dev/null || true; }

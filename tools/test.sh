@@ -20,8 +20,9 @@ cmd_test() {
   [[ $part != all ]] || begin_native
   [[ $part == e2e || $part == native || $part == lint ]] || test_with_maven "$part"
   [[ $part != lint ]] || test_lint
-  [[ $part != native && $part != all ]] || test_native
+  [[ $part != all ]] || await_release
   [[ $part != e2e && $part != all ]] || test_end_to_end
+  [[ $part != native && $part != all ]] || test_native
   close_tests
 }
 
