@@ -55,7 +55,7 @@ def test_what_is_wrong_is_said_and_nothing_is_written(environment, keira, tmp_pa
     file = tmp_path / "wrong.yaml"
     cases = [
         (["--rfic", "player", "--set", f"port={free_port()}", "--set", "host=127.0.0.1", "--wait", "3", "--name", "Keira"], "Connection refused"),
-        (["--rfic", "plaier", "--name", "Keira"], "there is no robot interface 'plaier'; there are lcm, player, ros, xbot"),
+        (["--rfic", "plaier", "--name", "Keira"], "there is no robot interface 'plaier'; there are foxglove, lcm, player, ros, ros2, rosbridge, xbot"),
         ([*player(keira), "--name", "a/b"], "none of / $ { }"),
         ([*player(keira), "--set", "prt=1", "--name", "Keira"], "prt"),
         ([*player(keira), "--name", "Keira", "--views", "map,camra"], "there is no view 'camra'"),
@@ -111,7 +111,7 @@ class Form:
         return Picture(picture).count(DARK["accent"], self.width - 90, self.height - 40) > 8
 
 
-@pytest.mark.parametrize("speaks, steps", [("player", 2), ("ros", 3)])
+@pytest.mark.parametrize("speaks, steps", [("player", 3), ("ros", 4)])
 def test_a_user_makes_a_robot_ui_in_three_steps_and_it_is_shown(processes, environment, keira, tmp_path, speaks, steps):
     if missing():
         pytest.skip(f"tests in a window need {missing()}")
