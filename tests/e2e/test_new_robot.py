@@ -90,7 +90,7 @@ class Form:
         return next(iter(found.stdout.split()), None)
 
     def framework(self, steps):
-        """Chooses in the menu of frameworks: lcm, player, xbot, ros by their labels."""
+        """Chooses in the menu of frameworks, which stand in the order of their identifiers: foxglove, lcm, player, ros."""
         output("xdotool", "windowactivate", "--sync", self.window, "key", "Down", "sleep", "0.7")
         for _ in range(steps):
             Keys.press("Down")
