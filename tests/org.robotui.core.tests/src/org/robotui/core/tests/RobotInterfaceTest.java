@@ -76,7 +76,7 @@ class RobotInterfaceTest {
   @Test
   void aTypeThatNobodyKnewCompletesTheRuicWhenItAppears() {
     world.await("arm", RuicState.FAILED);
-    assertTrue(world.reason("arm").matches("type 'later' is not installed; installed are fake, lcm, player, ros"),
+    assertTrue(world.reason("arm").matches("type 'later' is not installed; installed are fake, lcm, player, ros, ros2"),
         world.reason("arm"));
 
     world.bring(later);
