@@ -5,10 +5,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -34,10 +30,10 @@ import org.robotui.rfic.foxglove.internal.call.FoxgloveBrowser;
 import org.robotui.rfic.foxglove.internal.call.FoxgloveServices;
 import org.robotui.rfic.foxglove.internal.call.ServerParameters;
 import org.robotui.rfic.foxglove.internal.payload.PayloadFormats;
+import org.robotui.web.LinkTurns;
 
 /** One connection to a server, and all that is offered through it. */
 public final class FoxgloveSession implements RobotSession {
-  private static final Duration TURN = Duration.ofMillis(50);
   private static final Duration LOOK = Duration.ofMillis(500);
   private static final Duration INTRODUCTION = Duration.ofSeconds(5);
   private static final Duration GIVEN_UP = Duration.ofSeconds(10);
@@ -106,21 +102,7 @@ public final class FoxgloveSession implements RobotSession {
 
   @Override
   public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
-    CompletableFuture<String> ended = client.whenEnded();
-    while (!over.getAsBoolean()) {
-      Optional<String> end = turn();
-      if (end.isPresent()) {
-        return end;
-      }
-      try {
-        return Optional.of(ended.get(TURN.toMillis(), TimeUnit.MILLISECONDS));
-      } catch (TimeoutException e) {
-        // the usual case: it goes on
-      } catch (ExecutionException e) {
-        throw new IllegalStateException(e);
-      }
-    }
-    return Optional.empty();
+    return LinkTurns.take(client.whenEnded(), over, this::turn);
   }
 
   /** Looks at all once; answers why the session is over, if it is. */

@@ -36,7 +36,8 @@ final class MarkerRequests {
     Ros2ServiceClient<GetInteractiveMarkersRequest, GetInteractiveMarkersResponse> client =
         clients.computeIfAbsent(server, name -> node.serviceClient(name + "/get_interactive_markers", CODEC));
     if (client.ready() && asked.add(server)) {
-      client.send(new GetInteractiveMarkersRequest()).thenApply(outcome -> outcome).toCompletableFuture()
+      // the time is that of a copy: it must not complete what the library completes
+      client.send(new GetInteractiveMarkersRequest()).toCompletableFuture().copy()
           .orTimeout(SECONDS, TimeUnit.SECONDS).whenComplete((outcome, late) -> {
             asked.remove(server);
             if (outcome instanceof Outcome.Done<GetInteractiveMarkersResponse> done) {

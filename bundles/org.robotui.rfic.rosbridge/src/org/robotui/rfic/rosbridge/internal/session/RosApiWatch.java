@@ -4,11 +4,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.TreeMap;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
 import org.robotui.message.DefinitionException;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
@@ -28,7 +29,7 @@ public final class RosApiWatch implements AutoCloseable {
   private final RosApi api;
   private final RosDefinitions definitions;
   private final Thread thread;
-  private final Queue<String> wanted = new ConcurrentLinkedQueue<>();
+  private final BlockingQueue<String> wanted = new LinkedBlockingQueue<>();
   private final Map<String, SchemaLookup<MessageSchema>> schemas = new ConcurrentHashMap<>();
   private volatile RosGraph graph = RosGraph.EMPTY;
   private volatile Optional<String> problem = Optional.empty();
@@ -45,10 +46,7 @@ public final class RosApiWatch implements AutoCloseable {
     try {
       while (true) {
         look();
-        for (int i = 0; i < PERIOD.toMillis(); i += 20) {
-          learn();
-          Thread.sleep(20);
-        }
+        learn(System.nanoTime() + PERIOD.toNanos());
       }
     } catch (InterruptedException e) {
       // closed
@@ -71,9 +69,11 @@ public final class RosApiWatch implements AutoCloseable {
     answered = true;
   }
 
-  private void learn() throws InterruptedException {
-    for (String type = wanted.poll(); type != null; type = wanted.poll()) {
-      if (!schemas.containsKey(type)) {
+  /** Asks for definitions as they are wanted, until it is time to look again. */
+  private void learn(long until) throws InterruptedException {
+    for (long left = PERIOD.toNanos(); left > 0; left = until - System.nanoTime()) {
+      String type = wanted.poll(left, TimeUnit.NANOSECONDS);
+      if (type != null && !schemas.containsKey(type)) {
         schemas.put(type, learned(type));
       }
     }

@@ -4,10 +4,6 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -32,10 +28,10 @@ import org.robotui.rfic.rosbridge.internal.call.BridgeBrowser;
 import org.robotui.rfic.rosbridge.internal.call.BridgeServices;
 import org.robotui.rosbridge.RosApi;
 import org.robotui.rosbridge.RosbridgeClient;
+import org.robotui.web.LinkTurns;
 
 /** One connection to a bridge, and all that is offered through it. */
 public final class RosbridgeSession implements RobotSession {
-  private static final Duration TURN = Duration.ofMillis(50);
   private static final Duration ANSWER = Duration.ofSeconds(3);
   private static final Duration GIVEN_UP = Duration.ofSeconds(10);
   private static final long ALIVE_NANOS = Duration.ofMillis(200).toNanos();
@@ -98,24 +94,14 @@ public final class RosbridgeSession implements RobotSession {
 
   @Override
   public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
-    CompletableFuture<String> ended = client.whenEnded();
-    while (!over.getAsBoolean()) {
-      if (client.silentNanos() > GIVEN_UP.toNanos()) {
-        return Optional.of(server + " is connected but says nothing");
-      }
-      turn();
-      try {
-        return Optional.of(ended.get(TURN.toMillis(), TimeUnit.MILLISECONDS));
-      } catch (TimeoutException e) {
-        // the usual case: it goes on
-      } catch (ExecutionException e) {
-        throw new IllegalStateException(e);
-      }
-    }
-    return Optional.empty();
+    return LinkTurns.take(client.whenEnded(), over, this::turn);
   }
 
-  private void turn() {
+  /** Looks at all once; answers why the session is over, if it is. */
+  private Optional<String> turn() {
+    if (client.silentNanos() > GIVEN_UP.toNanos()) {
+      return Optional.of(server + " is connected but says nothing");
+    }
     client.beat();
     if (client.silentNanos() < ALIVE_NANOS) {
       topics.pulse().heard(System.nanoTime());
@@ -135,6 +121,7 @@ public final class RosbridgeSession implements RobotSession {
     if (watch.answered() || !problem.isEmpty()) {
       link.report(problem.isEmpty() ? new LinkState.Connected(server) : new LinkState.Degraded(server, problem));
     }
+    return Optional.empty();
   }
 
   @Override
