@@ -1,10 +1,10 @@
 package org.robotui.message;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.net.collection.LruMap;
 
 /**
  * All message and service types known: those shipped with this library, those installed on this machine, and those
@@ -17,14 +17,7 @@ public final class MessageRegistry implements DefinitionSource {
   private final ShippedDefinitions shipped;
   private final Generation generation;
   private final LocalDefinitions local;
-  private final Map<MessageInfo, MessageSchema> learned = new LinkedHashMap<>(16, 0.75f, true) {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<MessageInfo, MessageSchema> eldest) {
-      return size() > MAX_LEARNED;
-    }
-  };
+  private final Map<MessageInfo, MessageSchema> learned = new LruMap<>(MAX_LEARNED);
 
   /**
    * Creates a registry.

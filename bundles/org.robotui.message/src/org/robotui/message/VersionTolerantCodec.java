@@ -1,9 +1,9 @@
 package org.robotui.message;
 
 import java.nio.ByteBuffer;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
+import org.robotui.net.collection.LruMap;
 
 /**
  * Reads a type in whatever version the publisher speaks, by the names of the fields. Fields that the other version
@@ -19,14 +19,7 @@ public final class VersionTolerantCodec<T extends Record> implements MessageCode
   private final RecordCodec<T> codec;
   private final MessageRegistry registry;
   private final MessageInfo info;
-  private final Map<MessageSchema, RecordBinding<T>> versions = new LinkedHashMap<>() {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<MessageSchema, RecordBinding<T>> eldest) {
-      return size() > MAX_VERSIONS;
-    }
-  };
+  private final Map<MessageSchema, RecordBinding<T>> versions = new LruMap<>(MAX_VERSIONS);
 
   /**
    * Wraps a codec.

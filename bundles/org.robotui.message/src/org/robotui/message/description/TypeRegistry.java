@@ -1,6 +1,5 @@
 package org.robotui.message.description;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +13,7 @@ import org.robotui.message.MessageDefinition;
 import org.robotui.message.MessageSchema;
 import org.robotui.message.SchemaLookup;
 import org.robotui.message.ServiceSchema;
+import org.robotui.net.collection.LruMap;
 
 /**
  * All types of ROS 2 that are known, by name and sum: those shipped with this library, those installed on this machine,
@@ -24,14 +24,7 @@ public final class TypeRegistry {
   private static final int MAX_LEARNED = 500;
 
   private final List<Definitions> places;
-  private final Map<TypeHash, TypeKnowledge> learned = new LinkedHashMap<>(16, 0.75f, true) {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<TypeHash, TypeKnowledge> eldest) {
-      return size() > MAX_LEARNED;
-    }
-  };
+  private final Map<TypeHash, TypeKnowledge> learned = new LruMap<>(MAX_LEARNED);
 
   /**
    * Creates a registry.

@@ -1,9 +1,9 @@
 package org.robotui.ui.control;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.eclipse.swt.graphics.GC;
 import org.eclipse.swt.graphics.Point;
+import org.robotui.net.collection.LruMap;
 import org.robotui.ui.Face;
 import org.robotui.ui.TextFit;
 
@@ -15,14 +15,7 @@ final class FittedTexts {
   private static final int MOST = 2_048;
   private static final int LONGEST = 200;
 
-  private final Map<Key, Fitted> known = new LinkedHashMap<>(MOST, 0.75f, true) {
-    private static final long serialVersionUID = 1;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<Key, Fitted> eldest) {
-      return size() > MOST;
-    }
-  };
+  private final Map<Key, Fitted> known = new LruMap<>(MOST);
 
   /**
    * A text, as much of it as fits.

@@ -2,7 +2,6 @@ package org.robotui.core.internal.time;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,6 +14,7 @@ import org.robotui.data.FrameId;
 import org.robotui.data.Stamp;
 import org.robotui.data.geometry.FrameTransform;
 import org.robotui.geometry.FrameEdge;
+import org.robotui.net.collection.LruMap;
 
 /**
  * Who said where frames are, how often, and what was refused. As many frames as the buffer holds, a few words on each.
@@ -30,7 +30,7 @@ final class FrameLedger {
 
   private final LongSupplier clock;
   private final Map<FrameId, FrameVoices> voices = new ConcurrentHashMap<>();
-  private final Map<Refused, Count> refusals = new LinkedHashMap<>();
+  private final Map<Refused, Count> refusals = new LruMap<>(MOST_REFUSALS);
 
   FrameLedger(LongSupplier clock) {
     this.clock = clock;
@@ -46,11 +46,8 @@ final class FrameLedger {
   void refused(String reason, String authority) {
     synchronized (refusals) {
       Refused key = new Refused(reason, authority);
-      long before = Optional.ofNullable(refusals.remove(key)).map(Count::count).orElse(0L);
+      long before = Optional.ofNullable(refusals.get(key)).map(Count::count).orElse(0L);
       refusals.put(key, new Count(before + 1, clock.getAsLong()));
-      if (refusals.size() > MOST_REFUSALS) {
-        refusals.remove(refusals.keySet().iterator().next());
-      }
     }
   }
 

@@ -1,11 +1,11 @@
 package org.robotui.core.internal.time;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.robotui.api.frame.FrameLink.Rival;
 import org.robotui.data.ClockKind;
 import org.robotui.data.FrameId;
+import org.robotui.net.collection.LruMap;
 
 /** Who said where one frame is, and when the last ones came. Safe for all threads. */
 final class FrameVoices {
@@ -20,7 +20,7 @@ final class FrameVoices {
   private record Voice(long first, long last) {}
 
   private final long[] times = new long[KEPT];
-  private final Map<Rival, Voice> voices = new LinkedHashMap<>();
+  private final Map<Rival, Voice> voices = new LruMap<>(MOST_VOICES);
   private long count;
   private boolean fixed;
   private ClockKind clock = ClockKind.ROBOT;
@@ -31,12 +31,9 @@ final class FrameVoices {
     fixed = forAllTimes;
     clock = whose;
     Rival key = new Rival(authority, parent);
-    Voice before = voices.remove(key);
+    Voice before = voices.get(key);
     boolean goesOn = before != null && now - before.last() <= LATELY_NANOS;
     voices.put(key, new Voice(goesOn ? before.first() : now, now));
-    if (voices.size() > MOST_VOICES) {
-      voices.remove(voices.keySet().iterator().next());
-    }
   }
 
   synchronized boolean fixed() {

@@ -1,9 +1,9 @@
 package org.robotui.lcm.internal.udpm;
 
 import java.net.InetSocketAddress;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.robotui.lcm.internal.client.Counters;
+import org.robotui.net.collection.LruMap;
 
 /** Who sends, and how many of their messages never came. The longest silent ones are forgotten first. */
 final class Senders {
@@ -11,14 +11,7 @@ final class Senders {
   private static final int MOST = 1024;
 
   private final Counters counters;
-  private final Map<InetSocketAddress, Sender> known = new LinkedHashMap<>(16, 0.75f, true) {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<InetSocketAddress, Sender> eldest) {
-      return size() > MOST;
-    }
-  };
+  private final Map<InetSocketAddress, Sender> known = new LruMap<>(MOST);
 
   Senders(Counters counters) {
     this.counters = counters;

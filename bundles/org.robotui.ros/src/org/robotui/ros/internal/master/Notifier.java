@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.net.collection.LruMap;
 import org.robotui.net.socket.CloseableSet;
 import org.robotui.net.socket.HostPort;
 import org.robotui.net.thread.Workers;
@@ -46,14 +47,7 @@ final class Notifier {
   private final Lane otherLane;
   private final CloseableSet open = new CloseableSet();
   private final Map<String, Map<String, Message>> waiting = new HashMap<>();
-  private final Map<String, Boolean> proven = new LinkedHashMap<>(16, 0.75f, true) {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
-      return size() > MOST_PROVEN;
-    }
-  };
+  private final Map<String, Boolean> proven = new LruMap<>(MOST_PROVEN);
 
   Notifier(Workers workers) {
     provenLane = new Lane(workers, "ros master to nodes", PROVEN_THREADS);

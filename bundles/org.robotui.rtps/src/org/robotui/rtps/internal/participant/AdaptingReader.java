@@ -1,10 +1,10 @@
 package org.robotui.rtps.internal.participant;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiFunction;
+import org.robotui.net.collection.LruMap;
 import org.robotui.rtps.DiscoveryListener;
 import org.robotui.rtps.EndpointInfo;
 import org.robotui.rtps.EndpointKind;
@@ -31,14 +31,7 @@ final class AdaptingReader implements Reader, DiscoveryListener {
   private final SampleListener listener;
   private final List<MatchListener> listeners = new CopyOnWriteArrayList<>();
   /** The last sample of each writer that came. Only the receiving thread uses it. */
-  private final Map<Guid, Long> last = new LinkedHashMap<>() {
-    private static final long serialVersionUID = 1L;
-
-    @Override
-    protected boolean removeEldestEntry(Map.Entry<Guid, Long> eldest) {
-      return size() > MOST_WRITERS;
-    }
-  };
+  private final Map<Guid, Long> last = new LruMap<>(MOST_WRITERS);
   private volatile Reader reader;
   private ReaderStatistics before = new ReaderStatistics(0, 0, 0, 0, 0, 0, 0, 0);
   private volatile boolean closed;

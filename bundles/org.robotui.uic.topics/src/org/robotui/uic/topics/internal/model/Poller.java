@@ -1,6 +1,5 @@
 package org.robotui.uic.topics.internal.model;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,6 +12,7 @@ import org.robotui.api.port.Browser.Description;
 import org.robotui.api.port.CallException;
 import org.robotui.api.port.Input;
 import org.robotui.data.Data;
+import org.robotui.net.collection.LruMap;
 import org.robotui.uic.topics.internal.TopicsPorts;
 import org.robotui.uic.topics.internal.model.TopicRow.Counts;
 
@@ -30,7 +30,7 @@ final class Poller {
   private final Lister lister = new Lister();
   private final AtomicBoolean listing = new AtomicBoolean();
   private final AtomicBoolean asked = new AtomicBoolean();
-  private final Map<Key, Known> known = new LinkedHashMap<>();
+  private final Map<Key, Known> known = new LruMap<>(MOST_KNOWN);
   private volatile Catalog catalog = Catalog.NOTHING;
   private volatile Optional<Described> described = Optional.empty();
   private volatile Optional<Key> selected = Optional.empty();
@@ -141,10 +141,6 @@ final class Poller {
   }
 
   private synchronized void remember(Key key, Known what) {
-    known.remove(key);
     known.put(key, what);
-    if (known.size() > MOST_KNOWN) {
-      known.remove(known.keySet().iterator().next());
-    }
   }
 }
