@@ -67,7 +67,33 @@ class AtomicFileTest {
     AtomicFile.write(file, "before");
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r-----"));
     AtomicFile.write(file, "after");
-    assertEquals("rw-r-----", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
+    assertEquals("rw-r-----", rights(file));
+  }
+
+  private static String rights(Path file) throws IOException {
+    return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+  }
+
+  @Test
+  void aPrivateFileIsClosedToOthersAndSoAreFoldersThatAreMadeForIt() throws IOException {
+    Assumptions.assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"), "it has no such rights");
+    Path kept = folder.resolve("state").resolve("kept");
+    AtomicFile.writePrivate(kept, "before");
+    assertEquals("rwx------", rights(kept.getParent()));
+    assertEquals("rw-------", rights(kept));
+    Files.setPosixFilePermissions(kept, PosixFilePermissions.fromString("rw-r--r--"));
+    AtomicFile.writePrivate(kept, "after");
+    assertEquals("rw-------", rights(kept));
+    assertEquals("after", Files.readString(kept));
+  }
+
+  @Test
+  void aPrivateFileReplacesWhatItsLinkLeadsTo() throws IOException {
+    AtomicFile.write(file, "before");
+    Path link = Files.createSymbolicLink(folder.resolve("latest"), file);
+    AtomicFile.writePrivate(link, "after");
+    assertEquals("after", Files.readString(file));
+    assertTrue(Files.isSymbolicLink(link));
   }
 
   @Test

@@ -2,13 +2,11 @@ package org.robotui.workbench.internal;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import java.util.Properties;
+import org.robotui.api.config.AtomicFile;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -65,23 +63,9 @@ public final class UserState {
   private void write() {
     Path file = folder.resolve(FILE);
     try {
-      Files.createDirectories(folder,
-          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
-      write(file, Files.createTempFile(folder, FILE, ".new"));
+      AtomicFile.writePrivate(file, out -> values.store(out, null));
     } catch (IOException e) {
       LOG.warn("{} cannot be written, so that what you change is kept for this run only: {}", file, e.toString());
-    }
-  }
-
-  /** By way of a file beside it, which is gone afterwards also when the disk is full. */
-  private void write(Path file, Path next) throws IOException {
-    try {
-      try (OutputStream out = Files.newOutputStream(next)) {
-        values.store(out, null);
-      }
-      Files.move(next, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-    } finally {
-      Files.deleteIfExists(next);
     }
   }
 }

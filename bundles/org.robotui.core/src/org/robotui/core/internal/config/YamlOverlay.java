@@ -3,12 +3,12 @@ package org.robotui.core.internal.config;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.config.NamedFile;
 import org.robotui.api.port.SourceId;
 import org.robotui.core.internal.config.model.ChosenInterface;
@@ -58,14 +58,7 @@ public final class YamlOverlay implements OverlayFile {
   public void write(Path file, Map<String, Overlay> overlays) throws IOException {
     Map<String, Object> root = new TreeMap<>();
     overlays.forEach((name, overlay) -> root.put(name, written(overlay)));
-    Files.createDirectories(file.toAbsolutePath().getParent());
-    Path fresh = Files.createTempFile(file.toAbsolutePath().getParent(), file.getFileName().toString(), ".new");
-    try {
-      Files.writeString(fresh, yaml().dump(root));
-      Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-    } finally {
-      Files.deleteIfExists(fresh); // where the disk is full
-    }
+    AtomicFile.writePrivate(file, yaml().dump(root));
   }
 
   private static Yaml yaml() {

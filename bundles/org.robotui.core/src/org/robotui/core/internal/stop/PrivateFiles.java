@@ -3,8 +3,8 @@ package org.robotui.core.internal.stop;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
+import org.robotui.api.config.AtomicFile;
 
 /** Files that only their user can read. */
 final class PrivateFiles {
@@ -19,10 +19,6 @@ final class PrivateFiles {
   /** Writes a text as a whole: who reads it finds all or nothing. */
   static void write(Path file, String text) throws IOException {
     folder(file.getParent());
-    Path part = file.resolveSibling(file.getFileName() + ".new");
-    Files.deleteIfExists(part);
-    Files.createFile(part, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-    Files.writeString(part, text);
-    Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    AtomicFile.writePrivate(file, text);
   }
 }

@@ -1,9 +1,7 @@
 package org.robotui.workbench.internal.measure;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Map;
@@ -18,6 +16,7 @@ import org.eclipse.swt.widgets.Display;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Listener;
 import org.eclipse.swt.widgets.Widget;
+import org.robotui.api.config.AtomicFile;
 import org.robotui.api.host.Host;
 import org.robotui.api.host.HostListener;
 import org.robotui.api.host.Ruic;
@@ -170,10 +169,8 @@ public final class Measurement implements AutoCloseable {
 
   /** Whoever reads it meanwhile finds one whole. */
   private synchronized void write() {
-    Path next = file.resolveSibling(file.getFileName() + ".next");
     try {
-      Files.writeString(next, json());
-      Files.move(next, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+      AtomicFile.write(file, json());
     } catch (IOException e) {
       LOG.error("{} could not be written: {}", file, e.toString());
     }
