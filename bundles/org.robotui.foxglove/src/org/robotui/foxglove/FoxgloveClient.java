@@ -9,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -20,6 +19,7 @@ import org.robotui.foxglove.internal.ServerState;
 import org.robotui.net.call.Outcome;
 import org.robotui.web.ArrivalSubscription;
 import org.robotui.web.Arrivals;
+import org.robotui.web.LinkMonitor;
 import org.robotui.web.OpenQuestions;
 import org.robotui.web.WebLink;
 import org.robotui.web.WebOptions;
@@ -224,35 +224,12 @@ public final class FoxgloveClient implements AutoCloseable {
   }
 
   /**
-   * When the link has ended.
+   * How the link fares.
    *
-   * @return completes with the reason, for users
+   * @return lasts as long as the client
    */
-  public CompletableFuture<String> whenEnded() {
-    return link.whenEnded();
-  }
-
-  /** Asks the server for a sign of life where it is time. To be called often. */
-  public void beat() {
-    link.beat();
-  }
-
-  /**
-   * How long nothing has come although a sign of life was asked for.
-   *
-   * @return nanoseconds
-   */
-  public long silentNanos() {
-    return link.silentNanos();
-  }
-
-  /**
-   * What is wrong with the link.
-   *
-   * @return a sentence for users; empty where all is well
-   */
-  public String trouble() {
-    return link.trouble();
+  public LinkMonitor link() {
+    return link;
   }
 
   /** Takes back what was announced, and ends the link. */

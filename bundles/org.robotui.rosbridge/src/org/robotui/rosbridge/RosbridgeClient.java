@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ThreadFactory;
 import org.robotui.net.call.Outcome;
@@ -16,6 +15,7 @@ import org.robotui.rosbridge.internal.Parcel;
 import org.robotui.rosbridge.internal.Words;
 import org.robotui.web.ArrivalSubscription;
 import org.robotui.web.Arrivals;
+import org.robotui.web.LinkMonitor;
 import org.robotui.web.WebLink;
 import org.robotui.web.WebOptions;
 import org.robotui.web.tree.TreeException;
@@ -153,35 +153,12 @@ public final class RosbridgeClient implements AutoCloseable {
   }
 
   /**
-   * When the link has ended.
+   * How the link fares.
    *
-   * @return completes with the reason, for users
+   * @return lasts as long as the client
    */
-  public CompletableFuture<String> whenEnded() {
-    return link.whenEnded();
-  }
-
-  /** Asks the bridge for a sign of life where it is time. To be called often. */
-  public void beat() {
-    link.beat();
-  }
-
-  /**
-   * How long nothing has come although a sign of life was asked for.
-   *
-   * @return nanoseconds
-   */
-  public long silentNanos() {
-    return link.silentNanos();
-  }
-
-  /**
-   * What is wrong with the link.
-   *
-   * @return a sentence for users; empty where all is well
-   */
-  public String trouble() {
-    return link.trouble();
+  public LinkMonitor link() {
+    return link;
   }
 
   /** Takes back what was announced, and ends the link. */

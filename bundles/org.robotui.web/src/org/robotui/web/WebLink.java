@@ -18,7 +18,7 @@ import java.util.concurrent.TimeoutException;
  * at once, so that nothing grows old there. A command goes out before all that waits, or not at all. Safe for all
  * threads.
  */
-public final class WebLink implements AutoCloseable {
+public final class WebLink implements LinkMonitor, AutoCloseable {
 
   private static final Duration FAREWELL = Duration.ofMillis(300);
   private static final Duration LATE = Duration.ofSeconds(1);
@@ -105,11 +105,7 @@ public final class WebLink implements AutoCloseable {
     return socket.getSubprotocol();
   }
 
-  /**
-   * When the link has ended.
-   *
-   * @return completes with the reason, for users
-   */
+  @Override
   public CompletableFuture<String> whenEnded() {
     return ended.thenApply(reason -> address + " " + reason);
   }
@@ -136,18 +132,14 @@ public final class WebLink implements AutoCloseable {
     return !ended.isDone() && outbox.command(payload, patience);
   }
 
-  /** Asks the peer for a sign of life where it is time. To be called often. */
+  @Override
   public void beat() {
     if (!ended.isDone()) {
       heartbeat.beat(System.nanoTime());
     }
   }
 
-  /**
-   * How long nothing at all has come although a sign of life was asked for.
-   *
-   * @return nanoseconds, 0 where none is awaited
-   */
+  @Override
   public long silentNanos() {
     return heartbeat.silentNanos(System.nanoTime());
   }
@@ -161,11 +153,7 @@ public final class WebLink implements AutoCloseable {
     return heartbeat.roundTripNanos(System.nanoTime());
   }
 
-  /**
-   * What is wrong with the link.
-   *
-   * @return a sentence for users; empty where all is well
-   */
+  @Override
   public String trouble() {
     long silent = silentNanos();
     if (silent > LATE.toNanos()) {

@@ -102,14 +102,14 @@ public final class FoxgloveSession implements RobotSession {
 
   @Override
   public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
-    return LinkTurns.take(client.whenEnded(), over, this::turn);
+    return LinkTurns.take(client.link().whenEnded(), over, this::turn);
   }
 
   /** Looks at all once; answers why the session is over, if it is. */
   private Optional<String> turn() {
-    client.beat();
+    client.link().beat();
     long now = System.nanoTime();
-    long silent = client.silentNanos();
+    long silent = client.link().silentNanos();
     if (silent > GIVEN_UP.toNanos() || client.info().isEmpty() && now - opened > INTRODUCTION.toNanos()) {
       return Optional.of(server + " is connected but says nothing");
     }
@@ -120,9 +120,7 @@ public final class FoxgloveSession implements RobotSession {
     topics.tick();
     description.tick();
     parameters.tick();
-    for (Optional<LogEntry> said = news.takeSaid(); said.isPresent(); said = news.takeSaid()) {
-      status.publish(said.get(), Optional.empty());
-    }
+    news.notices().take(entry -> status.publish(entry, Optional.empty()));
     if (met) {
       link.report(state());
     }
@@ -143,7 +141,7 @@ public final class FoxgloveSession implements RobotSession {
   }
 
   private LinkState state() {
-    String problem = Stream.of(client.trouble(), mute(), topics.problem()).filter(part -> !part.isEmpty())
+    String problem = Stream.of(client.link().trouble(), mute(), topics.problem()).filter(part -> !part.isEmpty())
         .collect(Collectors.joining("; "));
     return problem.isEmpty() ? new LinkState.Connected(server) : new LinkState.Degraded(server, problem);
   }

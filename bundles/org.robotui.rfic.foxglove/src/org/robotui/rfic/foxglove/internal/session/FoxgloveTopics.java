@@ -114,7 +114,7 @@ public final class FoxgloveTopics implements TopicClient {
 
   /** Where the server does not say who subscribes, it is itself the one who does. */
   private int listening(String topic) {
-    return client.whenEnded().isDone() ? 0
+    return client.link().whenEnded().isDone() ? 0
         : subscribers().map(all -> all.getOrDefault(topic, Set.of()).size()).orElse(1);
   }
 

@@ -4,29 +4,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.Queue;
 import java.util.Set;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.robotui.data.status.LogEntry;
 import org.robotui.data.status.Severity;
 import org.robotui.foxglove.FoxgloveListener;
 import org.robotui.foxglove.Parameter;
-import org.robotui.net.log.LogThrottle;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import org.robotui.message.topic.ServerNotices;
 
 /** Remembers what a server said beside messages, until somebody asks. Safe for all threads. */
 public final class ServerNews implements FoxgloveListener {
-  private static final Logger LOG = LoggerFactory.getLogger(ServerNews.class);
-  private static final int MOST_SAID = 100;
   private static final int MOST_PARAMETERS = 20_000;
 
-  private final String server;
-  private final LogThrottle throttle = new LogThrottle();
+  private final ServerNotices notices;
   private final AtomicBoolean offers = new AtomicBoolean(true);
-  private final Queue<LogEntry> said = new ArrayBlockingQueue<>(MOST_SAID);
   private final Map<String, Object> parameters = new ConcurrentHashMap<>();
   private volatile Optional<Ends> ends = Optional.empty();
   private volatile OptionalLong time = OptionalLong.empty();
@@ -41,14 +32,12 @@ public final class ServerNews implements FoxgloveListener {
 
   /** Nothing was heard yet of a server, which is named in what is logged. */
   ServerNews(String server) {
-    this.server = server;
+    this.notices = new ServerNotices(server);
   }
 
   @Override
   public void onUnreadable(String reason) {
-    if (throttle.admit()) {
-      LOG.warn("{} ({} such messages so far)", reason, throttle.count());
-    }
+    notices.unreadable(reason);
   }
 
   @Override
@@ -63,8 +52,7 @@ public final class ServerNews implements FoxgloveListener {
 
   @Override
   public void onStatus(int level, String message) {
-    Severity severity = level <= 0 ? Severity.INFO : level == 1 ? Severity.WARNING : Severity.ERROR;
-    said.offer(new LogEntry(severity, server, message, ""));
+    notices.said(level <= 0 ? Severity.INFO : level == 1 ? Severity.WARNING : Severity.ERROR, message);
   }
 
   @Override
@@ -83,9 +71,9 @@ public final class ServerNews implements FoxgloveListener {
     return offers.getAndSet(false);
   }
 
-  /** What the server has told users next, if anything. */
-  Optional<LogEntry> takeSaid() {
-    return Optional.ofNullable(said.poll());
+  /** What the server has told users. */
+  ServerNotices notices() {
+    return notices;
   }
 
   /** The server's time; none while it says none. */

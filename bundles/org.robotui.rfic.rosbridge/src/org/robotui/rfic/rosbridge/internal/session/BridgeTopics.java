@@ -97,7 +97,7 @@ public final class BridgeTopics implements TopicClient {
   }
 
   private int listening(String topic) {
-    return client.whenEnded().isDone() ? 0 : watch.graph().ends(false).getOrDefault(topic, Set.of()).size();
+    return client.link().whenEnded().isDone() ? 0 : watch.graph().ends(false).getOrDefault(topic, Set.of()).size();
   }
 
   @Override

@@ -21,6 +21,7 @@ import org.robotui.data.status.LogEntry;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
+import org.robotui.message.topic.ServerNotices;
 import org.robotui.message.topic.SharedTransforms;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.rosbridge.internal.RosbridgeSettings;
@@ -40,7 +41,7 @@ public final class RosbridgeSession implements RobotSession {
 
   private final String server;
   private final RosbridgeClient client;
-  private final BridgeNews news;
+  private final ServerNotices notices;
   private final LinkChanges link;
   private final RosApiWatch watch;
   private final BridgeTopics channels;
@@ -50,10 +51,11 @@ public final class RosbridgeSession implements RobotSession {
   private final List<Offer> offers;
   private RosGraph seen = RosGraph.EMPTY;
 
-  private RosbridgeSession(RficContext context, RosbridgeSettings settings, RosbridgeClient client, BridgeNews news) {
+  private RosbridgeSession(RficContext context, RosbridgeSettings settings, RosbridgeClient client,
+      ServerNotices notices) {
     this.server = settings.url().toString();
     this.client = client;
-    this.news = news;
+    this.notices = notices;
     this.link = new LinkChanges(context.link());
     RosDefinitions definitions = new RosDefinitions(System.getenv());
     RosApi api = new RosApi(client, ANSWER);
@@ -81,11 +83,12 @@ public final class RosbridgeSession implements RobotSession {
    */
   public static RobotSession open(RficContext context, RosbridgeSettings settings, SessionScope scope)
       throws IOException {
-    BridgeNews news = new BridgeNews(settings.url().toString());
+    ServerNotices notices = new ServerNotices(settings.url().toString());
     try {
       RosbridgeClient client =
-          scope.closing(RosbridgeClient.open(settings.url(), context.threads(), news), RosbridgeClient::close);
-      return new RosbridgeSession(context, settings, client, news);
+          scope.closing(RosbridgeClient.open(settings.url(), context.threads(), new BridgeNotices(notices)),
+              RosbridgeClient::close);
+      return new RosbridgeSession(context, settings, client, notices);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IOException("was closed while connecting", e);
@@ -94,16 +97,16 @@ public final class RosbridgeSession implements RobotSession {
 
   @Override
   public Optional<String> follow(BooleanSupplier over) throws InterruptedException {
-    return LinkTurns.take(client.whenEnded(), over, this::turn);
+    return LinkTurns.take(client.link().whenEnded(), over, this::turn);
   }
 
   /** Looks at all once; answers why the session is over, if it is. */
   private Optional<String> turn() {
-    if (client.silentNanos() > GIVEN_UP.toNanos()) {
+    if (client.link().silentNanos() > GIVEN_UP.toNanos()) {
       return Optional.of(server + " is connected but says nothing");
     }
-    client.beat();
-    if (client.silentNanos() < ALIVE_NANOS) {
+    client.link().beat();
+    if (client.link().silentNanos() < ALIVE_NANOS) {
       topics.pulse().heard(System.nanoTime());
     }
     if (watch.graph() != seen) {
@@ -113,10 +116,8 @@ public final class RosbridgeSession implements RobotSession {
     channels.tick();
     topics.tick();
     description.tick();
-    for (Optional<LogEntry> said = news.take(); said.isPresent(); said = news.take()) {
-      status.publish(said.get(), Optional.empty());
-    }
-    String problem = Stream.of(client.trouble(), watch.problem().orElse(""), topics.problem())
+    notices.take(entry -> status.publish(entry, Optional.empty()));
+    String problem = Stream.of(client.link().trouble(), watch.problem().orElse(""), topics.problem())
         .filter(part -> !part.isEmpty()).collect(Collectors.joining("; "));
     if (watch.answered() || !problem.isEmpty()) {
       link.report(problem.isEmpty() ? new LinkState.Connected(server) : new LinkState.Degraded(server, problem));
