@@ -4,7 +4,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.graphics.Rectangle;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
@@ -18,6 +17,7 @@ import org.robotui.ui.Role;
 import org.robotui.ui.Theme;
 import org.robotui.ui.ViewAction;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.NameDialog;
 import org.robotui.ui.control.PlainLabel;
 import org.robotui.ui.control.PopupMenu;
@@ -62,12 +62,12 @@ public final class DisplayPane {
     void showAllOf(String id);
   }
 
-  private static final int[] SHARES = {55, 45};
+  private static final int LIST_SHARE = 55;
   private static final double MEGA = 1e6;
 
   private final Host host;
   private final Composite box;
-  private final SashForm split;
+  private final DetailSplit split;
   private final RowList<DisplayRow> list;
   private final SettingsPane settings;
   private final PlainLabel total;
@@ -97,14 +97,12 @@ public final class DisplayPane {
     QuietButton more = new QuietButton(bar, theme, this::reset).icon(Icon.RESTART)
         .hint("Show what the robot offers, in place of this list");
     more.setLayoutData(Boxes.middle());
-    split = Boxes.split(box, theme, SWT.VERTICAL);
-    split.setLayoutData(Boxes.fill());
-    list = new RowList<>(split, theme, new DisplayLook(theme)).named(title);
+    split = new DetailSplit(box, theme, LIST_SHARE);
+    list = new RowList<>(split.parts(), theme, new DisplayLook(theme)).named(title);
     list.control().addListener(SWT.MouseDown, this::pressed);
     list.control().addListener(SWT.KeyDown, this::key);
     list.onSelect(chosen -> select(chosen.stream().findFirst())).menu(this::actions);
-    settings = new SettingsPane(split, theme, host.list(), host::refresh);
-    split.setWeights(SHARES);
+    settings = new SettingsPane(split.parts(), theme, host.list(), host::refresh);
     select(Optional.empty());
   }
 
@@ -165,9 +163,7 @@ public final class DisplayPane {
 
   private void select(Optional<DisplayRow> row) {
     row.ifPresent(settings::show);
-    boolean news = row.isPresent() != (split.getMaximizedControl() == null);
-    if (news) {
-      split.setMaximizedControl(row.isPresent() ? null : list.control());
+    if (split.detail(row.isPresent())) {
       // The list has become shorter: what was pressed may lie below its edge.
       row.ifPresent(r -> list.select(r.spec().id()));
     }

@@ -2,7 +2,6 @@ package org.robotui.uic.diagnostics.internal.view;
 
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.RowData;
 import org.eclipse.swt.layout.RowLayout;
 import org.eclipse.swt.widgets.Composite;
@@ -12,6 +11,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.QuietButton;
 import org.robotui.uic.diagnostics.internal.model.Ask;
@@ -20,7 +20,6 @@ import org.robotui.uic.diagnostics.internal.model.Ask;
 public final class DiagnosticsSurface implements ViewSurface {
   private static final int BESIDE_FROM = 780;
   private static final int TREE_SHARE = 60;
-  private static final int DETAIL_SHARE = 40;
   private static final int FIELD_WIDTH = 150;
   private static final int FIELD_HEIGHT = 26;
 
@@ -32,7 +31,7 @@ public final class DiagnosticsSurface implements ViewSurface {
   private final SourceButton source;
   private final FilterField search;
   private final TimeBar time;
-  private final SashForm halves;
+  private final DetailSplit halves;
   private final TreeArea tree;
   private final DiagnosticsDetailPane detail;
   private Ask ask = Ask.DEFAULT;
@@ -60,16 +59,12 @@ public final class DiagnosticsSurface implements ViewSurface {
     search.onDown(this::focusTree);
     time = new TimeBar(root, theme, slot -> hands.ask(ask.at(slot)));
     time.control().setLayoutData(Boxes.line(TimeBar.HEIGHT));
-    halves = Boxes.split(root, theme, SWT.HORIZONTAL);
-    halves.setSashWidth(1);
-    halves.setLayoutData(Boxes.fill());
-    tree = new TreeArea(halves, theme, hands);
-    detail = new DiagnosticsDetailPane(halves, theme, this::closeDetail);
-    halves.setWeights(TREE_SHARE, DETAIL_SHARE);
-    halves.setMaximizedControl(tree.control());
+    halves = new DetailSplit(root, theme, TREE_SHARE).besideFrom(BESIDE_FROM, TREE_SHARE).thin();
+    tree = new TreeArea(halves.parts(), theme, hands);
+    detail = new DiagnosticsDetailPane(halves.parts(), theme, this::closeDetail);
+    halves.detail(false);
     tree.list().onFind(search::focus);
     tree.list().control().addListener(SWT.KeyDown, this::key);
-    halves.addListener(SWT.Resize, e -> orient());
   }
 
   @Override
@@ -90,10 +85,7 @@ public final class DiagnosticsSurface implements ViewSurface {
     time.show(frame.shown());
     tree.show(frame);
     frame.shown().detail().ifPresent(detail::show);
-    Optional<Control> alone = frame.shown().detail().isPresent() && ask.selected().isPresent() ? Optional.empty()
-        : Optional.of(tree.control());
-    if (halves.getMaximizedControl() != alone.orElse(null)) {
-      halves.setMaximizedControl(alone.orElse(null));
+    if (halves.detail(frame.shown().detail().isPresent() && ask.selected().isPresent())) {
       ask.selected().ifPresent(tree.list()::select);
     }
   }
@@ -109,13 +101,6 @@ public final class DiagnosticsSurface implements ViewSurface {
     layout.marginRight = 2 * Theme.STEP;
     bar.setLayout(layout);
     return bar;
-  }
-
-  private void orient() {
-    int wanted = halves.getSize().x >= BESIDE_FROM ? SWT.HORIZONTAL : SWT.VERTICAL;
-    if (halves.getOrientation() != wanted) {
-      halves.setOrientation(wanted);
-    }
   }
 
   private void search(String words) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.layout.GridLayout;
 import org.eclipse.swt.widgets.Composite;
@@ -20,6 +19,7 @@ import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.PopupMenu;
 import org.robotui.ui.control.SaveDialog;
@@ -36,7 +36,6 @@ import org.robotui.uic.log.internal.model.Wording;
 public final class LogSurface implements ViewSurface {
   private static final int NODES_WIDTH = 220;
   private static final int LIST_SHARE = 70;
-  private static final int DETAIL_SHARE = 30;
   private static final int FIRST_WORDS = 40;
 
   private final UiContext context;
@@ -48,7 +47,7 @@ public final class LogSurface implements ViewSurface {
   private final LogBar bar;
   private final NodePane nodes;
   private final GridData nodesPlace = new GridData(SWT.FILL, SWT.FILL, false, true);
-  private final SashForm halves;
+  private final DetailSplit halves;
   private final ListArea lines;
   private final LogDetailPane detail;
   private Frame frame;
@@ -74,13 +73,10 @@ public final class LogSurface implements ViewSurface {
     nodesPlace.widthHint = NODES_WIDTH;
     nodes.control().setLayoutData(nodesPlace);
     Boxes.seen(nodes.control(), false);
-    halves = Boxes.split(middle, theme, SWT.VERTICAL);
-    halves.setSashWidth(1);
-    halves.setLayoutData(Boxes.fill());
-    lines = new ListArea(halves, theme, wording, () -> hands.pause(false));
-    detail = new LogDetailPane(halves, theme, wording, this::copy, this::closeDetail);
-    halves.setWeights(LIST_SHARE, DETAIL_SHARE);
-    halves.setMaximizedControl(lines.control());
+    halves = new DetailSplit(middle, theme, LIST_SHARE).thin();
+    lines = new ListArea(halves.parts(), theme, wording, () -> hands.pause(false));
+    detail = new LogDetailPane(halves.parts(), theme, wording, this::copy, this::closeDetail);
+    halves.detail(false);
     lines.list().onSelect(this::selected).onFind(bar::find).menu(this::fill);
     lines.list().control().addListener(SWT.KeyDown, this::key);
   }
@@ -109,7 +105,7 @@ public final class LogSurface implements ViewSurface {
     }
     lines.show(next);
     List<LogLine> selected = lines.selected();
-    if (selected.size() == 1 && halves.getMaximizedControl() == null) {
+    if (selected.size() == 1 && halves.isDetailed()) {
       detail.show(selected.getFirst());
     }
   }
@@ -125,8 +121,7 @@ public final class LogSurface implements ViewSurface {
   private void selected(List<LogLine> chosen) {
     if (chosen.size() == 1) {
       detail.show(chosen.getFirst());
-      if (halves.getMaximizedControl() != null) {
-        halves.setMaximizedControl(null);
+      if (halves.detail(true)) {
         lines.list().select(chosen.getFirst().id());
       }
     }
@@ -134,7 +129,7 @@ public final class LogSurface implements ViewSurface {
 
   private void closeDetail() {
     detail.nothing();
-    halves.setMaximizedControl(lines.control());
+    halves.detail(false);
     lines.list().selectNone();
     focusList();
   }

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.custom.StackLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
@@ -12,8 +11,8 @@ import org.robotui.ui.Health;
 import org.robotui.ui.Role;
 import org.robotui.ui.StateView;
 import org.robotui.ui.Theme;
-import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Column;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.MessagePane;
 import org.robotui.ui.control.RowTable;
 import org.robotui.uic.parameters.internal.model.Key;
@@ -24,11 +23,10 @@ import org.robotui.uic.parameters.internal.model.ParametersViewState;
 /** The programs whose settings can be changed while they run, and the form of the chosen one. Display thread. */
 final class TunerPane {
   private static final int BESIDE_FROM = 560;
-  private static final int[] WIDE = {30, 70};
-  private static final int[] HIGH = {30, 70};
+  private static final int LIST_SHARE = 30;
 
   private final ParametersModel model;
-  private final SashForm split;
+  private final DetailSplit split;
   private final RowTable<Key> servers;
   private final Composite stack;
   private final StackLayout leaves = new StackLayout();
@@ -37,23 +35,22 @@ final class TunerPane {
 
   TunerPane(Composite parent, Theme theme, ParametersModel model, Runnable find) {
     this.model = model;
-    split = Boxes.split(parent, theme, SWT.HORIZONTAL);
+    split = new DetailSplit(parent, theme, LIST_SHARE).besideFrom(BESIDE_FROM, LIST_SHARE);
     servers =
-        new RowTable<>(split, theme, List.of(Column.<Key>words("Program", Key::name).hint(Key::name)), key -> key);
+        new RowTable<>(split.parts(), theme, List.of(Column.<Key>words("Program", Key::name).hint(Key::name)),
+            key -> key);
     servers.list().named("Programs").onFind(find)
         .onSelect(keys -> keys.stream().findFirst().ifPresent(key -> model.tune(Optional.of(key))));
-    stack = new Composite(split, SWT.NONE);
+    stack = new Composite(split.parts(), SWT.NONE);
     stack.setBackground(theme.color(Role.PANEL));
     stack.setLayout(leaves);
     message = new MessagePane(stack, theme);
     form = new TunerForm(stack, theme);
     leaves.topControl = message.control();
-    split.setWeights(WIDE);
-    split.addListener(SWT.Resize, e -> arrange());
   }
 
   Control control() {
-    return split;
+    return split.parts();
   }
 
   RowTable<Key> servers() {
@@ -86,10 +83,7 @@ final class TunerPane {
       servers.list().noMessage();
     }
     // Where there is nothing to choose, the room is not halved.
-    Control whole = look.servers().isEmpty() ? servers.control() : null;
-    if (split.getMaximizedControl() != whole) {
-      split.setMaximizedControl(whole);
-    }
+    split.detail(!look.servers().isEmpty());
   }
 
   private void settings(ParametersViewState look) {
@@ -127,13 +121,5 @@ final class TunerPane {
       }
     }
     return true;
-  }
-
-  private void arrange() {
-    int orientation = split.getClientArea().width >= BESIDE_FROM ? SWT.HORIZONTAL : SWT.VERTICAL;
-    if (split.getOrientation() != orientation) {
-      split.setOrientation(orientation);
-      split.setWeights(orientation == SWT.HORIZONTAL ? WIDE : HIGH);
-    }
   }
 }

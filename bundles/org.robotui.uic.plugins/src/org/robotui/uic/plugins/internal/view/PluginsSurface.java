@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
@@ -18,6 +17,7 @@ import org.robotui.ui.ViewAction;
 import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
 import org.robotui.ui.control.Clipboards;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.RowList;
 import org.robotui.uic.plugins.internal.model.Line;
@@ -34,15 +34,15 @@ import org.robotui.uic.plugins.internal.model.PluginsModel;
 public final class PluginsSurface implements ViewSurface {
   private static final int BESIDE_FROM = 900;
   private static final int LEAST_HEIGHT = 300;
-  private static final int[] WIDE = {58, 42};
-  private static final int[] HIGH = {42, 58};
+  private static final int SHARE_BESIDE = 58;
+  private static final int SHARE_ABOVE = 42;
   private static final String WARNING = "No real-time rights: no time is guaranteed";
 
   private final UiContext context;
   private final PluginsModel model;
   private final Composite root;
   private final NoticeLine warning;
-  private final SashForm split;
+  private final DetailSplit split;
   private final Headings headings;
   private final ListLook look;
   private final RowList<Line> list;
@@ -55,21 +55,19 @@ public final class PluginsSurface implements ViewSurface {
     this.model = model;
     root = Boxes.root(parent, context.theme(), this::focus);
     warning = new NoticeLine(root, context.theme(), Face.BODY);
-    split = Boxes.split(root, context.theme(), SWT.HORIZONTAL);
-    split.setLayoutData(Boxes.fill());
-    Composite left = Boxes.panel(split, context.theme(), 1);
+    split = new DetailSplit(root, context.theme(), SHARE_ABOVE).besideFrom(BESIDE_FROM, SHARE_BESIDE);
+    Composite left = Boxes.panel(split.parts(), context.theme(), 1);
     look = new ListLook(context.theme());
     headings = new Headings(left, context.theme(), () -> look.places(width()));
     list = new RowList<>(left, context.theme(), look).named("Threads and plugins").onSelect(rows -> refresh())
         .menu(this::menu);
     list.control().setLayoutData(Boxes.fill());
-    detail = new PluginDetailPane(split, context.theme(), model.verbs(), this::again, this::reset);
+    detail = new PluginDetailPane(split.parts(), context.theme(), model.verbs(), this::again, this::reset);
     list.onOpen(row -> detail.command().focus());
     list.control().addListener(SWT.MouseDown, this::pressed);
     footer = new PluginFooter(root, context.theme(), model.control(), this::again);
     Boxes.seen(warning.control(), false);
-    split.setWeights(WIDE);
-    root.addListener(SWT.Resize, e -> arrange());
+    root.addListener(SWT.Resize, e -> root.getDisplay().asyncExec(this::refresh));
   }
 
   private boolean focus() {
@@ -113,11 +111,9 @@ public final class PluginsSurface implements ViewSurface {
     }
     Optional<PluginDetail> chosen =
         list.selected().stream().findFirst().flatMap(line -> PluginDetail.of(now, line.key()));
-    boolean room = StateView.showsContent(now.state()) && (beside() || root.getClientArea().height >= LEAST_HEIGHT);
-    Control only = chosen.isPresent() && room ? null : list.control().getParent();
-    if (split.getMaximizedControl() != only) {
-      split.setMaximizedControl(only);
-    }
+    boolean room = StateView.showsContent(now.state())
+        && (root.getClientArea().width >= BESIDE_FROM || root.getClientArea().height >= LEAST_HEIGHT);
+    split.detail(chosen.isPresent() && room);
     chosen.ifPresent(detail::show);
   }
 
@@ -147,19 +143,6 @@ public final class PluginsSurface implements ViewSurface {
 
   private int width() {
     return list.control().getSize().x;
-  }
-
-  private boolean beside() {
-    return root.getClientArea().width >= BESIDE_FROM;
-  }
-
-  private void arrange() {
-    int orientation = beside() ? SWT.HORIZONTAL : SWT.VERTICAL;
-    if (split.getOrientation() != orientation) {
-      split.setOrientation(orientation);
-      split.setWeights(beside() ? WIDE : HIGH);
-    }
-    root.getDisplay().asyncExec(this::refresh);
   }
 
   /** A click on a switch switches. */

@@ -2,8 +2,6 @@ package org.robotui.uic.tftree.internal.view;
 
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.custom.StackLayout;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
@@ -15,6 +13,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
@@ -33,7 +32,6 @@ public final class TfTreeSurface implements ViewSurface {
   private static final int WIDEST_FILTER = 180;
   private static final int BESIDE_FROM = 760;
   private static final int TREE_SHARE = 66;
-  private static final int DETAIL_SHARE = 34;
 
   private final UiContext context;
   private final DiagramWishes<Ask> wishes;
@@ -43,7 +41,7 @@ public final class TfTreeSurface implements ViewSurface {
   private final QuietButton problems;
   private final FilterField filter;
   private final NoticeLine notice;
-  private final SashForm halves;
+  private final DetailSplit halves;
   private final Composite stack;
   private final StackLayout top = new StackLayout();
   private final DiagramCanvas canvas;
@@ -68,17 +66,14 @@ public final class TfTreeSurface implements ViewSurface {
     filter = new FilterField(bar, theme, "Filter", this::search);
     filter.setLayoutData(Boxes.end(WIDEST_FILTER));
     notice = new NoticeLine(root, theme, Face.BODY);
-    halves = Boxes.split(root, theme, SWT.HORIZONTAL);
-    halves.setSashWidth(1);
-    halves.setLayoutData(Boxes.fill());
-    stack = Boxes.panel(halves, theme, 1);
+    halves = new DetailSplit(root, theme, TREE_SHARE).besideFrom(BESIDE_FROM, TREE_SHARE).thin();
+    stack = Boxes.panel(halves.parts(), theme, 1);
     stack.setLayout(top);
     canvas = new DiagramCanvas(stack, theme).onSelect(key -> select(key.map(FrameId.class::cast)))
         .onOpen(box -> wishes.ask(wishes.asked().toggle((FrameId) box.key()))).hints(box -> hint((FrameId) box.key()));
     table = new FrameTable(stack, theme, this::select, frame -> wishes.ask(wishes.asked().toggle(frame)));
-    detail = new FrameDetailPane(halves, theme, wishes, () -> select(Optional.empty()));
-    halves.setWeights(TREE_SHARE, DETAIL_SHARE);
-    halves.setMaximizedControl(stack);
+    detail = new FrameDetailPane(halves.parts(), theme, wishes, () -> select(Optional.empty()));
+    halves.detail(false);
     listen(theme);
     canvas.onMenu((menu, box) -> subjects.fill(menu, new Subject.Frame((FrameId) box.key())));
     table.list().menu(
@@ -88,7 +83,6 @@ public final class TfTreeSurface implements ViewSurface {
   private void listen(Theme theme) {
     table.list().onFind(filter::focus);
     filter.onDown(this::focus);
-    halves.addListener(SWT.Resize, e -> orient());
     canvas.onFind(filter::focus);
     wishes.widths(TextWidths.of(root, theme));
   }
@@ -145,18 +139,7 @@ public final class TfTreeSurface implements ViewSurface {
       top.topControl = wanted;
       stack.layout();
     }
-    boolean whole = ask.selected().isEmpty() || shown.filter(look -> look.detail().isPresent()).isEmpty();
-    Control alone = whole ? stack : null;
-    if (halves.getMaximizedControl() != alone) {
-      halves.setMaximizedControl(alone);
-    }
-  }
-
-  private void orient() {
-    int wanted = halves.getSize().x >= BESIDE_FROM ? SWT.HORIZONTAL : SWT.VERTICAL;
-    if (halves.getOrientation() != wanted) {
-      halves.setOrientation(wanted);
-    }
+    halves.detail(ask.selected().isPresent() && shown.filter(look -> look.detail().isPresent()).isPresent());
   }
 
   private boolean focus() {

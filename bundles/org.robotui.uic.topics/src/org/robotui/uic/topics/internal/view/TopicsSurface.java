@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.eclipse.swt.SWT;
-import org.eclipse.swt.custom.SashForm;
 import org.eclipse.swt.layout.GridData;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
@@ -18,6 +17,7 @@ import org.robotui.ui.Theme;
 import org.robotui.ui.UiContext;
 import org.robotui.ui.ViewSurface;
 import org.robotui.ui.control.Boxes;
+import org.robotui.ui.control.DetailSplit;
 import org.robotui.ui.control.FilterField;
 import org.robotui.ui.control.NoticeLine;
 import org.robotui.ui.control.QuietButton;
@@ -36,8 +36,8 @@ import org.robotui.uic.topics.internal.model.Wishes;
 public final class TopicsSurface implements ViewSurface {
   private static final int FILTER_WIDTH = 180;
   private static final int SIDE_BY_SIDE_FROM = 640;
-  private static final int[] WIDE = {58, 42};
-  private static final int[] HIGH = {50, 50};
+  private static final int SHARE_BESIDE = 58;
+  private static final int SHARE_ABOVE = 50;
 
   private final UiContext context;
   private final TopicsModel model;
@@ -47,7 +47,7 @@ public final class TopicsSurface implements ViewSurface {
   private final Map<Kind, QuietButton> sections = new EnumMap<>(Kind.class);
   private final FilterField filter;
   private final NoticeLine notice;
-  private final SashForm split;
+  private final DetailSplit split;
   private final Shelf shelf;
   private final TopicDetailPane detail;
   private Optional<Awaited> awaited = Optional.empty();
@@ -76,11 +76,9 @@ public final class TopicsSurface implements ViewSurface {
     filter = new FilterField(bar, theme, "Filter", this::filter);
     filter.setLayoutData(Boxes.end(FILTER_WIDTH));
     notice = new NoticeLine(root, theme, Face.BODY);
-    split = Boxes.split(root, theme, SWT.HORIZONTAL);
-    split.setLayoutData(Boxes.fill());
-    shelf = new Shelf(split, theme, new Acts(), ruic, subjects);
-    detail = new TopicDetailPane(split, theme, model, this::follow, ruic, subjects);
-    split.setWeights(WIDE);
+    split = new DetailSplit(root, theme, SHARE_ABOVE).besideFrom(SIDE_BY_SIDE_FROM, SHARE_BESIDE);
+    shelf = new Shelf(split.parts(), theme, new Acts(), ruic, subjects);
+    detail = new TopicDetailPane(split.parts(), theme, model, this::follow, ruic, subjects);
     listen();
     resume(model.look().wishes());
   }
@@ -109,11 +107,7 @@ public final class TopicsSurface implements ViewSurface {
     shelf.show(look);
     detail.show(look);
     // Where there is nothing to select, the room is not halved.
-    Control whole =
-        StateView.showsContent(look.state()) || look.wishes().selected().isPresent() ? null : shelf.control();
-    if (split.getMaximizedControl() != whole) {
-      split.setMaximizedControl(whole);
-    }
+    split.detail(StateView.showsContent(look.state()) || look.wishes().selected().isPresent());
     if (Boxes.seen(notice.control(), !look.notice().isEmpty())) {
       root.layout();
     }
@@ -249,14 +243,9 @@ public final class TopicsSurface implements ViewSurface {
     detail.select(wishes.selected());
   }
 
-  /** Where there is little width, one above the other. */
+  /** Where there is little width, the filter has less of it. */
   private void arrange() {
     boolean beside = root.getClientArea().width >= SIDE_BY_SIDE_FROM;
-    int orientation = beside ? SWT.HORIZONTAL : SWT.VERTICAL;
-    if (split.getOrientation() != orientation) {
-      split.setOrientation(orientation);
-      split.setWeights(beside ? WIDE : HIGH);
-    }
     GridData data = (GridData) filter.getLayoutData();
     data.widthHint = beside ? FILTER_WIDTH : FILTER_WIDTH / 2;
     bar.layout();
