@@ -9,6 +9,8 @@ public final class Numerals {
   /** Far more digits than a number has, and few enough that reading them takes no time. */
   private static final int LONGEST = 1_000;
   private static final int HEX = 16;
+  /** Until here a double tells whole numbers apart, and their digits are fewer than those of an exponent say. */
+  private static final double WHOLE_UNTIL = 1e15;
   private static final Pattern DECIMAL = Pattern.compile("[-+]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][-+]?\\d+)?");
   /** Not with zeros in front: what is meant by 010 is 8 for some, and 10 for others. */
   private static final Pattern WHOLE = Pattern.compile("[-+]?(0|[1-9]\\d*|0[xX][0-9a-fA-F]+)");
@@ -23,6 +25,18 @@ public final class Numerals {
    */
   public static Optional<Double> decimal(String text) {
     return isDecimal(text) ? Optional.of(Double.valueOf(text)).filter(Double::isFinite) : Optional.empty();
+  }
+
+  /**
+   * Writes a number so that {@link #decimal} reads the same one.
+   *
+   * @param value a number
+   * @return as few digits as that takes, whole numbers without a point; {@code NaN} and {@code Infinity} as Java has
+   * them
+   */
+  public static String text(double value) {
+    return value == Math.rint(value) && Math.abs(value) < WHOLE_UNTIL ? Long.toString((long) value)
+        : Double.toString(value);
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.robotui.api.input.Numerals;
 
 /**
  * What the command line asks for.
@@ -36,6 +37,8 @@ record Arguments(
       -reuse md|csv     with -check: print which bundles are used by which robot UI
       exit codes: 0 fine, 1 errors in a configuration, 2 a file cannot be read, 3 wrong arguments, 4 the core did not start
       """;
+
+  private static final double MOST_SECONDS = 1e9;
 
   /** Wrong arguments, with a sentence for users. */
   static final class Wrong extends Exception {
@@ -111,15 +114,9 @@ record Arguments(
     }
 
     private static Duration seconds(String option, String text) throws Wrong {
-      try {
-        double seconds = Double.parseDouble(text);
-        if (seconds >= 0 && seconds <= 1e9) {
-          return Duration.ofNanos(Math.round(seconds * 1e9));
-        }
-      } catch (NumberFormatException e) {
-        throw new Wrong(option + " needs a number of seconds, not '" + text + "'");
-      }
-      throw new Wrong(option + " needs a number of seconds from 0, not '" + text + "'");
+      return Numerals.decimal(text).filter(seconds -> seconds >= 0 && seconds <= MOST_SECONDS)
+          .map(seconds -> Duration.ofNanos(Math.round(seconds * 1e9))).orElseThrow(() -> new Wrong(
+              option + " needs a number of seconds from 0 to " + Numerals.text(MOST_SECONDS) + ", not '" + text + "'"));
     }
   }
 }

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.api.input.Numerals;
 import org.robotui.headless.internal.Arguments.Wrong;
 
 /**
@@ -96,14 +97,8 @@ record NewArguments(Path file, String rfic, Map<String, String> settings, String
   }
 
   private static Duration seconds(String text) throws Wrong {
-    try {
-      double seconds = Double.parseDouble(text);
-      if (seconds > 0 && seconds <= 3600) {
-        return Duration.ofMillis(Math.round(seconds * 1e3));
-      }
-    } catch (NumberFormatException e) {
-      throw new Wrong("-wait needs a number of seconds, not '" + text + "'");
-    }
-    throw new Wrong("-wait needs a number of seconds up to 3600, not '" + text + "'");
+    return Numerals.decimal(text).filter(seconds -> seconds > 0 && seconds <= 3600)
+        .map(seconds -> Duration.ofMillis(Math.round(seconds * 1e3)))
+        .orElseThrow(() -> new Wrong("-wait needs a number of seconds up to 3600, not '" + text + "'"));
   }
 }

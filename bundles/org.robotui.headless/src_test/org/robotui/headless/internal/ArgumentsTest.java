@@ -46,8 +46,8 @@ class ArgumentsTest {
     assertEquals("-config needs a value", wrong("-config"));
     assertEquals("-reuse is md or csv, not 'xml'", wrong("-reuse", "xml"));
     assertEquals("-check needs a value", wrong("-check", "-json"));
-    assertEquals("-for needs a number of seconds, not 'soon'", wrong("-for", "soon"));
-    assertEquals("-for needs a number of seconds from 0, not 'NaN'", wrong("-for", "NaN"));
+    assertEquals("-for needs a number of seconds from 0 to 1000000000, not 'soon'", wrong("-for", "soon"));
+    assertEquals("-for needs a number of seconds from 0 to 1000000000, not 'NaN'", wrong("-for", "NaN"));
   }
 
   private static String wrong(String... words) {

@@ -11,6 +11,7 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 import org.robotui.api.config.Setting;
 import org.robotui.api.config.ValueType;
+import org.robotui.api.input.Numerals;
 import org.robotui.api.input.TypedText;
 import org.robotui.api.input.Unreadable;
 import org.robotui.ui.Face;
@@ -111,8 +112,7 @@ record SettingEditor(Control control, Consumer<Object> show) {
     if (value instanceof List<?> list) {
       return String.join(", ", list.stream().map(SettingEditor::words).toList());
     }
-    boolean whole = value instanceof Double d && d == Math.rint(d) && Math.abs(d) < 1e9;
-    return whole ? Long.toString(((Double) value).longValue()) : value.toString();
+    return value instanceof Double number ? Numerals.text(number) : value.toString();
   }
 
   /** What was typed; the message goes on with a sentence that begins with it. */

@@ -37,7 +37,7 @@ public final class RecordJson {
     text.append("{\n");
     while (names.hasNext()) {
       String name = names.next();
-      indent(depth + 1).append(Numerals.quoted(name)).append(": ");
+      indent(depth + 1).append(Scalars.quoted(name)).append(": ");
       record.field(name).ifPresentOrElse(value -> value(value, depth + 1), () -> text.append("null"));
       text.append(names.hasNext() ? ",\n" : "\n");
     }
@@ -46,9 +46,9 @@ public final class RecordJson {
 
   private void value(FieldValue value, int depth) {
     switch (value) {
-      case FieldValue.Num n -> text.append(Numerals.json(n));
+      case FieldValue.Num n -> text.append(Scalars.json(n));
       case FieldValue.Flag f -> text.append(f.value());
-      case FieldValue.Text t -> text.append(Numerals.quoted(t.value()));
+      case FieldValue.Text t -> text.append(Scalars.quoted(t.value()));
       case FieldValue.Time t -> text.append("{\"secs\": ").append(Math.floorDiv(t.nanos(), NANOS))
           .append(", \"nsecs\": ")
           .append(Math.floorMod(t.nanos(), NANOS)).append('}');
@@ -66,7 +66,7 @@ public final class RecordJson {
     }
     text.append('[');
     for (int i = 0; i < values.size(); i++) {
-      text.append(i == 0 ? "" : ", ").append(Numerals.json(values.get(i)));
+      text.append(i == 0 ? "" : ", ").append(Scalars.json(values.get(i)));
     }
     text.append(']');
   }
@@ -85,7 +85,7 @@ public final class RecordJson {
   }
 
   private void tooLong(int size) {
-    text.append(Numerals.quoted("<" + size + " elements>"));
+    text.append(Scalars.quoted("<" + size + " elements>"));
   }
 
   private StringBuilder indent(int depth) {

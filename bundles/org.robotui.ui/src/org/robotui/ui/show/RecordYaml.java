@@ -41,7 +41,7 @@ public final class RecordYaml {
 
   private void value(FieldValue value, int depth) {
     switch (value) {
-      case FieldValue.Num n -> text.append(' ').append(Numerals.yaml(n)).append('\n');
+      case FieldValue.Num n -> text.append(' ').append(Scalars.yaml(n)).append('\n');
       case FieldValue.Flag f -> text.append(' ').append(f.value()).append('\n');
       case FieldValue.Text t -> text.append(' ').append(quoted(t.value())).append('\n');
       case FieldValue.Time t -> time(t.nanos(), depth);
@@ -70,7 +70,7 @@ public final class RecordYaml {
     text.append(" [");
     int shown = Math.min(values.size(), MOST_ELEMENTS);
     for (int i = 0; i < shown; i++) {
-      text.append(i == 0 ? "" : ", ").append(Numerals.yaml(values.get(i)));
+      text.append(i == 0 ? "" : ", ").append(Scalars.yaml(values.get(i)));
     }
     text.append(']');
     cut(values.size(), shown);
@@ -102,7 +102,7 @@ public final class RecordYaml {
 
   private static String quoted(String value) {
     String shown = value.length() > MOST_TEXT ? value.substring(0, MOST_TEXT) + "\u2026" : value;
-    return Numerals.quoted(shown);
+    return Scalars.quoted(shown);
   }
 
   private StringBuilder indent(int depth) {

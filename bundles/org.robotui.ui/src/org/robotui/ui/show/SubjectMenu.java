@@ -169,7 +169,7 @@ public final class SubjectMenu {
 
   private static Optional<String> value(Envelope<?> newest, String path) {
     return at(newest, path).map(value -> switch (value) {
-      case FieldValue.Num n -> Numerals.yaml(n);
+      case FieldValue.Num n -> Scalars.yaml(n);
       case FieldValue.Flag f -> Boolean.toString(f.value());
       case FieldValue.Text t -> t.value();
       default -> RecordYaml.of(new MapRecord("", Map.of(path, value))).strip();

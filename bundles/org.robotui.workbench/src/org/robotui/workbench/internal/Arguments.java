@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.robotui.api.input.Numerals;
 import org.robotui.ui.Themes;
 
 /**
@@ -20,6 +21,7 @@ import org.robotui.ui.Themes;
  */
 public record Arguments(List<Path> configurations, Optional<Duration> limit, Optional<Path> screenshot, Duration after,
     Optional<String> theme, Optional<Path> measure) {
+  private static final double MOST_SECONDS = 1e6;
   private static final Duration USUAL_AFTER = Duration.ofSeconds(3);
 
   /**
@@ -99,15 +101,10 @@ public record Arguments(List<Path> configurations, Optional<Duration> limit, Opt
 
     private Duration seconds(String option) {
       String text = value(option);
-      try {
-        double seconds = Double.parseDouble(text);
-        if (seconds >= 0 && seconds <= 1e6) {
-          return Duration.ofMillis(Math.round(seconds * 1e3));
-        }
-      } catch (NumberFormatException e) {
-        throw new IllegalArgumentException(option + " needs a number of seconds, not '" + text + "'", e);
-      }
-      throw new IllegalArgumentException(option + " needs a number of seconds from 0, not '" + text + "'");
+      return Numerals.decimal(text).filter(seconds -> seconds >= 0 && seconds <= MOST_SECONDS)
+          .map(seconds -> Duration.ofMillis(Math.round(seconds * 1e3)))
+          .orElseThrow(() -> new IllegalArgumentException(
+              option + " needs a number of seconds from 0 to " + Numerals.text(MOST_SECONDS) + ", not '" + text + "'"));
     }
   }
 }

@@ -33,8 +33,9 @@ class ArgumentsTest {
   void saysWhatIsWrong() {
     assertEquals("-theme is dark or light, not 'pink'", wrong("-theme", "pink"));
     assertEquals("-screenshot needs a value", wrong("-screenshot"));
-    assertEquals("-after needs a number of seconds, not 'x'", wrong("-after", "x"));
-    assertEquals("-for needs a number of seconds from 0, not '-1'", wrong("-for", "NaN").replace("NaN", "-1"));
+    assertEquals("-after needs a number of seconds from 0 to 1000000, not 'x'", wrong("-after", "x"));
+    assertEquals("-for needs a number of seconds from 0 to 1000000, not '-1'",
+        wrong("-for", "NaN").replace("NaN", "-1"));
   }
 
   private static String wrong(String... words) {

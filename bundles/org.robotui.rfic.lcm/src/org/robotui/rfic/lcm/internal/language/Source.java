@@ -2,6 +2,7 @@ package org.robotui.rfic.lcm.internal.language;
 
 import java.util.List;
 import java.util.Optional;
+import org.robotui.api.input.Numerals;
 
 /** Where the value of a field comes from. */
 public sealed interface Source {
@@ -115,11 +116,7 @@ public sealed interface Source {
     if (word.isEmpty() || !"+-.0123456789".contains(word.substring(0, 1)) || word.matches("[+-]?[A-Za-z_].*")) {
       return Optional.empty();
     }
-    try {
-      return Optional.of(Double.valueOf(word)).filter(Double::isFinite);
-    } catch (NumberFormatException e) {
-      throw new IllegalArgumentException(
-          "'" + word + "' is neither a number nor a member; write for example 0.5 or pos[0]", e);
-    }
+    return Optional.of(Numerals.decimal(word).orElseThrow(() -> new IllegalArgumentException(
+        "'" + word + "' is neither a number nor a member; write for example 0.5 or pos[0]")));
   }
 }

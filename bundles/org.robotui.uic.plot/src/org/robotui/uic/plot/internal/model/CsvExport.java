@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
-import org.robotui.uic.plot.internal.signal.Numbers;
+import org.robotui.api.input.Numerals;
 import org.robotui.uic.plot.internal.trace.Samples;
 import org.robotui.uic.plot.internal.trace.TimeSpan;
 
@@ -82,7 +82,7 @@ public final class CsvExport {
       if (at[i] < samples.size() && samples.time(at[i]) == time) {
         double value = samples.value(at[i]++);
         any |= !Double.isNaN(value);
-        row.append(Double.isNaN(value) ? "" : Numbers.text(value));
+        row.append(Double.isNaN(value) ? "" : Numerals.text(value));
       }
     }
     row.append('\n');

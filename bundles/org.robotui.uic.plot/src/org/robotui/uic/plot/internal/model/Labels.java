@@ -1,8 +1,8 @@
 package org.robotui.uic.plot.internal.model;
 
 import java.util.stream.Collectors;
+import org.robotui.api.input.Numerals;
 import org.robotui.uic.plot.internal.signal.Expr;
-import org.robotui.uic.plot.internal.signal.Numbers;
 
 /** Short names of signals: paths and signs instead of sources and functions. */
 public final class Labels {
@@ -13,7 +13,7 @@ public final class Labels {
       case Expr.Field f -> f.path();
       case Expr.Derivative d -> "d/dt " + inner(d.of());
       case Expr.Integral i -> "\u222b " + inner(i.of());
-      case Expr.Average a -> "mean " + Numbers.text(a.seconds()) + "\u00a0s " + inner(a.of());
+      case Expr.Average a -> "mean " + Numerals.text(a.seconds()) + "\u00a0s " + inner(a.of());
       case Expr.Scale s -> scale(s);
       case Expr.Difference d -> inner(d.of()) + " \u2212 " + inner(d.less());
       case Expr.Norm n -> n.of().stream().map(Labels::of).collect(Collectors.joining(", ", "|", "|"));
@@ -26,11 +26,11 @@ public final class Labels {
   }
 
   private static String scale(Expr.Scale s) {
-    String factor = s.factor() == 1 ? inner(s.of()) : inner(s.of()) + " \u00b7 " + Numbers.text(s.factor());
+    String factor = s.factor() == 1 ? inner(s.of()) : inner(s.of()) + " \u00b7 " + Numerals.text(s.factor());
     if (s.offset() == 0) {
       return factor;
     }
-    return factor + (s.offset() < 0 ? " \u2212 " : " + ") + Numbers.text(Math.abs(s.offset()));
+    return factor + (s.offset() < 0 ? " \u2212 " : " + ") + Numerals.text(Math.abs(s.offset()));
   }
 
   private static String inner(Expr expr) {

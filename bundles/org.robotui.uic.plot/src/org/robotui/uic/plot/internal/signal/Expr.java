@@ -3,6 +3,7 @@ package org.robotui.uic.plot.internal.signal;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robotui.api.input.Numerals;
 import org.robotui.api.port.SourceId;
 
 /**
@@ -68,7 +69,7 @@ public sealed interface Expr {
 
     @Override
     public String toString() {
-      return "average(" + of + ", " + Numbers.text(seconds) + ")";
+      return "average(" + of + ", " + Numerals.text(seconds) + ")";
     }
   }
 
@@ -87,7 +88,7 @@ public sealed interface Expr {
 
     @Override
     public String toString() {
-      return "scale(" + of + ", " + Numbers.text(factor) + (offset == 0 ? "" : ", " + Numbers.text(offset)) + ")";
+      return "scale(" + of + ", " + Numerals.text(factor) + (offset == 0 ? "" : ", " + Numerals.text(offset)) + ")";
     }
   }
 

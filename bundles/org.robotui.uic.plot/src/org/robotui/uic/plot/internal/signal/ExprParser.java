@@ -2,6 +2,8 @@ package org.robotui.uic.plot.internal.signal;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.robotui.api.input.TypedText;
+import org.robotui.api.input.Unreadable;
 import org.robotui.api.port.SourceId;
 import org.robotui.data.record.FieldPath;
 
@@ -75,7 +77,15 @@ public final class ExprParser {
       throw new IllegalArgumentException(
           "'" + word + "' in " + function + "() is no signal; write SOURCE:PATH, for example base./odom:linear.x");
     } else {
-      numbers.add(Numbers.parse(word));
+      numbers.add(number(word));
+    }
+  }
+
+  private static double number(String word) {
+    try {
+      return TypedText.finite(word);
+    } catch (Unreadable fault) {
+      throw new IllegalArgumentException("'" + word + "' " + fault.getMessage(), fault);
     }
   }
 

@@ -60,7 +60,7 @@ class ExprParserTest {
       "average(a.b:c, -1) | more than 0",
       "average(a.b:c, x) | 'x' is no number",
       "scale(a.b:c) | a factor",
-      "scale(a.b:c, Infinity) | must be finite",
+      "scale(a.b:c, Infinity) | is no finite number",
       "difference(a.b:c) | two signals",
       "norm(3) | '3' in norm() is no signal",
       "derivative(a.b:c | is not closed",

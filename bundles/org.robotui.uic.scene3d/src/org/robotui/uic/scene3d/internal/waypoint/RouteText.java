@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.robotui.api.input.Numerals;
 import org.robotui.data.FrameId;
 import org.robotui.geometry.Quaternion;
 import org.robotui.geometry.RigidTransform;
@@ -135,13 +136,9 @@ public final class RouteText {
   }
 
   static double number(String written, String name, int line) throws RouteException {
-    try {
-      double number = Double.parseDouble(written);
-      if (Math.abs(number) <= FARTHEST) {
-        return number;
-      }
-    } catch (NumberFormatException e) {
-      // Said below, as for numbers that are none or too large.
+    Optional<Double> number = Numerals.decimal(written).filter(n -> Math.abs(n) <= FARTHEST);
+    if (number.isPresent()) {
+      return number.get();
     }
     String shown = written.length() > 40 ? written.substring(0, 40) + "\u2026" : written;
     throw new RouteException(line, "'" + shown + "' is no " + name + ": a number of "

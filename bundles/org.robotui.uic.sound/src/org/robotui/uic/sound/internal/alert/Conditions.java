@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.robotui.api.input.Numerals;
 import org.robotui.data.record.FieldPath;
 import org.robotui.data.status.Diagnostics;
 import org.robotui.data.status.Severity;
@@ -63,7 +64,7 @@ public final class Conditions {
 
   private static Condition field(List<String> words, Comparison sign, double slack) {
     String limit = words.getLast();
-    if (sign.ordered() && Numbers.parse(limit).isEmpty()) {
+    if (sign.ordered() && Numerals.decimal(limit).isEmpty()) {
       throw new IllegalArgumentException(
           "'" + limit + "' is no number; after " + sign.sign() + " write one, or compare by == or !=");
     }

@@ -3,6 +3,7 @@ package org.robotui.uic.sound.internal.alert;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import org.robotui.api.input.Numerals;
 import org.robotui.api.port.Envelope;
 import org.robotui.api.port.Input;
 import org.robotui.api.port.InputState;
@@ -71,7 +72,7 @@ record FieldCondition(SourceName source, FieldPath path, Comparison comparison, 
   }
 
   private Verdict number(String name, double value, String exact, boolean active) {
-    Optional<Double> number = Numbers.parse(limit);
+    Optional<Double> number = Numerals.decimal(limit);
     if (number.isEmpty()) {
       return new Verdict.Unknown(name + "." + path + " is a number and cannot be compared with '" + limit + "'", true);
     }

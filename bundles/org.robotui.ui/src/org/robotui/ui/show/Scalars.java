@@ -1,13 +1,13 @@
 package org.robotui.ui.show;
 
+import org.robotui.api.input.Numerals;
 import org.robotui.data.record.FieldValue;
 
 /** Numbers and texts as YAML and JSON write them. */
-final class Numerals {
-  private static final double WHOLE_UNTIL = 1e15;
+final class Scalars {
   private static final int FIRST_PRINTABLE = 0x20;
 
-  private Numerals() {}
+  private Scalars() {}
 
   /** With the digits that the robot means. */
   static String yaml(FieldValue.Num number) {
@@ -18,7 +18,7 @@ final class Numerals {
     if (Double.isNaN(value)) {
       return ".nan";
     }
-    return Double.isInfinite(value) ? value > 0 ? ".inf" : "-.inf" : plain(value);
+    return Double.isInfinite(value) ? value > 0 ? ".inf" : "-.inf" : Numerals.text(value);
   }
 
   /** JSON knows no NaN and no infinity: both are null, as other bridges of robots write them. */
@@ -27,17 +27,11 @@ final class Numerals {
   }
 
   static String json(double value) {
-    return Double.isFinite(value) ? plain(value) : "null";
+    return Double.isFinite(value) ? Numerals.text(value) : "null";
   }
 
   private static boolean isJson(String digits) {
     return digits.matches("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
-  }
-
-  /** Whole numbers without a point. */
-  private static String plain(double value) {
-    return value == Math.rint(value) && Math.abs(value) < WHOLE_UNTIL ? Long.toString((long) value)
-        : Double.toString(value);
   }
 
   /** In quotation marks, with escapes that both YAML and JSON know. */
