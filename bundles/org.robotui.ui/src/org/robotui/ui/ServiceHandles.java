@@ -4,6 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.ServiceReference;
 
@@ -14,7 +16,8 @@ import org.osgi.framework.ServiceReference;
  * @param <S> the type of the services
  */
 public final class ServiceHandles<S> {
-  private final BundleContext bundles;
+  private final Function<ServiceReference<S>, Optional<S>> getter;
+  private final List<S> always;
   private final Map<ServiceReference<S>, S> taken = new HashMap<>();
 
   /**
@@ -23,7 +26,23 @@ public final class ServiceHandles<S> {
    * @param bundles the bundle that takes them
    */
   public ServiceHandles(BundleContext bundles) {
-    this.bundles = bundles;
+    this(handle -> Optional.ofNullable(bundles.getService(handle)), List.of());
+  }
+
+  private ServiceHandles(Function<ServiceReference<S>, Optional<S>> getter, List<S> always) {
+    this.getter = getter;
+    this.always = List.copyOf(always);
+  }
+
+  /**
+   * Services that are always there, without a framework.
+   *
+   * @param <S> the type of the services
+   * @param always the services
+   * @return gives these, and none of handles
+   */
+  public static <S> ServiceHandles<S> of(List<S> always) {
+    return new ServiceHandles<>(handle -> Optional.empty(), always);
   }
 
   /**
@@ -37,13 +56,13 @@ public final class ServiceHandles<S> {
       if (taken.size() > there.size()) {
         taken.keySet().retainAll(there);
       }
-      return there.stream().flatMap(handle -> take(handle).stream()).toList();
+      return Stream.concat(always.stream(), there.stream().flatMap(handle -> take(handle).stream())).toList();
     }
   }
 
   private Optional<S> take(ServiceReference<S> handle) {
     return Optional.ofNullable(taken.get(handle)).or(() -> {
-      Optional<S> got = Optional.ofNullable(bundles.getService(handle));
+      Optional<S> got = getter.apply(handle);
       got.ifPresent(service -> taken.put(handle, service));
       return got;
     });

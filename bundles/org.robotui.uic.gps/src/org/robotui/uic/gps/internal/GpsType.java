@@ -1,7 +1,6 @@
 package org.robotui.uic.gps.internal;
 
 import java.util.List;
-import java.util.Optional;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.ServiceReference;
 import org.osgi.service.component.annotations.Activate;
@@ -43,8 +42,7 @@ public final class GpsType implements UicType {
       "Satellite positions on a plain metric grid, with tracks, accuracy and quality; measures and copies coordinates.",
       GpsOptions.schema(), List.of(FIX, DATA));
 
-  private final Optional<ServiceHandles<LayerType>> services;
-  private final List<LayerType> given;
+  private final ServiceHandles<LayerType> services;
 
   @Reference(service = LayerType.class, cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC)
   private volatile List<ServiceReference<LayerType>> kinds = List.of();
@@ -52,14 +50,12 @@ public final class GpsType implements UicType {
   /** Called by declarative services. */
   @Activate
   public GpsType(BundleContext bundles) {
-    services = Optional.of(new ServiceHandles<>(bundles));
-    given = List.of();
+    services = new ServiceHandles<>(bundles);
   }
 
   /** With kinds of layers that do not change. */
   GpsType(List<LayerType> given) {
-    services = Optional.empty();
-    this.given = List.copyOf(given);
+    services = ServiceHandles.of(given);
   }
 
   @Override
@@ -88,6 +84,6 @@ public final class GpsType implements UicType {
   }
 
   private List<LayerType> kinds() {
-    return services.map(s -> s.take(kinds)).orElse(given);
+    return services.take(kinds);
   }
 }

@@ -1,7 +1,6 @@
 package org.robotui.uic.map.internal;
 
 import java.util.List;
-import java.util.Optional;
 import org.osgi.framework.BundleContext;
 import org.osgi.framework.ServiceReference;
 import org.osgi.service.component.annotations.Activate;
@@ -31,8 +30,7 @@ public final class MapType implements UicType {
       "Grid maps, scans, sonars, bumpers, paths and robots from above; measures, and sends goals and initial poses.",
       MapOptions.schema(), MapPorts.ALL);
 
-  private final Optional<ServiceHandles<LayerType>> services;
-  private final List<LayerType> given;
+  private final ServiceHandles<LayerType> services;
 
   @Reference(service = LayerType.class, cardinality = ReferenceCardinality.MULTIPLE, policy = ReferencePolicy.DYNAMIC)
   private volatile List<ServiceReference<LayerType>> kinds = List.of();
@@ -40,14 +38,12 @@ public final class MapType implements UicType {
   /** Called by declarative services. */
   @Activate
   public MapType(BundleContext bundles) {
-    services = Optional.of(new ServiceHandles<>(bundles));
-    given = List.of();
+    services = new ServiceHandles<>(bundles);
   }
 
   /** With kinds of layers that do not change. */
   MapType(List<LayerType> given) {
-    services = Optional.empty();
-    this.given = List.copyOf(given);
+    services = ServiceHandles.of(given);
   }
 
   @Override
@@ -82,6 +78,6 @@ public final class MapType implements UicType {
   }
 
   private List<LayerType> kinds() {
-    return services.map(s -> s.take(kinds)).orElse(given);
+    return services.take(kinds);
   }
 }
