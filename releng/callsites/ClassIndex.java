@@ -3,6 +3,7 @@ package callsites;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -13,12 +14,15 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodNode;
 
 /** The classes of some jars and of Java itself, without their code; a jar that is read stays open until the end. */
 final class ClassIndex implements AutoCloseable {
   private static final String CLASS = ".class";
+
+  private static final int NEWEST = Opcodes.V25;
 
   private final List<ZipFile> jars = new ArrayList<>();
 
@@ -69,17 +73,26 @@ final class ClassIndex implements AutoCloseable {
     return Stream.concat(Stream.ofNullable(type.superName), type.interfaces.stream());
   }
 
+  /** Empty also for a class of a newer Java than ASM knows: what uses it stays as it is. */
   private Optional<ClassNode> read(String name) {
     try (InputStream content = open(name)) {
       if (content == null) {
         return Optional.empty();
       }
+      byte[] bytes = content.readAllBytes();
+      if (majorVersion(bytes) > NEWEST) {
+        return Optional.empty();
+      }
       ClassNode type = new ClassNode();
-      new ClassReader(content).accept(type, ClassReader.SKIP_CODE | ClassReader.SKIP_DEBUG);
+      new ClassReader(bytes).accept(type, ClassReader.SKIP_CODE | ClassReader.SKIP_DEBUG);
       return Optional.of(type);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  private static int majorVersion(byte[] type) {
+    return ByteBuffer.wrap(type).getShort(6);
   }
 
   private InputStream open(String name) throws IOException {
