@@ -40,10 +40,14 @@ build_product() {
   clear_classes
   say "Building RobotUI ($(build_outlook))"
   maven "$LOGS/build.log" verify -Dproduct.only -Dmaven.test.skip=true -Dtest.compile.phase=none -Dskip.archive=true || exit 1
-  # Without the archive a start is merely slower.
-  { archive_classes "$HEADLESS_PRODUCT" load_by_check; archive_classes "$WINDOW_PRODUCT" load_by_window; } >"$LOGS/archive.log" 2>&1 || true
-  printf '%s' "$stamp" >"$STAMP"
+  finish_products "$stamp"
   say "Built in $((SECONDS - started)) s"
+}
+
+# finish_products STAMP: what Maven has made of the sources with that stamp. Without the archive a start is merely slower.
+finish_products() {
+  { archive_classes "$HEADLESS_PRODUCT" load_by_check; archive_classes "$WINDOW_PRODUCT" load_by_window; } >"$LOGS/archive.log" 2>&1 || true
+  printf '%s' "$1" >"$STAMP"
 }
 
 # The products and the update site have every feature that there is.

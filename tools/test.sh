@@ -49,27 +49,29 @@ prepare_tests() {
 # Each runner gives a test that fails a second try: docs/adr/0042-a-failed-test-has-a-second-try.md.
 # Reports of an earlier run must not be counted, nor those of a part that is not asked for.
 test_with_maven() {
-  local arguments=(-Dmaven.test.failure.ignore=true -Dsurefire.rerunFailingTestsCount=1)
+  local arguments=(-Dmaven.test.failure.ignore=true -Dsurefire.rerunFailingTestsCount=1) stamp=''
   clear_reports
   clear_classes
   clear_test_classes
   case $1 in
-    all)          arguments+=(-Dskip.archive=true) ;;
+    all)          arguments+=(-Dskip.archive=true); rm -f "$STAMP"; stamp=$(source_stamp) ;;
     unit)         arguments+=(-pl "!:org.robotui.product" -Dproduct.only) ;;
     architecture) arguments+=(-pl :org.robotui.architecture.tests) ;;
     osgi)         arguments+=(-pl "!:org.robotui.product" -Dskip.unit=true -Dskip.architecture=true) ;;
   esac
   say "Building and testing ($1)"
-  two_at_a_time arguments
-  maven "$LOGS/test.log" verify "${arguments[@]}" || broken="the build"
+  three_at_a_time arguments
+  maven "$LOGS/test.log" verify "${arguments[@]}" || { broken="the build"; return 0; }
+  # The end-to-end tests run the products that this has made.
+  [[ -z $stamp ]] || finish_products "$stamp"
 }
 
-# Two bundles at a time, as their tests wait most of their time, where each can have a display of its own: docs/adr/0138-tests-run-two-at-a-time.md.
-two_at_a_time() {
+# Three bundles at a time, as their tests wait most of their time, where each can have a display of its own: docs/adr/0138-tests-run-two-at-a-time.md.
+three_at_a_time() {
   local -n more=$1
   [[ -n ${display_processes[*]-} ]] || return 0
   start_more_displays
-  maven_threads=2
+  maven_threads=3
   export ROBOTUI_TEST_JDK=$JAVA_HOME
   more+=(-Djvm="$ROOT/tools/unit-tests/bin/java")
 }
@@ -120,12 +122,12 @@ start_display() {
   start_session_bus "$out"
 }
 
-# Two more, for tests that run side by side: on one display they would take the focus from the windows of each other.
+# Three more, for tests that run side by side: on one display they would take the focus from the windows of each other.
 start_more_displays() {
   [[ -z ${ROBOTUI_TEST_DISPLAYS:-} ]] || return 0
   local first=$DISPLAY bus=${DBUS_SESSION_BUS_ADDRESS:-} number
   export ROBOTUI_TEST_DISPLAYS='' ROBOTUI_TEST_BUSES=''
-  for number in 2 3; do
+  for number in 2 3 4; do
     start_display "$number"
     ROBOTUI_TEST_DISPLAYS+=" $DISPLAY"
     ROBOTUI_TEST_BUSES+=" ${DBUS_SESSION_BUS_ADDRESS:-}"

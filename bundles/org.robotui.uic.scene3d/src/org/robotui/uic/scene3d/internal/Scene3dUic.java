@@ -92,7 +92,7 @@ final class Scene3dUic extends SurfaceUic<SceneSurface> {
     first(stage, nowNanos);
     parts.studio().thin(settings.flag(SceneOptions.THINNING));
     parts.studio().show(stage, parts.picks().marked());
-    String next = Long.toString(Math.round(parts.studio().rate()));
+    String next = Math.round(parts.studio().rate()) + (parts.studio().waits() ? " waiting" : "");
     changed |= !next.equals(figures);
     figures = next;
     return changed;

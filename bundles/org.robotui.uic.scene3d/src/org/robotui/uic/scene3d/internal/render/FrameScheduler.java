@@ -29,6 +29,9 @@ public final class FrameScheduler implements AutoCloseable {
   /** After the camera stood still for so long, a picture is complete. */
   public static final long REST_NANOS = 300_000_000L;
 
+  /** Who waits longer for a picture is told so. */
+  static final long LONG_NANOS = 500_000_000L;
+
   private static final Logger LOG = LoggerFactory.getLogger(FrameScheduler.class);
   private static final String LOOK_THERE = "See the log.";
   private static final long RETRY_NANOS = 5_000_000_000L;
@@ -55,6 +58,8 @@ public final class FrameScheduler implements AutoCloseable {
   private long movedNanos;
   private long failedNanos;
   private boolean busy;
+  private long begunNanos;
+  private boolean drawn;
   private boolean pumping;
   private boolean again;
   /** Whether the picture in work is one of all points for a camera that stands. */
@@ -65,7 +70,9 @@ public final class FrameScheduler implements AutoCloseable {
 
   private record Open(Gl gl, Renderer renderer) {}
 
-  private record Asked(long version, CameraPose pose, PictureRequest look, List<Selected> selection) {}
+  /** A picture of a stage that the model has prepared, or of none. */
+  private record Asked(boolean prepared, long version, CameraPose pose, PictureRequest look,
+      List<Selected> selection) {}
 
   private record Snapshot(int width, int height, CompletableFuture<Rendered> done) {}
 
@@ -164,6 +171,16 @@ public final class FrameScheduler implements AutoCloseable {
     return meter.rate(clock.getAsLong());
   }
 
+  /** Whether no picture has come yet of what was to be shown: only of nothing at all, while the graphics began. */
+  public synchronized boolean prepares() {
+    return !drawn;
+  }
+
+  /** Whether the newest picture is not the one that is asked for, and that one has been drawn for long. */
+  public synchronized boolean waits() {
+    return busy && clock.getAsLong() - begunNanos > LONG_NANOS;
+  }
+
   /** What lies under a pixel of the picture. */
   public CompletionStage<Optional<Pick>> pick(int x, int y) {
     Supplier<CompletionStage<Optional<Pick>>> picking;
@@ -239,21 +256,23 @@ public final class FrameScheduler implements AutoCloseable {
 
   private Runnable frame(Renderer renderer, long now) {
     boolean hurry = thinning && moves(now);
-    Asked due = new Asked(stage.version(), rig.at(now), look, selection);
+    Asked due = new Asked(stage != Stage.NONE, stage.version(), rig.at(now), look, selection);
     if (unavailable.isEmpty() && asked.equals(Optional.of(due)) && (hurry || complete)) {
       return () -> {};
     }
     asked = Optional.of(due);
     busy = true;
+    begunNanos = now;
     unhurriedly = !hurry;
     RenderRequest request = request(look.width(), look.height(), look.scale(), due.pose(), selection,
         hurry ? budget.points() : Integer.MAX_VALUE);
     return () -> renderer.render(request)
-        .whenComplete((rendered, error) -> made(renderer, due.pose(), rendered, error));
+        .whenComplete((rendered, error) -> made(renderer, due, rendered, error));
   }
 
   private Runnable snapshot(Renderer renderer, Snapshot wanted, long now) {
     busy = true;
+    begunNanos = now;
     unhurriedly = false;
     float scale = Math.max(1, look.scale() * wanted.height() / look.height());
     RenderRequest request = request(wanted.width(), wanted.height(), scale, rig.at(now), List.of(), Integer.MAX_VALUE);
@@ -274,7 +293,7 @@ public final class FrameScheduler implements AutoCloseable {
   }
 
   /** The next picture is drawn while this one is brought to the screen. */
-  private void made(Renderer renderer, CameraPose pose, Rendered rendered, Throwable error) {
+  private void made(Renderer renderer, Asked due, Rendered rendered, Throwable error) {
     Rendered outcome =
         error == null ? rendered : new Rendered.Unavailable("Drawing failed: " + error.getMessage(), LOOK_THERE);
     synchronized (this) {
@@ -283,9 +302,14 @@ public final class FrameScheduler implements AutoCloseable {
     }
     pump();
     if (outcome instanceof Rendered.Picture picture) {
-      show(renderer, pose, picture);
+      show(renderer, due.pose(), picture);
+      came(due.prepared());
     }
     arrived.run();
+  }
+
+  private synchronized void came(boolean prepared) {
+    drawn |= prepared;
   }
 
   /** A screen that fails must not end all pictures. */

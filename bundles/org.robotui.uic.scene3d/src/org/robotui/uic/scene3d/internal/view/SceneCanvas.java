@@ -80,7 +80,7 @@ final class SceneCanvas {
     Optional<Shot> shot = pane.newest();
     if (none.isPresent()) {
       states.message(gc, area, Health.BAD, "No 3D graphics", (none.get().reason() + " " + none.get().remedy()).strip());
-    } else if (shot.isEmpty()) {
+    } else if (shot.isEmpty() || parts.studio().prepares()) {
       states.message(gc, area, Health.WAITING, "Preparing the scene", "The first picture is being drawn.");
     } else {
       PicturePane.paint(gc, area, shot.get().image());
@@ -91,7 +91,8 @@ final class SceneCanvas {
   private void over(GC gc, Rectangle area, Shot shot) {
     Lens lens = lens(shot.from());
     overlay.paint(gc, area,
-        new SceneOverlay.Scene(parts.model().stage(), lens, shot, parts.studio().rate(), surface.treeSeen()));
+        new SceneOverlay.Scene(parts.model().stage(), lens, shot, SceneOverlay.rate(parts.studio()),
+            surface.treeSeen()));
     Optional<Selection> selection = parts.picks().selection();
     marks.paint(gc, selection.isPresent() ? SceneOverlay.besideCard(area) : area, lens, surface.tools());
     selection.ifPresent(s -> overlay.card(gc, area, s));

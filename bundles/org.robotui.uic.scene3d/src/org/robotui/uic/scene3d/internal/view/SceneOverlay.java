@@ -26,6 +26,7 @@ import org.robotui.ui.display.DisplayRow;
 import org.robotui.uic.scene3d.internal.camera.Lens;
 import org.robotui.uic.scene3d.internal.model.Selection;
 import org.robotui.uic.scene3d.internal.model.Stage;
+import org.robotui.uic.scene3d.internal.render.FrameScheduler;
 
 /** What is written over the picture: axes, frame, figures, names of robots, the selection. Display thread. */
 final class SceneOverlay {
@@ -42,7 +43,7 @@ final class SceneOverlay {
   private final StateView states;
 
   /** What is painted over. */
-  record Scene(Stage stage, Lens lens, Shot shot, double rate, boolean treeOpen) {}
+  record Scene(Stage stage, Lens lens, Shot shot, String rate, boolean treeOpen) {}
 
   SceneOverlay(Theme theme, StateView states) {
     this.theme = theme;
@@ -148,7 +149,7 @@ final class SceneOverlay {
     Stage stage = scene.stage();
     List<String> words = new ArrayList<>();
     stage.fixed().ifPresent(f -> words.add(stage.robots().size() > 1 ? f.toString() : f.name()));
-    words.add(rate(scene.rate()));
+    words.add(scene.rate());
     Rendered.Figures figures = scene.shot().figures();
     if (figures.points() + figures.pointsLeftOut() > 0) {
       words.add(count(figures.points())
@@ -203,8 +204,12 @@ final class SceneOverlay {
   }
 
   /** Pictures are made when something changes. */
-  static String rate(double rate) {
-    return rate < 1 ? "at rest" : Math.round(rate) + " frames/s";
+  static String rate(FrameScheduler studio) {
+    double rate = studio.rate();
+    if (rate >= 1) {
+      return Math.round(rate) + " frames/s";
+    }
+    return studio.prepares() ? "being prepared" : studio.waits() ? "being drawn" : "at rest";
   }
 
   private static String count(long points) {

@@ -232,7 +232,7 @@ public final class SceneSurface implements ViewSurface {
 
   private void sayNote() {
     String frame = parts.model().stage().fixed().map(f -> f.name()).orElse("no frame");
-    String next = frame + "  \u00b7  " + SceneOverlay.rate(parts.studio().rate());
+    String next = frame + "  \u00b7  " + SceneOverlay.rate(parts.studio());
     if (!next.equals(note)) {
       note = next;
       context.note(next);

@@ -1,6 +1,7 @@
 package org.robotui.uic.scene3d.internal.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -39,6 +40,30 @@ class FrameSchedulerTest {
     studio.look(LOOK);
     assertEquals(1, gl.open);
     assertEquals(1, gl.requests.size());
+  }
+
+  @Test
+  void untilAPictureCameOfWhatIsToBeShownTheSceneIsBeingPrepared() {
+    studio.look(LOOK);
+    gl.answer(0.01, 0, 0);
+    assertTrue(studio.prepares(), "that was a picture of nothing");
+    studio.show(stage(0), List.of());
+    assertTrue(studio.prepares());
+    gl.answer(0.01, 5, 0);
+    assertFalse(studio.prepares());
+    studio.show(stage(1), List.of());
+    assertFalse(studio.prepares(), "there is a picture");
+  }
+
+  @Test
+  void whoWaitsLongForAPictureIsToldSo() {
+    studio.look(LOOK);
+    now += FrameScheduler.LONG_NANOS;
+    assertFalse(studio.waits());
+    now++;
+    assertTrue(studio.waits());
+    gl.answer(0.6, 5, 0);
+    assertFalse(studio.waits());
   }
 
   @Test
