@@ -41,7 +41,7 @@ import org.robotui.testkit.FakeRficContext;
 class Ros2StreamsTest extends Ros2Case {
   private static final Ros2Codec<StdFloat64> NUMBERS = Ros2Codec.of(StdFloat64.class);
 
-  private static double number(FakeRficContext.Published published) {
+  static double number(FakeRficContext.Published published) {
     FieldValue value = ((DynamicRecord) published.value()).at(FieldPath.parse("data")).orElseThrow();
     return ((FieldValue.Num) value).value();
   }

@@ -63,7 +63,6 @@ public final class Ros2Session implements RobotSession {
     this.ros = ros;
     this.domain = domain;
     this.link = new LinkChanges(context.link());
-    domain.joined(self());
     this.changes = new DomainChanges(ros);
     this.node = ros.node(domain.nodeName(settings.node()));
     this.lookups = new TypeLookups(ros.types(), context.threads());
@@ -75,10 +74,6 @@ public final class Ros2Session implements RobotSession {
     offers.add(context.offers().call(TopicPorts.SERVICES, new Ros2Services(node)));
     offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
     offers.add(context.offers().browse(TopicPorts.GRAPH, new Ros2Browser(node, parameters)));
-  }
-
-  private GuidPrefix self() {
-    return ros.participant().info().guid().prefix();
   }
 
   /** Follows the graph until the robot interface is closed. */
@@ -133,7 +128,7 @@ public final class Ros2Session implements RobotSession {
     return new LinkState.Failed(who + " is heard: " + settings.peer() + lost, LOOK);
   }
 
-  /** A stop goes out first. The farewell to others is said by the context. */
+  /** A stop goes out first. The node says farewell, and its participant where it was the last. */
   @Override
   public void close() {
     changes.close();
@@ -146,6 +141,5 @@ public final class Ros2Session implements RobotSession {
     description.close();
     topics.close();
     node.close();
-    domain.left(self());
   }
 }
