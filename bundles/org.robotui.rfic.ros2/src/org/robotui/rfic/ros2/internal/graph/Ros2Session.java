@@ -18,6 +18,7 @@ import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.ros2.internal.Ros2Settings;
+import org.robotui.rfic.ros2.internal.call.DescriptionParameters;
 import org.robotui.rfic.ros2.internal.call.NodeParameters;
 import org.robotui.rfic.ros2.internal.call.Ros2ActionRoute;
 import org.robotui.rfic.ros2.internal.call.Ros2Browser;
@@ -47,6 +48,7 @@ public final class Ros2Session implements RobotSession {
   private final DescriptionTopics description;
   private final ActionCalls actions;
   private final NodeParameters parameters;
+  private final DescriptionParameters described;
   private final List<Offer> offers = new ArrayList<>();
   private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -71,6 +73,8 @@ public final class Ros2Session implements RobotSession {
     this.description = new DescriptionTopics(context, settings.topics(), settings.packages(), client);
     this.actions = new ActionCalls(action -> Ros2ActionRoute.open(node, action, context.threads()));
     this.parameters = new NodeParameters(node);
+    this.described =
+        new DescriptionParameters(node, parameters, settings.topics(), description, context.threads());
     offers.add(context.offers().call(TopicPorts.SERVICES, new Ros2Services(node)));
     offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
     offers.add(context.offers().browse(TopicPorts.GRAPH, new Ros2Browser(node, parameters)));
@@ -99,6 +103,9 @@ public final class Ros2Session implements RobotSession {
     node.clock().simulated(view.published(TIME).isPresent());
     client.seen(state);
     topics.follow(description.follow(view.topics()));
+    if (!changes.over()) {
+      described.look();
+    }
     Set<GuidPrefix> robot = view.robot();
     if (heard(robot)) {
       topics.pulse().answered(System.nanoTime());
@@ -137,6 +144,7 @@ public final class Ros2Session implements RobotSession {
     offers.forEach(Offer::close);
     actions.close();
     lookups.close();
+    described.close();
     parameters.close();
     description.close();
     topics.close();
