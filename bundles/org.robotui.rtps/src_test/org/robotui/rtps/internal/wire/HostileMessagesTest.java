@@ -99,7 +99,7 @@ class HostileMessagesTest {
   @ParameterizedTest
   @EnumSource
   void messages_may_be_damaged_anyhow(Recorded peer) {
-    Mutator mutator = new Mutator(peer.ordinal());
+    Mutator mutator = new Mutator(Effort.seed() + peer.ordinal());
     List<byte[]> all = toAll(peer);
     Effort effort = Effort.of(60_000, Duration.ofMinutes(5));
     while (effort.goesOn()) {
