@@ -19,7 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.robotui.rtps.EntityId;
 import org.robotui.rtps.GuidPrefix;
 import org.robotui.rtps.ParticipantLimits;
-import org.robotui.rtps.Mutator;
 import org.robotui.rtps.Participant;
 import org.robotui.rtps.ParticipantSettings;
 import org.robotui.rtps.InitialPeer;
@@ -32,6 +31,7 @@ import org.robotui.rtps.internal.wire.InlineQos;
 import org.robotui.rtps.internal.wire.Recorded;
 import org.robotui.rtps.internal.wire.SequenceSet;
 import org.robotui.rtps.internal.wire.Submessage;
+import org.robotui.testkit.ByteMutator;
 import org.robotui.testkit.Effort;
 
 /** A peer that means no good: what it costs is bounded, and an honest one is heard before, meanwhile and afterwards. */
@@ -147,7 +147,7 @@ class HostilePeerTest {
   @Test
   void damaged_messages_of_all_kinds() throws Exception {
     badWriter(reader);
-    Mutator mutator = new Mutator(Effort.seed() + 7);
+    ByteMutator mutator = new ByteMutator(Effort.seed() + 7);
     List<byte[]> good = Stream.of(Recorded.values()).flatMap(vendor -> vendor.datagrams().stream())
         .filter(each -> each.length < MOST_BYTES).toList();
     for (int i = 0; i < Effort.rounds(10_000); i++) {
