@@ -6,8 +6,8 @@ import org.robotui.ros2.internal.context.ContextRuntime;
 import org.robotui.rtps.Participant;
 
 /**
- * One process in a domain of ROS 2, as others see it: a participant of DDS with any number of nodes. Any thread may use
- * it.
+ * One process in a domain of ROS 2, as others see it: a participant of DDS with any number of nodes. Several contexts
+ * of one process may share a participant, see {@link Ros2Participants}. Any thread may use it.
  */
 public interface Ros2Context extends AutoCloseable {
 
@@ -32,7 +32,7 @@ public interface Ros2Context extends AutoCloseable {
    * @return the open context
    */
   static Ros2Context on(Participant participant, Ros2Environment environment, Ros2Options options) {
-    return new ContextRuntime(participant, environment, options);
+    return ContextRuntime.on(participant, environment, options);
   }
 
   /**
@@ -41,7 +41,7 @@ public interface Ros2Context extends AutoCloseable {
    * @param name its base name; a remapping of {@code __node} wins
    * @return the open node
    * @throws IllegalArgumentException if it is no name
-   * @throws IllegalStateException if this context has a node of that name, or is closed
+   * @throws IllegalStateException if its participant has a node of that name, or this is closed
    */
   Ros2Node node(String name);
 
@@ -62,7 +62,7 @@ public interface Ros2Context extends AutoCloseable {
   /**
    * The participant below, for what this library has no words for.
    *
-   * @return the participant, which the context closes
+   * @return the participant, which is closed with the last context that takes part by it
    */
   Participant participant();
 

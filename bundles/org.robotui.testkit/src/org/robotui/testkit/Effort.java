@@ -40,6 +40,16 @@ public final class Effort {
   }
 
   /**
+   * Where the random input of a test begins, so that several long runs try different things and each can be repeated.
+   *
+   * @return the number in {@code ROBOTUI_SEED}, 0 where it is not set
+   */
+  public static long seed() {
+    String set = System.getenv("ROBOTUI_SEED");
+    return set == null ? 0 : Long.parseLong(set);
+  }
+
+  /**
    * Whether this is a long run.
    *
    * @return true with {@code ROBOTUI_LONG=1} in the environment

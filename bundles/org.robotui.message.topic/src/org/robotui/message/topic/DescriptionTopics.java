@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.robotui.api.RficContext;
@@ -22,6 +23,7 @@ public final class DescriptionTopics implements AutoCloseable {
   private final DescriptionPort port;
   private final Map<String, Consumer<String>> takers;
   private final Map<String, TopicSubscription> subscriptions = new HashMap<>();
+  private final Map<String, String> elsewhere = new ConcurrentHashMap<>();
   private boolean closed;
 
   /**
@@ -68,10 +70,30 @@ public final class DescriptionTopics implements AutoCloseable {
         subscriptions.computeIfAbsent(topic, name -> subscribe(name, taker));
       } else if (!published) {
         end(topic);
-        taker.accept("");
+        taker.accept(elsewhere.getOrDefault(topic, ""));
       }
     });
     return new TopicGraph(left, graph.subscribed());
+  }
+
+  /**
+   * Whether no topic of a name is published.
+   *
+   * @param name a global name
+   * @return true where it must be looked for elsewhere
+   */
+  public synchronized boolean lacks(String name) {
+    return !closed && !subscriptions.containsKey(name);
+  }
+
+  /**
+   * Takes a text that came otherwise than by a topic, for the time in which there is none. Any thread.
+   *
+   * @param name the global name of the topic
+   * @param text the text; empty where there is none any more
+   */
+  public void elsewhere(String name, String text) {
+    elsewhere.put(name, text);
   }
 
   private TopicSubscription subscribe(String topic, Consumer<String> taker) {

@@ -27,7 +27,7 @@ record Ros2Sessions(RficContext context, Ros2Settings settings, SharedDomains do
   @Override
   public RobotSession open(SessionScope scope) throws IOException {
     Ros2Options options = Ros2Options.standard(context.threads()).withDefinitions(settings.definitions());
-    Ros2Context ros = scope.closing(Ros2Context.open(settings.environment(), options), Ros2Context::close);
+    Ros2Context ros = scope.closing(domains.open(settings.environment(), options), Ros2Context::close);
     return new Ros2Session(context, settings, ros, domains.of(settings.environment()));
   }
 }

@@ -34,6 +34,9 @@ import org.robotui.ros2.Ros2Codec;
 import org.robotui.ros2.Ros2Node;
 import org.robotui.ros2.Ros2Publisher;
 import org.robotui.ros2.Ros2SubscriberOptions;
+import org.robotui.ros2.parameter.Ros2ParameterDescriptor;
+import org.robotui.ros2.parameter.Ros2ParameterServer;
+import org.robotui.ros2.parameter.Ros2ParameterValue;
 import org.robotui.ros2.tf.Ros2TfBroadcaster;
 import org.robotui.testkit.FakeRficContext;
 
@@ -41,7 +44,7 @@ import org.robotui.testkit.FakeRficContext;
 class Ros2StreamsTest extends Ros2Case {
   private static final Ros2Codec<StdFloat64> NUMBERS = Ros2Codec.of(StdFloat64.class);
 
-  private static double number(FakeRficContext.Published published) {
+  static double number(FakeRficContext.Published published) {
     FieldValue value = ((DynamicRecord) published.value()).at(FieldPath.parse("data")).orElseThrow();
     return ((FieldValue.Num) value).value();
   }
@@ -186,6 +189,35 @@ class Ros2StreamsTest extends Ros2Case {
     await(() -> ((RobotDescription) context.published.get("robot_description").getLast().value()).srdf()
         .equals("<robot/>"));
     description.close();
+    await(() -> !context.streams.containsKey("robot_description"));
+  }
+
+  private String urdf() {
+    return Optional.ofNullable(context.published.get("robot_description")).flatMap(all -> Optional.ofNullable(
+        all.peekLast())).map(last -> ((RobotDescription) last.value()).urdf()).orElse("");
+  }
+
+  @Test
+  void readsWhatTheRobotIsMadeOfFromAParameterWhereNoTopicSaysIt() throws Exception {
+    Ros2ParameterServer.open(node("aaa"));
+    Ros2Node speaking = node("my_robot_state_publisher");
+    Ros2ParameterServer server = Ros2ParameterServer.open(speaking);
+    Ros2ParameterValue first = new Ros2ParameterValue.OfText("<robot name='p'/>");
+    server.declare(Ros2ParameterDescriptor.of("robot_description", first, ""), first, value -> Optional.empty());
+    rfic.start();
+    await(() -> urdf().equals("<robot name='p'/>"));
+    await(() -> {
+      server.set("robot_description", new Ros2ParameterValue.OfText("<robot name='q'/>"));
+      return urdf().equals("<robot name='q'/>");
+    });
+    Ros2Publisher<StdString> topic =
+        robot.publisher("robot_description", Ros2Codec.of(StdString.class), QosProfiles.LATCHED);
+    topic.publish(new StdString("<robot name='t'/>"));
+    await(() -> urdf().equals("<robot name='t'/>"));
+    topic.close();
+    await(() -> !context.streams.containsKey("robot_description") || urdf().equals("<robot name='q'/>"));
+    await(() -> urdf().equals("<robot name='q'/>") && context.streams.containsKey("robot_description"));
+    speaking.close();
     await(() -> !context.streams.containsKey("robot_description"));
   }
 

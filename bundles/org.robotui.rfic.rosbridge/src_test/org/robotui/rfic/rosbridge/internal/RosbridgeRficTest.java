@@ -7,8 +7,10 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -77,5 +79,24 @@ class RosbridgeRficTest {
     browser.setParameter("/speed", List.of(1L, 2L));
     assertEquals(Optional.of(List.of(1L, 2L)), browser.parameter("/speed"));
     assertEquals(Optional.empty(), browser.parameter("/none"));
+  }
+
+  private int asked(String question) {
+    return Optional.ofNullable(server.asked.get("/rosapi/" + question)).map(AtomicInteger::get).orElse(0);
+  }
+
+  /** As often as it is asked which nodes there are, it may be asked about twenty of them; about one in the long run. */
+  @Test
+  void aBridgeOfManyNodesIsAskedLittleAtATime() throws CallException {
+    IntStream.range(0, 100).forEach(i -> server.nodes.add("/other" + i));
+    Browser browser = context.browsers.get("graph");
+    await(() -> {
+      assertTrue(asked("node_details") <= 20 * asked("nodes"));
+      return asked("node_details") > 100;
+    });
+    assertEquals(102, browser.list(Browser.Kind.NODE).size());
+    rfic.close();
+    int before = asked("node_details");
+    assertTrue(before > 100 && before <= 20 * asked("nodes"), () -> server.asked.toString());
   }
 }

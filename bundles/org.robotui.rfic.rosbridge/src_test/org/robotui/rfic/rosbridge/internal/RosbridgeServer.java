@@ -12,6 +12,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.robotui.message.Generation;
 import org.robotui.message.LocalDefinitions;
 import org.robotui.message.MessageDefinition;
@@ -38,6 +39,9 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
   final Map<String, String> advertised = new ConcurrentHashMap<>();
   final Queue<Map<String, Object>> said = new ConcurrentLinkedQueue<>();
   final Map<String, String> parameters = new ConcurrentHashMap<>();
+  /** How often each service was called. */
+  final Map<String, AtomicInteger> asked = new ConcurrentHashMap<>();
+  final List<String> nodes = new CopyOnWriteArrayList<>(List.of("/base", "/rosbridge_websocket"));
   private final Generation generation;
   private final List<WebServerLink> links = new CopyOnWriteArrayList<>();
   private final WebServer server;
@@ -134,10 +138,11 @@ final class RosbridgeServer implements WebCaller, AutoCloseable {
     Map<String, Object> arguments = Trees.object(call.get("args"));
     Map<String, Object> answer = new LinkedHashMap<>(Map.of("op", "service_response", "service", service, "id",
         Trees.text(call, "id"), "result", true));
+    asked.computeIfAbsent(service, s -> new AtomicInteger()).incrementAndGet();
     switch (service.replaceFirst("/rosapi/", "")) {
       case "topics" -> answer.put("values", Map.of("topics", List.copyOf(TOPICS.keySet()), "types",
           TOPICS.values().stream().map(this::written).toList()));
-      case "nodes" -> answer.put("values", Map.of("nodes", List.of("/base", "/rosbridge_websocket")));
+      case "nodes" -> answer.put("values", Map.of("nodes", nodes));
       case "node_details" -> answer.put("values", details(Trees.text(arguments, "node")));
       case "message_details" -> answer.put("values", Map.of("typedefs", types(Trees.text(arguments, "type"))));
       case "services" -> answer.put("values", Map.of("services", List.of("/echo")));

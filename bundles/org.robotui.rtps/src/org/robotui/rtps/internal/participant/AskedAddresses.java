@@ -43,7 +43,10 @@ final class AskedAddresses {
     return asked.stream().distinct().toList();
   }
 
+  /** Cyclone DDS has no number, and so none of the ports for it, where it uses multicast; but it hears that port. */
   private static IntStream ports(InitialPeer peer, int domain) {
-    return peer.port().isPresent() ? IntStream.of(peer.port().getAsInt()) : new Ports(domain).tried();
+    Ports ports = new Ports(domain);
+    return peer.port().isPresent() ? IntStream.of(peer.port().getAsInt())
+        : IntStream.concat(IntStream.of(ports.metatrafficMulticast()), ports.tried());
   }
 }

@@ -15,9 +15,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.robotui.rtps.EndpointKind;
 import org.robotui.rtps.EntityId;
 import org.robotui.rtps.GuidPrefix;
-import org.robotui.rtps.Mutator;
 import org.robotui.rtps.internal.discovery.EndpointCodec;
 import org.robotui.rtps.internal.discovery.ParticipantCodec;
+import org.robotui.testkit.ByteMutator;
 import org.robotui.testkit.Effort;
 
 /** Messages that nobody means: each is read, or refused with a reason, and nothing else happens. */
@@ -99,7 +99,7 @@ class HostileMessagesTest {
   @ParameterizedTest
   @EnumSource
   void messages_may_be_damaged_anyhow(Recorded peer) {
-    Mutator mutator = new Mutator(peer.ordinal());
+    ByteMutator mutator = new ByteMutator(Effort.seed() + peer.ordinal());
     List<byte[]> all = toAll(peer);
     Effort effort = Effort.of(60_000, Duration.ofMinutes(5));
     while (effort.goesOn()) {

@@ -18,6 +18,7 @@ import org.robotui.message.topic.DescriptionTopics;
 import org.robotui.message.topic.RobotTopics;
 import org.robotui.message.topic.TopicPorts;
 import org.robotui.rfic.ros2.internal.Ros2Settings;
+import org.robotui.rfic.ros2.internal.call.DescriptionParameters;
 import org.robotui.rfic.ros2.internal.call.NodeParameters;
 import org.robotui.rfic.ros2.internal.call.Ros2ActionRoute;
 import org.robotui.rfic.ros2.internal.call.Ros2Browser;
@@ -47,6 +48,7 @@ public final class Ros2Session implements RobotSession {
   private final DescriptionTopics description;
   private final ActionCalls actions;
   private final NodeParameters parameters;
+  private final DescriptionParameters described;
   private final List<Offer> offers = new ArrayList<>();
   private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -63,7 +65,6 @@ public final class Ros2Session implements RobotSession {
     this.ros = ros;
     this.domain = domain;
     this.link = new LinkChanges(context.link());
-    domain.joined(self());
     this.changes = new DomainChanges(ros);
     this.node = ros.node(domain.nodeName(settings.node()));
     this.lookups = new TypeLookups(ros.types(), context.threads());
@@ -72,13 +73,11 @@ public final class Ros2Session implements RobotSession {
     this.description = new DescriptionTopics(context, settings.topics(), settings.packages(), client);
     this.actions = new ActionCalls(action -> Ros2ActionRoute.open(node, action, context.threads()));
     this.parameters = new NodeParameters(node);
+    this.described =
+        new DescriptionParameters(node, parameters, settings.topics(), description, context.threads());
     offers.add(context.offers().call(TopicPorts.SERVICES, new Ros2Services(node)));
     offers.add(context.offers().call(TopicPorts.ACTIONS, actions));
     offers.add(context.offers().browse(TopicPorts.GRAPH, new Ros2Browser(node, parameters)));
-  }
-
-  private GuidPrefix self() {
-    return ros.participant().info().guid().prefix();
   }
 
   /** Follows the graph until the robot interface is closed. */
@@ -104,6 +103,9 @@ public final class Ros2Session implements RobotSession {
     node.clock().simulated(view.published(TIME).isPresent());
     client.seen(state);
     topics.follow(description.follow(view.topics()));
+    if (!changes.over()) {
+      described.look();
+    }
     Set<GuidPrefix> robot = view.robot();
     if (heard(robot)) {
       topics.pulse().answered(System.nanoTime());
@@ -133,7 +135,7 @@ public final class Ros2Session implements RobotSession {
     return new LinkState.Failed(who + " is heard: " + settings.peer() + lost, LOOK);
   }
 
-  /** A stop goes out first. The farewell to others is said by the context. */
+  /** A stop goes out first. The node says farewell, and its participant where it was the last. */
   @Override
   public void close() {
     changes.close();
@@ -142,10 +144,10 @@ public final class Ros2Session implements RobotSession {
     offers.forEach(Offer::close);
     actions.close();
     lookups.close();
+    described.close();
     parameters.close();
     description.close();
     topics.close();
     node.close();
-    domain.left(self());
   }
 }

@@ -40,10 +40,10 @@ public final class BridgeBrowser implements Browser {
   @Override
   public List<Item> list(Kind kind) throws CallException {
     return switch (kind) {
-      case TOPIC -> new TreeMap<>(watch.graph().types()).entrySet().stream()
+      case TOPIC -> new TreeMap<>(watch.browsed().types()).entrySet().stream()
           .map(e -> new Item(kind, e.getKey(), Generation.plainName(e.getValue()))).toList();
       case SERVICE -> named(kind, CallOutcomes.asked(api::services));
-      case NODE -> named(kind, List.copyOf(watch.graph().nodes().keySet()));
+      case NODE -> named(kind, List.copyOf(watch.browsed().nodes().keySet()));
       case PARAMETER -> named(kind, CallOutcomes.asked(api::parameters));
       case ACTION, TUNABLE -> List.of();
     };
@@ -65,11 +65,11 @@ public final class BridgeBrowser implements Browser {
   }
 
   private Description topic(Item item) throws CallException {
-    String type = watch.graph().types().getOrDefault(item.name(), item.type());
+    String type = watch.browsed().types().getOrDefault(item.name(), item.type());
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("type", type);
-    facts.put("publishers", joined(watch.graph().ends(true).getOrDefault(item.name(), Set.of())));
-    facts.put("subscribers", joined(watch.graph().ends(false).getOrDefault(item.name(), Set.of())));
+    facts.put("publishers", joined(watch.browsed().ends(true).getOrDefault(item.name(), Set.of())));
+    facts.put("subscribers", joined(watch.browsed().ends(false).getOrDefault(item.name(), Set.of())));
     String text = CallOutcomes.asked(() -> api.message(type));
     return new Description(item, facts, Optional.of(text), shape(type, text), Optional.empty());
   }
@@ -135,7 +135,7 @@ public final class BridgeBrowser implements Browser {
   @Override
   public List<Link> links() throws CallException {
     List<Link> links = new ArrayList<>();
-    watch.graph().nodes().forEach((node, details) -> {
+    watch.browsed().nodes().forEach((node, details) -> {
       details.publishing().forEach(topic -> links.add(new Link(node, topic, true)));
       details.subscribing().forEach(topic -> links.add(new Link(node, topic, false)));
     });

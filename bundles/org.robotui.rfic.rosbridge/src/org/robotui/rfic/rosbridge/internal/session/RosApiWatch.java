@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -16,7 +15,6 @@ import org.robotui.message.SchemaLookup;
 import org.robotui.message.payload.RosDefinitions;
 import org.robotui.net.call.Outcome;
 import org.robotui.rosbridge.RosApi;
-import org.robotui.rosbridge.RosApi.NodeDetails;
 
 /**
  * Asks rosapi again and again what there is, and once for each definition that is needed, on a thread of its own, as
@@ -24,14 +22,17 @@ import org.robotui.rosbridge.RosApi.NodeDetails;
  */
 public final class RosApiWatch implements AutoCloseable {
   private static final Duration PERIOD = Duration.ofMillis(500);
-  private static final int MOST_NODES = 500;
+  /** For so long after a question of a user somebody looks. */
+  private static final Duration ATTENTION = Duration.ofSeconds(10);
 
   private final RosApi api;
   private final RosDefinitions definitions;
   private final Thread thread;
   private final BlockingQueue<String> wanted = new LinkedBlockingQueue<>();
   private final Map<String, SchemaLookup<MessageSchema>> schemas = new ConcurrentHashMap<>();
+  private final NodeSurvey survey = new NodeSurvey();
   private volatile RosGraph graph = RosGraph.EMPTY;
+  private volatile long browsedNanos = System.nanoTime() - ATTENTION.toNanos();
   private volatile Optional<String> problem = Optional.empty();
   private volatile boolean answered;
 
@@ -60,13 +61,22 @@ public final class RosApiWatch implements AutoCloseable {
       problem = Optional.of(topics.toOptional().isEmpty() ? topics.reason() : names.reason());
       return;
     }
-    Map<String, NodeDetails> nodes = new TreeMap<>();
-    for (String name : names.toOptional().get().stream().limit(MOST_NODES).toList()) {
-      api.node(name).toOptional().ifPresent(details -> nodes.put(name, details));
-    }
-    graph = new RosGraph(topics.toOptional().get(), nodes);
+    survey.begin(topics.toOptional().get().keySet(), names.toOptional().get(),
+        System.nanoTime() - browsedNanos < ATTENTION.toNanos());
+    ask(System.nanoTime() + PERIOD.toNanos());
+    graph = new RosGraph(topics.toOptional().get(), survey.nodes());
     problem = Optional.empty();
     answered = true;
+  }
+
+  /** Asks about some nodes, no longer than until a time where answers are slow. */
+  private void ask(long until) throws InterruptedException {
+    for (Optional<String> next = survey.next(); next.isPresent(); next = survey.next()) {
+      survey.answered(next.get(), api.node(next.get()).toOptional());
+      if (System.nanoTime() - until > 0) {
+        return;
+      }
+    }
   }
 
   /** Asks for definitions as they are wanted, until it is time to look again. */
@@ -114,6 +124,16 @@ public final class RosApiWatch implements AutoCloseable {
    * @return the graph
    */
   public RosGraph graph() {
+    return graph;
+  }
+
+  /**
+   * The same for a user who looks at it: for a while after this the bridge is asked more often.
+   *
+   * @return the graph
+   */
+  public RosGraph browsed() {
+    browsedNanos = System.nanoTime();
     return graph;
   }
 

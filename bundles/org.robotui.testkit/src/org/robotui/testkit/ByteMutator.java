@@ -1,24 +1,39 @@
-package org.robotui.rtps;
+package org.robotui.testkit;
 
 import java.util.Arrays;
 import java.util.Random;
 
-/** Damages bytes as networks and hostile peers do: always the same for one seed. */
-public final class Mutator {
+/** Damages bytes as networks and hostile peers do: always the same for one seed. Used by one thread. */
+public final class ByteMutator {
 
   private static final byte[] EXTREME = {0, 1, -1, 127, -128};
 
   private final Random random;
 
-  public Mutator(long seed) {
+  /**
+   * Nothing damaged yet.
+   *
+   * @param seed where the random numbers begin
+   */
+  public ByteMutator(long seed) {
     random = new Random(seed);
   }
 
+  /**
+   * What it is random by.
+   *
+   * @return the same object always
+   */
   public Random random() {
     return random;
   }
 
-  /** A damaged copy. */
+  /**
+   * A damaged copy.
+   *
+   * @param bytes stay as they are
+   * @return another length or other bytes
+   */
   public byte[] mutate(byte[] bytes) {
     byte[] mutated = bytes.clone();
     for (int times = 1 + random.nextInt(4); times > 0; times--) {
