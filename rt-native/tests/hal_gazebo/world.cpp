@@ -1,9 +1,12 @@
 #include "world.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <sstream>
+#include <thread>
 
 #include <ignition/msgs/clock.pb.h>
 #include <ignition/msgs/imu.pb.h>
@@ -192,6 +195,20 @@ std::string World::obey(const std::string& line) {
   if (verb == "reset") reset();
   if (verb == "garbage") state_.PublishRaw(std::string("\x0a\xff\xff\xff\xff\x07garbage", 13), "ignition.msgs.Model");
   return "done";
+}
+
+void runWorld(const WorldOptions& options, std::istream& input, std::ostream& output) {
+  World world(options);
+  const std::jthread clock([&world](const std::stop_token& stop) {
+    auto next = std::chrono::steady_clock::now();
+    while (!stop.stop_requested()) {
+      world.tick();
+      next += std::chrono::milliseconds(1);
+      std::this_thread::sleep_until(next);
+    }
+  });
+  output << "ready" << std::endl;
+  for (std::string line; std::getline(input, line);) output << world.obey(line) << std::endl;
 }
 
 }  // namespace robotui::rt::hal::gazebo

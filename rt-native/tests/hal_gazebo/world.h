@@ -15,6 +15,8 @@
 #include <ignition/msgs/world_control.pb.h>
 #include <ignition/transport/Node.hh>
 
+#include "world_options.h"
+
 namespace robotui::rt::hal::gazebo {
 
 // Of the simulator there is one controller for each way; here the one that was told last moves the joint.
@@ -26,18 +28,6 @@ struct WorldJoint {
   char way = 'n';  // p, v or e: the controller; n is none yet
   double wanted = 0;
   int told = 0;  // commands
-};
-
-struct WorldOptions {
-  std::string partition;
-  std::string world = "default";
-  std::string model = "arm";
-  std::vector<std::string> joints;
-  std::string controllers = "pve";
-  std::string imu;  // topics; empty is none
-  std::string force_torque;
-  bool paused = false;
-  bool strange = false;  // another program that sends numbers where states are expected
 };
 
 class World {

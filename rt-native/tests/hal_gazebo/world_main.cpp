@@ -1,18 +1,15 @@
 // The model of a world as a program: its options are KEY=VALUE, each line of its input is a command, each answer a
 // line.
-#include "world.h"
+#include "world_options.h"
 
-#include <chrono>
 #include <iostream>
 #include <sstream>
-#include <thread>
 
 #include <sys/prctl.h>
 #include <csignal>
 
 namespace {
 
-using robotui::rt::hal::gazebo::World;
 using robotui::rt::hal::gazebo::WorldOptions;
 
 std::vector<std::string> splitAtCommas(const std::string& text) {
@@ -45,16 +42,6 @@ WorldOptions parse(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  World world(parse(argc, argv));
-  std::jthread clock([&world](const std::stop_token& stop) {
-    auto next = std::chrono::steady_clock::now();
-    while (!stop.stop_requested()) {
-      world.tick();
-      next += std::chrono::milliseconds(1);
-      std::this_thread::sleep_until(next);
-    }
-  });
-  std::cout << "ready" << std::endl;
-  for (std::string line; std::getline(std::cin, line);) std::cout << world.obey(line) << std::endl;
+  robotui::rt::hal::gazebo::runWorld(parse(argc, argv), std::cin, std::cout);
   return 0;
 }
