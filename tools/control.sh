@@ -9,6 +9,13 @@ control_of() {
   [[ -z $named ]] || (cd "$(dirname "$1")" && realpath -m "$named")
 }
 
+# Says what the control that a configuration names would lack here.
+check_control() {
+  local control
+  control=$(control_of "$1")
+  [[ -z $control ]] || check_hal_for "$control"
+}
+
 # One process for each configuration that names one. It runs as well as this user may: what that is, the plugins' view says.
 start_controls() {
   local config control
@@ -16,7 +23,7 @@ start_controls() {
     control=$(control_of "$config")
     [[ -n $control ]] || continue
     [[ -r $control ]] || fail "$config names the control $control, which is not there"
-    need_mujoco_for "$control"
+    need_hal_for "$control"
     need_native
     start_control "$control"
   done

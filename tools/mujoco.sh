@@ -31,7 +31,7 @@ unpack_mujoco() {
 # For a control whose configuration simulates with MuJoCo. Without it robotui-rt says that this HAL is not built in.
 need_mujoco_for() {
   [[ -z ${ROBOTUI_NATIVE_BUILT:-} ]] || return 0
-  grep -qsE '^[[:space:]]+type:[[:space:]]*["'\'']?mujoco' "$1" || return 0
+  names_hal "$1" mujoco || return 0
   fetch_mujoco || say "robotui: MuJoCo could not be fetched: it needs python3-pip and the network."
 }
 

@@ -29,7 +29,7 @@ is_native_fresh() { [[ -r $NATIVE_STAMP && -x $NATIVE_BUILD/bin/robotui-rt ]] &&
 
 # The folder, too: programs know their libraries by absolute paths.
 native_stamp() {
-  (cd "$NATIVE" && pwd && mujoco_option && find . -type f ! -path './target/*' ! -path './tests/*' ! -name '*.md' -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum)
+  (cd "$NATIVE" && pwd && mujoco_option && gazebo_mark && find . -type f ! -path './target/*' ! -path './tests/*' ! -name '*.md' -printf '%p %s %T@\n' | LC_ALL=C sort | sha256sum)
 }
 
 build_native() {
@@ -63,6 +63,23 @@ native_cmake() {
   fi
 }
 
+# ---- kinds of HAL that are optional -------------------------------------------------------------------------------------
+
+# FILE TYPE: whether a configuration of a control names this type of HAL.
+names_hal() { grep -qsE "^[[:space:]]+type:[[:space:]]*[\"']?$2" "$1"; }
+
+need_hal_for() {
+  need_mujoco_for "$1"
+  need_gazebo_for "$1"
+}
+
+# What ./robotui check says of it. MuJoCo is fetched when it is wanted.
+check_hal_for() {
+  if names_hal "$1" gazebo && ! have_gazebo; then
+    say "robotui: $1 has the HAL 'gazebo', which is built where ${NATIVE_GAZEBO_PACKAGES[*]} are installed; here they are not."
+  fi
+}
+
 # ---- ./robotui rt -------------------------------------------------------------------------------------------------------
 
 cmd_rt() {
@@ -72,7 +89,7 @@ cmd_rt() {
     config=$(config_path "$1") || exit 2
     shift
   fi
-  need_mujoco_for "$config"
+  need_hal_for "$config"
   need_native
   exec "$NATIVE_BUILD/bin/robotui-rt" ${config:+-C "$config"} "$@"
 }
@@ -176,7 +193,7 @@ as_surefire() {
 
 # From nothing it takes some ten minutes of two processors, later what has changed: so it is not among all tests.
 test_lint() {
-  need_packages "Looking at the real-time side" clang-tidy "${NATIVE_ROS_PACKAGES[@]}" || exit 1
+  need_packages "Looking at the real-time side" clang-tidy "${NATIVE_ROS_PACKAGES[@]}" "${NATIVE_GAZEBO_PACKAGES[@]}" || exit 1
   need_native
   clear_reports
   native_format

@@ -11,6 +11,7 @@ readonly PEER_PACKAGES=(
   python3-actionlib python3-dynamic-reconfigure python3-move-base-msgs
   libroscpp-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libnav-msgs-dev libtf2-msgs-dev g++ pkg-config
   liblcm-bin liblcm-dev liblcm-java
+  libignition-transport-dev libignition-msgs-dev ignition-transport-cli
   iproute2 procps
 )
 readonly SCENE_BENCH_PACKAGES=(rviz ros-robot-state-publisher libvisualization-msgs-dev python3-xlib)

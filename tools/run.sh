@@ -67,6 +67,7 @@ cmd_check() {
     shift
   done
   [[ -n $config ]] || usage_error "check needs a configuration"
+  check_control "$config"
   need_product
   trap end_everything EXIT
   [[ ${#live[@]} -eq 0 ]] || start_simulators '' "$config"

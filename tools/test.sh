@@ -29,6 +29,8 @@ cmd_test() {
 prepare_tests() {
   [[ $1 != all && $1 != native ]] || fetch_mujoco || say "  MuJoCo could not be fetched: its tests will say that they were skipped."
   [[ $1 != all && $1 != native ]] || need_packages "Tests of the real-time side" "${NATIVE_PACKAGES[@]}" "${NATIVE_ROS_PACKAGES[@]}" || exit 1
+  [[ $1 != all && $1 != native ]] || need_packages "Tests of robots in Gazebo" "${NATIVE_GAZEBO_PACKAGES[@]}" \
+    || say "  The HAL of robots in Gazebo will not be built: its tests will say that they were skipped."
   [[ $1 != native && $1 != lint ]] || return 0
   need_jdk
   need_maven

@@ -19,7 +19,8 @@ void readType(const Reader& block, HalConfig& hal) {
     hal.type = "library";
   }
   hal.lib_name = block.textOr("lib_name", "");
-  if (const auto type = block.find("type")) hal.type = type->oneOf({"dummy", "mujoco", "udp", "ethercat", "library"});
+  if (const auto type = block.find("type"))
+    hal.type = type->oneOf({"dummy", "mujoco", "gazebo", "udp", "ethercat", "library"});
   if (hal.type == "library" && hal.lib_file.empty())
     block.fail("has the type library, but no 'lib_file'; write lib_file: libMyHal.so");
 }

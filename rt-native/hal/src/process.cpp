@@ -89,6 +89,7 @@ void Process::obey(const link::Socket& supervisor, const std::atomic<bool>& ende
   link::Packet packet;
   while (!ended) {
     const link::Received received = supervisor.receive(packet, kLook);
+    for (const std::string& sentence : hal_->news()) supervisor.send("log warn " + sentence);
     if (received == link::Received::kTimeout) continue;
     if (received == link::Received::kClosed || packet.verb() == "end") break;
     if (packet.verb() != "host" || !replaceHost(packet))

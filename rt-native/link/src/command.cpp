@@ -16,22 +16,6 @@ constexpr std::size_t kMasterHead = offsetof(MasterData, joints);
 static_assert(kCommandHead % sizeof(Word) == 0 && kMasterHead % sizeof(Word) == 0 &&
               sizeof(JointCommand) % sizeof(Word) == 0);
 
-// One read with tries; `last` is what this reader had.
-template <class Data>
-Read readLocked(const std::atomic<std::uint64_t>& sequence, const Data& shared, Data& into, std::size_t bytes,
-                std::uint64_t& last) noexcept {
-  const std::uint64_t first = sequence.load(std::memory_order_acquire);
-  if (first == 0) return Read::kNone;
-  if (first == last) return Read::kSame;
-  for (int i = 0; i < kReadTries; ++i) {
-    const std::uint64_t read = lockedRead(sequence, [&]() noexcept { relaxedCopyOut(&into, &shared, bytes); });
-    if (read == 0) continue;
-    last = read;
-    return Read::kNew;
-  }
-  return Read::kBusy;
-}
-
 }  // namespace
 
 SlotWriter::SlotWriter(HostSegment& host, std::uint32_t thread, std::uint32_t joints) noexcept

@@ -1,5 +1,6 @@
 // A HAL of a user, built as a library.
 #include <algorithm>
+#include <utility>
 
 #include "robotui/rt/hal/hal.h"
 
@@ -17,6 +18,10 @@ class OwnHal : public robotui::rt::hal::Hal {
     return robotui::rt::hal::Status::kOk;
   }
   void close() noexcept override {}
+  std::vector<std::string> news() override { return std::exchange(news_, {}); }
+
+ private:
+  std::vector<std::string> news_{"The joints have been oiled."};
 };
 
 }  // namespace

@@ -97,15 +97,15 @@ struct HalProcess : testing::Test {
 
   std::string config(const std::string& name) const { return std::string(CONFIGS_FOLDER) + "/arm/" + name; }
 
-  // A copy of the folder, so that tests that run at the same time do not meet.
-  std::string configWithPort(const std::string& port) const {
+  // In a copy of the folder, so that tests that run at the same time do not meet.
+  std::string configWith(const std::string& name, const std::string& old, const std::string& other) const {
     std::filesystem::copy(std::filesystem::path(CONFIGS_FOLDER) / "arm", folder.path(),
                           std::filesystem::copy_options::recursive);
-    const std::filesystem::path file = folder.path() / "rt-udp.yaml";
+    const std::filesystem::path file = folder.path() / name;
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
     std::string content = text.str();
-    content.replace(content.find("9870"), 4, port);
+    content.replace(content.find(old), old.size(), other);
     std::ofstream(file) << content;
     return file.string();
   }
@@ -154,6 +154,16 @@ TEST_F(HalProcess, says_what_is_wrong_with_the_configuration) {
   EXPECT_NE(said.find("/nowhere/robot.yaml"), std::string::npos) << said;
 }
 
+TEST_F(HalProcess, passes_on_what_its_hardware_says) {
+  start(configWith("rt-dummy.yaml", "type: dummy", "lib_file: " + std::string(OWN_HAL)));
+  ASSERT_TRUE(state) << said;
+  link::Packet packet;
+  bool heard = false;
+  while (!heard && hal.receive(packet, 20s) == link::Received::kPacket)
+    heard = packet.text == "log warn The joints have been oiled.";
+  EXPECT_TRUE(heard);
+}
+
 TEST_F(HalProcess, without_rights_it_refuses_with_the_remedy) {
   start({HAL_PROGRAM, "-C", config("rt-dummy.yaml")}, false);
   EXPECT_FALSE(state);
@@ -165,7 +175,7 @@ TEST_F(HalProcess, without_rights_it_refuses_with_the_remedy) {
 
 TEST_F(HalProcess, joints_over_udp_are_lost_and_found) {
   const std::string port = std::to_string(20000 + ::getpid() % 20000);
-  const std::string udp = configWithPort(port);
+  const std::string udp = configWith("rt-udp.yaml", "9870", port);
   const auto controller = [&] {
     return std::make_unique<Program>(std::vector<std::string>{JOINTS_PROGRAM, "-C", udp, "--port", port});
   };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "robotui/rt/config/config.h"
 #include "robotui/rt/link/abi.h"
@@ -51,11 +52,15 @@ class Hal {
   virtual Status move(std::span<const Reference> references) noexcept = 0;
 
   virtual void close() noexcept = 0;
+
+  // What a user should know of the hardware since the last call: sentences. Called some times a second between open()
+  // and close(), on the ordinary thread, so it may block and allocate.
+  virtual std::vector<std::string> news() { return {}; }
 };
 
 // What the library of a HAL of one's own exports, by ROBOTUI_RT_HAL(Class): its `lib_file` stands in the configuration.
 // A library of another number, or that was built another way, is refused.
-inline constexpr std::uint32_t kHalAbi = 2;
+inline constexpr std::uint32_t kHalAbi = 3;
 
 // Of this source file: internal linkage, so that no other file's list takes its place.
 constexpr link::AbiFact kHalFacts[] = {

@@ -6,7 +6,10 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+
+#include "robotui/rt/link/relaxed.h"
 
 // Thread sanitizer does not model fences. It need not here: nothing that it watches depends on them, since all accesses
 // are atomic.
@@ -45,6 +48,22 @@ enum class Read : std::uint8_t {
 };
 
 inline constexpr int kReadTries = 16;
+
+// One read with tries, of the first `bytes`; `last` is the sequence that this reader had.
+template <class Data>
+Read readLocked(const std::atomic<std::uint64_t>& sequence, const Data& shared, Data& into, std::size_t bytes,
+                std::uint64_t& last) noexcept {
+  const std::uint64_t first = sequence.load(std::memory_order_acquire);
+  if (first == 0) return Read::kNone;
+  if (first == last) return Read::kSame;
+  for (int i = 0; i < kReadTries; ++i) {
+    const std::uint64_t read = lockedRead(sequence, [&]() noexcept { relaxedCopyOut(&into, &shared, bytes); });
+    if (read == 0) continue;
+    last = read;
+    return Read::kNew;
+  }
+  return Read::kBusy;
+}
 
 }  // namespace robotui::rt::link
 

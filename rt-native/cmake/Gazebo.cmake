@@ -1,0 +1,17 @@
+# The Gazebo transport, where it is wanted: the target rt::gazebo_transport.
+set(RT_GAZEBO AUTO CACHE STRING "HAL of robots that Gazebo simulates: ON, OFF, or AUTO (where the transport is found)")
+set(RT_GAZEBO_PACKAGES "libignition-transport-dev libignition-msgs-dev")
+
+if(RT_GAZEBO)
+  find_package(ignition-transport11 CONFIG QUIET)
+  if(ignition-transport11_FOUND)
+    add_library(rt_gazebo_transport INTERFACE)
+    target_link_libraries(rt_gazebo_transport INTERFACE ignition-transport11::ignition-transport11)
+    add_library(rt::gazebo_transport ALIAS rt_gazebo_transport)
+    message(STATUS "Gazebo: ignition-transport ${ignition-transport11_VERSION}")
+  elseif(RT_GAZEBO STREQUAL "AUTO")
+    message(STATUS "Gazebo: the transport was not found, so there is no HAL 'gazebo' (install ${RT_GAZEBO_PACKAGES})")
+  else()
+    message(FATAL_ERROR "The HAL 'gazebo' is wanted (RT_GAZEBO=${RT_GAZEBO}) but the Gazebo transport was not found: install ${RT_GAZEBO_PACKAGES}")
+  endif()
+endif()

@@ -1,0 +1,3 @@
+#include "gazebo_hal.h"
+
+ROBOTUI_RT_HAL(robotui::rt::hal::gazebo::GazeboHal)
