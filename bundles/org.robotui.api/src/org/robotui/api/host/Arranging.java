@@ -88,6 +88,15 @@ public interface Arranging {
   void choose(String name);
 
   /**
+   * Gives a perspective that the user has kept another name.
+   *
+   * @param name of the perspective
+   * @param next its new name; not blank, at most 60 characters
+   * @throws IllegalArgumentException where the name is none, or another perspective has it
+   */
+  void rename(String name, String next);
+
+  /**
    * Forgets a perspective that the user has kept; one of the configuration stays.
    *
    * @param name of the perspective

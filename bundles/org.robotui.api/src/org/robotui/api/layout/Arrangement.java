@@ -107,7 +107,31 @@ public record Arrangement(Layout layout, List<OwnWindow> windows, List<Added> ad
   }
 
   /**
-   * Closes a view.
+   * Opens a view where it lies in another arrangement: among the tabs of those that it lies with there.
+   *
+   * @param view id of a view that lies nowhere
+   * @param usual where views usually lie
+   * @return the arrangement, with the view in front of its tabs; along the lower side where its mates are closed, too
+   */
+  public Arrangement opened(String view, Layout usual) {
+    return LayoutChange.mates(usual, view).stream().filter(views()::contains).findFirst()
+        .map(mate -> with(view, new DropTarget.Tab(mate, Integer.MAX_VALUE)))
+        .orElseGet(() -> with(view, new DropTarget.Border(0, Edge.BOTTOM)));
+  }
+
+  /**
+   * Closes a view. One that the configuration does not have is forgotten.
+   *
+   * @param view id of the view
+   * @return the arrangement; a window without views is gone
+   */
+  public Arrangement closed(String view) {
+    Arrangement left = without(view);
+    return new Arrangement(left.layout, left.windows, added.stream().filter(a -> !a.id().equals(view)).toList());
+  }
+
+  /**
+   * Has a view lie nowhere.
    *
    * @param view id of the view
    * @return the arrangement; a window without views is gone

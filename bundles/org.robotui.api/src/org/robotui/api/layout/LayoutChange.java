@@ -107,6 +107,21 @@ public final class LayoutChange {
   }
 
   /**
+   * The views among whose tabs one lies, with itself.
+   *
+   * @param layout the layout
+   * @param view the view
+   * @return their ids; none where it lies nowhere
+   */
+  public static List<String> mates(Layout layout, String view) {
+    if (layout instanceof Split split) {
+      return split.parts().stream().filter(part -> part.views().contains(view)).findFirst()
+          .map(part -> mates(part, view)).orElse(List.of());
+    }
+    return layout.views().contains(view) ? layout.views() : List.of();
+  }
+
+  /**
    * How many splits lie within one another.
    *
    * @param layout the layout

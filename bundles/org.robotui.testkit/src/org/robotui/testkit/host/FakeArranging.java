@@ -124,6 +124,12 @@ public final class FakeArranging implements Arranging {
   }
 
   @Override
+  public synchronized void rename(String name, String next) {
+    Optional.ofNullable(perspectives.remove(name)).ifPresent(p -> perspectives.put(next, p));
+    perspective = perspective.map(n -> n.equals(name) ? next : n);
+  }
+
+  @Override
   public synchronized void forget(String name) {
     perspectives.remove(name);
     perspective = perspective.filter(n -> !n.equals(name));

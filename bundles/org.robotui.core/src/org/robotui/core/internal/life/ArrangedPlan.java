@@ -9,8 +9,6 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.robotui.api.layout.Arrangement;
 import org.robotui.api.layout.Arrangement.Added;
-import org.robotui.api.layout.DropTarget;
-import org.robotui.api.layout.Edge;
 import org.robotui.api.layout.Layout;
 import org.robotui.core.internal.config.model.ComponentConfig;
 import org.robotui.core.internal.config.model.KeptViews.Hand;
@@ -50,24 +48,10 @@ record ArrangedPlan(List<ComponentConfig> planned, Arrangement written, RawSecti
     Arrangement merged = possible(hand.arrangement());
     for (String view : written.views()) {
       if (!hand.known().contains(view) && !merged.views().contains(view)) {
-        merged = placed(merged, view);
+        merged = merged.opened(view, written.layout());
       }
     }
     return merged;
-  }
-
-  private Arrangement placed(Arrangement arrangement, String view) {
-    Optional<String> mate = mates(written.layout(), view).stream().filter(arrangement.views()::contains).findFirst();
-    return mate.map(m -> arrangement.with(view, new DropTarget.Tab(m, Integer.MAX_VALUE)).fronted(m))
-        .orElseGet(() -> arrangement.with(view, new DropTarget.Border(0, Edge.BOTTOM)));
-  }
-
-  private static List<String> mates(Layout layout, String view) {
-    if (layout instanceof Layout.Split split) {
-      return split.parts().stream().filter(part -> part.views().contains(view)).findFirst()
-          .map(part -> mates(part, view)).orElse(List.of());
-    }
-    return layout.views();
   }
 
   /**

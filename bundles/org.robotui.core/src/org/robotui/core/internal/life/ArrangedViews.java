@@ -141,7 +141,8 @@ final class ArrangedViews implements Arranging {
   public String freshId(String type) {
     Set<String> taken = plan.ids(now.added());
     return IntStream.iterate(1, n -> n + 1).mapToObj(n -> n == 1 ? type : type + "-" + n)
-        .filter(id -> !taken.contains(id) && ruic.config().rfic(id).isEmpty()).findFirst().orElseThrow();
+        .filter(id -> !taken.contains(id) && ruic.config().rfic(id).isEmpty() && ruic.overlay().settings(id).isEmpty())
+        .findFirst().orElseThrow();
   }
 
   @Override
@@ -160,10 +161,28 @@ final class ArrangedViews implements Arranging {
 
   @Override
   public void keep(String name) {
+    checked(name);
+    keep(name, now, true);
+    changed.run();
+  }
+
+  private static void checked(String name) {
     if (name.isBlank() || name.length() > LONGEST_NAME || name.chars().anyMatch(Character::isISOControl)) {
       throw new IllegalArgumentException("a perspective has a name of 1 to " + LONGEST_NAME + " characters");
     }
-    keep(name, now, true);
+  }
+
+  @Override
+  public void rename(String name, String next) {
+    checked(next);
+    if (perspectives().containsKey(next)) {
+      throw new IllegalArgumentException("there is a perspective '" + next + "' already");
+    }
+    ruic.overlay().arrange(old -> {
+      Map<String, Arrangement> named = new LinkedHashMap<>(old.perspectives());
+      Optional.ofNullable(named.remove(name)).ifPresent(arrangement -> named.put(next, arrangement));
+      return new KeptViews(old.arrangement(), named, old.perspective().map(n -> n.equals(name) ? next : n));
+    });
     changed.run();
   }
 
